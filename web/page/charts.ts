@@ -4,48 +4,22 @@ import {
   fromAndoyer,
   fromEuler,
   fromEulerRates,
-  fromSadov,
-  fromSerret,
-  fromTumbler,
+  fromPoincare,
+  fromRollPitchYaw,
   inertialAngularVelocity,
   inertialMomentum,
+  nearestPoincare,
   rotorState,
   angularVelocity,
   toAndoyer,
   toEuler,
   toEulerRates,
-  type RotorState,
+  toMatrix,
+  toRollPitchYaw,
+  type Pole,
 } from "polhode/core";
-import type { Model } from "./model.js";
-import type { Dimension } from "./scene.js";
-import { direction, DEG } from "./vectors.js";
-
-export interface Field {
-  /** HTML of the symbol, and the same for readers of screens. */
-  readonly symbol: string;
-  readonly label: string;
-  readonly dimension: Dimension;
-  /** A number that follows from others: it is shown, and cannot be typed. */
-  readonly fixed?: boolean;
-}
-
-export interface Chart {
-  readonly id: string;
-  readonly name: string;
-  readonly about: string;
-  readonly fields: readonly Field[];
-  /** DomainError where the motion has no such variables. */
-  readonly read: (model: Model, t: number) => number[];
-  readonly write: (model: Model, t: number, values: readonly number[]) => RotorState;
-}
-
-const f = (symbol: string, label: string, dimension: Dimension, fixed = false): Field => ({
-  symbol,
-  label,
-  dimension,
-  fixed,
-});
-const sub = (letter: string, index: string) => `${letter}<sub>${index}</sub>`;
+import { f, sub, type Chart } from "./chart.js";
+import { sadov, serret, tumbler } from "./motion-charts.js";
 
 const rates: Chart = {
   id: "rates",
@@ -151,88 +125,74 @@ const andoyer: Chart = {
   write: (_m, _t, [l, g, h, L, G, H]) => fromAndoyer({ l: l!, g: g!, h: h!, L: L!, G: G!, H: H! }),
 };
 
-const serret: Chart = {
-  id: "serret",
-  name: "Serret",
-  about: "Canonical constants of the free motion: nothing here moves.",
+const POLES = [
+  ["zero", "0"],
+  ["pi", "π"],
+] as const;
+
+const poincare: Chart = {
+  id: "poincare",
+  name: "Poincaré",
+  about: "The one of the four sets that is regular at this state, and near it.",
   fields: [
-    f(sub("g", "0"), "g 0", "angle"),
-    f("h", "h", "angle"),
-    f(sub("t", "0"), "t 0", "time"),
+    f("σ", "sigma", "angle"),
+    f(sub("Q", "1"), "Q 1", "root"),
+    f(sub("Q", "2"), "Q 2", "root"),
     f("G", "G", "momentum"),
-    f("H", "H", "momentum"),
-    f("T", "T", "energy"),
+    f(sub("P", "1"), "P 1", "root"),
+    f(sub("P", "2"), "P 2", "root"),
   ],
   read: (m, t) => {
-    const s = m.motion.serret(t);
-    return [s.g0, s.h, s.t0, s.G, s.H, s.T];
+    const s = nearestPoincare(m.at(t));
+    return [s.sigma, s.Q1, s.Q2, s.G, s.P1, s.P2];
   },
-  write: (m, t, [g0, h, t0, G, H, T]) =>
-    fromSerret(m.body, { ...m.motion.serret(t), g0: g0!, h: h!, t0: t0!, G: G!, H: H!, T: T! }, t),
-};
-
-const sadov: Chart = {
-  id: "sadov",
-  name: "Sadov",
-  about: "Action and angle: the momenta are constant, the angles grow evenly.",
-  fields: [
-    f(sub("φ", "l"), "phi l", "angle"),
-    f(sub("φ", "g"), "phi g", "angle"),
-    f(sub("φ", "h"), "phi h", "angle"),
-    f(sub("I", "l"), "I l", "momentum"),
-    f(sub("I", "g"), "I g", "momentum"),
-    f(sub("I", "h"), "I h", "momentum"),
+  choices: [
+    { label: "J near", options: POLES },
+    { label: "I near", options: POLES },
   ],
-  read: (m, t) => {
-    const s = m.motion.sadov(t);
-    return [s.phiL, s.phiG, s.phiH, s.IL, s.IG, s.IH];
+  chosen: (m, t) => {
+    const { poleJ, poleI } = nearestPoincare(m.at(t));
+    return [poleJ, poleI];
   },
-  write: (m, t, [phiL, phiG, phiH, IL, IG, IH]) =>
-    fromSadov(m.body, {
-      ...m.motion.sadov(t),
-      phiL: phiL!,
-      phiG: phiG!,
-      phiH: phiH!,
-      IL: IL!,
-      IG: IG!,
-      IH: IH!,
+  write: (_m, _t, [sigma, Q1, Q2, G, P1, P2], [poleJ, poleI]) =>
+    fromPoincare({
+      sigma: sigma!,
+      Q1: Q1!,
+      Q2: Q2!,
+      G: G!,
+      P1: P1!,
+      P2: P2!,
+      poleJ: poleJ as Pole,
+      poleI: poleI as Pole,
     }),
 };
 
-const tumbler: Chart = {
-  id: "tumbler",
-  name: "Tumbler",
-  about:
-    "As observers give it: periods of the long axis, pole of the momentum, two angles (Kaasalainen 2001).",
-  fields: [
-    f(sub("P", "φ"), "precession period", "time"),
-    f(sub("P", "ψ"), "rotation period", "time"),
-    f("λ", "longitude of the pole", "angle"),
-    f("β", "latitude of the pole", "angle"),
-    f(sub("φ", "0"), "phi 0", "angle"),
-    f(sub("ψ", "0"), "psi 0", "angle"),
-  ],
+const rollPitchYaw: Chart = {
+  id: "roll-pitch-yaw",
+  name: "Roll, pitch, yaw",
+  about: "Tait and Bryan's angles of the attitude, 3-2-1. Typed, the momentum stays as the body sees it.",
+  fields: ["roll", "pitch", "yaw"].map((name) => f(name, name, "angle")),
   read: (m, t) => {
-    const s = m.motion.tumbler(t);
-    const [x, y, z] = s.pole;
-    return [
-      s.precessionPeriod,
-      s.rotationPeriod,
-      Math.atan2(y, x),
-      Math.atan2(z, Math.hypot(x, y)),
-      s.phi0,
-      s.psi0,
-    ];
+    const { roll, pitch, yaw } = toRollPitchYaw(m.at(t).q);
+    return [roll, pitch, yaw];
   },
-  write: (m, t, [precessionPeriod, rotationPeriod, longitude, latitude, phi0, psi0]) =>
-    fromTumbler(m.body, {
-      ...m.motion.tumbler(t),
-      precessionPeriod: precessionPeriod!,
-      rotationPeriod: rotationPeriod!,
-      pole: direction([longitude! / DEG, latitude! / DEG]),
-      phi0: phi0!,
-      psi0: psi0!,
-    }),
+  write: (m, t, [roll, pitch, yaw]) => ({
+    q: fromRollPitchYaw({ roll: roll!, pitch: pitch!, yaw: yaw! }),
+    g: m.at(t).g,
+  }),
+};
+
+const matrix: Chart = {
+  id: "matrix",
+  name: "Matrix",
+  about: "R of v_B = R v_I, row by row: from inertial to body axes.",
+  fields: [1, 2, 3].flatMap((row) =>
+    [1, 2, 3].map((column) =>
+      f(sub("R", `${row}${column}`), `row ${row}, column ${column}`, "none", true),
+    ),
+  ),
+  read: (m, t) => [...toMatrix(m.at(t).q)],
+  write: (m, t) => m.at(t),
 };
 
 export const CHARTS: readonly Chart[] = [
@@ -244,4 +204,7 @@ export const CHARTS: readonly Chart[] = [
   eulerRates,
   serret,
   sadov,
+  poincare,
+  rollPitchYaw,
+  matrix,
 ];

@@ -15,6 +15,7 @@ export class Explorer {
   scene: Scene;
   model: Model;
   playing = false;
+  refusal = "";
 
   constructor(scene: Scene) {
     this.scene = scene;
@@ -46,11 +47,26 @@ export class Explorer {
       throw error;
     }
     if (moved) model.motion.dispose();
+    if (this.refusal) {
+      this.refusal = "";
+      this.tell("looks");
+    }
   }
 
   /** Another state at the time that is shown: the motion goes on from it. */
   changeState(state: RotorState): void {
     this.change({ state, epoch: this.scene.now });
+  }
+
+  /** The same from a drag or a key. These have no place for a sentence: what is refused changes
+   *  nothing, and `refusal` says why until something is accepted. */
+  steer(to: (state: RotorState) => RotorState): void {
+    try {
+      this.changeState(to(this.state));
+    } catch (error) {
+      this.refusal = (error as Error).message;
+      this.tell("looks");
+    }
   }
 
   get state(): RotorState {

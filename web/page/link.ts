@@ -17,23 +17,27 @@ export function toLink(scene: Scene): string {
     ["v", VERSION],
     ["name", scene.title],
     ["units", `${scene.time};${scene.moment}`],
-    ["I", scene.moments.join()],
-    ["q", scene.state.q.join()],
-    ["g", scene.state.g.join()],
-    ["epoch", String(scene.epoch)],
-    ["t", String(scene.now)],
-    ["pace", String(scene.pace)],
-    ["sun", scene.sun.join()],
-    ["observer", scene.observer.join()],
+    ["I", digits(scene.moments)],
+    ["q", digits(scene.state.q)],
+    ["g", digits(scene.state.g)],
+    ["epoch", digits([scene.epoch])],
+    ["t", digits([scene.now])],
+    ["pace", digits([scene.pace])],
+    ["sun", digits(scene.sun)],
+    ["observer", digits(scene.observer)],
     ["shape", scene.shape],
     ["planes", scene.overlay],
     ["friction", scene.friction ? "on" : "off"],
   ];
   const { precession } = scene;
-  if (precession) parts.push(["frame", [...precession.axis, precession.rate].join()]);
+  if (precession) parts.push(["frame", digits([...precession.axis, precession.rate])]);
   parts.push(["end", LAST]);
   return "#" + parts.map(([key, value]) => `${key}=${written(value)}`).join("&");
 }
+
+/** All digits, and the sign of 0. */
+const digits = (values: readonly number[]): string =>
+  values.map((x) => (Object.is(x, -0) ? "-0" : String(x))).join();
 
 /** Percent signs only where a link needs them: it is read by people, too. */
 function written(text: string): string {
@@ -73,7 +77,7 @@ export function fromLink(link: string): Scene {
     shape: oneOf(fields, "shape", SHAPES),
     overlay: oneOf(fields, "planes", OVERLAYS),
     friction: oneOf(fields, "friction", ["on", "off"]) === "on",
-    precession: frame && { axis: [frame[0]!, frame[1]!, frame[2]!], rate: frame[3]! },
+    precession: frame && frame[3] !== 0 ? { axis: [frame[0]!, frame[1]!, frame[2]!], rate: frame[3]! } : null,
   };
   if (fields.get("end") !== LAST) {
     throw new LinkError(`end: ${got(fields.get("end"))}; expected "${LAST}": the link was cut`);

@@ -11,8 +11,8 @@ import { HeadlinePanel } from "./panel/headline.js";
 import { Numbers } from "./panel/numbers.js";
 import { Settings } from "./panel/settings.js";
 import { Transport } from "./panel/transport.js";
-import { PRESETS, preset } from "./presets.js";
-import type { Scene } from "./scene.js";
+import { PRESETS, preset, type Preset } from "./presets.js";
+import { sameMotion, type Scene } from "./scene.js";
 import { theme } from "./theme.js";
 import { Tour } from "./tour.js";
 import { BodyView } from "./views/body.js";
@@ -28,6 +28,8 @@ const canvas = (id: string) => element<HTMLCanvasElement>(id);
 const still = window.matchMedia("(prefers-reduced-motion: reduce)");
 
 async function start(): Promise<void> {
+  let restyle = () => {};
+  theme(() => restyle()); // at once: loading the core takes a while
   const bytes = new Blob([core]).stream().pipeThrough(new DecompressionStream("gzip"));
   performance.mark("script");
   await load(new Response(bytes));
@@ -65,14 +67,20 @@ async function start(): Promise<void> {
   const copies = new CopyDialog(explorer);
 
   const choice = element<HTMLSelectElement>("preset");
+  /** What the page goes back to. */
+  let beginning = explorer.scene;
+  const name = ({ id = "", about = "", source = "" }: Partial<Preset>) => {
+    choice.value = id;
+    element("about").textContent = about;
+    element("source").textContent = source;
+  };
   /** A scene from elsewhere, and what the page says of it. */
   const show = (scene: Scene) => {
     explorer.play(false);
     explorer.change(scene);
-    const known = PRESETS.find(({ scene: s }) => s().title === scene.title);
-    choice.value = known?.id ?? "";
-    element("about").textContent = known?.about ?? "A state from a link.";
-    element("source").textContent = known?.source ?? "";
+    beginning = scene;
+    for (const panel of [numbers, settings, transport]) panel.forget();
+    name(PRESETS.find((p) => sameMotion(p.scene(), scene)) ?? { about: "A state from a link." });
   };
   const address = new Address(explorer, show);
   const tour = new Tour(explorer, show);
@@ -82,13 +90,25 @@ async function start(): Promise<void> {
     explorer.play(!still.matches);
   };
   fill(choice, begin);
-  const again = () => begin(choice.value || "wing-nut");
+  const again = () => {
+    if (tour.open) tour.end();
+    show(beginning);
+    explorer.play(!still.matches);
+  };
   element("reset").addEventListener("click", again);
 
   const pacing = new Pacing();
   let lastPicture = 0;
   let lastNumbers = 0;
   function picture(clock: number): void {
+    try {
+      paint(clock);
+    } catch (error) {
+      fatal("The picture stopped", error);
+      throw error;
+    }
+  }
+  function paint(clock: number): void {
     waiting = false;
     if (explorer.playing) {
       // A page that was hidden goes on where it was.
@@ -115,8 +135,20 @@ async function start(): Promise<void> {
 
   explorer.onChange((change: Change) => {
     for (const view of views) view.changed(change, explorer);
-    if (change === "motion") headline.show();
-    if (change !== "time") settings.show();
+    if (change === "motion") {
+      headline.show();
+      for (const { canvas } of [body, sphere, plane]) {
+        const picture = canvas.id === "body" ? element("body-labels") : canvas;
+        picture.setAttribute("aria-description", element("mode").textContent ?? "");
+      }
+      const { scene } = explorer;
+      const own = scene.state !== beginning.state || scene.moments !== beginning.moments;
+      if (own && choice.value) name({ about: `A state of your own, begun from ${scene.title}.` });
+    }
+    if (change !== "time") {
+      settings.show();
+      element("refusal").textContent = explorer.refusal;
+    }
     address.later();
     redraw();
   });
@@ -124,24 +156,27 @@ async function start(): Promise<void> {
     for (const view of views) view.changed(what, explorer);
     redraw();
   };
-  theme(() => refit("theme"));
+  restyle = () => refit("theme");
   const sizes = new ResizeObserver(() => refit("size"));
   for (const view of views) sizes.observe(view.canvas);
 
+  const [closer, wider] = [() => strip.zoom(1 / 1.5), () => strip.zoom(1.5)];
+  element("closer").addEventListener("click", closer);
+  element("wider").addEventListener("click", wider);
   element("from-observer").addEventListener("click", () => body.fromObserver());
   expandable(() => refit("size"));
   keyboard(explorer, transport, {
     r: again,
     t: () => (tour.open ? tour.end() : tour.go(0)),
     c: () => copies.open(),
+    "+": closer,
+    "=": closer,
+    "-": wider,
   });
 
   const linked = location.hash.length > 1;
   if (!linked || !address.open(location.hash)) {
-    const { about, source } = preset("wing-nut");
-    element("about").textContent = about;
-    element("source").textContent = source;
-    choice.value = "wing-nut";
+    name(preset("wing-nut"));
     explorer.play(!linked && !still.matches);
   }
   redraw();
@@ -217,8 +252,10 @@ function keyboard(
   });
 }
 
-start().catch((error: unknown) => {
+function fatal(what: string, error: unknown): void {
   const box = element("fatal");
   box.hidden = false;
-  box.textContent = `The explorer did not start: ${(error as Error).message}`;
-});
+  box.textContent = `${what}: ${(error as Error).message}`;
+}
+
+start().catch((error: unknown) => fatal("The explorer did not start", error));

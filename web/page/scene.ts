@@ -51,8 +51,17 @@ export function units(scene: Pick<Scene, "time" | "moment">) {
     rate: `deg/${time}`,
     moment: mass,
     momentum: mass ? `${mass}/${time}` : `1/${time}`,
+    /** Of Poincare's pairs: the square root of a momentum. */
+    root: mass ? `(${mass}/${time})½` : `${time}-½`,
     energy: mass ? `${mass}/${time}2` : `1/${time}2`,
     none: "",
   } as const;
 }
 export type Dimension = keyof ReturnType<typeof units>;
+
+/** True where a scene is the body and the motion of another, whatever it is called. */
+export function sameMotion(a: Scene, b: Scene): boolean {
+  const numbers = ({ moments, state, epoch, time, moment }: Scene) =>
+    [...moments, ...state.q, ...state.g, epoch, time, moment].join();
+  return numbers(a) === numbers(b);
+}

@@ -54,6 +54,8 @@ const STEPS: readonly Step[] = [
 
 export class Tour {
   private step = -1;
+  /** What was shown before: it comes back at the end. */
+  private before: Scene | null = null;
   private readonly card = document.getElementById("tour")!;
 
   constructor(
@@ -77,6 +79,7 @@ export class Tour {
 
   go(index: number): void {
     const step = STEPS[index]!;
+    if (this.step < 0) this.before = this.explorer.scene;
     this.step = index;
     this.shown(step.scene());
     const set = (id: string, html: string) => (document.getElementById(id)!.innerHTML = html);
@@ -104,6 +107,8 @@ export class Tour {
     open.setAttribute("aria-expanded", "false");
     open.focus({ preventScroll: true });
     this.spot([]);
+    if (this.before) this.shown(this.before);
+    this.before = null;
   }
 
   private spot(names: readonly string[]): void {

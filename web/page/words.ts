@@ -22,6 +22,7 @@ const PHI = "P<sub>φ</sub>";
 
 export function headline(model: Model): Headline {
   const { motion } = model;
+  const [least, , greatest] = model.body.axisOrder.map((axis) => "b" + "₁₂₃"[axis]);
   const periods: Clock[] = [
     { symbol: PSI, what: "rotation period", value: motion.polhodePeriod },
     { symbol: PHI, what: "precession, long axis", value: motion.precessionPeriodLong },
@@ -38,14 +39,14 @@ export function headline(model: Model): Headline {
       return {
         mode: "Long-axis mode",
         tone: "lam",
-        sentence: "The momentum circles the axis of least moment, b₁.",
+        sentence: `The momentum circles the axis of least moment, ${least}.`,
         clocks,
       };
     case "short_axis":
       return {
         mode: "Short-axis mode",
         tone: "sam",
-        sentence: "The momentum circles the axis of greatest moment, b₃.",
+        sentence: `The momentum circles the axis of greatest moment, ${greatest}.`,
         clocks,
       };
     case "separatrix":

@@ -18,6 +18,8 @@ export class NumberField {
   private readonly unit = document.createElement("span");
   private readonly error = document.createElement("p");
   private value = NaN;
+  /** What was typed and refused: it is tried again with what else is typed in its group. */
+  pending: number | null = null;
   private digits = 8;
 
   /** `commit` throws what it refuses. */
@@ -55,8 +57,7 @@ export class NumberField {
       event.stopPropagation();
       if (event.key === "Enter") this.read();
       if (event.key === "Escape") {
-        this.refuse(null);
-        this.write();
+        this.forget();
         input.blur();
       }
     });
@@ -93,10 +94,19 @@ export class NumberField {
       if (Number.isNaN(value)) throw new Error(`got "${text}"; expected a number`);
       this.commit(value);
       this.value = value;
+      this.pending = null;
       this.refuse(null);
     } catch (error) {
+      this.pending = Number.isNaN(value) ? null : value;
       this.refuse((error as Error).message);
     }
+  }
+
+  /** The last good number again. */
+  forget(): void {
+    this.pending = null;
+    this.refuse(null);
+    this.write();
   }
 
   refuse(reason: string | null): void {
@@ -106,6 +116,23 @@ export class NumberField {
     this.element.classList.toggle("refused", reason !== null);
     if (reason !== null) this.error.scrollIntoView({ block: "nearest" });
   }
+}
+
+/** `accept` takes what is typed with all that was refused before it: numbers that fit only together
+ *  are typed one after another. */
+export function together(
+  fields: readonly NumberField[],
+  typed: NumberField | null,
+  accept: (pending: (field: NumberField) => number | null) => void,
+): void {
+  const others = fields.filter((field) => field !== typed && field.pending !== null);
+  try {
+    accept((field) => (others.includes(field) ? field.pending : null));
+  } catch (error) {
+    for (const field of others) field.refuse("kept, until the others fit");
+    throw error;
+  }
+  for (const field of others) field.forget();
 }
 
 /** "kg m2/s" with its exponents raised. Built as nodes: a unit may come from a link. */

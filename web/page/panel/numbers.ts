@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: MIT
 // The numbers of the state in every set of variables. They follow the time; to type one stops it,
 // and makes the state with that number and the others as they are.
-import { CHARTS, type Chart } from "../charts.js";
+import type { Chart } from "../chart.js";
+import { CHARTS } from "../charts.js";
 import type { Explorer } from "../explorer.js";
 import { shown, unitOf } from "../format.js";
 import type { Dimension } from "../scene.js";
-import { NumberField } from "./field.js";
+import { NumberField, together } from "./field.js";
 
 export class Numbers {
   private chart: Chart = CHARTS[0]!;
   private fields: NumberField[] = [];
+  private selects: HTMLSelectElement[] = [];
+  /** What was chosen and fits no numbers yet, and why. */
+  private chosen: { values: string[]; reason: string } | null = null;
 
   constructor(
     private readonly tabs: HTMLElement,
@@ -56,17 +60,81 @@ export class Numbers {
           () => this.explorer.play(false),
         ),
     );
-    this.table.replaceChildren(...this.fields.map((field) => field.element));
+    this.chosen = null;
+    this.selects = (chart.choices ?? []).map(({ label, options }) => {
+      const select = document.createElement("select");
+      select.setAttribute("aria-label", label);
+      for (const [value, text] of options) select.append(new Option(text, value));
+      select.addEventListener("change", () => this.pick());
+      return select;
+    });
+    const choices = this.selects.map((select, index) => {
+      const line = document.createElement("label");
+      line.append(chart.choices![index]!.label, select);
+      return line;
+    });
+    const lists = document.createElement("div");
+    lists.className = "selects";
+    lists.hidden = choices.length === 0;
+    lists.append(...choices);
+    this.table.replaceChildren(...this.fields.map((field) => field.element), lists);
     this.about.textContent = chart.about;
     this.show();
   }
 
+  /** Makes the state with what was typed, what was refused before it, and the rest as it is. */
   private type(index: number, value: number): void {
-    const { explorer, chart } = this;
+    const { explorer, chart, fields } = this;
     const { model, now } = explorer;
-    const values = chart.read(model, now);
-    values[index] = value / shown(chart.fields[index]!.dimension);
-    explorer.changeState(chart.write(model, now, values));
+    together(fields, fields[index] ?? null, (pending) => {
+      const values = this.values();
+      for (const [i, field] of fields.entries()) {
+        const number = i === index ? value : pending(field);
+        if (number !== null) values[i] = number / shown(chart.fields[i]!.dimension);
+      }
+      const chosen = this.selects.map((select) => select.value);
+      explorer.changeState(chart.write(model, now, values, chosen));
+    });
+    this.chosen = null;
+  }
+
+  private values(): number[] {
+    const { chart, explorer } = this;
+    try {
+      return chart.read(explorer.model, explorer.now);
+    } catch (error) {
+      if (!chart.first) throw error;
+      return chart.first(explorer.model);
+    }
+  }
+
+  /** Another mode: at once, or with the numbers that are typed next. */
+  private pick(): void {
+    this.explorer.play(false);
+    const values = this.selects.map((select) => select.value);
+    try {
+      this.type(-1, NaN);
+    } catch (error) {
+      this.chosen = { values, reason: (error as Error).message };
+    }
+    this.show();
+  }
+
+  /** Another scene is shown: what was refused was of the last one. */
+  forget(): void {
+    this.chosen = null;
+    for (const field of this.fields) field.forget();
+  }
+
+  private choices(values: readonly string[]): void {
+    for (const [index, select] of this.selects.entries()) {
+      select.value = values[index]!;
+    }
+  }
+
+  private say(text: string, wrong: boolean): void {
+    this.about.classList.toggle("error", wrong);
+    if (this.about.textContent !== text) this.about.textContent = text;
   }
 
   show(): void {
@@ -74,11 +142,11 @@ export class Numbers {
     let values: number[] = [];
     try {
       values = chart.read(explorer.model, explorer.now);
-      this.about.classList.remove("error");
-      if (this.about.textContent !== chart.about) this.about.textContent = chart.about;
+      this.choices(this.chosen?.values ?? chart.chosen?.(explorer.model, explorer.now) ?? []);
+      this.say(this.chosen?.reason ?? chart.about, this.chosen !== null);
     } catch (error) {
-      this.about.textContent = (error as Error).message;
-      this.about.classList.add("error");
+      values = chart.first?.(explorer.model) ?? [];
+      this.say(this.chosen?.reason ?? (error as Error).message, true);
     }
     const size = new Map<Dimension, number>();
     for (const [index, { dimension }] of chart.fields.entries()) {

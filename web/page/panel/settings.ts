@@ -6,7 +6,7 @@ import type { Explorer } from "../explorer.js";
 import { number, shown, unitOf } from "../format.js";
 import { OVERLAYS, SHAPES, type Overlay, type Scene, type Shape } from "../scene.js";
 import { DEG, direction } from "../vectors.js";
-import { NumberField } from "./field.js";
+import { NumberField, together } from "./field.js";
 
 interface Setting {
   readonly field: NumberField;
@@ -20,6 +20,9 @@ export class Settings {
   private readonly settings: Setting[] = [];
   private readonly moments: NumberField[];
   private readonly rate: NumberField;
+  private readonly axes: NumberField[] = [];
+  /** Of the frame; kept while it stands still. */
+  private axis: Vec3 = [0, 0, 1];
   private readonly shape: HTMLSelectElement;
   private readonly overlay: HTMLSelectElement;
   private readonly friction: HTMLInputElement;
@@ -35,10 +38,7 @@ export class Settings {
     this.moments = [0, 1, 2].map((k) => {
       const field = new NumberField(
         { symbol: `I<sub>${k + 1}</sub>`, label: `moment of inertia ${k + 1}` },
-        (value) => {
-          // The momentum and the attitude stay as they are.
-          explorer.change({ moments: replaced(explorer.scene.moments, k, value) as Vec3 });
-        },
+        (value) => this.inertia(k, value),
         pause,
       );
       this.settings.push({ field, read: (scene) => scene.moments[k]! });
@@ -72,14 +72,11 @@ export class Settings {
     for (const [k, name] of ["x", "y", "z"].entries()) {
       const field = new NumberField(
         { symbol: `s<sub>${name}</sub>`, label: `axis of the frame, ${name}` },
-        (value) => {
-          const { precession } = explorer.scene;
-          const axis = replaced(precession?.axis ?? [0, 0, 1], k, value) as Vec3;
-          explorer.change({ precession: { axis, rate: precession?.rate ?? 0 } });
-        },
+        (value) => this.lean(k, value),
         pause,
       );
-      this.settings.push({ field, read: (scene) => (scene.precession?.axis ?? [0, 0, 1])[k]! });
+      this.axes.push(field);
+      this.settings.push({ field, read: () => this.axis[k]! });
       place("frame").append(field.element);
     }
 
@@ -100,6 +97,21 @@ export class Settings {
     this.show();
   }
 
+  /** A moment, with those that were refused before it. Momentum and attitude stay as they are. */
+  private inertia(k: number, value: number): void {
+    const { explorer, moments } = this;
+    together(moments, moments[k]!, (pending) => {
+      const now = explorer.scene.moments.map((old, i) => pending(moments[i]!) ?? old);
+      explorer.change({ moments: replaced(now, k, value) as unknown as Vec3 });
+    });
+  }
+
+  /** Another scene is shown: what was refused was of the last one. */
+  forget(): void {
+    for (const field of [...this.moments, ...this.settings.map((s) => s.field), this.rate]) field.forget();
+    this.trouble.hidden = true;
+  }
+
   /** What a list or a box asks for. Refused, it stands as before, with the sentence below it. */
   private ask(parts: Partial<Scene>): void {
     let reason = "";
@@ -113,15 +125,31 @@ export class Settings {
     this.show();
   }
 
+  /** The axis may be typed before the rate: it waits for it. */
+  private lean(k: number, value: number): void {
+    const { explorer, axes } = this;
+    together(axes, axes[k]!, (pending) => {
+      const axis = this.axis.map((old, i) => (i === k ? value : (pending(axes[i]!) ?? old)));
+      const size = Math.hypot(...axis);
+      if (!(size > 0 && Number.isFinite(size))) {
+        throw new Error(`got the axis (${axis.join(", ")}); expected a direction`);
+      }
+      const { precession } = explorer.scene;
+      if (precession) explorer.change({ precession: { ...precession, axis: axis as unknown as Vec3 } });
+      this.axis = axis as unknown as Vec3;
+    });
+    this.show();
+  }
+
   private precess(typed: number): void {
     const rate = typed * DEG;
     if (!Number.isFinite(rate)) throw new Error(`got ${typed}; expected a finite number`);
-    const axis = this.explorer.scene.precession?.axis ?? ([0, 0, 1] as const);
-    this.explorer.change({ precession: rate === 0 ? null : { axis, rate } });
+    this.explorer.change({ precession: rate === 0 ? null : { axis: this.axis, rate } });
   }
 
   show(): void {
     const { scene } = this.explorer;
+    if (scene.precession) this.axis = scene.precession.axis;
     for (const { field, read } of this.settings) field.show(read(scene), 9);
     for (const field of this.moments) field.units = unitOf(scene, "moment");
     this.rate.units = unitOf(scene, "rate");

@@ -70,6 +70,10 @@ export class Transport {
     explorer.now = Number.isFinite(flip) ? flip : explorer.now + way * explorer.model.turn;
   }
 
+  forget(): void {
+    this.time.forget();
+  }
+
   show(): void {
     const { explorer } = this;
     const { scene, model, now } = explorer;

@@ -251,7 +251,10 @@ export class BodyView implements View {
       const v = new Vector3(...at).applyQuaternion(parts.root.quaternion).project(camera);
       const wide = colour === "text" ? 40 : 19;
       const place = [((v.x + 1) / 2) * sheet.width, ((1 - v.y) / 2) * sheet.height] as const;
-      const [x, y] = free(taken, ...place, wide);
+      const [left, low] = free(taken, ...place, wide);
+      // Within the sheet: a narrow one would cut them.
+      const x = Math.max(14, Math.min(sheet.width - 14, left));
+      const y = Math.max(11, Math.min(sheet.height - 11, low));
       if (colour !== "text") {
         symbol(context, text, x, y, colour, colours.paper);
       } else {

@@ -6,6 +6,9 @@ export interface Place {
   readonly y: number;
 }
 
+/** Of a dot that is not drawn: no finger reaches it. */
+export const NOWHERE: Place = { x: -1e6, y: -1e6 };
+
 /** What a grab does; null where there is nothing to take here. */
 export interface Grab {
   move(to: Place, by: Place): void;

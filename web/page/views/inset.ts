@@ -24,6 +24,7 @@ export function inset(
   { axis, angle }: Wobble,
   curve: Float64Array,
   g: Vec3,
+  colour: string,
 ): void {
   const [u, v] = [(axis + 1) % 3, (axis + 2) % 3] as [number, number];
   const size = Math.hypot(...g);
@@ -47,7 +48,7 @@ export function inset(
   for (let i = 0; i < curve.length; i += 3) {
     context.lineTo(scale * curve[i + u]!, -scale * curve[i + v]!);
   }
-  context.strokeStyle = axis === 0 ? colours.lam : colours.sam;
+  context.strokeStyle = colour;
   context.lineWidth = 2;
   context.stroke();
   context.beginPath();

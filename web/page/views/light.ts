@@ -17,6 +17,8 @@ export class LightView implements View {
   private readonly flux = new Float64Array(COUNT);
   private light: Light;
   private mean = 1;
+  /** No light at any time. */
+  private dark = false;
   private low = -0.1;
   private high = 0.1;
 
@@ -42,7 +44,8 @@ export class LightView implements View {
       const m = this.magnitude(value);
       if (Number.isFinite(m)) [low, high] = [Math.min(low, m), Math.max(high, m)];
     }
-    if (!(low <= high)) [low, high] = [-1, 1];
+    this.dark = !(low <= high);
+    if (this.dark) [low, high] = [-1, 1];
     const room = Math.max(0.02, 0.08 * (high - low));
     [this.low, this.high] = [low - room, high + room];
   }
@@ -91,6 +94,13 @@ export class LightView implements View {
     context.restore();
     axes.frame();
     axes.below(times);
+    if (this.dark) {
+      context.font = SMALL;
+      context.fillStyle = colours.soft;
+      context.textAlign = "center";
+      const middle = [(box.left + box.right) / 2, (box.top + box.bottom) / 2] as const;
+      context.fillText("An ellipsoid without thickness: it has no light curve.", ...middle);
+    }
     axes.beside(magnitudes
         .filter((m) => y(m) > box.top + 18)
         .map((m) => [y(m), number(Math.abs(m) < 1e-9 ? 0 : m, 3)] as const));

@@ -7,7 +7,7 @@ import { osculatingPlane, SWINGS } from "../model.js";
 import type { Precession } from "../scene.js";
 import { DEG } from "../vectors.js";
 import { Axes, type Box } from "./axes.js";
-import { draggable, near, type Place } from "./drag.js";
+import { draggable, near, NOWHERE, type Place } from "./drag.js";
 import { Sheet, symbol, type View } from "./pane.js";
 import { familyOf, frictionOf, look } from "./sphere.js";
 
@@ -23,7 +23,7 @@ export class PlaneView implements View {
   private precession: Precession | null = null;
   private friction: Float64Array | null = null;
   /** Where the state is on paper. */
-  dot: Place = { x: -99, y: -99 };
+  dot: Place = NOWHERE;
 
   constructor(
     readonly canvas: HTMLCanvasElement,
@@ -48,15 +48,19 @@ export class PlaneView implements View {
   /** The state with l and L there; g, h, G and H stay. */
   private point(to: Place): void {
     const { box } = this;
-    const a = toAndoyer(this.explorer.state);
     const l = ((to.x - box.left) / (box.right - box.left)) * TURN - Math.PI;
     const ratio = ((box.top + box.bottom) / 2 - to.y) * (2.08 / (box.bottom - box.top));
-    this.move(l, Math.max(-0.9999, Math.min(0.9999, ratio)) * a.G);
+    this.move(() => [l, ratio]);
   }
 
-  private move(l: number, L: number): void {
-    const { explorer } = this;
-    explorer.changeState(fromAndoyer({ ...toAndoyer(explorer.state), l, L }));
+  /** To l and L/G; a state at rest has neither. */
+  private move(to: (l: number, ratio: number) => readonly [l: number, ratio: number]): void {
+    this.explorer.steer((state) => {
+      const a = toAndoyer(state);
+      if (!(a.G > 0)) throw new Error("At rest: there is no momentum to move.");
+      const [l, ratio] = to(a.l, a.L / a.G);
+      return fromAndoyer({ ...a, l, L: Math.max(-0.9999, Math.min(0.9999, ratio)) * a.G });
+    });
   }
 
   private key(event: KeyboardEvent): void {
@@ -70,9 +74,7 @@ export class PlaneView implements View {
     if (!by) return;
     event.preventDefault();
     event.stopPropagation();
-    const a = toAndoyer(this.explorer.state);
-    const ratio = Math.max(-0.9999, Math.min(0.9999, a.L / a.G + 0.01 * by[1]!));
-    this.move(a.l + by[0]! * DEG, ratio * a.G);
+    this.move((l, ratio) => [l + by[0]! * DEG, ratio + 0.01 * by[1]!]);
   }
 
   changed(change: Change | "theme" | "size", explorer: Explorer): void {
@@ -102,7 +104,10 @@ export class PlaneView implements View {
     const context = sheet.clear();
     sheet.stamp(this.layer);
     const { momentum, regime } = model.motion;
-    if (!(momentum > 0)) return;
+    if (!(momentum > 0)) {
+      this.dot = NOWHERE;
+      return;
+    }
     const style = look(
       regime === "long_axis" || regime === "separatrix" ? regime : "short_axis",
       colours,
@@ -217,18 +222,24 @@ export class PlaneView implements View {
     return canvas;
   }
 
-  /** The long-axis mode lies between the arcs of the separatrix. */
+  /** The long-axis mode lies between the arcs of the separatrix, around the ends of the axis of least
+   *  moment: two lobes in this plane, where axis 3 is that of the greatest moment. */
   private shade(context: CanvasRenderingContext2D): void {
-    const arcs = separatrix(this.explorer.model.body, 1, 97);
+    const { body } = this.explorer.model;
+    const [least, , greatest] = body.axisOrder;
+    if (greatest !== 2) return;
+    const arcs = separatrix(body, 1, 97);
+    const middle = least === 0 ? Math.PI / 2 : 0; // l at one end of that axis
     context.fillStyle = this.sheet.colours.lam;
     context.globalAlpha = 0.07;
-    for (const half of [0, 1]) {
+    for (const centre of [middle - Math.PI, middle, middle + Math.PI]) {
       const places: [number, number][] = [];
       for (const arc of arcs) {
         const rows = andoyerPlane(arc.points);
         for (let i = 0; i < rows.length; i += 2) {
-          const l = Math.atan2(Math.sin(rows[i]!), Math.cos(rows[i]!));
-          if ((half === 0) === l >= 0) places.push([l, rows[i + 1]!]);
+          const from = rows[i]! - centre;
+          const l = centre + Math.atan2(Math.sin(from), Math.cos(from));
+          if (Math.abs(l - centre) <= Math.PI / 2) places.push([l, rows[i + 1]!]);
         }
       }
       const edge = (sign: number) =>

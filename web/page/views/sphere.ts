@@ -6,7 +6,7 @@ import { polhodes, separatrix, withMomentumAlong, type Curve, type Vec3 } from "
 import type { Change, Explorer } from "../explorer.js";
 import { frictionPath, type Model } from "../model.js";
 import { scale, unit } from "../vectors.js";
-import { draggable, near, type Place } from "./drag.js";
+import { draggable, near, NOWHERE, type Place } from "./drag.js";
 import { Globe } from "./globe.js";
 import { inset } from "./inset.js";
 import { Sheet, symbol, type View } from "./pane.js";
@@ -34,7 +34,7 @@ export class SphereView implements View {
   private friction: Float64Array | null = null;
   private layer: HTMLCanvasElement | null = null;
   /** Where the state is on paper. */
-  dot: Place = { x: -99, y: -99 };
+  dot: Place = NOWHERE;
   private depth = 1;
 
   constructor(
@@ -76,7 +76,7 @@ export class SphereView implements View {
   }
 
   private point(direction: Vec3): void {
-    this.explorer.changeState(withMomentumAlong(this.explorer.state, direction));
+    this.explorer.steer((state) => withMomentumAlong(state, direction));
   }
 
   private key(event: KeyboardEvent): void {
@@ -116,14 +116,17 @@ export class SphereView implements View {
     globe.place(
       sheet.width / 2,
       sheet.height / 2,
-      Math.max(10, Math.min(sheet.width, sheet.height) / 2.26 - 9),
+      Math.max(10, Math.min(sheet.width, sheet.height) / 2.38 - 9),
     );
     this.layer ??= this.still();
     const context = sheet.clear();
     sheet.stamp(this.layer);
 
     const { momentum, regime } = model.motion;
-    if (!(momentum > 0)) return;
+    if (!(momentum > 0)) {
+      this.dot = NOWHERE;
+      return;
+    }
     const style = look(regime === "long_axis" || regime === "separatrix" ? regime : "short_axis", colours);
     context.strokeStyle = style.colour;
     context.lineCap = "round";
@@ -155,8 +158,9 @@ export class SphereView implements View {
     context.globalAlpha = 1;
     const { wobble } = model;
     if (wobble) {
+      const tone = model.body.axisOrder[0] === wobble.axis ? colours.lam : colours.sam;
       const place = [sheet.width - 62, sheet.height - 68] as const;
-      inset(context, colours, place, wobble, this.polhode, model.at(now).g);
+      inset(context, colours, place, wobble, this.polhode, model.at(now).g, tone);
     }
   }
 

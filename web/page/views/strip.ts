@@ -29,11 +29,16 @@ export class StripView implements View {
       (event) => {
         if (!event.ctrlKey && Math.abs(event.deltaX) > Math.abs(event.deltaY)) return;
         event.preventDefault();
-        this.swings = Math.max(0.05, Math.min(40, this.swings * Math.exp(event.deltaY / 400)));
-        this.redraw();
+        this.zoom(Math.exp(event.deltaY / 400));
       },
       { passive: false },
     );
+  }
+
+  /** So many times as much of the time is seen. */
+  zoom(by: number): void {
+    this.swings = Math.max(0.05, Math.min(40, this.swings * by));
+    this.redraw();
   }
 
   private window(model: Model): number {
@@ -119,7 +124,9 @@ export class StripView implements View {
   ): void {
     const { first, every } = model.flips;
     const { box, sheet } = this;
-    if (!Number.isFinite(first)) return;
+    // Crossings of the plane; of a body that does not turn over they are no flips.
+    const flips = model.flipsOver || model.motion.regime === "separatrix";
+    if (!Number.isFinite(first) || !flips) return;
     context.fillStyle = sheet.colours.sep;
     const from = Number.isFinite(every) ? Math.ceil((low - first) / every) : 0;
     const upTo = Number.isFinite(every) ? Math.floor((high - first) / every) : 0;
