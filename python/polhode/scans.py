@@ -158,7 +158,7 @@ def fourier_scan(
     return scan_of(found, n, sum(len(table) for *_, table in parts))
 
 
-def scan_of(found: Any, order: int, points: int) -> FourierScan:
+def scan_of(found: Any, order: Any, points: Any) -> FourierScan:
     minima = [ScanMinimum(**m) for m in found.minima]
     return FourierScan(found.f1, found.f2, found.chi_square, minima, order, points, found)
 
