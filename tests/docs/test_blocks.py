@@ -26,6 +26,7 @@ SECONDS = 300
 
 # A language, or a directive of the site with its arguments: ```{toctree}
 FENCE = re.compile(r"^(`{3,}|~{3,})\s*([\w+-]*|\{[\w:-]+\}.*)\s*$")
+PROGRESS = re.compile(r"^ *\d+ %, .* per second.*\n", re.MULTILINE)
 DIRECTIVE = re.compile(r"^<!--\s*(file|skip|exit):\s*(.*?)\s*-->$")
 NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
 
@@ -189,7 +190,8 @@ class Page:
                                  timeout=SECONDS, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                                  stderr=subprocess.STDOUT)
             shown = " ".join(shlex.quote(str(a)) for a in arguments)
-            done = (shown, ran.returncode, ran.stdout)
+            # how far a run is, a line a few seconds: none on a quick machine
+            done = (shown, ran.returncode, PROGRESS.sub("", ran.stdout))
         return done
 
     def run(self, block):
