@@ -275,7 +275,7 @@ class LightScenarioSolution(ScenarioSolution):
         return None if factor is None else factor**2 * self.covariance
 
     def residual_function(
-        self, scaled: bool = False, epoch: float | None = None
+        self, scaled: bool = False, epoch: object = None
     ) -> LightResiduals:
         """Residuals as a function of the unknowns, from this solution on, for other optimisers: in
         radians and the scenario's unit of time, turns about the attitude that was found.

@@ -17,7 +17,7 @@ from polhode import figures  # noqa: E402
 from polhode.figures.pole_sky import pole_and_covariance  # noqa: E402
 
 NIGHT = pathlib.Path(__file__).resolve().parents[2] / "examples/tumbling-night.toml"
-NEARBY = {"fit.from": "start"}
+NEARBY = {"fit.from": "start", "fit.starts": None, "fit.scan": None}
 
 
 @pytest.fixture(scope="module")

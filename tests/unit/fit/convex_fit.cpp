@@ -215,7 +215,7 @@ TEST(ConvexFit, SaysWhereTheShapeHasNoMoments) {
   fit.moments = MomentSource::shape;
   const ConvexSolution found = fit_convex(fit);
   EXPECT_EQ(found.result.end, LeastSquaresResult::End::no_descent) << found.result.sentence;
-  EXPECT_THAT(found.result.sentence, HasSubstr("the shape that was found has no moments: "));
+  EXPECT_THAT(found.result.sentence, HasSubstr("no moments follow from the shape: "));
 }
 
 TEST(MeshFit, FindsTheSpinOfAConvexMesh) {
