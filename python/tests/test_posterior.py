@@ -68,13 +68,13 @@ def test_toutatis_of_1992():
     triangle."""
     (one,) = polhode.fit(ROOT / "examples/toutatis-1992.toml").solutions
     n = 1000 if FULL else 150
-    draws = quietly(one.sample, scaled=True, draws=n, warm_up=150, chains=2, seed=4)
+    draws = quietly(one.sample, scaled=True, draws=n, warm_up=150, chains=2, seed=4, accept=0.95)
     x, y = draws["Ixx/Izz"], draws["Iyy/Izz"]
     assert (x + y > 1.0).all() and (np.abs(x - y) < 1.0).all()
     spread = np.sqrt(np.diag(draws.covariance) / np.diag(draws.laplace_covariance))
     assert_allclose(spread, np.ones(8), atol=budgets.sampled_toutatis)
     assert largest(draws.rhat) < (budgets.sampled_rhat_full if FULL else budgets.sampled_rhat_few)
-    # its tail reaches the triangle, beyond which there is no body
+    # its tail reaches the triangle, beyond which there is no body: small steps, as the advice says
     assert draws.divergences <= budgets.sampled_diverged * x.size
     assert np.isfinite(draws.log_density).all()
 
