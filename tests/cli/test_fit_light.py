@@ -379,7 +379,7 @@ def test_words_of_light_need_light(run, fit_file, tmp_path):
 def test_a_search_is_stopped(night, polhode):
     """Ctrl-C ends it between two starts."""
     process = subprocess.Popen(
-        [polhode, "fit", night, "--set", 'fit.from="search"', "--set", "fit.starts=10000000",
+        [polhode, "fit", night, "--set", 'fit.from="search"', "--set", "fit.starts=1000000",
          "--set", 'fit.periods=[{ mode="LAM", precession_period=12, rotation_period=20 }]'],
         stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
     )
