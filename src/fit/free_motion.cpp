@@ -160,6 +160,16 @@ bool add_derivatives(const SpinState& s, const PrincipalState& exact, const Prin
 
 }  // namespace
 
+FreeRotation free_rotation_of(const SpinState& s) {
+  const double unit = s.inertia_F(2, 2);
+  Mat3 T = s.inertia_F;
+  for (Vec3& row : T.row) row = (1.0 / unit) * row;
+  const bool is_diagonal = T(0, 1) == 0.0 && T(1, 2) == 0.0 && T(0, 2) == 0.0;
+  const Body body = is_diagonal ? Body(T(0, 0), T(1, 1), 1.0) : Body::from_tensor(T);
+  const Quaternion f = is_diagonal ? Quaternion{} : body.q_FB();
+  return FreeRotation(body, {normalized(s.q) * f, rotate(conj(f), T * s.w_F)}, s.t0);
+}
+
 bool free_motion(const SpinState& s, const std::vector<double>& times, Asked asked,
                  std::vector<MotionPoint>& points) {
   points.resize(times.size());

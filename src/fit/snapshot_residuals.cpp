@@ -29,6 +29,25 @@ const char* parameter_name(std::size_t parameter) {
   return names[parameter];
 }
 
+double parameter_of(const SpinState& s, std::size_t p) {
+  const Mat3& T = s.inertia_F;
+  const double unit = T(2, 2);
+  switch (p) {
+    case 6:
+      return T(0, 0) / unit;
+    case 7:
+      return T(1, 1) / unit;
+    case 8:
+      return T(0, 1) / unit;
+    case 9:
+      return T(1, 2) / unit;
+    case 10:
+      return T(0, 2) / unit;
+    default:
+      return p < first_rate ? 0.0 : s.w_F[static_cast<int>(p - first_rate)];
+  }
+}
+
 SpinState state_at(const SpinState& start, const std::vector<std::size_t>& parameters,
                    std::span<const double> x) {
   SpinState s = start;

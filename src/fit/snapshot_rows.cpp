@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "fit/detail/inverse_root.hpp"
 #include "fit/detail/rotation_vector.hpp"
 #include "polhode/fit/spin_fit.hpp"
 
@@ -20,8 +21,7 @@ Mat3 whitening(const Mat3& covariance) {
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) c(i, j) = covariance(i, j);
   }
-  const Eigen::Matrix3d root =
-      c.llt().matrixL().solve(Eigen::Matrix3d(Eigen::Matrix3d::Identity()));
+  const Eigen::Matrix3d root = inverse_root(c.llt());
   Mat3 found;
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) found(i, j) = root(i, j);

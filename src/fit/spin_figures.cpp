@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "fit/detail/snapshot_residuals.hpp"
 #include "fit/detail/spin_motion.hpp"
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
@@ -22,14 +23,10 @@ using detail::spin_parameters;
 // How much of each parameter of a spin state one unknown is.
 using Parts = std::array<double, spin_parameters>;
 
-constexpr std::string_view parameter_names[spin_parameters] = {
-    "turn_x",  "turn_y",  "turn_z",  "w_x",     "w_y",    "w_z",
-    "Ixx/Izz", "Iyy/Izz", "Ixy/Izz", "Iyz/Izz", "Ixz/Izz"};
-
 Parts parts_of(std::string_view unknown) {
   Parts parts{};
   for (std::size_t j = 0; j < spin_parameters; ++j)
-    if (parameter_names[j] == unknown) parts[j] = 1.0;
+    if (unknown == detail::parameter_name(j)) parts[j] = 1.0;
   return parts;
 }
 
@@ -93,17 +90,11 @@ double error_of(const std::vector<double>& a, const UnknownsCovariance& c) {
 }
 
 FreeRotation motion_of(const SpinState& s) {
-  const double unit = s.inertia_F(2, 2);
-  Mat3 T = s.inertia_F;
-  for (Vec3& row : T.row) row = (1.0 / unit) * row;
-  const bool is_diagonal = T(0, 1) == 0.0 && T(1, 2) == 0.0 && T(0, 2) == 0.0;
-  const Body body = is_diagonal ? Body(T(0, 0), T(1, 1), 1.0) : Body::from_tensor(T);
-  const Quaternion f = is_diagonal ? Quaternion{} : normalized(body.q_FB());
-  const Vec3 L = T * s.w_F;
+  const Vec3 L = (1.0 / s.inertia_F(2, 2)) * (s.inertia_F * s.w_F);
   if (!(norm(L) > 0.0))
     throw DomainError("spin_figures: the momentum " + detail::tuple_text({L.x, L.y, L.z}) +
                       " must not be 0");
-  return FreeRotation(body, {normalized(s.q) * f, rotate(conj(f), L)}, s.t0);
+  return detail::free_rotation_of(s);
 }
 
 class Figures {

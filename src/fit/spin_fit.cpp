@@ -20,25 +20,6 @@ constexpr int most_recentrings = 20;
 // Moments nearer than this have no axes of their own.
 constexpr double equal_moments = 1e-12;
 
-double parameter_of(const SpinState& s, std::size_t p) {
-  const Mat3& T = s.inertia_F;
-  const double unit = T(2, 2);
-  switch (p) {
-    case 6:
-      return T(0, 0) / unit;
-    case 7:
-      return T(1, 1) / unit;
-    case 8:
-      return T(0, 1) / unit;
-    case 9:
-      return T(1, 2) / unit;
-    case 10:
-      return T(0, 2) / unit;
-    default:
-      return p < detail::first_rate ? 0.0 : s.w_F[static_cast<int>(p - detail::first_rate)];
-  }
-}
-
 // Principal axes that turn with the tensor have derivatives where no moments are equal.
 void require_axes(const SpinFit& fit, const Vec3& moments) {
   const Mat3& T = fit.start.inertia_F;
@@ -96,7 +77,7 @@ LeastSquares problem_of(const SpinFit& fit) {
   for (const std::size_t k : parameters) {
     Unknown u;
     u.name = detail::parameter_name(k);
-    u.start = parameter_of(fit.start, k);
+    u.start = detail::parameter_of(fit.start, k);
     if (k == detail::first_ratio) p.triangle = {p.unknowns.size(), p.unknowns.size() + 1};
     p.unknowns.push_back(u);
   }
@@ -177,7 +158,8 @@ std::vector<double> unknowns_at(const SpinFit& fit, const SpinState& about,
   const Vec3 turn = attitude_residual(about.q, state.q);
   std::vector<double> x;
   for (const std::size_t p : detail::parameters_of(fit.unknowns)) {
-    x.push_back(p < detail::first_rate ? turn[static_cast<int>(p)] : parameter_of(state, p));
+    x.push_back(p < detail::first_rate ? turn[static_cast<int>(p)]
+                                       : detail::parameter_of(state, p));
   }
   return x;
 }

@@ -17,6 +17,8 @@ namespace detail {
 // Which of the parameters of a motion are unknowns, in order.
 std::vector<std::size_t> parameters_of(const SpinUnknowns& unknowns);
 const char* parameter_name(std::size_t parameter);
+// Its value; that of a turn, about the state itself, is 0.
+double parameter_of(const SpinState& state, std::size_t parameter);
 // The state at these unknowns, turns about that of `start`.
 SpinState state_at(const SpinState& start, const std::vector<std::size_t>& parameters,
                    std::span<const double> x);

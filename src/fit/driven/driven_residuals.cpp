@@ -19,13 +19,6 @@ Vec3 unit_vector(std::size_t k) {
   return e;
 }
 
-double start_of(const SpinState& s, std::size_t p) {
-  if (p < first_rate) return 0.0;
-  if (p < first_ratio) return s.w_F[static_cast<int>(p - first_rate)];
-  const int k = static_cast<int>(p - first_ratio);
-  return s.inertia_F(k, k) / s.inertia_F(2, 2);
-}
-
 }  // namespace
 
 std::vector<Vec3> changes_of(const SpinDrive& drive) {
@@ -51,7 +44,7 @@ std::vector<Unknown> DrivenResiduals::unknowns() const {
   for (const std::size_t p : parameters_) {
     Unknown u;
     u.name = parameter_name(p);
-    u.start = start_of(fit_.start, p);
+    u.start = parameter_of(fit_.start, p);
     found.push_back(u);
   }
   for (const TorqueParameter& one : drive_.parameters) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fit/detail/spin_motion.hpp"
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
 #include "polhode/free/free_rotation.hpp"
@@ -21,21 +22,6 @@ namespace {
 
 // Beyond this the vector of a turn is taken about the attitude that was found, and the fit goes on.
 constexpr double far_turn = 1.0;
-
-FreeRotation motion_of(const SpinState& s) {
-  const double unit = s.inertia_F(2, 2);
-  Mat3 scaled = s.inertia_F;
-  for (Vec3& row : scaled.row) row = (1.0 / unit) * row;
-  const bool is_diagonal = scaled(0, 1) == 0.0 && scaled(1, 2) == 0.0 && scaled(0, 2) == 0.0;
-  if (is_diagonal) {
-    const Vec3 I{scaled(0, 0), scaled(1, 1), 1.0};
-    return FreeRotation(Body(I.x, I.y, I.z),
-                        {normalized(s.q), {I.x * s.w_F.x, I.y * s.w_F.y, s.w_F.z}}, s.t0);
-  }
-  const Body body = Body::from_tensor(scaled);
-  const Quaternion to_B = conj(body.q_FB());
-  return FreeRotation(body, {normalized(s.q) * body.q_FB(), rotate(to_B, scaled * s.w_F)}, s.t0);
-}
 
 }  // namespace
 
@@ -80,7 +66,7 @@ void require_points(const std::string& who, std::size_t points, std::size_t unkn
 }
 
 void describe_motion(const SpinState& spin, LightOutcome& found) {
-  const FreeRotation motion = motion_of(spin);
+  const FreeRotation motion = free_rotation_of(spin);
   const Vec3 L = inertial_momentum(motion.initial_state());
   found.pole = (1.0 / norm(L)) * L;
   found.periods.mode = motion.regime();
