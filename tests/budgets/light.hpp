@@ -20,6 +20,10 @@ inline constexpr double light_facets = 3e-3;
 inline constexpr double light_closure = 1e-3;
 inline constexpr double light_series_back = 1e-13;
 inline constexpr double light_facet_gradient = 1e-13;
+// patches: means of kernels, how they join; scatter over that of flat facets, bias times rows^2
+inline constexpr double light_patch_mean = 1e-6, light_patch_joint = 1e-7;
+inline constexpr double light_patch_lowest = 1e-4;
+inline constexpr double light_patch_scatter = 1.0, light_patch_bias = 0.35;
 
 // --- convex bodies from areas (tests/unit/light/convex_body.cpp): of the total area; of an
 // ellipsoid with 288 facets, relative ---

@@ -30,10 +30,6 @@ inline constexpr double least_multiple = 1e-9;
 // The weight of Lambert's law that a fit starts with where none is given (Kaasalainen et al. 2001).
 inline constexpr double usual_multiple = 0.1;
 
-// In standard errors: a facet that passes a terminator bends the light, and a fit comes to rest
-// between bends, some tenths of an error from the least.
-inline constexpr double surface_nearness = 1.0;
-
 inline Unknown multiple_unknown(const Scattering& law) {
   const double given = law.multiple / law.single;
   return {.name = "multiple",

@@ -110,7 +110,6 @@ class ConvexFitter {
     };
     p.loss = fit_.loss;
     p.most_iterations = most_iterations;
-    p.nearness = detail::surface_nearness;
     return p;
   }
 

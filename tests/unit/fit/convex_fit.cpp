@@ -29,7 +29,7 @@ BrightConvex egg() {
   const GaussianImage image(4, 5);
   std::vector<double> c = image.coefficients(Ellipsoid{1.2, 1.0, 0.6});
   c[16] += 0.15;  // l = 4
-  c[20] += 0.25;
+  c[20] += 0.3;
   c[24] -= 0.2;
   return {in_short_axis_mode.spin, {}, image, c};
 }
