@@ -29,6 +29,7 @@ inline constexpr double light_patch_scatter = 1.0, light_patch_bias = 0.35;
 // ellipsoid with 288 facets, relative ---
 inline constexpr double convex_areas = 1e-9;
 inline constexpr double convex_volume = 3e-2;
+inline constexpr double convex_moments_by_areas = 1e-5;  // differences of steps of 1e-4
 
 // --- meshes (tests/unit/light/shaded_mesh.cpp): some 2000 facets ---
 inline constexpr double light_mesh = 2e-2;

@@ -16,8 +16,8 @@
 // Domain      normals of length 1, as many areas and half-widths h > 0; s and o of any length but
 //             0. h about the distance of neighbouring normals (GaussianImage::widths). m is down to
 //             -0.0164 h just below the horizon: the light of one facet alone may be negative.
-// Accuracy    docs/design/0053-light-labels.md: two to three times nearer to a smooth ellipsoid than
-//             flat facets, of as many. Roundings besides.
+// Accuracy    docs/design/0053-light-labels.md: up to three times nearer to a smooth ellipsoid
+//             than flat facets, of as many. Roundings besides.
 // Errors      none of values; DomainError where numbers of normals, areas and widths differ.
 // Cost        as facet_brightness, and some ns for each facet near a terminator.
 #pragma once

@@ -40,9 +40,9 @@ TEST(LightPatch, CosinesAreMeansOverKernels) {
   for (int i = 0; i < steps; ++i) {
     const double u = -1.0 + (2.0 * i + 1.0) / steps;
     const auto m = BasicSoftCosine<double>::at(u, 1.0);
-    even += (m.even - std::max(u, 0.0)) * 2.0 / steps;
-    positive += (m.positive - std::max(u, 0.0)) * 2.0 / steps;
-    lowest = std::min(lowest, m.even);
+    even += (m.even - test::larger(u, 0.0)) * 2.0 / steps;
+    positive += (m.positive - test::larger(u, 0.0)) * 2.0 / steps;
+    lowest = test::smaller(lowest, m.even);
     EXPECT_GT(m.positive, 0.0);
   }
   EXPECT_NEAR(even, 0.0, budget::light_patch_mean);
