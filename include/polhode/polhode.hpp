@@ -70,6 +70,7 @@
 #include "polhode/light/light_time.hpp"
 #include "polhode/light/lommel_seeliger.hpp"
 #include "polhode/light/magnitudes.hpp"
+#include "polhode/light/patch_brightness.hpp"
 #include "polhode/light/scattering.hpp"
 #include "polhode/light/shaded_mesh.hpp"
 #include "polhode/math/double_double.hpp"

@@ -18,6 +18,9 @@ constexpr std::size_t most_harmonics = std::size_t{1} << 24;  // 128 MiB
 // Of the diagonal of R to its largest: 1e-16 where normals do not determine the coefficients, 1e-3
 // or more where they do.
 constexpr double smallest_pivot = 1e-9;
+// Of the roots of solid angles: twice as wide takes light from thin bodies, half as wide leaves
+// them nearly the bends of flat facets.
+constexpr double patch_width = 1.5;
 
 Vec3 unit(const Vec3& v) { return (1.0 / std::sqrt(dot(v, v))) * v; }
 
@@ -87,6 +90,7 @@ GaussianImage::GaussianImage(int degree, int rows) {
     const std::vector<double> Y = spherical_harmonics(degree, n);
     made.normals.push_back(n);
     made.solid_angles.push_back(solid_angle(a, b, c));
+    made.widths.push_back(patch_width * std::sqrt(made.solid_angles.back()));
     made.harmonics.insert(made.harmonics.end(), Y.begin(), Y.end());
   });
   basis_ = std::make_shared<const Basis>(std::move(made));

@@ -62,11 +62,11 @@ inline constexpr double periods_of_body = 8.0, moments_of_body = 1e-12;
 inline constexpr double light_derivatives = 1e-12;
 // Mahalanobis' distance squared of the truth, 8 unknowns: 1 in 1000 is beyond, over fixed seeds
 inline constexpr double light_distance = 26.1;
-// --- convex bodies and meshes: derivatives against differences in double, of a column; moments
-// that follow the shape; what a spin state of exact light is off, in rad and of |w|; chi-square
-// over that of the start, with shadows ---
-inline constexpr double surface_bend = 1e-6;  // between bends
-inline constexpr double convex_moments = 1e-3, convex_axes = 0.3, convex_ratio = 0.3;
+// --- convex bodies and meshes: derivatives against differences in double, of a column, between the
+// bends of meshes; moments that follow the shape; what a spin state of exact light is off, in rad
+// and of |w|; chi-square over that of the start, with shadows ---
+inline constexpr double surface_bend = 1e-6;
+inline constexpr double convex_moments = 1e-5, convex_axes = 0.3, convex_ratio = 0.3;
 inline constexpr double mesh_exact = 1e-4, mesh_gain = 0.25;
 // of drawn tumblers, in how many the true periods are reported; are among the first 20 labels
 inline constexpr double light_reported = 0.95, light_labelled = 0.75;

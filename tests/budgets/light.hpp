@@ -20,11 +20,16 @@ inline constexpr double light_facets = 3e-3;
 inline constexpr double light_closure = 1e-3;
 inline constexpr double light_series_back = 1e-13;
 inline constexpr double light_facet_gradient = 1e-13;
+// patches: means of kernels, how they join; scatter over that of flat facets, bias times rows^2
+inline constexpr double light_patch_mean = 1e-6, light_patch_joint = 1e-7;
+inline constexpr double light_patch_lowest = 1e-4;
+inline constexpr double light_patch_scatter = 1.0, light_patch_bias = 0.35;
 
 // --- convex bodies from areas (tests/unit/light/convex_body.cpp): of the total area; of an
 // ellipsoid with 288 facets, relative ---
 inline constexpr double convex_areas = 1e-9;
 inline constexpr double convex_volume = 3e-2;
+inline constexpr double convex_moments_by_areas = 1e-5;  // differences of steps of 1e-4
 
 // --- meshes (tests/unit/light/shaded_mesh.cpp): some 2000 facets ---
 inline constexpr double light_mesh = 2e-2;

@@ -2,27 +2,29 @@
 // fit_convex(): the last step from an ellipsoid of search_light: a convex body by the areas of its
 // facets, with its spin state.
 //
-// Equations   flux = f sum of A_j S(n_j . o, n_j . s) in free rotation, A_j of GaussianImage, f as
-//             in fit_light. Beside the data, as residuals of priors: closure, sum A_j n_j / A over
-//             closure_error, A = sum A_j; the products of the area tensor, sum A_j n_j n_j^T / A,
-//             over axes_error, so that axes F are nearly those of inertia; roughness, l (l + 1)
-//             c_lm over roughness_error; and the ratios of moments about those of the start.
+// Equations   flux = f sum of A_j S_h(n_j . o, n_j . s) in free rotation, A_j of GaussianImage,
+//             each facet a patch (patch_brightness.hpp), f as in fit_light. Beside the data, as
+//             residuals of priors: closure, sum A_j n_j / A over closure_error, A = sum A_j; the
+//             products of the area tensor, sum A_j n_j n_j^T / A, over axes_error, so that axes F
+//             are nearly those of inertia; roughness, l (l + 1) c_lm over roughness_error; and the
+//             ratios of moments about those of the start.
 //             Unknowns: the turn and w_F, ratios of moments, the weight of Lambert's law, c_lm with
 //             l > 0; c_00 is part of the factors.
 // Corrections none.
 // Units       as fit_light; areas in units of the start's b = 1, moments in units of Izz.
 // Domain      axes F are principal: inertia_F is diagonal. MomentSource::fit: moments of their own,
 //             about those of the start to moments_error; start: those stay; shape: those of an even
-//             filling of the body that is found, from round to round; they need small facets (rows
-//             12) to come to rest, and where they do not the fit has not converged. A convex body
-//             that has the light of a hollow one is a model of it, no more.
+//             filling of the body that is found, which follow the areas in derivatives and errors,
+//             too, linear in them within a round of iterations; the fit has converged where they
+//             are those of the body to 1e-5. A convex body that has the light of a hollow one is a
+//             model of it, no more.
 // Accuracy    derivatives: budget surface_bend in tests/budgets/fit.hpp; errors: covariance.hpp,
-//             under this regularisation alone. Facets bend the light where they pass a terminator,
-//             so that a fit comes to rest beside the least: converged is nearer than one standard
-//             error, or 1 of chi-square.
+//             under this regularisation alone.
 // Errors      DomainError as fit_light and GaussianImage; regularisation errors that are not above
 //             0.
-// Cost        facets (degree + 1)^2 flops a point and iteration: benchmarks/fit_light_curves.cpp.
+// Cost        facets (degree + 1)^2 flops a point and iteration: benchmarks/fit_light_curves.cpp;
+//             moments that follow the shape take one convex_moments for ten iterations besides, and
+//             some rounds.
 #pragma once
 
 #include <cstddef>

@@ -12,9 +12,11 @@
 // Domain      axes F are those of the mesh; inertia_F is any tensor along them
 //             (homogeneous_inertia has that of an even filling), diagonal where moments are
 //             unknown.
-// Accuracy    of a convex mesh as fit_convex, convergence included. Shadows jump by the light of a
-//             facet: fine meshes keep that below the errors of the data, and a fit that stalls in
-//             the jumps says that it did not converge.
+// Accuracy    derivatives: budget surface_bend in tests/budgets/fit.hpp. The facets are those of
+//             the body, which bend its light where they pass a terminator, so that a fit comes to
+//             rest beside the least: converged is nearer than one standard error, or 1 of
+//             chi-square. Shadows jump by the light of a facet: fine meshes keep that below the
+//             errors of the data, and a fit that stalls in the jumps says that it did not converge.
 // Errors      DomainError as fit_light; MomentSource::shape, as the shape does not change.
 // Cost        that of the mesh at each point (benchmarks/brightness.cpp), some three times with
 //             derivatives.

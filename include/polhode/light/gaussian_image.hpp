@@ -41,6 +41,9 @@ class GaussianImage {
   std::size_t coefficient_count() const { return basis_->count; }
   std::span<const Vec3> normals() const { return basis_->normals; }
   std::span<const double> solid_angles() const { return basis_->solid_angles; }
+  // 1.5 sqrt(solid angle), half of a patch for patch_brightness: 1.5 times how far the next normals
+  // are.
+  std::span<const double> widths() const { return basis_->widths; }
   // Y of normal j, in the order of the coefficients.
   std::span<const double> harmonics(std::size_t j) const {
     return std::span<const double>(basis_->harmonics).subspan(j * basis_->count, basis_->count);
@@ -72,6 +75,7 @@ class GaussianImage {
     std::size_t count = 0;
     std::vector<Vec3> normals;
     std::vector<double> solid_angles;
+    std::vector<double> widths;
     std::vector<double> harmonics;
   };
   std::shared_ptr<const Basis> basis_;

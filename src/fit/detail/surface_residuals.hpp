@@ -30,10 +30,6 @@ inline constexpr double least_multiple = 1e-9;
 // The weight of Lambert's law that a fit starts with where none is given (Kaasalainen et al. 2001).
 inline constexpr double usual_multiple = 0.1;
 
-// In standard errors: a facet that passes a terminator bends the light, and a fit comes to rest
-// between bends, some tenths of an error from the least.
-inline constexpr double surface_nearness = 1.0;
-
 inline Unknown multiple_unknown(const Scattering& law) {
   const double given = law.multiple / law.single;
   return {.name = "multiple",
@@ -50,16 +46,25 @@ struct SurfaceUnknowns {
   std::size_t own_at() const { return multiple_at() + (multiple ? 1 : 0); }
 };
 
+// Ratios of moments that follow the unknowns of the surface, as a linear function of those about
+// `own`; where `own` is empty they do not.
+struct FollowedMoments {
+  double Ixx = 0.0, Iyy = 0.0;  // over Izz
+  std::vector<double> own, Ixx_by_own, Iyy_by_own;
+};
+
 template <class Surface>
 class SurfaceResiduals {
  public:
   SurfaceResiduals(std::span<const LightCurve> curves, const SurfaceUnknowns& unknowns,
-                   const SpinState& start, const Scattering& law, Surface surface)
+                   const SpinState& start, const Scattering& law, Surface surface,
+                   FollowedMoments followed = {})
       : curves_(curves),
         unknowns_(unknowns),
         start_(start),
         law_(law),
-        surface_(std::move(surface)) {}
+        surface_(std::move(surface)),
+        followed_(std::move(followed)) {}
 
   const WeighedCurves& curves() const { return curves_; }
   std::size_t unknowns() const { return unknowns_.own_at() + surface_.own(); }
@@ -69,10 +74,20 @@ class SurfaceResiduals {
     SpinState s = start_;
     s.q = normalized(start_.q) * turn_by({x[0], x[1], x[2]});
     s.w_F = {x[3], x[4], x[5]};
+    if (!unknowns_.moments && !has_followed()) return s;
+    s.inertia_F = Mat3::identity();
+    double &Ixx = s.inertia_F(0, 0), &Iyy = s.inertia_F(1, 1);
     if (unknowns_.moments) {
-      s.inertia_F = Mat3::identity();
-      s.inertia_F(0, 0) = x[unknowns_.moments_at()];
-      s.inertia_F(1, 1) = x[unknowns_.moments_at() + 1];
+      Ixx = x[unknowns_.moments_at()];
+      Iyy = x[unknowns_.moments_at() + 1];
+      return s;
+    }
+    Ixx = followed_.Ixx;
+    Iyy = followed_.Iyy;
+    for (std::size_t k = 0; k < followed_.own.size(); ++k) {
+      const double by = own_of(x)[k] - followed_.own[k];
+      Ixx += followed_.Ixx_by_own[k] * by;
+      Iyy += followed_.Iyy_by_own[k] * by;
     }
     return s;
   }
@@ -130,6 +145,8 @@ class SurfaceResiduals {
   }
 
  private:
+  bool has_followed() const { return !followed_.own.empty(); }
+
   // A rotation d in body axes changes the brightness by d . (by_sun x s + by_observer x o).
   template <class Shape>
   double row_at(const Shape& shape, const Scattering& law, const Mat3& turn,
@@ -150,6 +167,10 @@ class SurfaceResiduals {
       row[unknowns_.moments_at()] = dot(by_turn, motion.turn[first_ratio]);
       row[unknowns_.moments_at() + 1] = dot(by_turn, motion.turn[first_ratio + 1]);
     }
+    for (std::size_t k = 0; k < followed_.own.size(); ++k)
+      row[unknowns_.own_at() + k] +=
+          followed_.Ixx_by_own[k] * dot(by_turn, motion.turn[first_ratio]) +
+          followed_.Iyy_by_own[k] * dot(by_turn, motion.turn[first_ratio + 1]);
     if (unknowns_.multiple) row[unknowns_.multiple_at()] = g.by_multiple;
     return g.value;
   }
@@ -159,6 +180,7 @@ class SurfaceResiduals {
   SpinState start_;
   Scattering law_;
   Surface surface_;
+  FollowedMoments followed_;
 };
 
 // Unknowns that every surface has, from a start.

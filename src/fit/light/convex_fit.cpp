@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <numeric>
 #include <string>
@@ -24,9 +25,12 @@ using detail::ConvexResiduals;
 using detail::ConvexSurface;
 
 const std::string who = "fit_convex: ";
-// Rounds of moments that follow the shape, and when they have come to rest.
-constexpr int most_rounds = 12;
-constexpr double same_moments = 1e-4;
+// Rounds of moments that follow the shape, linear in each, of so many iterations, and when they
+// have come to rest.
+constexpr int most_rounds = 40, round_iterations = 10;
+constexpr double same_moments = 1e-5;
+// Least part of the way to the body of a round at which moments are taken anew.
+constexpr double least_part = 0.125;
 
 void require_start(const ConvexFit& fit) {
   detail::require_spin(who, fit.start.spin, fit.most_iterations);
@@ -66,12 +70,14 @@ class ConvexFitter {
         [this](int most_iterations) { return problem(most_iterations); },
         [this](const std::vector<double>& x) { move(x); }};
     int left = fit_.most_iterations;
+    const bool follows = fit_.moments == MomentSource::shape;
+    if (follows) follow(found_.body.coefficients, moments_of(found_.body.coefficients));
     for (int round = 1;; ++round) {
       found_.notes.clear();
-      detail::settle(turning, left, first->curves().groups(), found_);
+      const int most = follows ? std::min(left, round_iterations) : left;
+      detail::settle(turning, most, first->curves().groups(), found_);
       left -= found_.result.iterations;
-      if (fit_.moments != MomentSource::shape || !found_.is_found()) break;
-      if (!goes_on(round, left)) break;
+      if (!follows || !goes_on(round, left)) break;
     }
     found_.result.iterations = fit_.most_iterations - left;
     if (found_.result.end == LeastSquaresResult::End::no_value) return;
@@ -83,7 +89,26 @@ class ConvexFitter {
   std::shared_ptr<const ConvexResiduals> residuals() const {
     const BrightConvex& b = found_.body;
     return std::make_shared<const ConvexResiduals>(fit_.curves, unknowns_, b.spin, b.law,
-                                                   ConvexSurface(b.image, usual_, fit_));
+                                                   ConvexSurface(b.image, usual_, fit_), followed_);
+  }
+
+  ConvexMoments moments_of(const std::vector<double>& coefficients) {
+    const GaussianImage& image = found_.body.image;
+    ConvexMoments m = convex_moments(image.normals(), image.areas(coefficients), distances_);
+    distances_ = m.distances;
+    return m;
+  }
+
+  // From here on moments are linear about these coefficients.
+  void follow(const std::vector<double>& coefficients, const ConvexMoments& m) {
+    const GaussianImage& image = found_.body.image;
+    const std::vector<double> A = image.areas(coefficients);
+    const auto own = [](std::vector<double> of_all) {
+      of_all.erase(of_all.begin());
+      return of_all;
+    };
+    followed_ = {m.Ixx, m.Iyy, own(coefficients), own(image.by_coefficients(m.Ixx_by_areas, A)),
+                 own(image.by_coefficients(m.Iyy_by_areas, A))};
   }
 
   LeastSquares problem(int most_iterations) const {
@@ -110,7 +135,6 @@ class ConvexFitter {
     };
     p.loss = fit_.loss;
     p.most_iterations = most_iterations;
-    p.nearness = detail::surface_nearness;
     return p;
   }
 
@@ -123,40 +147,55 @@ class ConvexFitter {
     b.law = at->law_at(x);
   }
 
-  // Whether the body that was found has other moments than it was fitted with, and another round is
-  // left for them: then they are taken.
+  // Whether another round is to come: the body that was found has other moments than it was fitted
+  // with, or is not yet at the least.
   bool goes_on(int round, int left) {
+    using End = LeastSquaresResult::End;
     LeastSquaresResult& result = found_.result;
-    ShapeInertia now{};
+    if (!found_.is_found() && (result.end != End::iteration_limit || left <= 0)) return false;
     try {
-      now = shape_inertia(found_.body);
+      const ConvexMoments now = moments_of(found_.body.coefficients);
+      const Mat3& T = found_.body.spin.inertia_F;
+      const double change = std::max(std::abs(now.Ixx - T(0, 0)), std::abs(now.Iyy - T(1, 1)));
+      if (change <= same_moments && found_.is_found()) return false;
+      if (round == most_rounds || left <= 0) {
+        result.end = End::iteration_limit;
+        result.sentence = "not converged: the moments of the shape did not come to rest in " +
+                          std::to_string(round) + (round == 1 ? " round" : " rounds") +
+                          (left <= 0 ? "; allow more iterations" : "; take smaller facets");
+        return false;
+      }
+      take_anew(now, change);
     } catch (const DomainError& error) {  // facets that close no body
-      result.end = LeastSquaresResult::End::no_descent;
+      result.end = End::no_descent;
       result.sentence =
           std::string("not converged: no moments follow from the shape: ") + error.what();
       return false;
     }
-    Mat3& T = found_.body.spin.inertia_F;
-    const double change =
-        std::max(std::abs(now.Ixx - T(0, 0) / T(2, 2)), std::abs(now.Iyy - T(1, 1) / T(2, 2)));
-    if (change <= same_moments) return false;
-    if (round == most_rounds || left <= 0) {
-      result.end = LeastSquaresResult::End::iteration_limit;
-      result.sentence = "not converged: the moments of the shape did not come to rest in " +
-                        std::to_string(round) + (round == 1 ? " round" : " rounds") +
-                        (left <= 0 ? "; allow more iterations" : "; take smaller facets");
-      return false;
-    }
-    T = Mat3::identity();
-    T(0, 0) = now.Ixx;
-    T(1, 1) = now.Iyy;
     return true;
+  }
+
+  // At the body that was found; where that did not bring what is linear near to what is true, the
+  // rounds go back and forth, and they are taken part of the way.
+  void take_anew(const ConvexMoments& now, double change) {
+    part_ = change > 0.5 * change_ ? std::max(0.5 * part_, least_part) : std::min(2.0 * part_, 1.0);
+    change_ = change;
+    std::vector<double> at = found_.body.coefficients;
+    if (part_ == 1.0) return follow(at, now);
+    for (std::size_t k = 1; k < at.size(); ++k)
+      at[k] = followed_.own[k - 1] + part_ * (at[k] - followed_.own[k - 1]);
+    follow(at, moments_of(at));
   }
 
   const ConvexFit& fit_;
   detail::SurfaceUnknowns unknowns_;
   std::vector<double> usual_;
   ConvexSolution& found_;
+  detail::FollowedMoments followed_;
+  std::vector<double> distances_;  // of the facets, as they were last
+  // Of the moments of the last round, from what is linear to what is true.
+  double change_ = std::numeric_limits<double>::infinity();
+  double part_ = 1.0;
 };
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <numeric>
 #include <string>
 
+#include "polhode/light/patch_brightness.hpp"
+
 namespace polhode {
 inline namespace v0 {
 namespace detail {
@@ -32,12 +34,12 @@ std::vector<double> ConvexSurface::coefficients(std::span<const double> own) con
 
 double ConvexSurface::brightness(const Shape& shape, const Scattering& law, const Vec3& s,
                                  const Vec3& o) const {
-  return facet_brightness<double>(image_.normals(), shape.areas, law, s, o);
+  return patch_brightness<double>(image_.normals(), image_.widths(), shape.areas, law, s, o);
 }
 
 BrightnessGradient ConvexSurface::gradient(const Shape& shape, const Scattering& law, const Vec3& s,
                                            const Vec3& o, std::span<double> own_row) const {
-  const FacetGradient g = facet_gradient(image_.normals(), shape.areas, law, s, o);
+  const FacetGradient g = patch_gradient(image_.normals(), image_.widths(), shape.areas, law, s, o);
   const std::vector<double> by = image_.by_coefficients(g.by_areas, shape.areas);
   std::copy(by.begin() + 1, by.end(), own_row.begin());
   return g;

@@ -70,8 +70,9 @@ struct DrawnTumbler {
   }
 };
 
-inline DrawnTumbler drawn_tumbler(std::uint64_t number, std::size_t count, double noise) {
-  const CounterRandom random(11, key_of("tumblers"));
+inline DrawnTumbler drawn_tumbler(std::uint64_t number, std::size_t count, double noise,
+                                  std::uint64_t seed = 11) {
+  const CounterRandom random(seed, key_of("tumblers"));
   std::uint64_t next = 0;
   const auto uniform = [&] { return random.uniform(number, next++); };
   const Regime wanted = number % 2 == 0 ? Regime::long_axis : Regime::short_axis;

@@ -83,6 +83,47 @@ TEST(LightConvexBody, HasTheAreasOfAGaussianImage) {
   }
 }
 
+// Moments beside those of the mesh, and their derivatives beside differences, about a body that is
+// closed.
+TEST(LightConvexBody, MomentsFollowTheAreas) {
+  const GaussianImage image(4, 5);
+  std::vector<double> c = image.coefficients(Ellipsoid{1.3, 1.0, 0.7});
+  for (std::size_t k = 9; k < c.size(); ++k) c[k] += 0.05 * std::sin(7.0 * static_cast<double>(k));
+  // closed to roundings
+  std::vector<double> A = image.areas(c);
+  for (int round = 0; round < 60; ++round) {
+    const Vec3 off = image.closure(A);
+    for (std::size_t j = 0; j < A.size(); ++j)
+      A[j] -= 3.0 / static_cast<double>(A.size()) * dot(off, image.normals()[j]);
+  }
+  ASSERT_LE(norm(image.closure(A)), budget::convex_areas);
+  const ConvexMoments at = convex_moments(image.normals(), A);
+  const Mat3 T = mass_properties(convex_body(image.normals(), A), 1.0).inertia;
+  EXPECT_NEAR(at.Ixx, T(0, 0) / T(2, 2), budget::convex_areas);
+  EXPECT_NEAR(at.Iyy, T(1, 1) / T(2, 2), budget::convex_areas);
+  test::Worst<> worst, near;
+  for (std::size_t trial = 0; trial < 6; ++trial) {
+    double by_Ixx = 0.0, by_Iyy = 0.0, size = 0.0;
+    const double h = 1e-4;
+    std::vector<double> up = A, down = A;
+    for (std::size_t j = 0; j < A.size(); ++j) {
+      const double d = h * std::sin(3.0 * static_cast<double>(j * (trial + 1)));
+      up[j] += d * A[j];
+      down[j] -= d * A[j];
+      by_Ixx += 2.0 * d * A[j] * at.Ixx_by_areas[j];
+      by_Iyy += 2.0 * d * A[j] * at.Iyy_by_areas[j];
+      size += std::abs(d * A[j] * at.Ixx_by_areas[j]);
+    }
+    const ConvexMoments above = convex_moments(image.normals(), up, at.distances);
+    const ConvexMoments below = convex_moments(image.normals(), down, at.distances);
+    worst.add(std::abs(above.Ixx - below.Ixx - by_Ixx) / size);
+    worst.add(std::abs(above.Iyy - below.Iyy - by_Iyy) / size);
+    near.add(std::abs(convex_moments(image.normals(), up).Ixx - above.Ixx));
+  }
+  EXPECT_LE(worst.value(), budget::convex_moments_by_areas);
+  EXPECT_LE(near.value(), budget::convex_areas);  // from whatever start
+}
+
 TEST(LightConvexBody, SaysWhatIsNone) {
   const auto refusal = [](std::vector<Vec3> n, std::vector<double> A) {
     return test::message_of([&] { static_cast<void>(convex_body(n, A)); });
