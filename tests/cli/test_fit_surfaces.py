@@ -170,8 +170,8 @@ def test_a_mesh_is_looked_for_with_the_periods_of_ellipsoids(run, night, fit_fil
     assert found["surfaces"] >= 3 and found["periods"][0]["mesh"]["converged"]
     best = smallest(*(pole_off(s) for s in found["solutions"]))
     assert best < 3 and len(found["solutions"]) >= 2
-    assert found["solutions"][0]["precession_period"]["value"] == pytest.approx(
-        12, abs=3 * found["solutions"][0]["precession_period"]["error"])
+    period = found["solutions"][0]["precession_period"]
+    assert abs(period["value"] - 12) < 4 * period["error"]
 
 
 @pytest.mark.parametrize(("parts", "expected"), [
