@@ -47,10 +47,12 @@ from polhode.residual_functions import ResidualFunction
 from polhode.results import Results
 from polhode.scans import (
     FourierScan,
+    LikelyPeriods,
     PeriodLabel,
     ScanAdvice,
     ScanMinimum,
     fourier_scan,
+    likely_periods,
     period_labels,
     scan_advice,
 )
@@ -63,10 +65,13 @@ from polhode.spin_fits import (
     SpinState,
     fit_spin,
 )
+from polhode.surface_fits import BrightConvex, BrightMesh, fit_convex, fit_mesh
 
 __all__ = [
     "ArgumentFit",
+    "BrightConvex",
     "BrightEllipsoid",
+    "BrightMesh",
     "Citation",
     "EnsembleHistogram",
     "EnsembleResults",
@@ -84,6 +89,7 @@ __all__ = [
     "LightScenarioSolution",
     "LightSearchResult",
     "LightSolution",
+    "LikelyPeriods",
     "MapResults",
     "PeriodLabel",
     "Posterior",
@@ -102,10 +108,13 @@ __all__ = [
     "elliptic",
     "ensemble",
     "fit",
+    "fit_convex",
     "fit_light",
+    "fit_mesh",
     "fit_spin",
     "fourier_scan",
     "harmonic_fit",
+    "likely_periods",
     "load",
     "model_fluxes",
     "period_labels",

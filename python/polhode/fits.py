@@ -24,6 +24,7 @@ from polhode.light_fits import (
 )
 from polhode.scans import FourierScan, scan_of
 from polhode.spin_fits import SpinResiduals, SpinState
+from polhode.surface_fits import BrightConvex, BrightMesh, surface_of
 
 if TYPE_CHECKING:
     import pandas
@@ -238,12 +239,21 @@ class LightScenarioSolution(ScenarioSolution):
     def light(self) -> FoundLight:
         """What search_light would return, in radians and the scenario's unit of time: body, mode,
         periods, pole, what it is beside earlier solutions, `model` of the curves."""
-        return found_light(self._results._compiled.raw(self._place))
+        compiled = self._results._compiled
+        parts = compiled.surface(self._place)
+        surface = None if parts is None else surface_of(parts)
+        return found_light(compiled.raw(self._place), surface)
 
     @property
-    def body(self) -> BrightEllipsoid:
-        """Spin state and shape; its t0 is the middle of the light curves."""
+    def body(self) -> BrightEllipsoid | BrightConvex | BrightMesh:
+        """Spin state and shape; its t0 is the middle of the light curves, or 0 from a start."""
         return self.light.body
+
+    def write(self, path: Path) -> None:
+        """Writes the scenario that begins at the solution, and of a convex body its mesh beside it:
+        PATH.obj beside PATH.toml, which the scenario names. OutputError (a RuntimeError) when
+        writing fails."""
+        self._results._compiled.write(self._place, path)
 
     @property
     def state(self) -> SpinState:
@@ -281,7 +291,9 @@ class LightScenarioSolution(ScenarioSolution):
         radians and the scenario's unit of time, turns about the attitude that was found.
 
         scaled : with errors that make chi-square per degree of freedom 1.
-        epoch : None; it is the middle of the light curves."""
+        epoch : None; it is the middle of the light curves.
+
+        ValueError for a convex body or a mesh."""
         if epoch is not None:
             raise ValueError(
                 f"epoch: got {epoch!r}; expected None: it is the middle of the light curves"

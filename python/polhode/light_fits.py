@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
     from polhode._observed import Loss
+    from polhode.surface_fits import BrightConvex, BrightMesh
 
     Array = NDArray[np.float64]
 
@@ -149,11 +150,12 @@ class BrightEllipsoid:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class LightSolution(FitSolution):
-    """A spin state and shape that light curves are of; made by fit_light and search_light.
+    """A spin state and shape that light curves are of; made by fit_light, fit_convex, fit_mesh and
+    search_light.
 
     Attributes
     ----------
-    body : BrightEllipsoid, a = 1.
+    body : BrightEllipsoid, a = 1; a BrightConvex or BrightMesh of fits of these.
     factors : of each session, flux over model.
     mode : "SAM", "LAM", or another regime.
     precession_period, rotation_period : of the long axis about the momentum, and about the long
@@ -161,7 +163,7 @@ class LightSolution(FitSolution):
     pole : (3,), direction of the angular momentum, inertial.
     """
 
-    body: BrightEllipsoid
+    body: BrightEllipsoid | BrightConvex | BrightMesh
     factors: Array
     mode: str
     precession_period: float
@@ -225,18 +227,18 @@ class LightSearchResult:
         return "\n".join([head, *lines]) + ">"
 
 
-def _light_parts(found: Mapping[str, Any]) -> dict[str, Any]:
+def light_parts(found: Mapping[str, Any], body: Any = None) -> dict[str, Any]:
     mode, precession, rotation = found["periods"]
     return {
-        **common_parts(found), "body": BrightEllipsoid._of(found["body"]),
+        **common_parts(found), "body": body or BrightEllipsoid._of(found["body"]),
         "factors": found["factors"], "mode": mode, "precession_period": precession,
         "rotation_period": rotation, "pole": found["pole"],
     }  # fmt: skip
 
 
-def found_light(found: Mapping[str, Any]) -> FoundLight:
+def found_light(found: Mapping[str, Any], body: Any = None) -> FoundLight:
     return FoundLight(
-        **_light_parts(found), starts=found["starts"], beside=found["beside"], of=found["of"],
+        **light_parts(found, body), starts=found["starts"], beside=found["beside"], of=found["of"],
         relation=found["relation"],
     )  # fmt: skip
 
@@ -285,7 +287,7 @@ def fit_light(
     points than unknowns. Exact derivatives. Releases the GIL.
     """
     problem = _light_problem(start, curves, shape, moments, multiple, loss, most_iterations)
-    return LightSolution(**_light_parts(problem.fit()))
+    return LightSolution(**light_parts(problem.fit()))
 
 
 class LightResiduals(ResidualFunction):
@@ -321,12 +323,21 @@ class LightResiduals(ResidualFunction):
 
 
 def model_fluxes(
-    body: BrightEllipsoid, curves: LightCurve | Iterable[LightCurve]
+    body: BrightEllipsoid | BrightConvex | BrightMesh, curves: LightCurve | Iterable[LightCurve]
 ) -> list[Array]:
     """Fluxes of a body at the points of each light curve, with the best factor of each session."""
-    if not isinstance(body, BrightEllipsoid):
-        raise TypeError(f"model_fluxes: got {body!r}; expected BrightEllipsoid")
-    return _core._model_fluxes(body._parts(), curve_parts(curves))
+    from polhode.surface_fits import BrightConvex, BrightMesh
+
+    models: dict[type, Any] = {
+        BrightEllipsoid: _core._model_fluxes, BrightConvex: _core._convex_fluxes,
+        BrightMesh: _core._mesh_fluxes,
+    }  # fmt: skip
+    for kind, fluxes in models.items():
+        if isinstance(body, kind):
+            return fluxes(body._parts(), curve_parts(curves))
+    raise TypeError(
+        f"model_fluxes: got {body!r}; expected BrightEllipsoid, BrightConvex or BrightMesh"
+    )
 
 
 def search_light(

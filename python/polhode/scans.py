@@ -163,6 +163,44 @@ def scan_of(found: Any, order: Any, points: Any) -> FourierScan:
     return FourierScan(found.f1, found.f2, found.chi_square, minima, order, points, found)
 
 
+class LikelyPeriods(NamedTuple):
+    """Periods that a whole Fourier series speaks for: score is the mean of ln s over the power of
+    its lines, below 0, s the share that each has in the light of ellipsoids."""
+
+    mode: str
+    precession_period: float
+    rotation_period: float
+    score: float
+
+
+def likely_periods(
+    curves: LightCurve | Iterable[LightCurve], f1: float, f2: float, *, order: int = 3
+) -> list[LikelyPeriods]:
+    """Which periods of precession and rotation all lines of a Fourier series speak for.
+
+    Parameters
+    ----------
+    curves : LightCurve, one or several; vectors are not looked at.
+    f1, f2 : where a scan has a minimum, turns per unit of time.
+    order : of the harmonics j f1 + k f2, 1 to 9.
+
+    Returns
+    -------
+    list of LikelyPeriods
+        The most likely first; one[:3] is what search_light takes. FourierScan.periods has those of
+        several minima.
+
+    ValueError for frequencies that are not above 0, light curves that are not sound, no more points
+    than the series has unknowns.
+    """
+    first, second = float(_number(f1, "f1")), float(_number(f2, "f2"))
+    for name, f in (("f1", first), ("f2", second)):
+        if not 0.0 < f < np.inf:
+            raise ValueError(f"{name}: got {f!r}; expected a frequency above 0")
+    found = _core._likely_periods(curve_parts(curves), first, second, whole(order, "order"))
+    return [LikelyPeriods(*one) for one in found]
+
+
 def _grid(
     given: Any, name: str, otherwise: tuple[float, float, float]
 ) -> tuple[float, float, float]:

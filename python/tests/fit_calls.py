@@ -23,6 +23,11 @@ def _curve():
 
 
 CURVE = _curve()
+TETRAHEDRON = polhode.FacetShape(
+    [[1, 0, -0.3], [-0.6, 0.8, -0.3], [-0.6, -0.8, -0.3], [0, 0, 0.6]],
+    [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]],
+)  # fmt: skip
+MESH = polhode.BrightMesh.homogeneous([1.0, 0, 0, 0], [0.4, 0.5, 1.0], TETRAHEDRON)
 
 
 def quietly(function):
@@ -76,6 +81,21 @@ def of_fits():
         ),
         "fit_light": (
             polhode.fit_light, {"most_iterations": 2}, {"start": BODY, "curves": CURVE},
+        ),
+        "fit_convex": (
+            polhode.fit_convex,
+            {"degree": 2, "rows": 3, "roughness_error": 3.0, "moments_error": 0.1,
+             "closure_error": 1e-3, "axes_error": 1e-2, "most_iterations": 2},
+            {"start": BODY, "curves": CURVE},
+        ),
+        "fit_mesh": (polhode.fit_mesh, {"most_iterations": 2}, {"start": MESH, "curves": CURVE}),
+        "BrightMesh.homogeneous": (
+            polhode.BrightMesh.homogeneous,
+            {"q": [1.0, 0, 0, 0], "w": SUN, "t0": 0.0, "law": [1.0, 0.1]},
+            {"shape": TETRAHEDRON},
+        ),
+        "likely_periods": (
+            polhode.likely_periods, {"f1": 0.1, "f2": 0.27, "order": 1}, {"curves": CURVE},
         ),
         "search_light": (
             polhode.search_light, search, {"curves": CURVE, "periods": [("SAM", 10.0, 25.0)]},

@@ -154,5 +154,10 @@ void describe_relations(std::vector<FoundLight>& solutions, const LightGeometry&
 }
 
 }  // namespace detail
+
+void describe_solutions(std::vector<FoundLight>& solutions, std::span<const LightCurve> curves) {
+  detail::describe_relations(solutions, detail::geometry_of(curves));
+}
+
 }  // namespace v0
 }  // namespace polhode

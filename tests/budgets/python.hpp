@@ -117,6 +117,8 @@ inline constexpr double imported_modules = 12;
 inline constexpr double python_fit_off = 4.0;
 inline constexpr double python_optimum = 1e-3, python_covariance = 1e-2;
 inline constexpr double python_residual_difference = 1e-6, python_lambert = 1e-5;
+// what closing a convex body takes from its areas, of the whole; its light then
+inline constexpr double python_convex_closure = 3e-3, python_convex_light = 2e-2;
 inline constexpr double python_axes = 0.1;
 // --- samplers (python/tests/test_posterior.py): of errors of 300 to 600 draws ---
 inline constexpr double sampled_mean = 0.25, sampled_spread = 0.15, sampled_rhat = 0.02;

@@ -340,7 +340,7 @@ def test_bad_light_is_refused(run, fit_file, tmp_path, data, change, expected):
     (FREE.replace('"shape"', '"products"'), "expected no products"),
     (FREE + '[[free.prior]]\nkind = "rate"\nsigmas = [1, 1, 1]\n', "expected no prior"),
     (FREE + '[light]\nmultiple = 0.2\n', 'expected none unless light.law = "mixed"'),
-    (FREE + '[light]\nshape = "mesh"\n', "expected a key body.shape as well"),
+    (FREE + '[light]\nshape = "mesh"\n', "expected a key light.mesh or body.shape as well"),
     (FREE + '[fit]\nfrom = "search"\n[fit.scan]\nshortest = 0.001\n',
      "expected at most 1e8 pairs"),
     (FREE + '[fit]\nfrom = "search"\n[fit.scan]\nshortest = 3\nlongest = 2\n',

@@ -3,7 +3,11 @@
 // what is made of them: a table, JSON, the landscape of the scan, residuals and covariance as
 // files, scenarios that go on from a solution.
 //
-// Equations   those of scan_pairs, labelled_periods, search_light and fit_light (polhode/fit/).
+// Equations   those of scan_pairs, labelled_periods, search_light and fit_light (polhode/fit/). A
+//             convex body (fit_convex) and a given mesh (fit_mesh) follow the ellipsoid: of a
+//             search they start from the best ellipsoid of every pair of periods, whatever its
+//             chi-square, and of what comes within the limit again from its images. A mesh takes
+//             the periods, pole and phases of the ellipsoid, in four half turns.
 //             chi-square of a scan is the same for f1 and f2 exchanged: half of it is computed.
 // Units       core units; texts and files in the units of the scenario.
 // Domain      free rotation relative to inertial axes. Axes of solutions are the principal ones in
@@ -23,7 +27,9 @@
 #include <string>
 #include <vector>
 
+#include "polhode/fit/convex_fit.hpp"
 #include "polhode/fit/light_search.hpp"
+#include "polhode/fit/mesh_fit.hpp"
 #include "polhode/fit/scan_advice.hpp"
 #include "polhode/fit/spin_figures.hpp"
 #include "polhode/run/fit.hpp"
@@ -39,15 +45,38 @@ struct LightScan {
   std::vector<ScanMinimum> minima;
 };
 
+// What a convex body or a mesh came to from the best ellipsoid of a pair of periods.
+struct SurfaceOfPeriods {
+  TumblerPeriods periods{};
+  double chi_square = 0.0;
+  bool is_converged = false;
+  std::string sentence;
+};
+
+// A pair of periods that a search began with.
+struct PairFound {
+  TumblerPeriods from{};
+  // The best ellipsoid that its starts came to, be its chi-square what it may; its periods may be
+  // others. None where nothing converged.
+  std::optional<LightSolution> ellipsoid;
+  std::optional<SurfaceOfPeriods> surface;
+};
+
 struct LightReport {
   ReadObservations observed;
+  LightPlan::Shape shape = LightPlan::Shape::ellipsoid;
   LightUnknowns unknowns;
-  std::optional<BrightEllipsoid> start;  // of a fit that has one
+  std::optional<BrightEllipsoid> start;      // of a fit that has one
+  std::optional<BrightEllipsoid> ellipsoid;  // that its convex body began with
   std::optional<LightScan> scan;
-  std::vector<TumblerPeriods> periods;        // that a search began with
-  std::vector<double> chi_square_of_periods;  // what each came to
-  std::vector<FoundLight> solutions;          // by chi-square
-  std::size_t starts = 1, finalists = 1, converged = 0;
+  std::vector<PairFound> pairs;
+  // By chi-square. Where the shape is no ellipsoid `body` has the spin and the law, and the
+  // ellipsoid of the same moments of inertia as the shape filled evenly.
+  std::vector<FoundLight> solutions;
+  std::vector<BrightConvex> convex;  // of each solution, where the shape is convex
+  std::optional<ShadedMesh> mesh;    // of all, where it is a mesh
+  std::size_t starts = 1, finalists = 1, converged = 0;  // of ellipsoids
+  std::size_t surfaces = 0, surfaces_converged = 0;      // fits of convex bodies, or of the mesh
   std::vector<std::string> notes;
   std::string failure;  // why there are no solutions
 
@@ -58,8 +87,8 @@ struct LightReport {
 // Whether light curves are what the scenario observed.
 bool observes_light(const Scenario& scenario);
 
-// What goes on meanwhile, for people: "scan", "search"; one call after the other. `stop` is asked
-// in any of the threads.
+// What goes on meanwhile, for people: "scan", "search", "surfaces"; one call after the other.
+// `stop` is asked in any of the threads.
 struct LightFitOptions {
   int threads = 1;
   std::function<void(const std::string& stage, double part)> progress = {};
@@ -83,9 +112,13 @@ void write_light_residuals(const Scenario& scenario, const LightReport& report,
                            std::size_t solution, const std::string& path);
 void write_light_covariance(const Scenario& scenario, const LightReport& report,
                             std::size_t solution, const std::string& path);
-// As solution_text: a scenario of kind "rotation" that begins at the solution.
+// As solution_text: a scenario of kind "rotation" that begins at the solution. Of a convex body or
+// a mesh it is one of kind "fit" that has the mesh, so that it can be simulated and fitted again as
+// well as run; `mesh` is the file of a convex body, as the scenario names it.
 std::string light_solution_text(const Scenario& scenario, const LightReport& report,
-                                std::size_t solution);
+                                std::size_t solution, const std::string& mesh = "seen.obj");
+// The file, and beside PATH.toml the mesh of a convex body, PATH.obj; DomainError for areas that
+// are those of no body.
 void write_light_solution(const Scenario& scenario, const LightReport& report, std::size_t solution,
                           const std::string& path);
 

@@ -6,18 +6,23 @@
 // Units       core units (polhode/text/units.hpp).
 // Domain      what is left out follows from the data: the limits of the scan, how many starts.
 // Accuracy    none.
-// Errors      none; what is no plan is refused when the file is read.
+// Errors      none; what is no plan is refused when the file is read. light_mesh: ScenarioError for
+//             a file that is no mesh.
 // Cost        plain values.
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "polhode/fit/light_search.hpp"
+#include "polhode/shape/facet_shape.hpp"
 
 namespace polhode {
 inline namespace v0 {
+struct Scenario;
 
 struct ScanPlan {
   std::size_t order = 3;
@@ -26,9 +31,22 @@ struct ScanPlan {
   LabelChoice labels;
 };
 
+// Of a convex body: facets, and what keeps them smooth (polhode/fit/convex_fit.hpp).
+struct ConvexPlan {
+  int degree = 6;
+  int rows = 8;
+  MomentSource moments = MomentSource::fit;
+  double roughness_error = 3.0;
+  double moments_error = 0.1;
+  // Pairs of periods of a search that go on to a convex body, the best ones of the ellipsoid.
+  std::size_t pairs = std::numeric_limits<std::size_t>::max();
+};
+
 struct LightPlan {
-  enum class Shape { ellipsoid, mesh };
+  enum class Shape { ellipsoid, convex, mesh };
   Shape shape = Shape::ellipsoid;
+  std::string mesh;  // its file; empty: that of the body
+  ConvexPlan convex;
   std::optional<Vec3> semiaxes = std::nullopt;  // along the principal axes
   Scattering law;
   LightUnknowns unknowns;  // with where moments come from
@@ -40,6 +58,10 @@ struct LightPlan {
   double within_factor = 2.0;
   std::vector<double> sessions;  // of a simulation: begin and end of each
 };
+
+// The mesh that is seen, along the body axes of the file: that of [light], read here, or that of
+// [body]. Of a scenario of kind "fit" whose shape is a mesh.
+FacetShape light_mesh(const Scenario& scenario);
 
 }  // namespace v0
 }  // namespace polhode

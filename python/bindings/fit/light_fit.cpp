@@ -16,13 +16,6 @@ namespace polhode::python {
 
 namespace {
 
-// (spin, (a, b, c), (single, multiple))
-BrightEllipsoid body_of(const nb::tuple& parts) {
-  const Vec3 axes = vec3(parts[1], "axes");
-  const auto [single, multiple] = nb::cast<std::tuple<double, double>>(parts[2]);
-  return {spin_of(nb::cast<nb::tuple>(parts[0])), {axes.x, axes.y, axes.z}, {single, multiple}};
-}
-
 nb::tuple body_parts(const BrightEllipsoid& body) {
   const Ellipsoid& s = body.shape;
   return nb::make_tuple(spin_parts(body.spin), nb::make_tuple(s.a, s.b, s.c),
@@ -59,7 +52,7 @@ nb::tuple period_parts(const TumblerPeriods& p) {
 LightFit light_problem(const nb::list& curves, const nb::tuple& start, bool shape,
                        const std::string& moments, bool multiple, const std::string& loss,
                        double scale, int most_iterations) {
-  return {light_curves_of(curves), body_of(start), light_unknowns_of(shape, moments, multiple),
+  return {light_curves_of(curves), ellipsoid_of(start), light_unknowns_of(shape, moments, multiple),
           loss_of(loss, scale), most_iterations};
 }
 
@@ -79,7 +72,7 @@ PythonResiduals light_residuals_of(const LightFit& fit) {
 
 nb::list model_of(const nb::tuple& body, const nb::list& curves) {
   nb::list list;
-  for (const std::vector<double>& flux : model_fluxes(body_of(body), light_curves_of(curves)))
+  for (const std::vector<double>& flux : model_fluxes(ellipsoid_of(body), light_curves_of(curves)))
     list.append(array_of(std::span<const double>(flux)));
   return list;
 }
@@ -146,6 +139,12 @@ nb::dict searched(const nb::list& curves, const Periods& periods, std::size_t st
 }
 
 }  // namespace
+
+BrightEllipsoid ellipsoid_of(const nb::tuple& parts) {
+  const Vec3 axes = vec3(parts[1], "axes");
+  const auto [single, multiple] = nb::cast<std::tuple<double, double>>(parts[2]);
+  return {spin_of(nb::cast<nb::tuple>(parts[0])), {axes.x, axes.y, axes.z}, {single, multiple}};
+}
 
 nb::dict light_dict(const LightSolution& found) {
   nb::dict d = dict_of(found.result, found.covariance, found.degrees_of_freedom, found.notes);

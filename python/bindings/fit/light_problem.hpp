@@ -3,10 +3,16 @@
 #pragma once
 
 #include "bindings.hpp"
+#include "polhode/fit/convex_fit.hpp"
 #include "polhode/fit/light_search.hpp"
+#include "polhode/fit/mesh_fit.hpp"
 
 namespace polhode::python {
 
+// (spin, (a, b, c), (single, multiple))
+BrightEllipsoid ellipsoid_of(const nb::tuple& parts);
+// (spin, degree, rows, coefficients, (single, multiple))
+nb::tuple convex_parts(const BrightConvex& body);
 nb::dict light_dict(const LightSolution& found);
 nb::dict found_dict(const FoundLight& found);
 

@@ -7,6 +7,7 @@
 #include "fit/light_curves.hpp"
 #include "fit/light_problem.hpp"
 #include "fit/scan_found.hpp"
+#include "io/io_parts.hpp"
 #include "io/work_loop.hpp"
 #include "motion/samples.hpp"
 #include "polhode/run/light_report.hpp"
@@ -20,21 +21,24 @@ struct LightScenarioFit {
   LightReport report;
 };
 
-constexpr std::int64_t parts = 1000;  // of the work, that progress counts
+constexpr std::int64_t thousandths = 1000;  // of the work, that progress counts
 
 LightScenarioFit light_fit_of(const Scenario& scenario, int threads, nb::handle progress) {
   LightScenarioFit fit{scenario, {}};
-  // a scan and the search after it take about as long
-  const double scan = require_fit(scenario).light.periods.empty() ? 0.5 : 0.0;
+  // a scan, the search and the surfaces after it take about as long
+  const LightPlan& plan = require_fit(scenario).light;
+  const double scan = plan.periods.empty() ? 1.0 : 0.0;
+  const double whole = scan + (plan.shape == LightPlan::Shape::ellipsoid ? 1.0 : 2.0);
   WorkLoop loop("the fit was stopped", progress);
   LightFitOptions options;
   options.threads = checked_threads(threads);
   options.stop = [&loop] { return loop.is_stopped(); };
-  options.progress = [&loop, scan](const std::string& stage, double part) {
-    const double done = stage == "scan" ? scan * part : scan + (1.0 - scan) * part;
-    loop.reach(static_cast<std::int64_t>(done * static_cast<double>(parts)));
+  options.progress = [&loop, scan, whole](const std::string& stage, double part) {
+    const double before = stage == "scan" ? 0.0 : stage == "search" ? scan : scan + 1.0;
+    loop.reach(
+        static_cast<std::int64_t>((before + part) / whole * static_cast<double>(thousandths)));
   };
-  loop.do_work(parts, [&] { fit.report = fit_light_scenario(fit.scenario, options); });
+  loop.do_work(thousandths, [&] { fit.report = fit_light_scenario(fit.scenario, options); });
   return fit;
 }
 
@@ -52,6 +56,8 @@ nb::object scan_of(const LightScenarioFit& fit) {
 
 // The fit as it begins at a solution; errors are those that it has scaled, where asked for.
 LightFit light_problem_at(const LightScenarioFit& fit, std::size_t solution, bool scaled) {
+  if (fit.report.shape != LightPlan::Shape::ellipsoid)
+    throw nb::value_error("residual_function: got a convex body or a mesh; expected an ellipsoid");
   const LightSolution& from = fit.report.solutions.at(solution).solution;
   LightFit problem{fit.report.observed.curves, from.body, fit.report.unknowns,
                    require_fit(fit.scenario).loss};
@@ -60,6 +66,16 @@ LightFit light_problem_at(const LightScenarioFit& fit, std::size_t solution, boo
     for (LightCurve& curve : problem.curves)
       for (LightPoint& point : curve.points) point.sigma *= factor;
   return problem;
+}
+
+// Of a solution that is no ellipsoid: (spin, degree, rows, coefficients, law) of a convex body,
+// (spin, FacetShape, law) of a mesh.
+nb::object surface_of(const LightScenarioFit& fit, std::size_t solution) {
+  const BrightEllipsoid& body = fit.report.solutions.at(solution).solution.body;
+  if (!fit.report.convex.empty()) return convex_parts(fit.report.convex.at(solution));
+  if (!fit.report.mesh) return nb::none();
+  return nb::make_tuple(spin_parts(body.spin), fit.report.mesh->shape(),
+                        nb::make_tuple(body.law.single, body.law.multiple));
 }
 
 }  // namespace
@@ -73,6 +89,11 @@ void bind_light_scenario_fit(nb::module_& m) {
       .def_prop_ro("curves", [](const F& f) { return curves_parts(f.report.observed.curves); })
       .def("solution_text",
            [](const F& f, std::size_t k) { return light_solution_text(f.scenario, f.report, k); })
+      .def("write",
+           [](const F& f, std::size_t k, nb::handle path) {
+             write_light_solution(f.scenario, f.report, k, path_text(path));
+           })
+      .def("surface", surface_of)
       .def("residuals", light_rows)
       .def("raw", [](const F& f, std::size_t k) { return found_dict(f.report.solutions.at(k)); })
       .def("problem", light_problem_at);

@@ -6,10 +6,17 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
+from matplotlib.collections import PolyCollection
 from matplotlib.patches import Polygon
 from numpy.typing import ArrayLike, NDArray
 
-from polhode import BrightEllipsoid, LightScenarioSolution, LightSolution
+from polhode import (
+    BrightConvex,
+    BrightEllipsoid,
+    BrightMesh,
+    LightScenarioSolution,
+    LightSolution,
+)
 from polhode._core import _number, _numbers
 from polhode.figures.style import BLACK, DOUBLE_COLUMN, GREY, new_figure, panels, styled
 
@@ -26,7 +33,7 @@ DARK = 0.07
 
 @styled
 def body_as_seen(
-    body: LightSolution | LightScenarioSolution | BrightEllipsoid,
+    body: LightSolution | LightScenarioSolution | BrightEllipsoid | BrightConvex | BrightMesh,
     times: ArrayLike,
     to_sun: ArrayLike,
     to_observer: ArrayLike,
@@ -35,12 +42,13 @@ def body_as_seen(
     unit: str = "",
     scale: float = 1.0,
 ) -> Any:
-    """An ellipsoid on the sky of its observer at some times, shaded by its law of scattering.
+    """A body on the sky of its observer at some times, shaded by its law of scattering.
 
     Parameters
     ----------
-    body : a solution of fit_light, search_light or polhode.fit, or a BrightEllipsoid; it
-        moves freely.
+    body : a solution of fit_light, fit_convex, fit_mesh, search_light or polhode.fit, or its
+        body; it moves freely. Facets are drawn one by one, those of a convex body on its mesh;
+        shadows that they throw on each other are not.
     times : (N,).
     to_sun, to_observer : (3,) or (N, 3), from the body, along inertial axes.
     ax : N Axes, or None for a new figure.
@@ -52,14 +60,18 @@ def body_as_seen(
     pictures, whose brightest hundredth is white; the arrow points to where the Sun is on the sky,
     and is not there where that is behind the observer or the body."""
     bright = body.body if isinstance(body, (LightSolution, LightScenarioSolution)) else body
-    if not isinstance(bright, BrightEllipsoid):
-        raise TypeError(f"body_as_seen: got {body!r}; expected a solution or a BrightEllipsoid")
+    if not isinstance(bright, (BrightEllipsoid, BrightConvex, BrightMesh)):
+        raise TypeError(
+            f"body_as_seen: got {body!r}; expected a solution, a BrightEllipsoid, a BrightConvex "
+            "or a BrightMesh"
+        )
     at = np.atleast_1d(np.asarray(_numbers(times, "times"), float))
     scale = float(_number(scale, "scale"))
     sun = _directions(to_sun, "to_sun", len(at))
     eye = _directions(to_observer, "to_observer", len(at))
     axes = _axes(ax, len(at))
-    pictures = [_picture(bright, t, s, o) for t, s, o in zip(at, sun, eye)]
+    picture = _ellipsoid if isinstance(bright, BrightEllipsoid) else _facets(bright.mesh)
+    pictures = [picture(bright, t, s, o) for t, s, o in zip(at, sun, eye)]
     lit = np.concatenate([light[np.isfinite(light)] for light, *_ in pictures])
     brightest = float(np.quantile(lit, WHITE)) or 1.0
     for axis, t, (light, edge, arrow) in zip(axes, at, pictures):
@@ -98,11 +110,41 @@ def _paper(eye: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.stack([np.cross(up, eye), up])
 
 
-def _picture(body: BrightEllipsoid, t: float, sun: Any, eye: Any) -> tuple[Any, Any, Any]:
-    """Light (PIXELS, PIXELS), NaN off the body; the edge (n, 2); the Sun on paper (2,)."""
+def _turn(body: Any, t: float) -> NDArray[np.float64]:
+    """Columns: axes F in space."""
     motion = body.spin.free_rotation
-    state = motion.at(float(t))
-    turn = _matrix(state.q) @ _matrix(motion.body.q_FB).T  # columns: axes F in space
+    return _matrix(motion.at(float(t)).q) @ _matrix(motion.body.q_FB).T
+
+
+def _light(law: tuple[float, float], mu: Any, mu0: Any) -> Any:
+    """What a detector sees of a place is the brightness of its surface over mu."""
+    single, multiple = law
+    lit, seen = np.clip(mu0, 0.0, None), np.clip(mu, 1e-12, None)
+    return single * lit / (seen + lit) + multiple * lit
+
+
+def _facets(mesh: Any) -> Any:
+    """What _ellipsoid gives, of a mesh: light (n,) of facets that are seen, the farthest first, and
+    their corners on paper (n, 3, 2)."""
+    vertices = np.asarray(mesh.vertices)
+    corners = (vertices / np.linalg.norm(vertices, axis=1).max())[np.asarray(mesh.triangles)]
+    normals = np.asarray(mesh.normals)
+
+    def picture(body: Any, t: float, sun: Any, eye: Any) -> tuple[Any, Any, Any]:
+        turn, paper = _turn(body, t), _paper(eye)
+        mu, mu0 = normals @ (turn.T @ eye), normals @ (turn.T @ sun)
+        seen = np.flatnonzero(mu > 0.0)
+        near = corners[seen].mean(axis=1) @ (turn.T @ eye)
+        seen = seen[np.argsort(near, kind="stable")]
+        light = _light(body.law, mu[seen], mu0[seen])
+        return light, corners[seen] @ turn.T @ paper.T, paper @ sun
+
+    return picture
+
+
+def _ellipsoid(body: BrightEllipsoid, t: float, sun: Any, eye: Any) -> tuple[Any, Any, Any]:
+    """Light (PIXELS, PIXELS), NaN off the body; the edge (n, 2); the Sun on paper (2,)."""
+    turn = _turn(body, t)
     axes = body.axes / body.axes.max()
     paper = _paper(eye)
     grid = np.linspace(-1.0, 1.0, PIXELS)
@@ -116,11 +158,7 @@ def _picture(body: BrightEllipsoid, t: float, sun: Any, eye: Any) -> tuple[Any, 
     normal = (base + s[..., None] * sight) / axes
     normal /= np.linalg.norm(normal, axis=-1, keepdims=True)
     mu, mu0 = normal @ (turn.T @ eye), normal @ (turn.T @ sun)
-    single, multiple = body.law
-    lit = np.clip(mu0, 0.0, None)
-    seen = np.clip(mu, 1e-12, None)
-    # what a detector sees of a place is the brightness of its surface over mu
-    light = np.where(inside > 0.0, single * lit / (seen + lit) + multiple * lit, np.nan)
+    light = np.where(inside > 0.0, _light(body.law, mu, mu0), np.nan)
     angle = np.linspace(0.0, 2.0 * np.pi, 361)
     shadow = paper @ turn @ np.diag(axes**2) @ turn.T @ paper.T
     values, vectors = np.linalg.eigh(shadow)
@@ -136,13 +174,22 @@ def _matrix(q: Any) -> NDArray[np.float64]:
 
 
 def _draw(axis: Any, light: Any, edge: Any, arrow: Any) -> None:
-    picture = axis.imshow(
-        np.clip(DARK + (1.0 - DARK) * light, 0.0, 1.0), extent=(-1, 1, -1, 1), origin="lower",
-        cmap="gray", vmin=0.0, vmax=1.0, interpolation="bilinear", zorder=1, gid="light",
-    )  # fmt: skip
-    border = Polygon(edge, closed=True, facecolor="none", edgecolor=GREY, linewidth=0.5, zorder=2)
-    axis.add_patch(border)
-    picture.set_clip_path(border)
+    shade = np.clip(DARK + (1.0 - DARK) * light, 0.0, 1.0)
+    if edge.ndim == 3:  # facets; their own edges close the gaps between them
+        axis.add_collection(PolyCollection(
+            edge, array=shade, cmap="gray", clim=(0.0, 1.0), edgecolor="face", linewidth=0.4,
+            zorder=1, gid="light",
+        ))  # fmt: skip
+    else:
+        picture = axis.imshow(
+            shade, extent=(-1, 1, -1, 1), origin="lower", cmap="gray", vmin=0.0, vmax=1.0,
+            interpolation="bilinear", zorder=1, gid="light",
+        )  # fmt: skip
+        border = Polygon(
+            edge, closed=True, facecolor="none", edgecolor=GREY, linewidth=0.5, zorder=2
+        )
+        axis.add_patch(border)
+        picture.set_clip_path(border)
     size = float(np.hypot(*arrow))
     if size > ALONG_SIGHT:
         axis.annotate(

@@ -9,7 +9,9 @@ from typing import Any
 import numpy as np
 
 from polhode import (
+    BrightConvex,
     BrightEllipsoid,
+    BrightMesh,
     LightCurve,
     LightScenarioSolution,
     LightSolution,
@@ -29,7 +31,7 @@ PANEL = 2.0
 @styled
 def light_curve_fit(
     curves: LightCurve | Iterable[LightCurve],
-    model: LightSolution | LightScenarioSolution | BrightEllipsoid,
+    model: LightSolution | LightScenarioSolution | BrightEllipsoid | BrightConvex | BrightMesh,
     ax: Any = None,
     *,
     unit: str = "",
@@ -40,7 +42,7 @@ def light_curve_fit(
     Parameters
     ----------
     curves : LightCurve, one or several: what was fitted.
-    model : a solution of fit_light, search_light or polhode.fit, or a BrightEllipsoid.
+    model : a solution of fit_light, fit_convex, fit_mesh, search_light or polhode.fit, or its body.
     ax : two Axes for each session, that of fluxes first, or None for a new figure.
     unit : of time, for the labels. scale : how many of it are a unit of time of the curves.
 
@@ -101,7 +103,7 @@ def _axes(ax: Any, sessions: int) -> Any:
     return np.array(found, dtype=object)
 
 
-def _line(curve: LightCurve, body: BrightEllipsoid, at_points: Any) -> Any:
+def _line(curve: LightCurve, body: Any, at_points: Any) -> Any:
     """Times and fluxes of the model at and between the points, with the factor that these have."""
     between = np.linspace(curve.t.min(), curve.t.max(), LINE)
     t = between[~np.isin(between, curve.t)]  # a time may not stand twice

@@ -38,8 +38,20 @@ struct LightFigures {
 LightFigures light_figures(const Scenario& scenario, const LightReport& report,
                            std::size_t solution);
 
-// Pairs of periods by what each came to, the lowest first; those that came to nothing left out.
-std::vector<std::size_t> pairs_by_chi_square(const LightReport& report);
+const char* shape_word(LightPlan::Shape shape);  // "ellipsoid", "convex", "mesh"
+
+// Pairs of periods that came to one: the same mode and periods, and an ellipsoid of the same
+// chi-square.
+struct PairGroup {
+  std::size_t best;                // of the report's pairs
+  std::vector<std::size_t> pairs;  // all of them, `best` first
+};
+// By what each came to, its surface where it has one, the lowest first; those that came to nothing
+// left out.
+std::vector<PairGroup> groups_of_pairs(const LightReport& report);
+
+// Fluxes of a solution at all points, session by session.
+std::vector<std::vector<double>> fluxes_of(const LightReport& report, std::size_t solution);
 
 }  // namespace detail
 }  // namespace v0

@@ -11,6 +11,7 @@
 #include "polhode/rotor/attitude.hpp"
 #include "polhode/run/light_report.hpp"
 #include "run/detail/free_fit.hpp"
+#include "run/detail/light_surfaces.hpp"
 #include "scenario/value_access.hpp"
 #include "scenario/value_reader.hpp"
 #include "text/number_text.hpp"
@@ -140,7 +141,13 @@ class Scan {
   ScanAdvice advice_;
 };
 
+// A mesh from the file; a convex body from the ellipsoid that is found first.
 void fit_from_start(const Scenario& scenario, const FitPlan& plan, LightReport& report) {
+  if (report.mesh) {
+    const SpinState spin = spin_state(scenario.rotation());
+    report.start = BrightEllipsoid{spin, {1.0, 1.0, 1.0}, plan.light.law};
+    return detail::fit_surface_from_start(scenario, report);
+  }
   report.start = start_of(scenario, plan.light);
   const LightFit fit{report.observed.curves, *report.start, plan.light.unknowns, plan.loss,
                      plan.most_iterations};
@@ -152,28 +159,40 @@ void fit_from_start(const Scenario& scenario, const FitPlan& plan, LightReport& 
     return;
   }
   report.converged = 1;
+  if (report.shape == LightPlan::Shape::convex) {
+    report.ellipsoid = found.solution.body;
+    return detail::fit_surface_from_start(scenario, report);
+  }
   report.solutions.push_back(std::move(found));
+}
+
+// Of the ellipsoids that convex bodies and meshes begin with, which have shapes of their own.
+LightUnknowns unknowns_of_search(const LightPlan& plan) {
+  if (plan.shape == LightPlan::Shape::ellipsoid) return plan.unknowns;
+  return {.shape = true,
+          .moments =
+              plan.unknowns.moments == MomentSource::fit ? MomentSource::fit : MomentSource::shape,
+          .multiple = plan.unknowns.multiple};
 }
 
 void search(const Scenario& scenario, const FitPlan& plan, const LightFitOptions& options,
             LightReport& report) {
-  report.periods = plan.light.periods;
-  if (report.periods.empty()) {
+  LightSearch how;
+  how.periods = plan.light.periods;
+  if (how.periods.empty()) {
     report.scan = Scan(scenario, plan.light.scan, report.observed.curves, options).made();
-    report.periods = labelled_periods(report.scan->minima, plan.light.scan.labels);
+    how.periods = labelled_periods(report.scan->minima, plan.light.scan.labels);
   }
-  if (report.periods.empty()) {
+  if (how.periods.empty()) {
     report.failure =
         "no minimum of the scan is resolved and inside of its grid: other limits, or fit.periods";
     return;
   }
   if (options.progress) options.progress("search", 0.0);
-  LightSearch how;
   how.curves = report.observed.curves;
-  how.periods = report.periods;
-  how.starts = plan.light.starts.value_or(starts_of_periods * report.periods.size());
+  how.starts = plan.light.starts.value_or(starts_of_periods * how.periods.size());
   how.within = plan.light.within_factor;
-  how.unknowns = plan.light.unknowns;
+  how.unknowns = unknowns_of_search(plan.light);
   how.law = plan.light.law;
   how.loss = plan.loss;
   how.most_iterations = plan.light.most_iterations.value_or(how.most_iterations);
@@ -195,8 +214,11 @@ void search(const Scenario& scenario, const FitPlan& plan, const LightFitOptions
   report.starts = how.starts;
   report.finalists = found.finalists;
   report.converged = found.converged;
-  report.chi_square_of_periods = std::move(found.chi_square_of_periods);
+  for (std::size_t p = 0; p < how.periods.size(); ++p)
+    report.pairs.push_back({how.periods[p], found.best_of_periods[p], std::nullopt});
   report.notes = std::move(found.notes);
+  if (report.shape != LightPlan::Shape::ellipsoid)
+    return detail::fit_surfaces(scenario, found, options, report);
   report.solutions = std::move(found.solutions);
   if (report.solutions.empty())
     report.failure = report.notes.empty() ? "no fit converged" : report.notes.front();
@@ -219,9 +241,8 @@ LightReport fit_light_scenario(const Scenario& scenario, const LightFitOptions& 
   const FitPlan& plan = require_fit(scenario);
   detail::require_free_fit(scenario);
   if (!plan.has_light()) refuse(scenario, "observation[0].kind", "expected \"light-curve\"");
-  if (plan.light.shape == LightPlan::Shape::mesh)
-    refuse(scenario, "light.shape", "expected \"ellipsoid\": meshes are simulated, not fitted");
-  if (plan.light.unknowns.moments == MomentSource::start && plan.light.searches)
+  if (plan.light.unknowns.moments == MomentSource::start && plan.light.searches &&
+      plan.light.shape != LightPlan::Shape::mesh)
     refuse(scenario, "light.moments",
            "expected \"of-shape\", or moments among free.unknowns: a search has bodies of its own");
   LightReport report;
@@ -229,6 +250,7 @@ LightReport fit_light_scenario(const Scenario& scenario, const LightFitOptions& 
   report.observed = read_observations(scenario);
   const std::vector<LightCurve>& curves = report.observed.curves;
   require_sound(curves, {.vectors = true});
+  detail::begin_surfaces(scenario, report);
   detail::built(scenario.document.checked->values, "free.unknowns", scenario.document.path, [&] {
     if (plan.light.searches)
       search(scenario, plan, options, report);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The solutions of a fit of light curves for programs.
 #include <cmath>
+#include <limits>
 
 #include "run/detail/light_words.hpp"
 #include "text/json.hpp"
@@ -12,6 +13,8 @@ namespace {
 using detail::JsonWriter;
 using detail::LightFigures;
 using detail::WithErrors;
+
+constexpr double none = std::numeric_limits<double>::infinity();
 
 std::int64_t whole(std::size_t n) { return static_cast<std::int64_t>(n); }
 
@@ -55,17 +58,49 @@ void add_scan(JsonWriter& json, const Scenario& scenario, const LightScan& scan)
 void add_periods(JsonWriter& json, const Scenario& scenario, const LightReport& report) {
   const double time = scenario.units().from_core(1.0, Dimension::time);
   json.key("periods").begin_array();
-  for (std::size_t i = 0; i < report.periods.size(); ++i) {
-    const TumblerPeriods& p = report.periods[i];
-    json.begin_object();
+  const auto add = [&](const TumblerPeriods& p) {
     json.key("mode").value(detail::mode_word(p.mode));
     json.key("precession_period").value(time * p.precession_period);
     json.key("rotation_period").value(time * p.rotation_period);
-    if (i < report.chi_square_of_periods.size())
-      json.key("chi_square").value(report.chi_square_of_periods[i]);
+  };
+  for (const PairFound& pair : report.pairs) {
+    json.begin_object();
+    add(pair.from);
+    json.key("chi_square").value(pair.ellipsoid ? pair.ellipsoid->result.chi_square : none);
+    if (pair.ellipsoid) {
+      const LightSolution& s = *pair.ellipsoid;
+      const detail::SkyPlace pole = detail::sky_place(s.pole);
+      json.key("found").begin_object();
+      add(s.periods);
+      json.key("longitude").value(scenario.units().from_core(pole.longitude, Dimension::angle));
+      json.key("latitude").value(scenario.units().from_core(pole.latitude, Dimension::angle));
+      json.key("b/a").value(s.body.shape.b / s.body.shape.a);
+      json.key("c/b").value(s.body.shape.c / s.body.shape.b).end_object();
+    }
+    if (pair.surface) {
+      json.key(detail::shape_word(report.shape)).begin_object();
+      json.key("chi_square").value(pair.surface->chi_square);
+      json.key("converged").value(pair.surface->is_converged);
+      add(pair.surface->periods);
+      json.key("sentence").value(pair.surface->sentence).end_object();
+    }
     json.end_object();
   }
   json.end_array();
+}
+
+void add_convex(JsonWriter& json, const Scenario& scenario, const BrightConvex& body) {
+  const ConvexPlan& plan = require_fit(scenario).light.convex;
+  json.key("convex").begin_object();
+  json.key("degree").value(static_cast<std::int64_t>(body.image.degree()));
+  json.key("facets").value(whole(body.image.normals().size()));
+  json.key("roughness_error").value(plan.roughness_error);
+  if (plan.moments == MomentSource::fit) json.key("moments_error").value(plan.moments_error);
+  const Mat3& T = body.spin.inertia_F;
+  json.key("Ixx/Izz").value(T(0, 0) / T(2, 2)).key("Iyy/Izz").value(T(1, 1) / T(2, 2));
+  json.key("coefficients").begin_array();
+  for (const double c : body.coefficients) json.value(c);
+  json.end_array().end_object();
 }
 
 void add_with_errors(JsonWriter& json, const char* key, const WithErrors& x) {
@@ -120,6 +155,8 @@ void add_solution(JsonWriter& json, const Scenario& scenario, const LightReport&
     add_with_errors(json, "rotation_period", f.rotation_period);
   }
   add_pole(json, scenario, f);
+  json.key("converged").value(true).key("convergence").value(s.result.sentence);
+  if (!report.convex.empty()) add_convex(json, scenario, report.convex.at(i));
   json.key("shape").begin_object();
   json.key("b/a").value(s.body.shape.b / s.body.shape.a);
   json.key("c/b").value(s.body.shape.c / s.body.shape.b).end_object();
@@ -158,6 +195,11 @@ std::string light_json(const Scenario& scenario, const LightReport& report) {
   add_periods(json, scenario, report);
   json.key("starts").value(whole(report.starts)).key("finalists").value(whole(report.finalists));
   json.key("converged").value(whole(report.converged));
+  json.key("model").value(detail::shape_word(report.shape));
+  if (report.shape != LightPlan::Shape::ellipsoid) {
+    json.key("surfaces").value(whole(report.surfaces));
+    json.key("surfaces_converged").value(whole(report.surfaces_converged));
+  }
   if (!report.failure.empty()) json.key("failure").value(report.failure);
   json.key("notes").begin_array();
   for (const std::string& note : report.notes) json.value(note);

@@ -92,25 +92,52 @@ void add_scan(std::string& text, const Scenario& scenario, const LightScan& scan
   }
 }
 
+std::string surface_chi_square(const PairFound& pair) {
+  if (!pair.surface) return "-";
+  return fmt::format("{:.5g}", pair.surface->chi_square);
+}
+
+// A row for each ellipsoid that pairs of periods came to, with the periods that it has.
+void add_pair_rows(std::string& text, const Scenario& scenario, const LightReport& report) {
+  const std::string& time = scenario.units().time();
+  const bool has_surface = report.shape != LightPlan::Shape::ellipsoid;
+  text += has_surface ? fmt::format("\npairs of periods by what a {} comes to\n{:>12}{:>12}",
+                                    report.mesh ? "mesh" : "convex body", "ellipsoid",
+                                    detail::shape_word(report.shape))
+                      : fmt::format("\npairs of periods by what an ellipsoid comes to\n{:>12}",
+                                    "chi-square");
+  text += fmt::format("{:>6}{:>16}{:>16}{:>10}\n", "mode", "P_phi " + time, "P_psi " + time,
+                      "readings");
+  const std::vector<detail::PairGroup> groups = detail::groups_of_pairs(report);
+  for (std::size_t i = 0; i < std::min(groups.size(), most_pairs); ++i) {
+    const PairFound& pair = report.pairs[groups[i].best];
+    const LightSolution& s = *pair.ellipsoid;
+    const TumblerPeriods& p = pair.surface ? pair.surface->periods : s.periods;
+    const auto period = [&](double t) {
+      return t > 0.0 ? fmt::format("{:.6g}", scenario.units().from_core(t, Dimension::time)) : "-";
+    };
+    text += fmt::format("{:>12.5g}", s.result.chi_square);
+    if (has_surface) text += fmt::format("{:>12}", surface_chi_square(pair));
+    text +=
+        fmt::format("{:>6}{:>16}{:>16}{:>10}{}\n", detail::mode_word(p.mode),
+                    period(p.precession_period), period(p.rotation_period), groups[i].pairs.size(),
+                    pair.surface && !pair.surface->is_converged ? "  not converged" : "");
+  }
+  if (groups.size() > most_pairs)
+    text += fmt::format("{:>12}\n", fmt::format("and {} more", groups.size() - most_pairs));
+}
+
 void add_pairs(std::string& text, const Scenario& scenario, const LightReport& report) {
-  const std::vector<std::size_t> order = detail::pairs_by_chi_square(report);
   add_fit_line(text, "search",
                fmt::format("{} of {}; {} fitted to the end, {} converged",
                            counted(report.starts, "start", "starts"),
-                           counted(report.periods.size(), "pair of periods", "pairs of periods"),
+                           counted(report.pairs.size(), "pair of periods", "pairs of periods"),
                            report.finalists, report.converged));
-  const std::string& time = scenario.units().time();
-  text += fmt::format("\npairs of periods by what an ellipsoid comes to\n{:>12}{:>6}{:>16}{:>16}\n",
-                      "chi-square", "mode", "P_phi " + time, "P_psi " + time);
-  for (std::size_t i = 0; i < std::min(order.size(), most_pairs); ++i) {
-    const TumblerPeriods& p = report.periods[order[i]];
-    text += fmt::format("{:>12.5g}{:>6}{:>16.6g}{:>16.6g}\n",
-                        report.chi_square_of_periods[order[i]], detail::mode_word(p.mode),
-                        scenario.units().from_core(p.precession_period, Dimension::time),
-                        scenario.units().from_core(p.rotation_period, Dimension::time));
-  }
-  if (order.size() > most_pairs)
-    text += fmt::format("{:>12}\n", fmt::format("and {} more", order.size() - most_pairs));
+  if (report.shape != LightPlan::Shape::ellipsoid)
+    add_fit_line(text, report.mesh ? "fits of the mesh" : "convex bodies",
+                 fmt::format("{} fitted from them, {} converged", report.surfaces,
+                             report.surfaces_converged));
+  add_pair_rows(text, scenario, report);
 }
 
 std::string pole_words(const Scenario& scenario) {
@@ -154,6 +181,43 @@ void add_numbers(std::string& text, const std::vector<FitNumber>& numbers, bool 
   }
 }
 
+// Combinations with coefficients of facets are many, and say nothing of the spin: JSON has them.
+void add_notes(std::string& text, const std::vector<std::string>& notes) {
+  std::size_t of_facets = 0;
+  for (const std::string& note : notes) {
+    if (note.find(" c_") == std::string::npos)
+      text += "note: " + note + "\n";
+    else
+      ++of_facets;
+  }
+  if (of_facets > 0)
+    text += "note: the regularisation tells " + counted(of_facets, "combination", "combinations") +
+            " of coefficients of facets apart that the data hardly determine\n";
+}
+
+// What is seen, and for convex bodies what keeps them smooth and what "converged" means.
+void add_surface(std::string& text, const Scenario& scenario, const LightReport& report,
+                 std::size_t i) {
+  const LightSolution& s = report.solutions[i].solution;
+  if (report.mesh)
+    add_fit_line(text, "mesh",
+                 counted(report.mesh->shape().facets().size(), "facet", "facets") +
+                     (report.mesh->is_shadowless() ? "" : ", with shadows"));
+  if (report.convex.empty()) return;
+  const BrightConvex& body = report.convex[i];
+  const ConvexPlan& plan = require_fit(scenario).light.convex;
+  add_fit_line(text, "convex body",
+               fmt::format("{} facets, degree {}; moments as an ellipsoid 1 : {:.3f} : {:.3f}",
+                           body.image.normals().size(), body.image.degree(), s.body.shape.b,
+                           s.body.shape.c));
+  add_fit_line(text, "regularisation",
+               fmt::format("roughness error {:g}", plan.roughness_error) +
+                   (plan.moments == MomentSource::fit
+                        ? fmt::format(", moments error {:g}", plan.moments_error)
+                        : std::string()));
+  add_fit_line(text, "convergence", s.result.sentence + ": within one standard error of the least");
+}
+
 void add_solution(std::string& text, const Scenario& scenario, const LightReport& report,
                   std::size_t i) {
   const FoundLight& one = report.solutions[i];
@@ -161,7 +225,7 @@ void add_solution(std::string& text, const Scenario& scenario, const LightReport
   const LightFigures f = detail::light_figures(scenario, report, i);
   text += "\n";
   add_fit_line(text, fmt::format("solution {} of {}", i + 1, report.solutions.size()),
-               report.start ? s.result.sentence : one.sentence);
+               one.sentence.empty() ? s.result.sentence : one.sentence);
   add_fit_line(text, "chi-square",
                fmt::format("{:.5g} on {:.4g} degrees of freedom", s.result.chi_square,
                            s.degrees_of_freedom));
@@ -178,9 +242,13 @@ void add_solution(std::string& text, const Scenario& scenario, const LightReport
                   f.pole.latitude, f.pole_major.unit, pole_words(scenario),
                   error_text(f.pole_major.error), error_text(f.pole_minor.error),
                   error_text(f.pole_major.scaled_error), error_text(f.pole_minor.scaled_error)));
-  add_numbers(text, light_numbers(scenario, report, i), report.start.has_value());
+  add_surface(text, scenario, report, i);
+  std::vector<FitNumber> numbers = light_numbers(scenario, report, i);
+  if (!report.convex.empty())  // coefficients of facets: JSON has them
+    numbers.resize(numbers.size() - (report.convex[i].coefficients.size() - 1));
+  add_numbers(text, numbers, report.start.has_value());
   if (!report.start && !s.result.bound.empty()) text += "note: " + s.result.sentence + "\n";
-  for (const std::string& note : s.notes) text += "note: " + note + "\n";
+  add_notes(text, s.notes);
 }
 
 }  // namespace
@@ -190,7 +258,7 @@ std::string light_text(const Scenario& scenario, const LightReport& report) {
   if (!scenario.document.title.empty()) text += scenario.document.title + "\n";
   add_observed(text, report);
   if (report.scan) add_scan(text, scenario, *report.scan);
-  if (!report.periods.empty()) {
+  if (!report.pairs.empty()) {
     if (report.scan) text += "\n";
     add_pairs(text, scenario, report);
   }

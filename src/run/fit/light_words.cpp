@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "polhode/math/real.hpp"
 #include "run/detail/fit_tables.hpp"
@@ -11,6 +12,12 @@
 namespace polhode {
 inline namespace v0 {
 namespace detail {
+namespace {
+
+// Of periods and chi-squares of fits that came to one.
+constexpr double same_part = 1e-4;
+
+}  // namespace
 
 const char* mode_word(Regime mode) {
   switch (mode) {
@@ -84,13 +91,46 @@ LightFigures light_figures(const Scenario& scenario, const LightReport& report,
           with(0.0, f.pole_minor, Dimension::angle)};
 }
 
-std::vector<std::size_t> pairs_by_chi_square(const LightReport& report) {
+const char* shape_word(LightPlan::Shape shape) {
+  using enum LightPlan::Shape;
+  return shape == convex ? "convex" : shape == mesh ? "mesh" : "ellipsoid";
+}
+
+std::vector<PairGroup> groups_of_pairs(const LightReport& report) {
   std::vector<std::size_t> order;
-  for (std::size_t i = 0; i < report.chi_square_of_periods.size(); ++i)
-    if (std::isfinite(report.chi_square_of_periods[i])) order.push_back(i);
-  std::ranges::stable_sort(order, {},
-                           [&](std::size_t i) { return report.chi_square_of_periods[i]; });
-  return order;
+  for (std::size_t i = 0; i < report.pairs.size(); ++i)
+    if (report.pairs[i].ellipsoid) order.push_back(i);
+  const auto rank = [&](std::size_t i) {
+    const PairFound& pair = report.pairs[i];
+    const double ellipsoid = pair.ellipsoid->result.chi_square;
+    return std::pair(pair.surface ? pair.surface->chi_square : ellipsoid, ellipsoid);
+  };
+  std::ranges::stable_sort(order, {}, rank);
+  std::vector<PairGroup> groups;
+  for (const std::size_t i : order) {
+    const LightSolution& s = *report.pairs[i].ellipsoid;
+    const auto same = std::ranges::find_if(groups, [&](const PairGroup& group) {
+      const LightSolution& of = *report.pairs[group.best].ellipsoid;
+      const TumblerPeriods &a = of.periods, &b = s.periods;
+      const auto are_near = [](double x, double y) { return std::fabs(x - y) <= same_part * y; };
+      return a.mode == b.mode && are_near(a.precession_period, b.precession_period) &&
+             are_near(a.rotation_period, b.rotation_period) &&
+             are_near(of.result.chi_square, s.result.chi_square);
+    });
+    if (same == groups.end())
+      groups.push_back({i, {i}});
+    else
+      same->pairs.push_back(i);
+  }
+  return groups;
+}
+
+std::vector<std::vector<double>> fluxes_of(const LightReport& report, std::size_t solution) {
+  const BrightEllipsoid& body = report.solutions.at(solution).solution.body;
+  const std::vector<LightCurve>& curves = report.observed.curves;
+  if (!report.convex.empty()) return model_fluxes(report.convex.at(solution), curves);
+  if (report.mesh) return model_fluxes(BrightMesh{body.spin, *report.mesh, body.law}, curves);
+  return model_fluxes(body, curves);
 }
 
 }  // namespace detail
@@ -101,6 +141,11 @@ std::vector<FitNumber> light_numbers(const Scenario& scenario, const LightReport
   const BrightEllipsoid& about = report.start ? *report.start : found.body;
   std::vector<double> start = light_unknowns_at(report.unknowns, about, about);
   std::vector<double> value = light_unknowns_at(report.unknowns, about, found.body);
+  // after them coefficients of a convex body
+  for (std::size_t i = value.size(); i < found.covariance.names.size(); ++i) {
+    start.push_back(found.result.x.at(i));
+    value.push_back(found.result.x.at(i));
+  }
   std::fill_n(start.begin(), 3, 0.0);  // not what rounding leaves
   if (!report.start) std::fill_n(value.begin(), 3, 0.0);
   const double scale = detail::scale_of(found);

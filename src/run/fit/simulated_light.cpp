@@ -20,9 +20,11 @@ namespace {
 // What is seen, from directions along inertial axes.
 class SeenBody {
  public:
-  SeenBody(const Rotation& rotation, const LightPlan& plan) : law_(plan.law) {
+  explicit SeenBody(const Scenario& scenario) : law_(require_fit(scenario).light.law) {
+    const LightPlan& plan = require_fit(scenario).light;
+    const Rotation& rotation = scenario.rotation();
     if (plan.shape == LightPlan::Shape::mesh)
-      mesh_ = std::make_unique<const ShadedMesh>(rotation.shape->mesh);
+      mesh_ = std::make_unique<const ShadedMesh>(light_mesh(scenario));
     else if (plan.semiaxes)
       shape_ = {plan.semiaxes->x, plan.semiaxes->y, plan.semiaxes->z};
     else
@@ -74,7 +76,7 @@ std::vector<LightCurve> simulated_sessions(const Scenario& scenario, std::size_t
     refuse(scenario.document.checked->values, "observation[" + std::to_string(table) + "].kind",
            scenario.document.path,
            "expected a key sigma, not sigma_columns: a simulation has no file to take errors from");
-  const SeenBody body(scenario.rotation(), plan.light);
+  const SeenBody body(scenario);
   const std::vector<std::vector<std::size_t>> rows = sessions_of(scenario, motion);
   std::vector<LightCurve> curves;
   double sum = 0.0;

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 // What a file says of light curves, to a plan.
 #include <algorithm>
+#include <filesystem>
 #include <string>
 #include <string_view>
 
+#include "polhode/tables/obj.hpp"
 #include "scenario/fit/fit_plan.hpp"
 #include "scenario/scenario_parts.hpp"
 #include "scenario/value_access.hpp"
+#include "scenario/value_reader.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -14,6 +17,7 @@ namespace detail {
 namespace {
 
 constexpr std::int64_t most_minima = 10'000, most_labels = 10'000;
+constexpr std::int64_t most_degree = 40, most_rows = 200;
 
 bool has_word(const FitContext& at, std::string_view word) {
   const std::vector<std::string>& words = value_at(at.values, "free.unknowns").words;
@@ -40,12 +44,58 @@ Scattering law_of(const FitContext& at) {
   return Scattering::mixed(law == "mixed" ? number(at.values, "light.multiple") : 0.0);
 }
 
+MomentSource moments_of(const FitContext& at) {
+  if (has_word(at, "moments")) return MomentSource::fit;
+  return word(at.values, "light.moments") == "of-shape" ? MomentSource::shape : MomentSource::start;
+}
+
 LightUnknowns unknowns_of(const FitContext& at) {
-  const MomentSource given =
-      word(at.values, "light.moments") == "of-shape" ? MomentSource::shape : MomentSource::start;
-  return {.shape = has_word(at, "shape"),
-          .moments = has_word(at, "moments") ? MomentSource::fit : given,
-          .multiple = has_word(at, "law")};
+  return {
+      .shape = has_word(at, "shape"), .moments = moments_of(at), .multiple = has_word(at, "law")};
+}
+
+ConvexPlan convex_of(const FitContext& at) {
+  ConvexPlan convex;
+  convex.degree = static_cast<int>(whole_in(at, "light.convex.degree", most_degree));
+  convex.rows = static_cast<int>(whole_in(at, "light.convex.rows", most_rows));
+  for (const char* const path : {"light.convex.roughness_error", "light.convex.moments_error"})
+    require_range(at.values, path, at.name);
+  convex.roughness_error = number(at.values, "light.convex.roughness_error");
+  convex.moments_error = number(at.values, "light.convex.moments_error");
+  if (is_explicit(at.values, "light.moments")) convex.moments = moments_of(at);
+  if (has(at.values, "light.convex.pairs"))
+    convex.pairs = whole_in(at, "light.convex.pairs", most_labels * most_minima);
+  return convex;
+}
+
+// What a shape that is no ellipsoid does not go with.
+void require_shape(const FitContext& at, const Rotation& rotation, LightPlan::Shape shape) {
+  const bool is_mesh = shape == LightPlan::Shape::mesh;
+  const auto refuse_unless = [&](bool is_right, const std::string& path, const std::string& text) {
+    if (!is_right) refuse(at, path, text);
+  };
+  refuse_unless(is_mesh || !has(at.values, "light.mesh"), "light.mesh",
+                "expected shape = \"mesh\" as well");
+  refuse_unless(shape == LightPlan::Shape::convex || !is_explicit(at.values, "light.convex"),
+                "light.convex", "expected shape = \"convex\" as well");
+  if (shape == LightPlan::Shape::convex)
+    refuse_unless(has_word(at, "shape"), "free.unknowns",
+                  "expected shape among them: a convex body is what is looked for");
+  if (!is_mesh) return;
+  refuse_unless(rotation.shape != nullptr || has(at.values, "light.mesh"), "light.shape",
+                "expected a key light.mesh or body.shape as well, the mesh");
+  refuse_unless(!has(at.values, "light.semiaxes"), "light.semiaxes",
+                "expected none together with shape = \"mesh\"");
+}
+
+// A mesh does not change, and in a fit its moments do not follow it.
+void require_mesh_fit(const FitContext& at, LightPlan& plan) {
+  if (plan.shape != LightPlan::Shape::mesh) return;
+  if (is_explicit(at.values, "light.moments") && plan.unknowns.moments == MomentSource::shape)
+    refuse(at, "light.moments",
+           "expected \"of-body\" with a mesh, whose moments are those of [body]; body.shape gives "
+           "[body] those of an even filling");
+  if (plan.unknowns.moments == MomentSource::shape) plan.unknowns.moments = MomentSource::start;
 }
 
 ScanPlan scan_of(const FitContext& at) {
@@ -123,19 +173,20 @@ void require_words(const FitContext& at, bool of_light) {
 
 LightPlan light_plan(const FitContext& at, const Rotation& rotation) {
   LightPlan plan;
-  if (word(at.values, "light.shape") == "mesh") {
-    if (rotation.shape == nullptr)
-      refuse(at, "light.shape", "expected a key body.shape as well, the mesh");
-    if (has(at.values, "light.semiaxes"))
-      refuse(at, "light.semiaxes", "expected none together with shape = \"mesh\"");
-    plan.shape = LightPlan::Shape::mesh;
-  }
+  const std::string& shape = word(at.values, "light.shape");
+  plan.shape = shape == "mesh"     ? LightPlan::Shape::mesh
+               : shape == "convex" ? LightPlan::Shape::convex
+                                   : LightPlan::Shape::ellipsoid;
+  require_shape(at, rotation, plan.shape);
+  if (has(at.values, "light.mesh")) plan.mesh = word(at.values, "light.mesh");
+  plan.convex = convex_of(at);
   if (has(at.values, "light.semiaxes")) {
     require_range(at.values, "light.semiaxes", at.name);
     plan.semiaxes = vector(at.values, "light.semiaxes");
   }
   plan.law = law_of(at);
   plan.unknowns = unknowns_of(at);
+  require_mesh_fit(at, plan);
   if (plan.unknowns.multiple && plan.law.single == 0.0)
     refuse(at, "light.law",
            "expected another law where its weight beside that of Lommel and "
@@ -157,5 +208,15 @@ LightPlan light_plan(const FitContext& at, const Rotation& rotation) {
 }
 
 }  // namespace detail
+
+FacetShape light_mesh(const Scenario& scenario) {
+  const std::string& path = require_fit(scenario).light.mesh;
+  if (path.empty()) return scenario.rotation().shape->mesh;
+  const Document& file = scenario.document;
+  return detail::built(file.checked->values, "light.mesh", file.path, [&] {
+    return read_obj((std::filesystem::path(file.path).parent_path() / path).string());
+  });
+}
+
 }  // namespace v0
 }  // namespace polhode

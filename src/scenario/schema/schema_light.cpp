@@ -15,11 +15,18 @@ constexpr Key keys[] = {
     {.path = "light", .fallback = "{}", .help = "How bright the body is, for light curves."},
     {.path = "light.shape",
      .type = choice,
-     .allowed = "ellipsoid|mesh",
+     .allowed = "ellipsoid|convex|mesh",
      .fallback = "\"ellipsoid\"",
      .example = "\"ellipsoid\"",
-     .help = "What is seen: an ellipsoid along the principal axes, or in simulations alone the "
-             "mesh of `body.shape`, with its shadows."},
+     .help =
+         "What is seen: an ellipsoid along the principal axes; in fits alone a convex body that "
+         "is looked for, from the ellipsoid that fits best; or a given mesh, with its shadows, "
+         "that of `light.mesh` or else of `body.shape`."},
+    {.path = "light.mesh",
+     .type = text,
+     .example = "\"seen.obj\"",
+     .help = "The mesh that is seen, Wavefront OBJ, along the body axes, in any unit; it need not "
+             "be that of [body]. Relative to the folder of this file."},
     {.path = "light.semiaxes",
      .type = numbers,
      .length = 3,
@@ -32,8 +39,42 @@ constexpr Key keys[] = {
      .allowed = "of-shape|of-body",
      .fallback = "\"of-shape\"",
      .example = "\"of-shape\"",
-     .help = "The moments of inertia of a fit where they are no unknowns: of the ellipsoid filled "
-             "evenly, or those of [body]. Simulations have those of [body]."},
+     .help =
+         "The moments of inertia of a fit where they are no unknowns: of the shape filled "
+         "evenly, or those of [body]. Left out, those of a convex body are unknowns about those "
+         "of its ellipsoid, and those of a mesh stay. Simulations have those of [body]."},
+    {.path = "light.convex",
+     .fallback = "{}",
+     .help = "Facets of a convex body, and what keeps them smooth."},
+    {.path = "light.convex.degree",
+     .type = integer,
+     .fallback = "6",
+     .example = "6",
+     .help = "Of the series of the areas of facets, 1 to 40: (degree + 1)^2 coefficients."},
+    {.path = "light.convex.rows",
+     .type = integer,
+     .fallback = "8",
+     .example = "8",
+     .help = "8 rows^2 facets, 1 to 200 rows."},
+    {.path = "light.convex.roughness_error",
+     .type = number,
+     .fallback = "3",
+     .example = "3",
+     .help = "How rough the body is: the standard error of l (l + 1) times each coefficient of "
+             "degree l about that of the ellipsoid. Smaller ones give smoother bodies.",
+     .range = Range::positive},
+    {.path = "light.convex.moments_error",
+     .type = number,
+     .fallback = "0.1",
+     .example = "0.1",
+     .help = "The standard error of Ixx/Izz and Iyy/Izz about those of the ellipsoid.",
+     .range = Range::positive},
+    {.path = "light.convex.pairs",
+     .type = integer,
+     .example = "40",
+     .help =
+         "How many pairs of periods of a search go on to a convex body, those of the lowest "
+         "chi-squares of ellipsoids; left out, all, since the truth may fit an ellipsoid badly."},
     {.path = "light.law",
      .type = choice,
      .allowed = "lommel-seeliger|lambert|mixed",

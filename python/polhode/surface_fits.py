@@ -1,0 +1,237 @@
+# SPDX-License-Identifier: MIT
+"""Light curves of tumbling bodies that are no ellipsoids: convex bodies of facets, given meshes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from polhode import _core
+from polhode._core import FacetShape, _number
+from polhode._observed import column, loss_of, one_of, whole
+from polhode.light_fits import (
+    MOMENTS,
+    BrightEllipsoid,
+    LightCurve,
+    LightSolution,
+    curve_parts,
+    light_parts,
+)
+from polhode.spin_fits import SpinState
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from polhode._observed import Loss
+
+    Array = NDArray[np.float64]
+
+
+def _checked(body: Any) -> None:
+    if not isinstance(body.spin, SpinState):
+        raise TypeError(f"spin: got {body.spin!r}; expected SpinState")
+    single, multiple = (float(_number(weight, "law")) for weight in body.law)
+    object.__setattr__(body, "law", (single, multiple))
+
+
+@dataclass(frozen=True, eq=False)
+class BrightConvex:
+    """A tumbling convex body that scatters light, by the areas of facets on fixed normals.
+
+    Attributes
+    ----------
+    spin : SpinState; body axes are those of the facets, and principal.
+    degree, rows : of the series of areas, 1 to 40, and of the 8 rows^2 normals.
+    coefficients : ((degree + 1)^2,), c_lm at l^2 + l + m: an area is w exp(sum of c_lm Y_lm(n)),
+        w the solid angle of its normal n.
+    law : weights of the laws of Lommel and Seeliger, and of Lambert.
+    """
+
+    spin: SpinState
+    degree: int
+    rows: int
+    coefficients: Any
+    law: tuple[float, float] = (1.0, 0.0)
+
+    def __post_init__(self) -> None:
+        _checked(self)
+        object.__setattr__(self, "degree", whole(self.degree, "degree"))
+        object.__setattr__(self, "rows", whole(self.rows, "rows"))
+        object.__setattr__(self, "coefficients", column(self.coefficients, "coefficients"))
+
+    @property
+    def normals(self) -> Array:
+        """(M, 3), outward, along the body axes; M = 8 rows^2."""
+        return _core._convex_facets(self._parts())[0]
+
+    @property
+    def areas(self) -> Array:
+        """(M,), in the unit in which the ellipsoid of the start has b = 1."""
+        return _core._convex_facets(self._parts())[1]
+
+    @property
+    def mesh(self) -> FacetShape:
+        """The body itself (Minkowski's problem), its centre of mass in the origin. DomainError (a
+        ValueError) where the areas are far from those of a closed body. Half a second for 512
+        facets."""
+        return _core._convex_mesh(self._parts())
+
+    def _parts(self) -> tuple[Any, ...]:
+        return self.spin._parts(), self.degree, self.rows, self.coefficients, self.law
+
+    @classmethod
+    def _of(cls, parts: Sequence[Any]) -> BrightConvex:
+        spin, degree, rows, coefficients, law = parts
+        return cls(SpinState._of(spin), degree, rows, coefficients, law)
+
+
+@dataclass(frozen=True, eq=False)
+class BrightMesh:
+    """A tumbling body of known shape that scatters light; facets shade each other.
+
+    Attributes
+    ----------
+    spin : SpinState; body axes are those of the mesh.
+    shape : FacetShape, in any unit.
+    law : weights of the laws of Lommel and Seeliger, and of Lambert.
+    """
+
+    spin: SpinState
+    shape: FacetShape
+    law: tuple[float, float] = (1.0, 0.0)
+
+    def __post_init__(self) -> None:
+        _checked(self)
+        if not isinstance(self.shape, FacetShape):
+            raise TypeError(f"shape: got {self.shape!r}; expected FacetShape")
+
+    @classmethod
+    def homogeneous(
+        cls, q: Any, w: Any, shape: FacetShape, t0: float = 0.0,
+        law: tuple[float, float] = (1.0, 0.0),
+    ) -> BrightMesh:  # fmt: skip
+        """With the inertia of an even filling about the centre of mass; the mesh must be closed."""
+        return cls(SpinState(q, w, _core._homogeneous_inertia(shape), t0), shape, law)
+
+    @property
+    def mesh(self) -> FacetShape:
+        """The shape."""
+        return self.shape
+
+    def _parts(self) -> tuple[Any, ...]:
+        return self.spin._parts(), self.shape, self.law
+
+    @classmethod
+    def _of(cls, parts: Sequence[Any]) -> BrightMesh:
+        spin, shape, law = parts
+        return cls(SpinState._of(spin), shape, law)
+
+
+def surface_of(parts: Sequence[Any]) -> BrightConvex | BrightMesh:
+    return BrightConvex._of(parts) if len(parts) == 5 else BrightMesh._of(parts)
+
+
+def fit_convex(
+    start: BrightEllipsoid,
+    curves: LightCurve | Iterable[LightCurve],
+    *,
+    degree: int = 6,
+    rows: int = 8,
+    moments: str = "fit",
+    multiple: bool = False,
+    roughness_error: float = 3.0,
+    moments_error: float = 0.1,
+    closure_error: float = 1e-3,
+    axes_error: float = 1e-2,
+    loss: Loss = "squared",
+    most_iterations: int = 100,
+) -> LightSolution:
+    """A convex body and its spin state from light curves, from an ellipsoid that fits them.
+
+    Parameters
+    ----------
+    start : what fit_light or search_light came to, of every pair of periods its best: the ellipsoid
+        is wrong about real bodies, and an alias can suit it better.
+    curves : LightCurve, one or several, with vectors.
+    degree, rows : of the areas of facets, see BrightConvex; 6 and 8 suit some 350 points, 3 and 4
+        some 80.
+    moments : "fit", unknowns Ixx/Izz and Iyy/Izz about those of the start, to moments_error;
+        "start", as they are; "shape", those of an even filling of the body, from round to round:
+        these need rows of about 12, and where they do not come to rest the fit has not converged.
+    multiple : whether the weight of Lambert's law is unknown, that of Lommel and Seeliger being 1.
+    roughness_error : of l (l + 1) times the coefficients of degree l, about those of the start;
+        smaller ones give smoother bodies.
+    closure_error, axes_error : of the sum of areas times normals, and of the products of their
+        tensor, over the whole area.
+    loss : as in fit_spin.
+
+    Returns
+    -------
+    LightSolution
+        `body` is a BrightConvex. Unknowns: turn_x, turn_y, turn_z, w_x, w_y, w_z, then those asked
+        for, then c_l_m. Of what did not converge too: `.converged` says so. Converged is nearer to
+        the least than one standard error of the unknowns: facets bend the light where they pass a
+        terminator. Errors are under this regularisation.
+
+    DomainError (a ValueError) for light curves that are not sound, errors that are not above 0,
+    more coefficients than facets, fewer points than unknowns. Releases the GIL; a second for 350
+    points.
+    """
+    if not isinstance(start, BrightEllipsoid):
+        raise TypeError(f"fit_convex: got {start!r}; expected BrightEllipsoid")
+    kind, scale = loss_of(loss)
+    errors = [
+        float(_number(x, name))
+        for x, name in (
+            (roughness_error, "roughness_error"), (moments_error, "moments_error"),
+            (closure_error, "closure_error"), (axes_error, "axes_error"),
+        )
+    ]  # fmt: skip
+    found = _core._fit_convex(
+        curve_parts(curves), start._parts(), whole(degree, "degree", 0), whole(rows, "rows"),
+        one_of(moments, "moments", MOMENTS), bool(multiple), errors, kind, scale,
+        whole(most_iterations, "most_iterations"),
+    )  # fmt: skip
+    return LightSolution(**light_parts(found, BrightConvex._of(found["body"])))
+
+
+def fit_mesh(
+    start: BrightMesh,
+    curves: LightCurve | Iterable[LightCurve],
+    *,
+    moments: str = "start",
+    multiple: bool = False,
+    loss: Loss = "squared",
+    most_iterations: int = 100,
+) -> LightSolution:
+    """The spin state of a tumbling body of known shape from light curves, from one start.
+
+    Parameters
+    ----------
+    start : BrightMesh near the answer: phases at the ends of the data within a quarter of a turn.
+    curves : LightCurve, one or several, with vectors.
+    moments : "start", as they are, or "fit", unknowns Ixx/Izz and Iyy/Izz: the axes of the mesh
+        must be principal then.
+    multiple, loss : as in fit_convex.
+
+    Returns
+    -------
+    LightSolution
+        `body` is a BrightMesh. Unknowns: turn_x, turn_y, turn_z, w_x, w_y, w_z, then those asked
+        for. `.converged` says whether it is a solution; converged is as in fit_convex. At the edge
+        of a shadow brightness jumps by a facet: fits of coarse meshes may stall there.
+
+    DomainError (a ValueError) for light curves that are not sound, a start that no body has, fewer
+    points than unknowns. Releases the GIL.
+    """
+    if not isinstance(start, BrightMesh):
+        raise TypeError(f"fit_mesh: got {start!r}; expected BrightMesh")
+    kind, scale = loss_of(loss)
+    found = _core._fit_mesh(
+        curve_parts(curves), start._parts(), one_of(moments, "moments", ("start", "fit")),
+        bool(multiple), kind, scale, whole(most_iterations, "most_iterations"),
+    )  # fmt: skip
+    return LightSolution(**light_parts(found, BrightMesh._of(found["body"])))

@@ -1,0 +1,166 @@
+# SPDX-License-Identifier: MIT
+"""Convex bodies and given meshes in Python: fits of arrays, what scenarios say of them, likely
+periods, and the figures that take them."""
+
+import pathlib
+
+import budgets
+import matplotlib
+import numpy as np
+import polhode
+import pytest
+from closeness import assert_allclose, largest, smallest
+
+matplotlib.use("Agg")
+import fit_calls  # noqa: E402
+from polhode import figures  # noqa: E402
+
+NIGHT = pathlib.Path(__file__).resolve().parents[2] / "examples/tumbling-night.toml"
+NEARBY = {"fit.from": "start", "fit.starts": None, "fit.scan": None}
+SUN, OBSERVER = [1.0, 0.2, 0.3], [0.8, 0.6, 0.1]
+SMALL = {"degree": 3, "rows": 4}
+
+
+@pytest.fixture(scope="module")
+def convex():
+    """A convex body that is no ellipsoid, from one of its fits; and its light with errors."""
+    rng = np.random.default_rng(4)
+    found = polhode.fit_convex(fit_calls.BODY, fit_calls.CURVE, **SMALL)
+    coefficients = found.body.coefficients.copy()
+    coefficients[[4, 8, 9, 12]] += [0.1, -0.15, 0.08, 0.1]
+    body = polhode.BrightConvex(found.body.spin, 3, 4, coefficients)
+    t = np.linspace(0.0, 40.0, 90)
+    blank = polhode.LightCurve(t, np.ones(90), 1.0, SUN, OBSERVER)
+    (flux,) = polhode.model_fluxes(body, blank)
+    seen = flux * (1.0 + 0.005 * rng.standard_normal(90))
+    return body, polhode.LightCurve(t, seen, 0.005 * flux, SUN, OBSERVER)
+
+
+def test_facets_fit_what_no_ellipsoid_does(convex):
+    body, curve = convex
+    first = polhode.fit_light(fit_calls.BODY, curve)
+    assert first.converged
+    found = polhode.fit_convex(first.body, curve, **SMALL)
+    assert found.converged and isinstance(found.body, polhode.BrightConvex)
+    assert found.chi_square < 0.7 * first.chi_square
+    assert found.names[:6] == first.names[:6] and found.names[6:8] == ("Ixx/Izz", "Iyy/Izz")
+    assert len(found.names) == 8 + 15 and found.covariance.shape == (23, 23)
+    (model,) = found.model(curve)
+    assert_allclose(np.sum(((model - curve.flux) / curve.sigma) ** 2), found.chi_square,
+                    rtol=budgets.fit_freedom)  # fmt: skip
+    of = found.body
+    assert of.normals.shape == (128, 3) and smallest(of.areas) > 0.0
+    assert_allclose(np.linalg.norm(of.normals, axis=1), 1.0, atol=budgets.fit_rotation)
+    # the mesh has these facets: each of its own lies on one of the normals, with their areas
+    mesh = of.mesh
+    places = np.argmax(np.asarray(mesh.normals) @ of.normals.T, axis=1)
+    areas = np.bincount(places, np.asarray(mesh.areas), 128)
+    assert_allclose(areas.sum(), of.areas.sum(), rtol=budgets.python_convex_closure)
+    assert np.abs(areas - of.areas).max() < budgets.python_convex_closure * of.areas.sum()
+    again = polhode.BrightMesh(of.spin, mesh, of.law)
+    (of_mesh,) = polhode.model_fluxes(again, curve)
+    assert_allclose(of_mesh, model, rtol=budgets.python_convex_light)
+
+
+def test_a_given_mesh_is_fitted_from_a_start_nearby():
+    rng = np.random.default_rng(5)
+    shape = fit_calls.TETRAHEDRON
+    truth = polhode.BrightMesh.homogeneous([0.9, 0.1, 0.3, 0.2], [0.4, 0.5, 1.0], shape)
+    t = np.linspace(0.0, 30.0, 80)
+    blank = polhode.LightCurve(t, np.ones(80), 1.0, SUN, OBSERVER)
+    (flux,) = polhode.model_fluxes(truth, blank)
+    sigma = 0.01 * flux.mean()
+    curve = polhode.LightCurve(t, flux + sigma * rng.standard_normal(80), sigma, SUN, OBSERVER)
+    start = polhode.BrightMesh.homogeneous([0.9, 0.11, 0.29, 0.21], [0.401, 0.5, 1.0], shape)
+    found = polhode.fit_mesh(start, curve)
+    assert found.converged and found.names == (
+        "turn_x", "turn_y", "turn_z", "w_x", "w_y", "w_z")  # fmt: skip
+    off = (found.body.spin.w - truth.spin.w) @ np.linalg.inv(found.covariance[3:, 3:])
+    assert off @ (found.body.spin.w - truth.spin.w) < 16.3  # 3 unknowns: 1 in 1000 is beyond
+    assert found.chi_square < 1.6 * found.degrees_of_freedom
+    assert found.body.mesh is found.body.shape
+
+
+@pytest.mark.parametrize(("call", "error", "message"), [
+    (lambda: polhode.fit_convex(3, fit_calls.CURVE), TypeError, "expected BrightEllipsoid"),
+    (lambda: polhode.fit_mesh(fit_calls.BODY, fit_calls.CURVE), TypeError, "expected BrightMesh"),
+    (lambda: polhode.fit_convex(fit_calls.BODY, fit_calls.CURVE, degree=20), ValueError, "rows"),
+    (lambda: polhode.fit_convex(fit_calls.BODY, fit_calls.CURVE, roughness_error=0.0), ValueError,
+     "roughness_error = 0 must be above 0"),
+    (lambda: polhode.fit_convex(fit_calls.BODY, fit_calls.CURVE, moments="even"), ValueError,
+     "moments"),
+    (lambda: polhode.BrightMesh(fit_calls.STATE, 3), TypeError, "expected FacetShape"),
+    (lambda: polhode.BrightConvex(3, 3, 4, [0.0] * 16), TypeError, "expected SpinState"),
+    (lambda: polhode.model_fluxes(3, fit_calls.CURVE), TypeError, "BrightConvex or BrightMesh"),
+    (lambda: polhode.likely_periods(fit_calls.CURVE, -1.0, 0.1, order=1), ValueError,
+     "f1: got -1.0; expected a frequency above 0"),
+])  # fmt: skip
+def test_what_is_no_surface_is_refused(call, error, message):
+    with pytest.raises(error, match=message):
+        call()
+
+
+def test_likely_periods_are_those_of_the_whole_series():
+    """The truth, 12 and 20 min, is high among the readings of the lines 1/12 and 1/10."""
+    near = polhode.load(NIGHT).replace(NEARBY)
+    (curve,) = polhode.fit(near).curves
+    found = polhode.likely_periods(curve, 1 / 12.0022, 1 / 9.9957, order=2)
+    assert all(a.score >= b.score for a, b in zip(found, found[1:]))
+    place = [k for k, one in enumerate(found) if one.mode == "LAM"
+             and abs(one.precession_period - 12) < 0.05 and abs(one.rotation_period - 20) < 0.1]
+    assert place and place[0] < 20
+
+
+def test_a_scenario_with_a_convex_body(tmp_path):
+    """What polhode.fit returns is what the arrays give; the files beside it run and are simulated.
+    """
+    changes = {"light.shape": "convex", "light.convex.degree": 3, "light.convex.rows": 4}
+    told = []
+    found = polhode.fit(polhode.load(NIGHT).replace({**NEARBY, **changes}),
+                        progress=lambda done, of: told.append(done))  # fmt: skip
+    (one,) = found
+    assert isinstance(one.body, polhode.BrightConvex) and one.report["convex"]["facets"] == 128
+    assert told == sorted(told)
+    ellipsoid = polhode.fit(polhode.load(NIGHT).replace(NEARBY))[0]
+    again = polhode.fit_convex(ellipsoid.body, found.curves, **SMALL)
+    assert_allclose(again.chi_square, one.chi_square, rtol=budgets.fit_freedom)
+    assert_allclose(again.body.coefficients, one.body.coefficients, rtol=budgets.fit_exact)
+    (model,) = one.light.model(found.curves)
+    assert_allclose(one.residuals["model"], model, rtol=budgets.fit_motion)
+    assert "c_1_0" in one.unknowns and one.covariance.shape == (23, 23)
+    with pytest.raises(ValueError, match="got a convex body or a mesh; expected an ellipsoid"):
+        one.residual_function()
+    assert one.scenario.run().outcome.ok  # its motion needs no mesh
+    one.write(tmp_path / "body.toml")
+    assert polhode.read_obj(str(tmp_path / "body.obj")).open_edge == ""
+    (path,) = polhode.simulate(tmp_path / "body.toml", tmp_path / "seen")
+    assert pathlib.Path(path).exists()
+    assert figures.light_curve_fit(found.curves, one).shape == (1, 2)
+    assert len(figures.pole_sky(found).get_legend().get_texts()) == 1
+
+
+def test_facets_are_drawn_where_they_are():
+    """Corners on paper are those of the mesh; what is lit and faces the observer is bright."""
+    shape = fit_calls.TETRAHEDRON
+    body = polhode.BrightMesh.homogeneous([1.0, 0.2, 0.0, 0.1], [0.4, 0.5, 1.0], shape)
+    eye = np.array(OBSERVER) / np.linalg.norm(OBSERVER)
+    (axis,) = figures.body_as_seen(body, [0.0], SUN, OBSERVER)
+    (drawn,) = axis.collections
+    paths = drawn.get_paths()
+    motion = body.spin.free_rotation
+    R = (np.asarray(polhode.attitude_matrix(motion.at(0.0).q)).T
+         @ np.asarray(polhode.attitude_matrix(motion.body.q_FB)))
+    normals = np.asarray(shape.normals) @ R.T
+    assert len(paths) == np.sum(normals @ eye > 0.0)
+    up = np.array([0.0, 0.0, 1.0]) - eye[2] * eye
+    up /= np.linalg.norm(up)
+    corners = np.asarray(shape.vertices) @ R.T
+    size = np.linalg.norm(corners, axis=1).max()
+    onto = corners @ np.stack([np.cross(up, eye), up], axis=1) / size
+    for path in paths:
+        for corner in path.vertices[:3]:
+            nearest = smallest(*np.linalg.norm(onto - corner, axis=1))
+            assert nearest < budgets.drawn_edge
+    assert largest(*drawn.get_array()) <= 1.0
+    convex = polhode.fit_convex(fit_calls.BODY, fit_calls.CURVE, **SMALL)
+    assert len(figures.body_as_seen(convex, [0.0, 1.0], SUN, OBSERVER)) == 2

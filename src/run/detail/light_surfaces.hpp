@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// What follows the ellipsoid in a fit of light curves: convex bodies, and a given mesh.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "polhode/run/light_report.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+// A fit of a convex body or of the mesh. `solution.body` has its spin and law, and an ellipsoid.
+struct SurfaceFound {
+  LightSolution solution;
+  std::optional<BrightConvex> convex;
+  BrightEllipsoid start;  // the ellipsoid that it was fitted from
+};
+
+// The fits of one scenario.
+class SurfaceFits {
+ public:
+  SurfaceFits(const Scenario& scenario, const LightReport& report);
+
+  // The best from this ellipsoid: of a mesh of some attitudes with its periods. None where the mesh
+  // has no such motion.
+  std::vector<SurfaceFound> from(const BrightEllipsoid& ellipsoid) const;
+  // From what has the same light where directions do not change: images, of a mesh all attitudes.
+  // Not from what is near a state that is `known`.
+  std::vector<SurfaceFound> from_images(const BrightEllipsoid& ellipsoid,
+                                        const std::vector<BrightEllipsoid>& known) const;
+  // From the state of the file.
+  SurfaceFound from_file() const;
+  // Of two fits whose bodies are the same, or nearly so.
+  bool are_same(const LightSolution& a, const LightSolution& b) const;
+
+ private:
+  SurfaceFound convex_from(const BrightEllipsoid& ellipsoid) const;
+  SurfaceFound mesh_from(const SpinState& spin, const BrightEllipsoid& ellipsoid,
+                         int most_iterations) const;
+  bool is_known(const BrightEllipsoid& body, const std::vector<BrightEllipsoid>& known) const;
+  std::vector<SpinState> mesh_starts(const BrightEllipsoid& ellipsoid) const;
+
+  const Scenario& scenario_;
+  const FitPlan& plan_;
+  const LightReport& report_;
+  std::vector<Vec3> mean_;  // directions to Sun and observer
+  int most_iterations_;
+};
+
+// The mesh that is given, into the report; and what the scenario asks that no fit can do.
+void begin_surfaces(const Scenario& scenario, LightReport& report);
+// From the ellipsoid of the start that was fitted, or of a mesh from the file.
+void fit_surface_from_start(const Scenario& scenario, LightReport& report);
+// From the ellipsoids of a search.
+void fit_surfaces(const Scenario& scenario, const LightSearchResult& found,
+                  const LightFitOptions& options, LightReport& report);
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+// Scenarios that begin at a solution of light curves, and the meshes beside them.
+#include <cmath>
+#include <filesystem>
+
+#include "polhode/error.hpp"
+#include "polhode/free/free_rotation.hpp"
+#include "polhode/run/light_report.hpp"
+#include "polhode/tables/obj.hpp"
+#include "run/detail/fit_tables.hpp"
+#include "text/number_text.hpp"
+#include "text/printable.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace {
+
+using Changes = std::vector<ScenarioChange>;
+using detail::number_text;
+
+// Izz of a body of which the fit knows ratios alone: the greatest moment of the file.
+double unit_moment(const Scenario& scenario) {
+  const Vec3& I = scenario.rotation().body.moments();
+  return std::fmax(I.x, std::fmax(I.y, I.z));
+}
+
+// The state at t = 0 of the file.
+SpinState at_zero(const SpinState& s) {
+  if (s.t0 == 0.0) return s;
+  Mat3 T = s.inertia_F;
+  for (Vec3& row : T.row) row = (1.0 / s.inertia_F(2, 2)) * row;
+  const bool is_diagonal = T(0, 1) == 0.0 && T(0, 2) == 0.0 && T(1, 2) == 0.0;
+  const Body body = is_diagonal ? Body(T(0, 0), T(1, 1), 1.0) : Body::from_tensor(T);
+  const Quaternion f = body.q_FB();
+  const FreeRotation motion(body, {normalized(s.q) * f, rotate(conj(f), T * s.w_F)}, s.t0);
+  const RotorState there = motion.at(0.0);
+  return {0.0, there.q * conj(f), rotate(f, angular_velocity(body, there)), s.inertia_F};
+}
+
+std::vector<double> times_of(const LightReport& report) {
+  std::vector<double> times;
+  for (const LightCurve& curve : report.observed.curves)
+    for (const LightPoint& p : curve.points) times.push_back(p.t);
+  return times;
+}
+
+void add_moments(const Scenario& scenario, const Mat3& T, Changes& changes) {
+  for (const char* const key : {"moments", "tensor", "shape", "density", "scale", "column_axes"})
+    changes.push_back({std::string("body.") + key, ""});
+  const double unit = unit_moment(scenario);
+  changes.push_back(
+      {"body.moments", detail::row_text(unit * T(0, 0) / T(2, 2), unit * T(1, 1) / T(2, 2), unit)});
+}
+
+void add_state(const Scenario& scenario, const SpinState& state, Changes& changes) {
+  changes.push_back({"state." + scenario.rotation().chart, ""});
+  changes.push_back(detail::state_change(scenario, state.q, state.w_F));
+}
+
+// "found.obj" as a text of TOML.
+std::string quoted(const std::string& path) {
+  std::string text = "\"";
+  for (const char c : path) {
+    if (c == '"' || c == '\\') text += '\\';
+    text += c;
+  }
+  return text + "\"";
+}
+
+// The rest of [fit] looked for what is found.
+void add_loss(const Scenario& scenario, Changes& changes) {
+  const Loss& loss = require_fit(scenario).loss;
+  using enum Loss::Kind;
+  if (loss.kind == squared) return;
+  const char* const word = loss.kind == huber     ? "huber"
+                           : loss.kind == soft_l1 ? "soft-l1"
+                                                  : "cauchy";
+  changes.push_back({"fit.loss", quoted(word)});
+  changes.push_back({"fit.loss_scale", number_text(loss.scale)});
+}
+
+// A fit of the mesh that begins at the solution: what was observed stays, so that it can be
+// simulated and fitted again.
+Changes mesh_changes(const Scenario& scenario, const LightReport& report, const FoundLight& found,
+                     const std::string& mesh) {
+  const bool is_convex = !report.convex.empty();
+  const SpinState state = at_zero(found.solution.body.spin);
+  Changes changes;
+  for (const char* const key : {"fit", "map", "ensemble"}) changes.push_back({key, ""});
+  add_loss(scenario, changes);
+  if (is_convex || report.unknowns.moments == MomentSource::fit) {
+    if (!is_convex && require_fit(scenario).light.mesh.empty())
+      changes.push_back({"light.mesh", quoted(scenario.rotation().shape->file)});
+    add_moments(scenario, state.inertia_F, changes);
+  }
+  add_state(scenario, state, changes);
+  for (const char* const key : {"convex", "moments", "semiaxes"})
+    changes.push_back({std::string("light.") + key, ""});
+  if (is_convex) {
+    changes.push_back({"light.shape", "\"mesh\""});
+    changes.push_back({"light.mesh", quoted(mesh)});
+  }
+  if (report.unknowns.multiple) {
+    changes.push_back({"light.law", "\"mixed\""});
+    changes.push_back({"light.multiple", number_text(found.solution.body.law.multiple)});
+  }
+  changes.push_back({"free.unknowns", "[\"attitude\", \"rate\"]"});
+  detail::add_rows_of(scenario, times_of(report), changes);
+  return changes;
+}
+
+Changes ellipsoid_changes(const Scenario& scenario, const LightReport& report,
+                          const FoundLight& found) {
+  const SpinState state = at_zero(found.solution.body.spin);
+  Changes changes = detail::without_observations(scenario);
+  add_moments(scenario, state.inertia_F, changes);
+  add_state(scenario, state, changes);
+  detail::add_rows_of(scenario, times_of(report), changes);
+  return changes;
+}
+
+// What the file has no keys for.
+std::string comment_of(const LightReport& report, const FoundLight& found) {
+  const BrightEllipsoid& body = found.solution.body;
+  const char* const shape = report.shape == LightPlan::Shape::convex ? "convex body, like the "
+                            : report.mesh                            ? "mesh, like the "
+                                                                     : "";
+  return std::string("\n# ") + shape + "ellipsoid 1 : " + number_text(body.shape.b / body.shape.a) +
+         " : " + number_text(body.shape.c / body.shape.a) + ", weight of Lambert's law " +
+         number_text(body.law.multiple) + "\n";
+}
+
+}  // namespace
+
+std::string light_solution_text(const Scenario& scenario, const LightReport& report,
+                                std::size_t solution, const std::string& mesh) {
+  const FoundLight& found = report.solutions.at(solution);
+  const bool is_surface = report.shape != LightPlan::Shape::ellipsoid;
+  return "# Solution " + std::to_string(solution + 1) + " of " +
+         std::to_string(report.solutions.size()) + " of a fit of " +
+         detail::printable(scenario.document.name, 200) + ":\n# " +
+         (found.sentence.empty() ? found.solution.result.sentence : found.sentence) +
+         comment_of(report, found) +
+         changed_text(scenario.document.text, is_surface
+                                                  ? mesh_changes(scenario, report, found, mesh)
+                                                  : ellipsoid_changes(scenario, report, found));
+}
+
+void write_light_solution(const Scenario& scenario, const LightReport& report, std::size_t solution,
+                          const std::string& path) {
+  std::string mesh;
+  if (!report.convex.empty()) {
+    const std::filesystem::path obj = std::filesystem::path(path).replace_extension(".obj");
+    if (path == "-" || obj.string() == path)
+      throw DomainError(scenario.document.name + ": --solution " + detail::printable(path, 200) +
+                        ": expected PATH.toml; the mesh of a convex body is written beside it");
+    mesh = obj.filename().string();
+    detail::write_fit_text(scenario, obj_text(report.convex.at(solution).mesh()), obj.string());
+  }
+  detail::write_fit_text(scenario, light_solution_text(scenario, report, solution, mesh), path);
+}
+
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: MIT
+// Convex bodies and meshes from the ellipsoids of a search: of every pair of periods, whatever the
+// ellipsoid came to, and of the images of what is within the limit.
+#include "run/detail/light_surfaces.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "polhode/ensemble/cells.hpp"
+#include "polhode/error.hpp"
+#include "scenario/value_access.hpp"
+#include "scenario/value_reader.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+namespace {
+
+// An ellipsoid, and the pairs of periods that came to it.
+struct Start {
+  LightSolution ellipsoid;
+  std::vector<std::size_t> pairs;
+  std::size_t periods;  // the place of those that it was started from
+};
+
+Ellipsoid shape_of(const FacetShape& mesh) {
+  const Vec3 I = Body::from_tensor(homogeneous_inertia(mesh)).moments();
+  double all[3] = {I.x, I.y, I.z};
+  std::ranges::sort(all);
+  const Ellipsoid e = homogeneous_ellipsoid(Vec3{all[0], all[1], all[2]}, 1.0);
+  return {1.0, e.b / e.a, e.c / e.a};
+}
+
+// The ellipsoid with the moments of the body filled evenly.
+void add_shape(const BrightConvex& convex, LightSolution& s) {
+  try {
+    s.body.shape = shape_of(convex.mesh());
+  } catch (const DomainError& error) {
+    s.notes.push_back(std::string("no mesh has these areas: ") + error.what());
+  }
+}
+
+class Surfaces {
+ public:
+  Surfaces(const Scenario& scenario, const LightSearchResult& found, const LightFitOptions& options,
+           LightReport& report)
+      : scenario_(scenario),
+        plan_(require_fit(scenario)),
+        found_(found),
+        options_(options),
+        report_(report),
+        fits_(scenario, report) {}
+
+  void run() {
+    const std::vector<Start> starts = starts_of();
+    fit(
+        starts.size(), 0.0, first_part,
+        [&](std::size_t k) { return fits_.from(starts[k].ellipsoid.body); },
+        [&](std::size_t k, const std::vector<SurfaceFound>& all) {
+          add(all, starts[k].periods);
+          tell(starts[k], all);
+        });
+    limit();
+    const std::vector<Kept> kept = kept_;
+    std::vector<BrightEllipsoid> known;
+    for (const Kept& one : kept)
+      known.push_back(report_.mesh ? one.found.solution.body : one.found.start);
+    if (!report_.mesh)
+      for (const Start& one : starts) known.push_back(one.ellipsoid.body);
+    fit(
+        kept.size(), first_part, 1.0,
+        [&](std::size_t k) { return fits_.from_images(kept[k].found.start, known); },
+        [&](std::size_t k, const std::vector<SurfaceFound>& all) { add(all, kept[k].periods); });
+    limit();
+    finish();
+  }
+
+ private:
+  static constexpr double first_part = 0.8;  // of the work, about
+
+  struct Kept {
+    SurfaceFound found;
+    std::size_t periods;
+    std::size_t starts;
+  };
+
+  // Ellipsoids of all pairs, each once, and those of other poles.
+  std::vector<Start> starts_of() const {
+    std::vector<std::size_t> pairs;
+    for (std::size_t p = 0; p < found_.best_of_periods.size(); ++p)
+      if (found_.best_of_periods[p]) pairs.push_back(p);
+    std::ranges::stable_sort(
+        pairs, {}, [&](std::size_t p) { return found_.best_of_periods[p]->result.chi_square; });
+    pairs.resize(std::min(pairs.size(), plan_.light.convex.pairs));
+    std::vector<Start> starts;
+    const auto known = [&](const LightSolution& s) {
+      return std::ranges::find_if(starts, [&](const Start& one) {
+        LightSolution near = s;
+        near.body = nearest_of_same(one.ellipsoid.body, s.body);
+        return fits_.are_same(one.ellipsoid, near);
+      });
+    };
+    for (const std::size_t p : pairs) {
+      const LightSolution& s = *found_.best_of_periods[p];
+      const auto at = known(s);
+      if (at == starts.end())
+        starts.push_back({s, {p}, p});
+      else
+        at->pairs.push_back(p);
+    }
+    for (const FoundLight& f : found_.solutions)
+      if (known(f.solution) == starts.end()) starts.push_back({f.solution, {}, f.periods});
+    return starts;
+  }
+
+  template <class Made, class Take>
+  void fit(std::size_t count, double from, double to, const Made& made, const Take& take) {
+    if (options_.progress) options_.progress("surfaces", from);
+    run_cells(
+        0, static_cast<std::int64_t>(count), options_.threads,
+        [&](std::int64_t k) {
+          if (options_.stop && options_.stop())
+            throw FitStopped(scenario_.document.name + ": stopped in the fits of " +
+                             (report_.mesh ? "the mesh" : "convex bodies"));
+          return made(static_cast<std::size_t>(k));
+        },
+        [&](std::int64_t k, const std::vector<SurfaceFound>& all) {
+          take(static_cast<std::size_t>(k), all);
+          const double part = static_cast<double>(k + 1) / static_cast<double>(count);
+          if (options_.progress) options_.progress("surfaces", from + (to - from) * part);
+        });
+  }
+
+  void add(const std::vector<SurfaceFound>& all, std::size_t periods) {
+    for (const SurfaceFound& one : all) {
+      ++report_.surfaces;
+      if (!one.solution.is_found()) continue;
+      ++report_.surfaces_converged;
+      const auto same = std::ranges::find_if(kept_, [&](const Kept& kept) {
+        return fits_.are_same(kept.found.solution, one.solution);
+      });
+      if (same == kept_.end()) {
+        kept_.push_back({one, periods, 1});
+        continue;
+      }
+      ++same->starts;
+      if (one.solution.result.cost < same->found.solution.result.cost) same->found = one;
+    }
+  }
+
+  // What the pairs of this start came to: the best that converged, or else the best.
+  void tell(const Start& start, const std::vector<SurfaceFound>& all) {
+    const auto rank = [](const SurfaceFound& one) {
+      return std::pair(!one.solution.is_found(), one.solution.result.chi_square);
+    };
+    const auto best = std::ranges::min_element(all, {}, rank);
+    if (best == all.end()) return;
+    const LightSolution& s = best->solution;
+    for (const std::size_t p : start.pairs)
+      report_.pairs.at(p).surface =
+          SurfaceOfPeriods{s.periods, s.result.chi_square, s.is_found(), s.result.sentence};
+  }
+
+  void limit() {
+    std::ranges::stable_sort(kept_, {},
+                             [](const Kept& one) { return one.found.solution.result.cost; });
+    if (kept_.empty()) return;
+    const double most = plan_.light.within_factor * kept_.front().found.solution.result.cost;
+    std::erase_if(kept_, [&](const Kept& one) { return one.found.solution.result.cost > most; });
+  }
+
+  void finish() {
+    report_.solutions.clear();
+    for (Kept& one : kept_) {
+      FoundLight f;
+      f.solution = std::move(one.found.solution);
+      f.periods = one.periods;
+      f.starts = one.starts;
+      if (one.found.convex) {
+        add_shape(*one.found.convex, f.solution);
+        report_.convex.push_back(std::move(*one.found.convex));
+      }
+      report_.solutions.push_back(std::move(f));
+    }
+    describe_solutions(report_.solutions, report_.observed.curves);
+    if (!report_.solutions.empty()) return;
+    report_.failure = report_.surfaces == 0
+                          ? "no ellipsoid to begin with, or the mesh has none of these periods"
+                          : "none of " + std::to_string(report_.surfaces) + " fits of " +
+                                (report_.mesh ? "the mesh" : "convex bodies") + " converged";
+  }
+
+  const Scenario& scenario_;
+  const FitPlan& plan_;
+  const LightSearchResult& found_;
+  const LightFitOptions& options_;
+  LightReport& report_;
+  SurfaceFits fits_;
+  std::vector<Kept> kept_;
+};
+
+}  // namespace
+
+void begin_surfaces(const Scenario& scenario, LightReport& report) {
+  const FitPlan& plan = require_fit(scenario);
+  const Values& values = scenario.document.checked->values;
+  const std::string& file = scenario.document.path;
+  report.shape = plan.light.shape;
+  if (report.shape == LightPlan::Shape::mesh) {
+    if (plan.light.unknowns.shape)
+      refuse(values, "free.unknowns", file,
+             "expected no shape with light.shape = \"mesh\": the mesh is given");
+    report.mesh = ShadedMesh(light_mesh(scenario));
+    report.unknowns.shape = false;
+  }
+  if (report.shape != LightPlan::Shape::convex) return;
+  // says what is wrong with degree and rows before the search
+  built(values, "light.convex.degree", file,
+        [&] { return GaussianImage(plan.light.convex.degree, plan.light.convex.rows); });
+  report.unknowns = {.shape = false,
+                     .moments = plan.light.convex.moments == MomentSource::fit
+                                    ? MomentSource::fit
+                                    : MomentSource::start,
+                     .multiple = plan.light.unknowns.multiple};
+}
+
+void fit_surface_from_start(const Scenario& scenario, LightReport& report) {
+  const SurfaceFits fits(scenario, report);
+  report.surfaces = 1;
+  SurfaceFound one = report.mesh ? fits.from_file() : fits.from(*report.ellipsoid).front();
+  report.solutions.clear();
+  if (!one.solution.is_found()) {
+    report.failure = one.solution.result.sentence;
+    return;
+  }
+  report.surfaces_converged = 1;
+  FoundLight f;
+  f.solution = std::move(one.solution);
+  f.starts = 1;
+  if (one.convex) {
+    add_shape(*one.convex, f.solution);
+    report.convex.push_back(std::move(*one.convex));
+  }
+  report.solutions.push_back(std::move(f));
+}
+
+void fit_surfaces(const Scenario& scenario, const LightSearchResult& found,
+                  const LightFitOptions& options, LightReport& report) {
+  Surfaces(scenario, found, options, report).run();
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

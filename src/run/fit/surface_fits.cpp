@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+// One convex body or one mesh, from an ellipsoid.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "polhode/error.hpp"
+#include "polhode/fit/snapshots.hpp"
+#include "polhode/free/tumbler.hpp"
+#include "polhode/rotor/attitude.hpp"
+#include "polhode/shape/mass_properties.hpp"
+#include "run/detail/light_surfaces.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+namespace {
+
+constexpr int usual_iterations = 100;
+// Of the attitudes of a mesh with the periods of an ellipsoid: iterations of each, and how many are
+// fitted to the end.
+constexpr int short_iterations = 4;
+constexpr std::size_t mesh_finalists = 3;
+// Of the most that psi has in short-axis mode, what a mesh takes of an ellipsoid that has more.
+constexpr double most_psi = 0.95;
+// States from which one start is enough: in rad, and of the rate.
+constexpr double near_turn = 0.05, near_rate = 0.01;
+// What two fits to one least differ by, in standard errors, and where these are small in rad and of
+// the rate.
+constexpr double same_errors = 2.0, same_turn = 0.01, same_rate = 1e-4;
+
+constexpr std::array<Quaternion, 4> half_turns{Quaternion{1.0, 0.0, 0.0, 0.0},
+                                               {0.0, 1.0, 0.0, 0.0},
+                                               {0.0, 0.0, 1.0, 0.0},
+                                               {0.0, 0.0, 0.0, 1.0}};
+constexpr std::array<LightImage, 3> images{LightImage::normal, LightImage::bisector,
+                                           LightImage::difference};
+
+std::vector<Vec3> mean_directions(const std::vector<LightCurve>& curves) {
+  std::vector<Vec3> mean(2);
+  for (const LightCurve& curve : curves)
+    for (const LightPoint& p : curve.points) {
+      mean[0] = mean[0] + (1.0 / norm(p.to_sun)) * p.to_sun;
+      mean[1] = mean[1] + (1.0 / norm(p.to_observer)) * p.to_observer;
+    }
+  return mean;
+}
+
+// As an ellipsoid of the search tumbles, whose axes are principal.
+FreeRotation motion_of(const BrightEllipsoid& e) {
+  const Mat3& T = e.spin.inertia_F;
+  const Body body(T(0, 0) / T(2, 2), T(1, 1) / T(2, 2), 1.0);
+  const Vec3 I = body.moments(), w = e.spin.w_F;
+  return FreeRotation(body, {normalized(e.spin.q), {I.x * w.x, I.y * w.y, I.z * w.z}}, e.spin.t0);
+}
+
+std::vector<double> principal(const Mat3& tensor) {
+  const Vec3 I = Body::from_tensor(tensor).moments();
+  std::vector<double> all{I.x, I.y, I.z};
+  std::ranges::sort(all);
+  return all;
+}
+
+// The ellipsoid with the moments of the tensor, a = 1.
+Ellipsoid ellipsoid_of(const Mat3& tensor) {
+  const std::vector<double> I = principal(tensor);
+  const Ellipsoid e = homogeneous_ellipsoid(Vec3{I[0], I[1], I[2]}, 1.0);
+  return {1.0, e.b / e.a, e.c / e.a};
+}
+
+}  // namespace
+
+SurfaceFits::SurfaceFits(const Scenario& scenario, const LightReport& report)
+    : scenario_(scenario),
+      plan_(require_fit(scenario)),
+      report_(report),
+      mean_(mean_directions(report.observed.curves)),
+      most_iterations_(plan_.light.most_iterations.value_or(usual_iterations)) {}
+
+SurfaceFound SurfaceFits::convex_from(const BrightEllipsoid& ellipsoid) const {
+  const ConvexPlan& plan = plan_.light.convex;
+  ConvexFit fit;
+  fit.curves = report_.observed.curves;
+  fit.start = ellipsoid;
+  fit.degree = plan.degree;
+  fit.rows = plan.rows;
+  fit.moments = plan.moments;
+  fit.multiple = report_.unknowns.multiple;
+  fit.roughness_error = plan.roughness_error;
+  fit.moments_error = plan.moments_error;
+  fit.loss = plan_.loss;
+  fit.most_iterations = most_iterations_;
+  ConvexSolution found = fit_convex(fit);
+  if (found.result.end == LeastSquaresResult::End::no_descent) {
+    // stalled at a bend: once more from its motion, with the moments and the shape of the ellipsoid
+    fit.start.spin.q = found.body.spin.q;
+    fit.start.spin.w_F = found.body.spin.w_F;
+    ConvexSolution again = fit_convex(fit);
+    if (again.is_found()) found = std::move(again);
+  }
+  SurfaceFound one{{}, std::move(found.body), ellipsoid};
+  static_cast<LightOutcome&>(one.solution) = std::move(found);
+  one.solution.body = {one.convex->spin, ellipsoid.shape, one.convex->law};
+  return one;
+}
+
+SurfaceFound SurfaceFits::mesh_from(const SpinState& spin, const BrightEllipsoid& ellipsoid,
+                                    int most_iterations) const {
+  MeshFit fit{.curves = report_.observed.curves,
+              .start = {spin, *report_.mesh, plan_.light.law},
+              .moments = report_.unknowns.moments,
+              .multiple = report_.unknowns.multiple,
+              .loss = plan_.loss,
+              .most_iterations = most_iterations};
+  MeshSolution found = fit_mesh(fit);
+  SurfaceFound one{{}, std::nullopt, ellipsoid};
+  one.solution.body = {found.body.spin, ellipsoid_of(found.body.spin.inertia_F), found.body.law};
+  static_cast<LightOutcome&>(one.solution) = std::move(found);
+  return one;
+}
+
+// The mesh with the mode, periods, pole and phases of an ellipsoid and of its images, in each of
+// four half turns. None where the body of the mesh has no such periods.
+std::vector<SpinState> SurfaceFits::mesh_starts(const BrightEllipsoid& ellipsoid) const {
+  const SpinState own = spin_state(scenario_.rotation());
+  const Body body = Body::from_tensor(own.inertia_F);
+  std::vector<SpinState> all;
+  std::vector<BrightEllipsoid> seen{ellipsoid};
+  for (const LightImage i : images) seen.push_back(image_of(ellipsoid, i, mean_[0], mean_[1]));
+  for (const BrightEllipsoid& one : seen) {
+    try {
+      TumblerState t = to_tumbler(motion_of(one), one.spin.t0);
+      RotorState s;
+      try {
+        s = to_rotor(body, t);
+      } catch (const DomainError&) {  // psi beyond what the body has, or no such periods
+        const double most = t.psi0;
+        t.psi0 = 0.0;
+        const double limit = most_psi * psi_max(FreeRotation(body, to_rotor(body, t)));
+        t.psi0 = std::isfinite(limit) ? std::clamp(most, -limit, limit) : most;
+        s = to_rotor(body, t);
+      }
+      for (const Quaternion& r : half_turns) {
+        const Vec3 g = rotate(conj(r), s.g), I = body.moments();
+        const Quaternion& f = body.q_FB();
+        all.push_back({one.spin.t0, normalized(s.q) * r * conj(f),
+                       rotate(f, Vec3{g.x / I.x, g.y / I.y, g.z / I.z}), own.inertia_F});
+      }
+    } catch (const DomainError&) {  // no motion of the body has them
+      return {};
+    }
+  }
+  return all;
+}
+
+std::vector<SurfaceFound> SurfaceFits::from(const BrightEllipsoid& ellipsoid) const {
+  if (!report_.mesh) return {convex_from(ellipsoid)};
+  std::vector<SurfaceFound> tried, found;
+  for (const SpinState& spin : mesh_starts(ellipsoid))
+    tried.push_back(mesh_from(spin, ellipsoid, short_iterations));
+  std::erase_if(tried, [](const SurfaceFound& one) {
+    return one.solution.result.end == LeastSquaresResult::End::no_value;
+  });
+  std::ranges::stable_sort(tried, {},
+                           [](const SurfaceFound& one) { return one.solution.result.chi_square; });
+  for (std::size_t k = 0; k < std::min(tried.size(), mesh_finalists); ++k)
+    found.push_back(mesh_from(tried[k].solution.body.spin, ellipsoid, most_iterations_));
+  return found;
+}
+
+bool SurfaceFits::is_known(const BrightEllipsoid& body,
+                           const std::vector<BrightEllipsoid>& known) const {
+  return std::ranges::any_of(known, [&](const BrightEllipsoid& one) {
+    const SpinState& s = report_.mesh ? body.spin : nearest_of_same(one, body).spin;
+    return norm(attitude_residual(one.spin.q, s.q)) < near_turn &&
+           norm(s.w_F - one.spin.w_F) < near_rate * norm(one.spin.w_F);
+  });
+}
+
+std::vector<SurfaceFound> SurfaceFits::from_images(
+    const BrightEllipsoid& ellipsoid, const std::vector<BrightEllipsoid>& known) const {
+  std::vector<SurfaceFound> found;
+  if (report_.mesh) {
+    for (const SpinState& spin : mesh_starts(ellipsoid))
+      if (!is_known({spin, ellipsoid.shape, ellipsoid.law}, known))
+        found.push_back(mesh_from(spin, ellipsoid, most_iterations_));
+    return found;
+  }
+  for (const LightImage i : images) {
+    const BrightEllipsoid image = image_of(ellipsoid, i, mean_[0], mean_[1]);
+    if (!is_known(image, known)) found.push_back(convex_from(image));
+  }
+  return found;
+}
+
+SurfaceFound SurfaceFits::from_file() const {
+  const SpinState spin = spin_state(scenario_.rotation());
+  return mesh_from(spin, {spin, {1.0, 1.0, 1.0}, plan_.light.law}, most_iterations_);
+}
+
+bool SurfaceFits::are_same(const LightSolution& a, const LightSolution& b) const {
+  // a mesh is another one after a half turn; convex bodies turn with their facets
+  const SpinState& s = report_.mesh ? b.body.spin : nearest_of_same(a.body, b.body).spin;
+  const Vec3 turn = attitude_residual(a.body.spin.q, s.q), dw = s.w_F - a.body.spin.w_F;
+  const double factor = same_errors * std::fmax(1.0, a.error_factor());
+  const double rate = same_rate * norm(a.body.spin.w_F);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const int k = static_cast<int>(i);
+    const double errors[2] = {factor * a.covariance.error(i), factor * a.covariance.error(i + 3)};
+    if (std::fabs(turn[k]) > std::fmax(errors[0], same_turn)) return false;
+    if (std::fabs(dw[k]) > std::fmax(errors[1], rate)) return false;
+  }
+  return true;
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

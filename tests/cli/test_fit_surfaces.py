@@ -1,0 +1,222 @@
+# SPDX-License-Identifier: MIT
+"""`polhode fit` of light curves to convex bodies and given meshes: from a start and from a search,
+what is written beside a solution, and what is refused."""
+
+import json
+import math
+import os
+
+import budgets
+import numpy
+import pytest
+from closeness import smallest
+from fit_files import fitted, refused, rows
+
+HEAD = """schema = 1
+kind = "fit"
+[units]
+time = "min"
+angle = "deg"
+[body]
+moments = [0.5625, 1.2025, 1.36]  # of the ellipsoid 1 : 0.6 : 0.45
+[state.tumbler]
+mode = "LAM"
+precession_period = 12
+rotation_period = 20
+pole = { longitude = 50, latitude = 40 }
+phi0 = 20
+psi0 = 70
+[time]
+stop = 120
+count = 81
+[[observation]]
+kind = "light-curve"
+file = "night.csv"
+times = "at-body"
+to_sun = [1, 0.2, 0.3]
+to_observer = [0.8, 0.6, 0.1]
+sigma = 0.005
+"""
+FREE = '[free]\nunknowns = ["attitude", "rate", "shape"]\n'
+TURN = '[free]\nunknowns = ["attitude", "rate"]\n'
+MESH = '[light]\nshape = "mesh"\nmesh = "seen.obj"\n'
+CONVEX = '[light]\nshape = "convex"\n[light.convex]\ndegree = 3\nrows = 4\n'
+SEARCH = """[fit]
+from = "search"
+starts = 40
+within_factor = 1.5
+[[fit.periods]]
+mode = "LAM"
+precession_period = 12
+rotation_period = 20
+[[fit.periods]]
+mode = "LAM"
+precession_period = 15
+rotation_period = 20
+"""
+
+
+def egg(rings=9, around=14):
+    """About the ellipsoid of HEAD, one end blunt and the other thin: no ellipsoid."""
+    points = [(1, 0, 0)]
+    for i in range(1, rings):
+        u = math.cos(math.pi * i / rings)
+        r = math.sqrt(1 - u * u) * (1 + 0.35 * u)
+        points += [(u, 0.6 * r * math.cos(v), 0.45 * r * math.sin(v))
+                   for v in (2 * math.pi * k / around for k in range(around))]
+    points.append((-1, 0, 0))
+    at = [[2 + (i - 1) * around + k % around for k in range(around + 1)] for i in range(1, rings)]
+    faces = []
+    for k in range(around):
+        faces += [(1, at[0][k], at[0][k + 1]), (len(points), at[-1][k + 1], at[-1][k])]
+        faces += [(a[k], b[k], b[k + 1], a[k + 1]) for a, b in zip(at, at[1:], strict=False)]
+    return "".join(f"v {x} {y} {z}\n" for x, y, z in points) + "".join(
+        "f " + " ".join(map(str, face)) + "\n" for face in faces)
+
+
+@pytest.fixture
+def night(run, fit_file, tmp_path):
+    """The light of the egg; a file that fits it follows."""
+    (tmp_path / "seen.obj").write_text(egg())
+    path = fit_file(MESH, TURN, head=HEAD, name="truth.toml")
+    done = run("simulate", path, "--into", tmp_path)
+    assert done.returncode == 0, done.stderr
+    return path
+
+
+def test_a_convex_body_follows_an_ellipsoid(run, night, fit_file, tmp_path):
+    """The egg is no ellipsoid: facets fit it better, with the same periods; the scenario beside
+    its mesh runs, is simulated and fitted again."""
+    path = fit_file(CONVEX, FREE, head=HEAD, name="convex.toml")
+    out = tmp_path / "found.toml"
+    found = fitted(run, path, "--solution", out, "--residuals", tmp_path / "left.csv",
+                   "--covariance", tmp_path / "c.csv")
+    solution, = found["solutions"]
+    ellipsoid, = fitted(run, path, "--set", 'light.shape="ellipsoid"', "--set",
+                        "light.convex=")["solutions"]
+    assert found["model"] == "convex" and solution["convex"]["facets"] == 128
+    assert solution["converged"] and solution["convergence"].startswith("converged after")
+    assert solution["convex"]["roughness_error"] == 3
+    assert len(solution["convex"]["coefficients"]) == 16
+    assert solution["chi_square"] < 0.8 * ellipsoid["chi_square"]
+    for key, truth in (("precession_period", 12), ("rotation_period", 20)):
+        assert abs(solution[key]["value"] - truth) < 5 * solution[key]["error"] < 0.3
+    assert (rows(tmp_path / "left.csv")["r"]**2).sum() == pytest.approx(
+        solution["chi_square"], rel=budgets.cli_carried)
+    assert list(solution["unknowns"]) == [
+        n for n in rows(tmp_path / "c.csv") if n in solution["unknowns"]]
+    text = run("fit", path).stdout
+    assert "128 facets, degree 3" in text and "roughness error 3" in text
+    assert "within one standard error of the least" in text
+
+    assert (tmp_path / "found.obj").read_text().count("\nf ") > 100
+    assert run("run", out).returncode == 0
+    again = tmp_path / "again"
+    done = run("simulate", out, "--into", again, "--set", "observation.0.sigma=1e-9")
+    assert done.returncode == 0, done.stderr
+    model = rows(tmp_path / "left.csv")["model"]
+    flux = rows(again / "night.csv")["flux"]
+    assert numpy.abs(flux / flux.mean() - model / model.mean()).max() < budgets.cli_convex_mesh
+    mesh, = fitted(run, out)["solutions"]
+    assert mesh["chi_square"] == pytest.approx(solution["chi_square"], rel=budgets.cli_convex_again)
+    assert mesh["precession_period"]["value"] == pytest.approx(
+        solution["precession_period"]["value"], abs=solution["precession_period"]["error"])
+
+
+def test_a_search_of_convex_bodies_has_every_pair_of_periods(run, night, fit_file):
+    path = fit_file(CONVEX, FREE, SEARCH, head=HEAD, name="search.toml")
+    one = run("fit", path, "--json", "--threads", "1")
+    assert one.returncode == 0, one.stderr
+    assert run("fit", path, "--json", "--threads", "3").stdout == one.stdout
+    found = json.loads(one.stdout)
+    assert found["surfaces_converged"] <= found["surfaces"]
+    assert all("convex" in p for p in found["periods"] if p["chi_square"] is not None)
+    first, *others = found["solutions"]
+    assert first["mode"] == "LAM" and first["beside"] == "first"
+    images = {s["image"] for s in others if s["beside"] == "image"}
+    assert images == {"normal", "bisector", "difference"}
+    assert all(s["converged"] for s in found["solutions"])
+    text = run("fit", path).stdout
+    assert "pairs of periods by what a convex body comes to" in text
+    assert "convex bodies" in text and "image (normal) of 1" in text
+
+
+def pole_off(solution, longitude=50, latitude=40):
+    pole = solution["pole"]
+    return math.hypot((pole["longitude"] - longitude) * math.cos(math.radians(latitude)),
+                      pole["latitude"] - latitude)
+
+
+def test_a_given_mesh_is_fitted(run, night, fit_file, tmp_path):
+    """From a start that is off, and the moments too."""
+    off = ["--set", "state.tumbler.phi0=23", "--set", "state.tumbler.precession_period=12.02"]
+    out = tmp_path / "found.toml"
+    found = fitted(run, night, *off, "--solution", out, "--residuals", tmp_path / "left.csv")
+    solution, = found["solutions"]
+    assert found["model"] == "mesh"
+    assert 0.5 < solution["chi_square"] / solution["degrees_of_freedom"] < 1.6
+    assert pole_off(solution) < 5 * solution["pole"]["error_major"]
+    again, = fitted(run, out)["solutions"]
+    assert again["chi_square"] == pytest.approx(solution["chi_square"], rel=budgets.cli_fit_starts)
+    both = fitted(run, night, *off, "--set", 'free.unknowns=["attitude","rate","moments","law"]')
+    assert {"Ixx/Izz", "multiple"} <= set(both["solutions"][0]["unknowns"])
+    assert "224 facets" in run("fit", night).stdout
+
+
+def test_a_mesh_is_looked_for_with_the_periods_of_ellipsoids(run, night, fit_file):
+    """The pole of the truth is among what is reported, and so is a mirror pole; a pair of periods
+    that no ellipsoid fits well is told."""
+    found = fitted(run, fit_file(MESH, TURN, SEARCH, head=HEAD, name="search.toml"))
+    assert found["surfaces"] >= 3 and found["periods"][0]["mesh"]["converged"]
+    best = smallest(*(pole_off(s) for s in found["solutions"]))
+    assert best < 3 and len(found["solutions"]) >= 2
+    period = found["solutions"][0]["precession_period"]
+    assert abs(period["value"] - 12) < 4 * period["error"]
+
+
+@pytest.mark.parametrize(("parts", "expected"), [
+    ((CONVEX, TURN), "expected shape among them: a convex body is what is looked for"),
+    ((MESH, FREE), 'expected no shape with light.shape = "mesh": the mesh is given'),
+    ((MESH.replace("seen.obj", "none.obj"), TURN), "none.obj"),
+    ((MESH.replace("mesh = ", "semiaxes = [1, 1, 1]\nmesh = "), TURN), "expected none together"),
+    ((MESH + 'moments = "of-shape"\n', TURN), 'expected "of-body" with a mesh'),
+    (('[light]\nmesh = "seen.obj"\n', FREE), 'expected shape = "mesh" as well'),
+    (("[light.convex]\nrows = 4\n", FREE), 'expected shape = "convex" as well'),
+    ((CONVEX.replace("rows = 4", "rows = 0"), FREE), "expected a whole number from 1 to 200"),
+    ((CONVEX.replace("degree = 3", "degree = 41"), FREE), "expected a whole number from 1 to 40"),
+    ((CONVEX.replace("degree = 3", "degree = 20"), FREE), "light.convex.degree"),
+    ((CONVEX + "roughness_error = 0\n", FREE), "light.convex.roughness_error"),
+    ((CONVEX + "moments_error = -1\n", FREE), "light.convex.moments_error"),
+    ((CONVEX + "pairs = 0\n", FREE), "light.convex.pairs"),
+    (('[light]\nshape = "mesh"\n', TURN), "expected a key light.mesh or body.shape as well"),
+])
+def test_bad_plans_of_surfaces_are_refused(run, night, fit_file, parts, expected):
+    message = refused(run, fit_file(*parts, head=HEAD, name="bad.toml"))
+    assert expected in message, message
+
+
+def test_what_does_not_converge_is_no_convex_body(run, night, fit_file, tmp_path):
+    path = fit_file(CONVEX, FREE, "[fit]\niterations = 2\n", head=HEAD, name="few.toml")
+    out = tmp_path / "few-found.toml"
+    done = run("fit", path, "--solution", out)
+    assert done.returncode == 1 and not out.exists() and not out.with_suffix(".obj").exists()
+    assert "did not converge" in done.stderr
+
+
+def test_a_mesh_needs_a_file_beside_it(run, night, fit_file):
+    path = fit_file(CONVEX, FREE, head=HEAD, name="convex.toml")
+    done = run("fit", path, "--solution", "-")
+    assert done.returncode == 2 and "expected PATH.toml" in done.stderr
+
+
+@pytest.mark.skipif("POLHODE_TEST_FULL" not in os.environ, reason="two minutes: make test-full")
+def test_a_night_from_a_cold_start(run, night, fit_file):
+    """Scan, ellipsoids, convex bodies of every pair: the pole of the truth and its mirror pole."""
+    scan = '[fit]\nfrom = "search"\n[fit.scan]\norder = 2\nshortest = 5\nlongest = 40\n'
+    found = fitted(run, fit_file(CONVEX, FREE, scan, head=HEAD, name="cold.toml"))
+    first = found["solutions"][0]
+    assert first["mode"] == "LAM"
+    assert abs(first["precession_period"]["value"] - 12) < 5 * first["precession_period"]["error"]
+    assert abs(first["rotation_period"]["value"] - 20) < 5 * first["rotation_period"]["error"]
+    assert {s["image"] for s in found["solutions"]} >= {"normal", "bisector", "difference"}
+    assert smallest(*(pole_off(s) for s in found["solutions"])) < 5
