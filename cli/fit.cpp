@@ -14,6 +14,7 @@
 #include "polhode/ensemble/cells.hpp"
 #include "polhode/error.hpp"
 #include "polhode/run/light_report.hpp"
+#include "polhode/run/predictions.hpp"
 #include "polhode/run/simulate.hpp"
 #include "progress.hpp"
 #include "resume.hpp"
@@ -24,7 +25,7 @@ namespace {
 
 struct FitCommand {
   std::string scenario;
-  std::vector<std::string> set, residuals, covariance, landscape;
+  std::vector<std::string> set, residuals, covariance, landscape, at, predict;
   std::string solution;
   int threads = 0;
   bool json = false;
@@ -70,11 +71,32 @@ bool writes_files(
   return false;
 }
 
+// Whether they went to standard output.
+bool writes_predictions(const FitCommand& options, const Scenario& scenario,
+                        const FitReport& report, const std::vector<double>& at) {
+  if (options.predict.empty()) return false;
+  const std::vector<double> times = options.at.empty() ? prediction_times(scenario) : at;
+  for (std::size_t i = 0; i < report.solutions.size(); ++i)
+    for (const std::string& path : options.predict)
+      write_predictions(scenario, report, i, times, numbered(path, i));
+  return std::count(options.predict.begin(), options.predict.end(), "-") > 0;
+}
+
+std::vector<double> times_at(const FitCommand& options, const Scenario& scenario) {
+  try {
+    return prediction_times(scenario, options.at);
+  } catch (const DomainError& error) {
+    throw DomainError(std::string("--at: ") + error.what());
+  }
+}
+
 void fit_snapshots(const FitCommand& options, const Scenario& scenario) {
   if (!options.landscape.empty())
     throw DomainError(scenario.document.name +
                       ": --landscape: there is none; expected light curves and fit.from = "
                       "\"search\"");
+  const std::vector<double> times = times_at(options, scenario);
+  if (!options.predict.empty() && options.at.empty()) prediction_times(scenario);  // said early
   const StopSignals signals;
   std::optional<ProgressLine> progress;
   FitOptions how;
@@ -97,12 +119,18 @@ void fit_snapshots(const FitCommand& options, const Scenario& scenario) {
          report.starts == 1 ? std::string("its start")
                             : fmt::format("each of {} starts", report.starts),
          report.failure);
+  const bool predicted = writes_predictions(options, scenario, report, times);
   if (!writes_files<FitReport>(options, scenario, report, write_residuals, write_covariance,
-                               write_solution))
-    print(options.json ? fit_json(scenario, report) : fit_text(scenario, report));
+                               write_solution) &&
+      !predicted)
+    print(options.json ? fit_json(scenario, report, times) : fit_text(scenario, report, times));
 }
 
 void fit_light_curves(const FitCommand& options, const Scenario& scenario) {
+  if (!options.at.empty() || !options.predict.empty())
+    throw DomainError(scenario.document.name +
+                      ": --at, --predict: expected attitudes, directions or rates: of light curves "
+                      "polhode run --solution's scenario");
   const LightPlan& plan = require_fit(scenario).light;
   const bool scans = plan.searches && plan.periods.empty();
   if (!options.landscape.empty() && !scans)
@@ -180,6 +208,19 @@ void add_fit(CLI::App& app, const Kinds& kinds) {
       ->add_option("--landscape", options->landscape,
                    "Of light curves: chi-square of the scan by its two frequencies, PATH.csv or "
                    "PATH.h5. Any number of them")
+      ->type_name("PATH")
+      ->allow_extra_args(false);
+  command
+      ->add_option("--at", options->at,
+                   "A time at which the attitude is predicted with its error: a number in the unit "
+                   "of the file, or a date, \"2004-10-07T13:56:00 UTC\". Any number of them")
+      ->type_name("WHEN")
+      ->allow_extra_args(false);
+  command
+      ->add_option(
+          "--predict", options->predict,
+          "Attitudes and their errors at the times --at, or else at the rows of [time], as "
+          "--residuals")
       ->type_name("PATH")
       ->allow_extra_args(false);
   command

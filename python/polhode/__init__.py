@@ -20,6 +20,7 @@ from polhode.argument_fit import ArgumentFit, argument_fit
 from polhode.ensembles import EnsembleResults, ensemble
 from polhode.fits import (
     FitNumber,
+    FitPredictions,
     FitResiduals,
     FitResults,
     LightScenarioSolution,
@@ -77,6 +78,7 @@ __all__ = [
     "EnsembleResults",
     "FirstTimes",
     "FitNumber",
+    "FitPredictions",
     "FitResiduals",
     "FitResults",
     "FitSolution",

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -14,7 +14,7 @@ import numpy as np
 from polhode import _core, _tables
 from polhode._columns import Columns
 from polhode._notebook import html_rows
-from polhode._observed import whole
+from polhode._observed import column, whole
 from polhode.light_fits import (
     BrightEllipsoid,
     FoundLight,
@@ -29,7 +29,7 @@ from polhode.surface_fits import BrightConvex, BrightMesh, surface_of
 if TYPE_CHECKING:
     import pandas
     import xarray
-    from numpy.typing import NDArray
+    from numpy.typing import ArrayLike, NDArray
 
     from polhode.posterior import Posterior
     from polhode.scenarios import Path, Scenario
@@ -77,6 +77,39 @@ class FitResiduals(Columns):
     def __repr__(self) -> str:
         columns = ", ".join(n if u == "1" else f"{n} [{u}]" for n, u in self._units.items())
         return f"<FitResiduals: {len(self._table)} rows of {columns}>"
+
+
+class FitPredictions(FitResiduals):
+    """What a solution says of the attitude at other times, a row for each, named and with the units
+    of the files of `polhode fit --predict`: t, qw to qz (body axes to inertial axes), the rate w_x
+    to w_z along the body axes, errors about these, and correlations. Scaled ones are NaN without
+    degrees of freedom. Errors are of first order: beyond a radian the attitude is not known."""
+
+    @property
+    def q(self) -> Array:
+        """(N, 4)"""
+        return np.stack([self[f"q{k}"] for k in "wxyz"], axis=1)
+
+    @property
+    def covariance(self) -> Array:
+        """(N, 3, 3) of the rotation vector about the body axes, in squares of the unit of angles,
+        with errors as they were given."""
+        return self._covariance("")
+
+    @property
+    def scaled_covariance(self) -> Array:
+        """The same with scaled errors."""
+        return self._covariance("scaled_")
+
+    def _covariance(self, which: str) -> Array:
+        errors = np.stack([self[f"{which}error_{k}"] for k in "xyz"], axis=1)
+        r = np.broadcast_to(np.eye(3), (len(errors), 3, 3)).copy()
+        for i, j in ((0, 1), (0, 2), (1, 2)):
+            r[:, i, j] = r[:, j, i] = self[f"{which}r_{'xyz'[i]}{'xyz'[j]}"]
+        return r * errors[:, :, None] * errors[:, None, :]
+
+    def __repr__(self) -> str:
+        return super().__repr__().replace("<FitResiduals", "<FitPredictions", 1)
 
 
 class ScenarioSolution:
@@ -189,6 +222,28 @@ class ScenarioSolution:
         """Columns by name; see FitResiduals."""
         return FitResiduals(*self._results._compiled.residuals(self._place))
 
+    def predicted(self, times: ArrayLike | str | Sequence[str] | None = None) -> FitPredictions:
+        """The attitude at other times, with the errors that the fit leaves: what `polhode fit
+        --predict` writes.
+
+        times : (N,) in the unit of time of the scenario, or dates, "2004-10-07T13:56:00 UTC". None:
+            the rows of [time].
+
+        DomainError (a ValueError) for what is no time, and without any."""
+        words = [] if times is None else _words_of(times)
+        if times is not None and not words:
+            raise ValueError("times: got none; expected numbers or dates")
+        return FitPredictions(*self._results._compiled.predicted(self._place, words))
+
+    def __reduce__(self) -> tuple[Any, tuple[Any, ...]]:
+        return _solution, (self._results, self._place)
+
+    def __copy__(self) -> ScenarioSolution:
+        return self
+
+    def __deepcopy__(self, memo: object) -> ScenarioSolution:
+        return self
+
     def residual_function(
         self, scaled: bool = False, epoch: float | None = None
     ) -> SpinResiduals | LightResiduals:
@@ -200,10 +255,16 @@ class ScenarioSolution:
             first and the last observation, where they depend least on each other; 0 where the
             scenario has priors of them, which hold there. `f.state(x)` has it as t0.
 
-        ValueError for a fit with torques or jumps."""
+        Numbers of torques are in the unit of the scenario, jumps in radians, its unit of time and
+        that of moments; each call integrates the motion then, with derivatives some tens of
+        microseconds a radian of rotation.
+
+        It pickles as the scenario and where it begins: its files are read again."""
         at = None if epoch is None else float(_core._number(epoch, "epoch"))
         problem = self._results._compiled.problem(self._place, bool(scaled), at)
-        return SpinResiduals._of(problem.residuals())
+        file = self._results.scenario._file
+        inputs = (file.text, os.path.abspath(file.path), _core._spin_problem_parts(problem))
+        return _residuals(problem, inputs)
 
     def sample(
         self, scaled: bool = False, epoch: float | None = None, **keywords: Any
@@ -299,7 +360,40 @@ class LightScenarioSolution(ScenarioSolution):
                 f"epoch: got {epoch!r}; expected None: it is the middle of the light curves"
             )
         problem = self._results._compiled.problem(self._place, bool(scaled))
-        return LightResiduals._of(problem.residuals())
+        made = LightResiduals._of(problem.residuals())
+        made._inputs = (_light_residuals, (self, bool(scaled)))
+        return made
+
+
+def _words_of(times: Any) -> list[str]:
+    """Of dates as they are, and of numbers with every digit."""
+    if isinstance(times, str):
+        return [times]
+    if isinstance(times, (list, tuple)) and any(isinstance(one, str) for one in times):
+        return [one if isinstance(one, str) else repr(_core._number(one, "times"))
+                for one in times]  # fmt: skip
+    return [repr(float(one)) for one in column(times, "times")]
+
+
+def _solution(results: FitResults, place: int) -> ScenarioSolution:
+    return results[place]
+
+
+def _residuals(problem: Any, inputs: tuple[Any, ...]) -> SpinResiduals:
+    made = SpinResiduals._of(problem.residuals())
+    made._inputs = (_residuals_again, inputs)
+    return made
+
+
+def _residuals_again(text: str, path: str, parts: tuple[Any, ...]) -> SpinResiduals:
+    from polhode.scenarios import Scenario
+
+    problem = _core._spin_problem_of(Scenario.from_text(text, path)._file, parts)
+    return _residuals(problem, (text, path, parts))
+
+
+def _light_residuals(solution: ScenarioSolution, scaled: bool) -> Any:
+    return solution.residual_function(scaled)
 
 
 def _of_light(one: Mapping[str, Any]) -> FitNumber:
@@ -314,6 +408,10 @@ class FitResults:
     """What a fit of a scenario found: solutions by chi-square. Made by polhode.fit.
 
     `results.solutions[0]` is the best; `len(results)`, `results[k]` and loops go over solutions.
+
+    They pickle as the scenario, whose files are read and fitted again: the same numbers, and the
+    time of the fit once more. What takes long is kept by its `report` and the `text` of solutions.
+    Copies are the results themselves, which do not change.
     """
 
     def __init__(self, scenario: Scenario, compiled: Any) -> None:
@@ -322,6 +420,16 @@ class FitResults:
         of_light = self._report.get("observed") == "light-curves"
         kind: type[ScenarioSolution] = LightScenarioSolution if of_light else ScenarioSolution
         self._solutions = [kind(self, k) for k in range(len(self._report["solutions"]))]
+
+    def __reduce__(self) -> tuple[Any, tuple[Any, ...]]:
+        file = self._scenario._file
+        return _fitted_again, (file.text, os.path.abspath(file.path))
+
+    def __copy__(self) -> FitResults:
+        return self
+
+    def __deepcopy__(self, memo: object) -> FitResults:
+        return self
 
     @property
     def scenario(self) -> Scenario:
@@ -468,8 +576,18 @@ def fit(
     if changes:
         of = of.replace({f"fit.{key}": value for key, value in changes.items()})
     count = whole(_core._hardware_threads() if threads is None else threads, "threads")
+    return _fitted(of, count, progress)
+
+
+def _fitted(of: Scenario, threads: int, progress: Any = None) -> FitResults:
     made = _core._fit_light_scenario if _core._observes_light(of._file) else _core._fit_scenario
-    return FitResults(of, made(of._file, count, progress))
+    return FitResults(of, made(of._file, threads, progress))
+
+
+def _fitted_again(text: str, path: str) -> FitResults:
+    from polhode.scenarios import Scenario
+
+    return _fitted(Scenario.from_text(text, path), _core._hardware_threads())
 
 
 def simulate(scenario: Scenario | Path, folder: Path, *, overwrite: bool = False) -> list[str]:

@@ -22,7 +22,30 @@ class ResidualFunction:
     Unknowns are arrays x (P,) in the order of `names`. Residuals are in standard errors, those of
     data first and those of priors after them; a robust loss is part of them, so that the sum of
     their squares is what a fit minimises. Derivatives are exact (dual numbers), never differences.
+
+    They pickle, for other processes, as what they were made of: arrays, or a scenario and where it
+    begins. Copies are the function itself, which does not change.
     """
+
+    # (function, arguments) that make it again
+    _inputs: tuple[Any, tuple[Any, ...]] | None = None
+
+    def __new__(cls, *arguments: Any, **keywords: Any) -> ResidualFunction:
+        made = object.__new__(cls)
+        made._inputs = (_made, (cls, arguments, keywords))
+        return made
+
+    def __reduce__(self) -> tuple[Any, tuple[Any, ...]]:
+        if self._inputs is None:
+            raise TypeError(f"{type(self).__name__}: this one was not made of arrays or a scenario "
+                            "and cannot be pickled")  # fmt: skip
+        return self._inputs
+
+    def __copy__(self) -> ResidualFunction:
+        return self
+
+    def __deepcopy__(self, memo: object) -> ResidualFunction:
+        return self
 
     def __init__(self, compiled: Any) -> None:
         self._compiled = compiled
@@ -144,6 +167,10 @@ class ResidualFunction:
             return -a * a / 12.0, gradient
         gradient[:3] = (1.0 / np.tan(0.5 * a) - 2.0 / a) / a * x[:3]
         return 2.0 * float(np.log(np.sin(0.5 * a) / (0.5 * a))), gradient
+
+
+def _made(cls: Any, arguments: tuple[Any, ...], keywords: dict[str, Any]) -> ResidualFunction:
+    return cls(*arguments, **keywords)
 
 
 # Singular values below this part of the largest are rounding.

@@ -275,6 +275,17 @@ class SpinSolution(FitSolution):
     attitude_rms: float
     _problem: Any = None
     _found: Any = None
+    _inputs: Any = None
+
+    def __reduce__(self) -> tuple[Any, tuple[Any, ...]]:
+        """By what was fitted, which is fitted again: the compiled parts stay where they are."""
+        return _fitted, (self._inputs,)
+
+    def __copy__(self) -> SpinSolution:
+        return self
+
+    def __deepcopy__(self, memo: object) -> SpinSolution:
+        return self
 
     def predicted(self, times: ArrayLike) -> tuple[Array, Array, Array]:
         """Quaternions (N, 4), rates (N, 3) and the covariance (N, 3, 3) of the rotation vector in
@@ -316,14 +327,20 @@ def fit_spin(
 
     DomainError (a ValueError) for a start that no body has, errors that are not positive, fewer
     data than unknowns. Exact motion, exact derivatives; a few milliseconds. Releases the GIL.
+    Solutions pickle as what was fitted, and are fitted again.
     """
-    problem = spin_problem(start, seen, unknowns, priors, attitude_prior, loss, error_factor,
-                           scales_errors, most_iterations)  # fmt: skip
+    return _fitted((start, seen, unknowns, priors, attitude_prior, loss, error_factor,
+                    scales_errors, most_iterations))  # fmt: skip
+
+
+def _fitted(inputs: tuple[Any, ...]) -> SpinSolution:
+    """Of the arguments of spin_problem."""
+    problem = spin_problem(*inputs)
     found, compiled = problem.fit()
     return SpinSolution(
         **common_parts(found), state=SpinState._of(found["state"]),
         error_factor=found["error_factor"], attitude_rms=found["attitude_rms"],
-        _problem=problem, _found=compiled,
+        _problem=problem, _found=compiled, _inputs=inputs,
     )  # fmt: skip
 
 

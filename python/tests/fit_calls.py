@@ -65,6 +65,7 @@ def of_fits():
         "SpinSolution.predicted": (found.predicted, {"times": TIMES}, {}),
         "posterior": (quietly(polhode.posterior), few, {"of": f}),
         "fit": (polhode.fit, {"starts": 1, "seed": 1, "threads": 1}, {"scenario": TOUTATIS}),
+        "ScenarioSolution.predicted": (best.predicted, {"times": [0.0, 10.0]}, {}),
         "ScenarioSolution.residual_function": (best.residual_function, {"epoch": 30.0}, {}),
         "ScenarioSolution.sample": (
             quietly(best.sample), {"epoch": 30.0}, {"draws": 4, "chains": 1, "warm_up": 3},

@@ -2,8 +2,10 @@
 """Fits of scenarios and of arrays in Python: Toutatis in 1992, what was simulated and is found
 again, residuals with their derivatives for another optimiser, and what a fit refuses."""
 
+import copy
 import json
 import pathlib
+import pickle
 
 import budgets
 import numpy as np
@@ -108,6 +110,51 @@ def test_residuals_are_those_of_the_file(toutatis, tmp_path):
     assert "table 1: attitude, Goldstone" in residuals.notes
 
 
+def test_predictions_have_times_and_errors(toutatis):
+    """Of the state of the solution in free rotation; errors at t = 0 are those of the turns, and
+    grow."""
+    (one,) = toutatis.solutions
+    ahead = one.predicted([0.0, 45.0])
+    assert ahead.units["error_x"] == "deg" and list(ahead["t"]) == [0.0, 45.0]
+    errors = [one.unknowns[f"turn_{k}"] for k in "xyz"]
+    assert_allclose([ahead[f"error_{k}"][0] for k in "xyz"], [e.error for e in errors])
+    assert_allclose([ahead[f"scaled_error_{k}"][0] for k in "xyz"],
+                    [e.scaled_error for e in errors])  # fmt: skip
+    assert_allclose(ahead.covariance[0], one.covariance[:3, :3])
+    motion = one.state.free_rotation
+    assert_allclose(np.abs(np.sum(ahead.q * motion.at([0.0, 45.0]).q, axis=1)), np.ones(2))
+    assert (np.diag(ahead.scaled_covariance[1]) > np.diag(ahead.scaled_covariance[0])).any()
+    (dated,) = one.predicted("1992-12-24T17:49:47 UTC")["t"]
+    assert_allclose(dated, 45.0)
+    assert len(one.predicted()["t"]) == 181 and "FitPredictions" in repr(ahead)
+    for wrong in ("soon", "1992-13-01", [np.nan], []):
+        with pytest.raises(ValueError, match="expected a time|none"):
+            one.predicted(wrong)
+
+
+def test_fits_pickle_as_what_they_are_made_of(toutatis):
+    """Results and solutions by their scenario, fits of arrays by their arrays, residual functions
+    by either; the same bits come out, and copies are what they are of."""
+    again = pickle.loads(pickle.dumps(toutatis))
+    assert again.report == toutatis.report and again.text == toutatis.text
+    one = pickle.loads(pickle.dumps(toutatis[0]))
+    assert one.report == toutatis[0].report and one.residuals == toutatis[0].residuals
+    f = toutatis[0].residual_function(scaled=True)
+    g = pickle.loads(pickle.dumps(f))
+    assert np.array_equal(f.residuals(f.start), g.residuals(f.start)) and g.data == f.data
+    seen = seen_of(TRUTH, SIGMA)
+    found = polhode.fit_spin(TRUTH, seen, priors={"Ixx/Izz": (0.4, 0.1)})
+    same = pickle.loads(pickle.dumps(found))
+    assert np.array_equal(same.values, found.values)
+    assert np.array_equal(same.covariance, found.covariance)
+    assert all(map(np.array_equal, same.predicted([70.0]), found.predicted([70.0])))
+    h = polhode.SpinResiduals(TRUTH, seen, ["attitude", "rate"], loss=("huber", 2.0))
+    k = pickle.loads(pickle.dumps(h))
+    assert np.array_equal(h.jacobian(h.start), k.jacobian(h.start)) and k.names == h.names
+    for whole in (toutatis, toutatis[0], found, f, h):
+        assert copy.copy(whole) is whole and copy.deepcopy(whole) is whole
+
+
 def test_a_solution_is_a_scenario_that_runs(toutatis):
     (one,) = toutatis.solutions
     assert one.scenario.text == one.text and 'kind = "fit"' not in one.text
@@ -168,9 +215,27 @@ def test_torques_and_jumps_are_unknowns(tmp_path):
                     [one.unknowns[name].scaled_error for name in one.names])
     assert "free" not in one.text and one.scenario.with_columns(["q"]).run().outcome.ok
     assert len(one.residuals["t"]) == 41 and found.curves == [] and found.scan is None
-    for call in (one.residual_function, one.sample):
-        with pytest.raises(ValueError, match="got a fit with torques or jumps; expected one of"):
-            call()
+    assert_driven_residuals(one)
+
+
+def assert_driven_residuals(one):
+    """Those of data square to chi-square; derivatives are those of differences; another optimiser
+    ends where the fit did."""
+    f = one.residual_function()
+    assert f.names == one.names and f.data == f.size == 123 and f.state(f.start).t0 == 30.0
+    r, J = f.residuals_and_jacobian(f.start)
+    assert_allclose(np.sum(r**2), one.chi_square, rtol=budgets.python_residual_difference)
+    for k in (1, 4, 7, 8, 10):
+        step = 1e-3 * np.sqrt(f.covariance(f.start)[k, k]) * np.eye(f.start.size)[k]
+        by = (f.residuals(f.start + step) - f.residuals(f.start - step)) / (2.0 * step[k])
+        size = largest(np.abs(J[:, k]))
+        assert largest(np.abs(by - J[:, k])) < budgets.python_residual_difference * size
+    off = f.start + 0.5 * np.sqrt(np.diag(f.covariance(f.start)))
+    theirs = least_squares(f.residuals, off, f.jacobian, x_scale="jac")
+    near = np.abs(theirs.x - f.start) / np.sqrt(np.diag(f.covariance(f.start)))
+    assert largest(near) < budgets.python_optimum
+    again = pickle.loads(pickle.dumps(f))
+    assert np.array_equal(again.residuals(off), f.residuals(off)) and again.names == f.names
 
 
 def test_what_progress_raises_ends_a_fit(tmp_path):

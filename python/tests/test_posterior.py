@@ -140,3 +140,49 @@ class _Without:
     def find_spec(self, name, path=None, target=None):
         if name.split(".")[0] == self.package:
             raise ModuleNotFoundError(f"No module named '{self.package}'", name=self.package)
+
+
+DRIVEN = """schema = 1
+kind = "fit"
+[units]
+time = "h"
+angle = "deg"
+[body]
+moments = [1, 2.2, 2.6]
+[state.attitude-rate]
+euler = { phi = 20, theta = 60, psi = 110 }
+omega_body = [3, 4, 12]
+[[perturbation]]
+kind = "constant-torque"
+torque = [0, 0, -0.05]
+[[free.parameter]]
+key = "perturbation[0].torque[2]"
+low = -1
+[time]
+stop = 40
+step = 2
+[[observation]]
+kind = "attitude"
+file = "seen.csv"
+times = "at-body"
+sigma = 2
+[free]
+unknowns = ["attitude", "rate"]
+[fit]
+tolerance = 1e-9
+"""
+
+
+def test_a_torque_is_sampled(tmp_path):
+    """With its bound, from a solution of a file; the posterior of a short arc is nearly normal."""
+    path = tmp_path / "fit.toml"
+    path.write_text(DRIVEN, encoding="utf-8")
+    polhode.simulate(path, tmp_path)
+    (one,) = polhode.fit(path)
+    n = 600 if FULL else 100
+    draws = quietly(one.sample, draws=n, warm_up=60, chains=1, seed=2)
+    assert draws.draws.shape == (1, n, 7) and (draws["perturbation[0].torque[2]"] > -1.0).all()
+    spread = np.sqrt(np.diag(draws.covariance) / np.diag(draws.laplace_covariance))
+    assert_allclose(spread, np.ones(7), atol=budgets.sampled_torque)
+    off = (draws.mean - one.residual_function().start) / np.sqrt(np.diag(draws.laplace_covariance))
+    assert largest(np.abs(off)) < budgets.sampled_torque

@@ -65,6 +65,14 @@ void add_repeated(std::vector<std::string>& found, const char* kind, const std::
 
 }  // namespace
 
+std::vector<double> times_of(const Snapshots& seen) {
+  std::vector<double> times;
+  for (const ObservedAttitude& one : seen.attitudes) times.push_back(one.t);
+  for (const ObservedDirection& one : seen.directions) times.push_back(one.t);
+  for (const ObservedRate& one : seen.rates) times.push_back(one.t);
+  return times;
+}
+
 Mat3 covariance_of(const Vec3& sigma) {
   Mat3 c;
   for (int i = 0; i < 3; ++i) c(i, i) = sigma[i] * sigma[i];

@@ -6,6 +6,7 @@
 
 #include "fit/detail/rotation_vector.hpp"
 #include "fit/detail/snapshot_residuals.hpp"
+#include "fit/detail/turn_covariance.hpp"
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
 #include "polhode/rotor/body.hpp"
@@ -174,20 +175,12 @@ std::vector<PredictedAttitude> predicted(const SpinFit& fit, const SpinSolution&
         "predicted: the state of the solution is none that a body may have, or its "
         "motion has no derivatives");
   }
-  const std::size_t n = parameters.size();
   std::vector<PredictedAttitude> found;
   for (std::size_t i = 0; i < at.size(); ++i) {
-    Mat3 c;
-    for (std::size_t j = 0; j < n; ++j) {
-      for (std::size_t k = 0; k < n; ++k) {
-        const Vec3 &a = points[i].turn[parameters[j]], &b = points[i].turn[parameters[k]];
-        const double weight = solution.covariance.matrix[j * n + k];
-        for (int r = 0; r < 3; ++r) {
-          for (int s = 0; s < 3; ++s) c(r, s) += weight * a[r] * b[s];
-        }
-      }
-    }
-    found.push_back({at[i], points[i].q, points[i].w_F, c});
+    std::vector<Vec3> turn;
+    for (const std::size_t p : parameters) turn.push_back(points[i].turn[p]);
+    found.push_back(
+        {at[i], points[i].q, points[i].w_F, detail::turn_covariance(turn, solution.covariance)});
   }
   return found;
 }

@@ -17,8 +17,10 @@
 //             inertial axes, whose effects are affine in every parameter (components of a torque,
 //             GM, a pressure, a tensor of eddy currents or of friction) and, with unknown ratios of
 //             moments, in the moments at a fixed rate (all of the library's but internal damping);
-//             they do not jump where the state says so. Products of inertia are no unknowns; the
-//             ratios are where the tensor is diagonal. The rate of the start is I^-1 g.
+//             none that jumps where the state says so (looked for by its switching functions, at
+//             some hundred attitudes and rates): derivatives would lack the change of that time.
+//             Products of inertia are no unknowns; the ratios are where the tensor is diagonal. The
+//             rate of the start is I^-1 g.
 // Accuracy    budgets fit_driven* in tests/budgets/fit.hpp; derivatives to the tolerance of the
 //             drive, relative to their column.
 // Errors      DomainError as fit_spin(); for a drive that it cannot take, naming the parameter, the
@@ -70,6 +72,11 @@ struct SpinDrive {
 
 // Unknowns are those of `fit`, then the parameters, then the jumps; priors may name each.
 SpinSolution fit_driven_spin(const SpinFit& fit, const SpinDrive& drive);
+
+// The problem that it solves, for another optimiser or a sampler (residual_function.hpp): turns are
+// about the attitude of the start. And the state at some values of the unknowns.
+LeastSquares least_squares_of(const SpinFit& fit, const SpinDrive& drive);
+SpinState state_at(const SpinFit& fit, const SpinDrive& drive, std::span<const double> x);
 
 // The parameters and the jumps of the drive as a solution has them.
 SpinDrive solved_drive(const SpinFit& fit, const SpinDrive& drive, const SpinSolution& solution);

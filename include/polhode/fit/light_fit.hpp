@@ -72,7 +72,8 @@ struct LightOutcome {
   Vec3 pole;  // direction of the momentum, along I
   std::vector<std::string> notes;
 
-  // By which all errors of fluxes, and so those of the unknowns, would be as large as residuals.
+  // By which all errors of fluxes, and so those of the unknowns, would be as large as residuals;
+  // NaN where the data leave no degrees of freedom, fewer than 0.5.
   double error_factor() const;
   // Nothing that did not converge counts as found.
   bool is_found() const { return result.is_converged(); }

@@ -57,6 +57,9 @@ struct Snapshots {
   }
 };
 
+// Of attitudes, then directions, then rates, each in its order.
+std::vector<double> times_of(const Snapshots& seen);
+
 // The covariance of three independent errors, and of three of one size.
 Mat3 covariance_of(const Vec3& sigma);
 Mat3 covariance_of(double sigma);

@@ -19,6 +19,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -56,6 +57,15 @@ struct FitReport {
   bool is_found() const { return !solutions.empty(); }
 };
 
+// What a fit solves: from the start of the file, with errors as they were given. ScenarioError as
+// fit_scenario.
+struct FitProblem {
+  SpinFit fit;
+  std::optional<SpinDrive> drive;
+  ReadObservations observed;
+};
+FitProblem fit_problem(const Scenario& scenario);
+
 struct FitOptions {
   std::function<void(std::int64_t starts)> progress = {};  // how many are done
   std::function<bool()> stop = {};                         // asked before each start
@@ -75,9 +85,12 @@ struct FitNumber {
 std::vector<FitNumber> fit_numbers(const Scenario& scenario, const FitReport& report,
                                    std::size_t solution);
 
-// For people, and for programs with every digit.
-std::string fit_text(const Scenario& scenario, const FitReport& report);
-std::string fit_json(const Scenario& scenario, const FitReport& report);
+// For people, and for programs with every digit; with what each solution predicts at times
+// (predictions.hpp).
+std::string fit_text(const Scenario& scenario, const FitReport& report,
+                     std::span<const double> times = {});
+std::string fit_json(const Scenario& scenario, const FitReport& report,
+                     std::span<const double> times = {});
 
 // A row for each observation, in the order of tables and lines: table and line from 1, the rotation
 // or the difference of rates from what was seen to the solution, and both in standard errors.

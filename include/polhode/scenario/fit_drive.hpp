@@ -29,6 +29,7 @@ struct FreeParameter {
 struct FitDrive {
   std::vector<FreeParameter> parameters;
   std::vector<SpinJump> jumps;
+  double tolerance = 1e-12;  // of the motion and its derivatives, in a step
 };
 
 // The torques of a scenario of kind "fit" with what of them is unknown, and its jumps.

@@ -148,6 +148,15 @@ nb::tuple predicted_at(const SpinProblem& problem, const FoundSpinSolution& foun
   return nb::make_tuple(q.take(), w.take(), covariance.take());
 }
 
+PythonResiduals residuals_of(const SpinProblem& problem) {
+  const auto& [fit, drive] = problem;
+  return {ResidualFunction(drive ? least_squares_of(fit, *drive) : least_squares_of(fit)),
+          [problem](std::span<const double> x) -> nb::object {
+            return spin_parts(problem.drive ? state_at(problem.fit, *problem.drive, x)
+                                            : state_at(problem.fit, x));
+          }};
+}
+
 }  // namespace
 
 Loss loss_of(const std::string& kind, double scale) {
@@ -204,12 +213,7 @@ void bind_spin_fit(nb::module_& m) {
   nb::class_<SpinProblem>(m, "_SpinProblem")
       .def("fit", fitted)
       .def("predicted", predicted_at)
-      .def("residuals", [](const SpinProblem& problem) {
-        return PythonResiduals{ResidualFunction(least_squares_of(problem.fit)),
-                               [fit = problem.fit](std::span<const double> x) -> nb::object {
-                                 return spin_parts(state_at(fit, x));
-                               }};
-      });
+      .def("residuals", residuals_of);
   m.def("_spin_problem", spin_problem, "start"_a, "seen"_a, "unknowns"_a, "priors"_a,
         "attitude_prior"_a.none(), "loss"_a, "scale"_a, "error_factor"_a, "scales_errors"_a,
         "most_iterations"_a);

@@ -14,6 +14,7 @@
 #include "motion/samples.hpp"
 #include "polhode/ensemble/cells.hpp"
 #include "polhode/run/fit.hpp"
+#include "polhode/run/predictions.hpp"
 #include "polhode/run/simulate.hpp"
 
 namespace polhode::python {
@@ -94,23 +95,59 @@ bool may_move(const SpinFit& fit) {
 // one of the attitude, along a curve.
 SpinProblem problem_at(const ScenarioFit& fit, std::size_t solution, bool scaled,
                        const std::optional<double>& epoch) {
-  if (fit.report.drive)
-    throw nb::value_error(
-        "residual_function: got a fit with torques or jumps; expected one of free rotation");
-  const FoundSpin& found = fit.report.solutions.at(solution);
-  SpinProblem problem{fit.report.problem};
+  const FitReport& report = fit.report;
+  const FoundSpin& found = report.solutions.at(solution);
+  SpinProblem problem{report.problem, report.drive};
   const bool has_scaled = scaled && found.scaled;
   const SpinSolution& from = has_scaled ? *found.scaled : found.raw;
   problem.fit.start = from.state;
+  if (report.drive) problem.drive = solved_drive(report.problem, *report.drive, from);
   if (has_scaled) problem.fit.error_factor = found.scaled->error_factor;
   const bool moves = may_move(problem.fit);
   if (epoch && !moves && *epoch != from.state.t0)
     throw nb::value_error("epoch: priors of the attitude or the rate are of t = 0; expected None");
   if (!moves) return problem;
   const double t = epoch.value_or(middle_of(problem.fit.seen));
-  const PredictedAttitude there = predicted(problem.fit, from, {&t, 1}).front();
+  const PredictedAttitude there =
+      report.drive ? driven_attitudes(problem.fit.start, *problem.drive, {&t, 1}).front()
+                   : predicted(problem.fit, from, {&t, 1}).front();
   problem.fit.start = {t, there.q, there.w_F, from.state.inertia_F};
   return problem;
+}
+
+// What of a problem is not in its scenario: (state, numbers of torques and jumps, error factor).
+nb::tuple parts_of(const SpinProblem& problem) {
+  std::vector<double> drive;
+  if (problem.drive) {
+    for (const TorqueParameter& one : problem.drive->parameters) drive.push_back(one.start);
+    for (const SpinJump& jump : problem.drive->jumps)
+      for (int k = 0; k < 3; ++k) drive.push_back(jump.change[k]);
+  }
+  return nb::make_tuple(spin_parts(problem.fit.start), nb::cast(drive), problem.fit.error_factor);
+}
+
+// The same problem again.
+SpinProblem problem_of(const Scenario& scenario, const nb::tuple& given) {
+  FitProblem of = fit_problem(scenario);
+  of.fit.start = spin_of(nb::cast<nb::tuple>(given[0]));
+  of.fit.error_factor = nb::cast<double>(given[2]);
+  const auto numbers = nb::cast<std::vector<double>>(given[1]);
+  std::size_t i = 0;
+  if (of.drive) {
+    for (TorqueParameter& one : of.drive->parameters) one.start = numbers.at(i++);
+    for (SpinJump& jump : of.drive->jumps)
+      for (int k = 0; k < 3; ++k) jump.change[k] = numbers.at(i++);
+  }
+  return {std::move(of.fit), std::move(of.drive)};
+}
+
+nb::tuple predicted_rows(const ScenarioFit& fit, std::size_t solution,
+                         const std::vector<std::string>& words) {
+  const std::vector<double> times =
+      words.empty() ? prediction_times(*fit.scenario) : prediction_times(*fit.scenario, words);
+  return kept_rows(*fit.scenario, [&](const Scenario& scenario, const std::string& path) {
+    write_predictions(scenario, fit.report, solution, times, path);
+  });
 }
 
 }  // namespace
@@ -140,6 +177,7 @@ void bind_scenario_fit(nb::module_& m) {
       .def("solution_text", [](const ScenarioFit& f,
                                std::size_t k) { return solution_text(*f.scenario, f.report, k); })
       .def("residuals", residual_rows)
+      .def("predicted", predicted_rows)
       .def("problem", problem_at, "solution"_a, "scaled"_a, "epoch"_a.none())
       .def("raw", [](const ScenarioFit& f,
                      std::size_t k) { return solution_dict(f.report.solutions.at(k).raw); })
@@ -148,6 +186,8 @@ void bind_scenario_fit(nb::module_& m) {
         if (!found.scaled) return nb::none();
         return solution_dict(*found.scaled);
       });
+  m.def("_spin_problem_parts", parts_of);
+  m.def("_spin_problem_of", problem_of);
   m.def("_fit_scenario", fit_of, "scenario"_a, "threads"_a, "progress"_a.none());
   m.def("_hardware_threads", hardware_threads);
   m.def("_simulate", [](const Scenario& scenario, nb::handle folder, bool may_replace) {

@@ -41,6 +41,8 @@ class DrivenMotion {
   // DomainError for a parameter, or with `moments` a ratio, on which the effects of the terms do
   // not depend as is asked (driven_spin_fit.hpp); looked at at these times.
   void require_affine(std::span<const double> times, bool moments) const;
+  // DomainError for a term that jumps at a zero of a switching function that depends on the state.
+  void require_no_jumps(std::span<const double> times) const;
 
  private:
   class Wanted;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fit/detail/snapshot_residuals.hpp"
+#include "fit/detail/turn_covariance.hpp"
 #include "fit/driven/driven_residuals.hpp"
 #include "math/is_finite.hpp"
 #include "math/number_text.hpp"
@@ -21,14 +21,6 @@ constexpr int most_recentrings = 20;
 
 [[noreturn]] void refuse(const std::string& what) {
   throw DomainError(std::string(function) + ": " + what);
-}
-
-std::vector<double> times_of(const Snapshots& seen) {
-  std::vector<double> times;
-  for (const ObservedAttitude& one : seen.attitudes) times.push_back(one.t);
-  for (const ObservedDirection& one : seen.directions) times.push_back(one.t);
-  for (const ObservedRate& one : seen.rates) times.push_back(one.t);
-  return times;
 }
 
 void require_state(const SpinFit& fit, const SpinDrive& drive) {
@@ -90,6 +82,7 @@ void require_drive(const SpinFit& fit, const SpinDrive& drive) {
   const detail::DrivenMotion motion(drive, fit.start, detail::starts_of(drive),
                                     detail::changes_of(drive));
   motion.require_affine(times, fit.unknowns.moment_ratios);
+  motion.require_no_jumps(times);
 }
 
 auto numbers_of(const detail::DrivenResiduals& residuals) {
@@ -164,6 +157,22 @@ SpinSolution fit_driven_spin(const SpinFit& fit, const SpinDrive& drive) {
   return found;
 }
 
+LeastSquares least_squares_of(const SpinFit& fit, const SpinDrive& drive) {
+  check(fit.seen);
+  require_state(fit, drive);
+  require_drive(fit, drive);
+  return problem_of(fit, drive);
+}
+
+SpinState state_at(const SpinFit& fit, const SpinDrive& drive, std::span<const double> x) {
+  const detail::DrivenResiduals residuals(fit, drive);
+  const std::size_t n = residuals.unknowns().size();
+  if (x.size() != n)
+    throw DomainError("state_at: got " + std::to_string(x.size()) + " unknowns; expected " +
+                      std::to_string(n));
+  return residuals.state(x);
+}
+
 SpinDrive solved_drive(const SpinFit& fit, const SpinDrive& drive, const SpinSolution& solution) {
   return detail::DrivenResiduals(fit, drive).drive(solution.result.x);
 }
@@ -192,20 +201,11 @@ std::vector<PredictedAttitude> predicted(const SpinFit& fit, const SpinDrive& dr
         "predicted: the motion of the solution does not reach all of the times, or "
         "has no derivatives there");
   }
-  const std::size_t n = columns.size();
   std::vector<PredictedAttitude> found;
   for (std::size_t i = 0; i < times.size(); ++i) {
     const detail::MovedPoint& point = (*points)[i];
-    Mat3 c;
-    for (std::size_t j = 0; j < n; ++j) {
-      for (std::size_t k = 0; k < n; ++k) {
-        const double weight = solution.covariance.matrix[j * n + k];
-        for (int r = 0; r < 3; ++r) {
-          for (int s = 0; s < 3; ++s) c(r, s) += weight * point.turn[j][r] * point.turn[k][s];
-        }
-      }
-    }
-    found.push_back({times[i], point.q, point.w_F, c});
+    found.push_back(
+        {times[i], point.q, point.w_F, detail::turn_covariance(point.turn, solution.covariance)});
   }
   return found;
 }

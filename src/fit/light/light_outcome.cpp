@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "fit/detail/spin_motion.hpp"
 #include "math/number_text.hpp"
@@ -14,6 +15,8 @@ namespace polhode {
 inline namespace v0 {
 
 double LightOutcome::error_factor() const {
+  constexpr double least_freedom = 0.5;
+  if (!(degrees_of_freedom >= least_freedom)) return std::numeric_limits<double>::quiet_NaN();
   return std::sqrt(result.chi_square / degrees_of_freedom);
 }
 

@@ -8,6 +8,7 @@
 
 #include "polhode/run/fit.hpp"
 #include "polhode/run/summary.hpp"
+#include "text/json.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -32,9 +33,15 @@ void add_rows_of(const Scenario& scenario, const std::vector<double>& times,
 std::string row_text(double a, double b, double c);
 
 Dimension dimension_of_unknown(std::string_view name);
+// phi, theta, psi from 0 on, with their unit.
+std::string euler_text(const Scenario& scenario, const Quaternion& q);
 // "label             value\n"
 void add_fit_line(std::string& text, std::string_view label, const std::string& value);
 std::string counted(std::size_t n, const char* one, const char* many);
+
+// What a solution predicts, as an array: predictions.cpp.
+void add_predictions(JsonWriter& json, const Scenario& scenario, const FitReport& report,
+                     std::size_t solution, std::span<const double> times);
 
 }  // namespace detail
 }  // namespace v0

@@ -36,7 +36,7 @@ const FitPlan& plan_of(const Scenario& scenario) {
   return plan;
 }
 
-SpinFit problem_of(const Scenario& scenario, const FitPlan& plan, const Snapshots& seen) {
+SpinFit spin_fit_of(const Scenario& scenario, const FitPlan& plan, const Snapshots& seen) {
   SpinFit problem;
   problem.start = spin_state(scenario.rotation());
   problem.seen = seen;
@@ -163,12 +163,20 @@ class Solutions {
 
 }  // namespace
 
+FitProblem fit_problem(const Scenario& scenario) {
+  const FitPlan& plan = plan_of(scenario);
+  ReadObservations observed = read_observations(scenario);
+  SpinFit fit = spin_fit_of(scenario, plan, observed.seen);
+  return {std::move(fit), detail::drive_of(scenario), std::move(observed)};
+}
+
 FitReport fit_scenario(const Scenario& scenario, const FitOptions& options) {
   const FitPlan& plan = plan_of(scenario);
   FitReport report;
-  report.observed = read_observations(scenario);
-  report.problem = problem_of(scenario, plan, report.observed.seen);
-  report.drive = detail::drive_of(scenario);
+  FitProblem problem = fit_problem(scenario);
+  report.problem = std::move(problem.fit);
+  report.drive = std::move(problem.drive);
+  report.observed = std::move(problem.observed);
   Solutions solutions(report.problem, plan, report);
   const auto stop = [&] {
     if (options.stop && options.stop())

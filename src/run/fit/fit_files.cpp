@@ -24,14 +24,6 @@ struct Residual {
   Vec3 turn{none, none, none}, rate{none, none, none}, sigmas{none, none, none};
 };
 
-std::vector<double> times_of(const Snapshots& seen) {
-  std::vector<double> times;
-  for (const ObservedAttitude& one : seen.attitudes) times.push_back(one.t);
-  for (const ObservedDirection& one : seen.directions) times.push_back(one.t);
-  for (const ObservedRate& one : seen.rates) times.push_back(one.t);
-  return times;
-}
-
 // The smallest rotation, in body axes, that takes the direction that is predicted to the one seen.
 Vec3 turn_to(const Vec3& predicted, const Vec3& seen) {
   const Vec3 across = cross(seen, predicted);

@@ -4,11 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <memory>
 
 #include "output/part_file.hpp"
 #include "polhode/output/output_format.hpp"
+#include "polhode/rotor/attitude.hpp"
 #include "polhode/run/run.hpp"
 #include "run/detail/own_files.hpp"
 #include "run/fit/driven.hpp"
@@ -115,6 +117,16 @@ Dimension dimension_of_unknown(std::string_view name) {
 
 void add_fit_line(std::string& text, std::string_view label, const std::string& value) {
   text += fmt::format("{:<18}{}\n", label, value);
+}
+
+std::string euler_text(const Scenario& scenario, const Quaternion& q) {
+  const EulerAngles e = euler_angles(q);
+  const Units& units = scenario.units();
+  const auto angle = [&](double x) { return units.from_core(x, Dimension::angle); };
+  const double turn = 2.0 * std::acos(-1.0);
+  const auto positive = [&](double x) { return angle(x < 0.0 ? x + turn : x); };
+  return fmt::format("{:.6g}, {:.6g}, {:.6g} {}", positive(e.phi), angle(e.theta), positive(e.psi),
+                     units.angle());
 }
 
 std::string counted(std::size_t n, const char* one, const char* many) {

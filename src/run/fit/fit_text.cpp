@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "polhode/fit/spin_figures.hpp"
-#include "polhode/rotor/attitude.hpp"
 #include "polhode/run/fit.hpp"
+#include "polhode/run/predictions.hpp"
 #include "polhode/run/summary.hpp"
 #include "run/detail/fit_tables.hpp"
 #include "run/fit/driven.hpp"
@@ -20,6 +20,7 @@ namespace {
 
 using detail::add_fit_line;
 using detail::counted;
+using detail::euler_text;
 
 std::string observed_text(const Scenario& scenario, const FitReport& report) {
   const Snapshots& seen = report.observed.seen;
@@ -83,16 +84,6 @@ std::string error_lines(const Scenario& scenario, const FoundSpin& found) {
          });
 }
 
-std::string euler_text(const Scenario& scenario, const Quaternion& q) {
-  const EulerAngles e = euler_angles(q);
-  const Units& units = scenario.units();
-  const auto angle = [&](double x) { return units.from_core(x, Dimension::angle); };
-  const double turn = 2.0 * std::acos(-1.0);
-  const auto positive = [&](double x) { return angle(x < 0.0 ? x + turn : x); };
-  return fmt::format("{:.6g}, {:.6g}, {:.6g} {}", positive(e.phi), angle(e.theta), positive(e.psi),
-                     units.angle());
-}
-
 void add_table(std::string& text, const std::vector<FitNumber>& numbers) {
   std::size_t name = 9, unit = 9;  // of the columns
   for (const FitNumber& one : numbers) {
@@ -130,7 +121,7 @@ void add_correlations(std::string& text, const UnknownsCovariance& c) {
 }
 
 void add_solution(std::string& text, const Scenario& scenario, const FitReport& report,
-                  std::size_t place) {
+                  std::size_t place, std::span<const double> times) {
   const FoundSpin& found = report.solutions[place];
   const SpinSolution& raw = found.raw;
   const Units& units = scenario.units();
@@ -155,6 +146,7 @@ void add_solution(std::string& text, const Scenario& scenario, const FitReport& 
   add_table(text, fit_numbers(scenario, report, place));
   add_correlations(text, raw.covariance);
   for (const std::string& note : raw.notes) text += "note: " + note + "\n";
+  if (!times.empty()) text += prediction_text(scenario, report, place, times);
 }
 
 // null for what is infinite or unknown
@@ -200,7 +192,7 @@ void add_matrix(detail::JsonWriter& json, const std::vector<double>& matrix, std
 }
 
 void add_solution(detail::JsonWriter& json, const Scenario& scenario, const FitReport& report,
-                  std::size_t place) {
+                  std::size_t place, std::span<const double> times) {
   const FoundSpin& found = report.solutions[place];
   const SpinSolution& raw = found.raw;
   json.begin_object();
@@ -223,6 +215,8 @@ void add_solution(detail::JsonWriter& json, const Scenario& scenario, const FitR
   json.end_object();
   json.key("covariance_core");
   add_matrix(json, raw.covariance.matrix, raw.covariance.names.size());
+  if (!times.empty())
+    detail::add_predictions(json.key("predicted"), scenario, report, place, times);
   json.key("notes").begin_array();
   for (const std::string& note : raw.notes) json.value(note);
   json.end_array().end_object();
@@ -260,19 +254,22 @@ std::vector<FitNumber> fit_numbers(const Scenario& scenario, const FitReport& re
   return numbers;
 }
 
-std::string fit_text(const Scenario& scenario, const FitReport& report) {
+std::string fit_text(const Scenario& scenario, const FitReport& report,
+                     std::span<const double> times) {
   std::string text;
   if (!scenario.document.title.empty()) text += scenario.document.title + "\n";
   add_fit_line(text, "observed", observed_text(scenario, report));
   if (report.starts > 1)
     add_fit_line(text, "starts",
                  fmt::format("{}, of which {} did not converge", report.starts, report.failed));
-  for (std::size_t i = 0; i < report.solutions.size(); ++i) add_solution(text, scenario, report, i);
+  for (std::size_t i = 0; i < report.solutions.size(); ++i)
+    add_solution(text, scenario, report, i, times);
   if (!report.is_found()) add_fit_line(text, "solutions", "none: " + report.failure);
   return text;
 }
 
-std::string fit_json(const Scenario& scenario, const FitReport& report) {
+std::string fit_json(const Scenario& scenario, const FitReport& report,
+                     std::span<const double> times) {
   detail::JsonWriter json;
   const Snapshots& seen = report.observed.seen;
   json.begin_object();
@@ -283,7 +280,8 @@ std::string fit_json(const Scenario& scenario, const FitReport& report) {
   json.key("starts").value(report.starts).key("failed").value(report.failed);
   if (!report.failure.empty()) json.key("failure").value(report.failure);
   json.key("solutions").begin_array();
-  for (std::size_t i = 0; i < report.solutions.size(); ++i) add_solution(json, scenario, report, i);
+  for (std::size_t i = 0; i < report.solutions.size(); ++i)
+    add_solution(json, scenario, report, i, times);
   json.end_array().end_object();
   return json.text();
 }

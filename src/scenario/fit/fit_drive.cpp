@@ -18,6 +18,9 @@ inline namespace v0 {
 namespace detail {
 namespace {
 
+// Steps become too short for derivatives below, and derivatives too wrong for a descent above.
+constexpr double least_tolerance = 1e-14, most_tolerance = 1e-4;
+
 double square(double x) { return x * x; }
 
 bool is_torque_key(const std::string& key) {
@@ -82,6 +85,9 @@ void add_drive(const FitContext& at, FitPlan& plan) {
   for (const std::string& path : array_paths(at.values, "free.parameter"))
     add_parameter(at, path, plan);
   for (const std::string& path : array_paths(at.values, "free.jump")) add_jump(at, path, plan);
+  plan.drive.tolerance = number(at.values, "fit.tolerance");
+  if (!(plan.drive.tolerance >= least_tolerance && plan.drive.tolerance <= most_tolerance))
+    refuse(at.values, "fit.tolerance", at.name, "expected a number from 1e-14 to 1e-4");
 }
 
 }  // namespace detail
@@ -91,6 +97,7 @@ SpinDrive spin_drive(const Scenario& scenario) {
   SpinDrive drive;
   drive.q_FB = scenario.rotation().q_file;
   drive.jumps = plan.jumps;
+  drive.tolerance = plan.tolerance;
   std::vector<std::string> keys;
   for (const FreeParameter& one : plan.parameters) {
     drive.parameters.push_back(one.number);

@@ -117,6 +117,13 @@ constexpr Key keys[] = {
      .fallback = "200",
      .example = "200",
      .help = "At most, for each start; left out, 60 in a search of light curves."},
+    {.path = "fit.tolerance",
+     .type = number,
+     .fallback = "1e-12",
+     .example = "1e-9",
+     .help = "Of the motion and its derivatives where torques act, in a step: long arcs that were "
+             "seen with errors of degrees need no more than 1e-9.",
+     .range = Range::positive},
     {.path = "fit.starts",
      .type = integer,
      .fallback = "1",

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/run/predictions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "polhode/error.hpp"
+#include "polhode/rotor/attitude.hpp"
+#include "run/detail/fit_tables.hpp"
+#include "run/fit/driven.hpp"
+#include "scenario/fit/time_words.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+double error_about(const Mat3& c, int k) { return std::sqrt(c(k, k)); }
+double correlation(const Mat3& c, int i, int j) {
+  return c(i, j) / (error_about(c, i) * error_about(c, j));
+}
+
+// Errors about the three axes, with as many digits as one needs.
+std::string errors_text(const Units& units, const Mat3& c) {
+  std::string text;
+  for (int k = 0; k < 3; ++k) {
+    const double error = units.from_core(error_about(c, k), Dimension::angle);
+    text += (k == 0 ? "" : ", ") +
+            fmt::format(fmt::runtime(error < 100.0 ? "{:.3g}" : "{:.0f}"), error);
+  }
+  return text;
+}
+
+// Columns as wide as they have to be; those that are empty below their head are left out.
+std::string table_text(const std::vector<std::vector<std::string>>& rows) {
+  const std::size_t n = rows.front().size();
+  std::vector<std::size_t> width(n, 0);
+  for (std::size_t k = 0; k < n; ++k) {
+    for (std::size_t i = 1; i < rows.size(); ++i) width[k] = std::max(width[k], rows[i][k].size());
+    if (width[k] > 0) width[k] = std::max(width[k], rows.front()[k].size());
+  }
+  std::string text;
+  for (const std::vector<std::string>& row : rows) {
+    std::string line;
+    for (std::size_t k = 0; k < n; ++k)
+      if (width[k] > 0) line += fmt::format("{:<{}}  ", row[k], width[k]);
+    text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+  }
+  return text;
+}
+
+bool is_open(const Mat3& c) {
+  const double most = std::max({c(0, 0), c(1, 1), c(2, 2)});
+  return !(most <= 1.0);
+}
+
+}  // namespace
+
+std::vector<AttitudePrediction> fit_predictions(const FitReport& report, std::size_t solution,
+                                                std::span<const double> times) {
+  const FoundSpin& found = report.solutions.at(solution);
+  std::vector<AttitudePrediction> all;
+  for (const PredictedAttitude& one : detail::predicted_by(report, found.raw, times))
+    all.push_back({one, std::nullopt});
+  if (!found.scaled) return all;
+  const std::vector<PredictedAttitude> scaled = detail::predicted_by(report, *found.scaled, times);
+  for (std::size_t i = 0; i < all.size(); ++i) all[i].scaled = scaled[i];
+  return all;
+}
+
+std::vector<double> prediction_times(const Scenario& scenario, std::span<const std::string> words) {
+  std::vector<double> times;
+  for (const std::string& word : words) times.push_back(detail::time_of_word(scenario, word));
+  return times;
+}
+
+std::vector<double> prediction_times(const Scenario& scenario) {
+  const std::optional<SaveAt>& rows = row_times(scenario);
+  if (!rows)
+    throw DomainError(scenario.document.name +
+                      ": time: got nothing; expected [time], when attitudes are predicted");
+  std::vector<double> times;
+  for (std::int64_t k = 0; k < rows->size(); ++k) times.push_back((*rows)[k]);
+  return times;
+}
+
+std::string prediction_text(const Scenario& scenario, const FitReport& report, std::size_t solution,
+                            std::span<const double> times) {
+  const Units& units = scenario.units();
+  std::vector<std::vector<std::string>> rows = {
+      {"t, " + units.time(), "date", "phi, theta, psi", "error about x, y, z", "scaled"}};
+  bool open = false;
+  for (const AttitudePrediction& one : fit_predictions(report, solution, times)) {
+    const PredictedAttitude& raw = one.raw;
+    rows.push_back({fmt::format("{:.10g}", units.from_core(raw.t, Dimension::time)),
+                    detail::date_of_time(scenario, raw.t), detail::euler_text(scenario, raw.q),
+                    errors_text(units, raw.covariance),
+                    one.scaled ? errors_text(units, one.scaled->covariance) : std::string()});
+    open = open || is_open(raw.covariance);
+  }
+  std::string text = "\npredicted attitudes, errors in " + units.angle() + "\n" + table_text(rows);
+  if (open)
+    text += "note: where an error is more than a radian, the fit does not know the attitude\n";
+  return text;
+}
+
+void write_predictions(const Scenario& scenario, const FitReport& report, std::size_t solution,
+                       std::span<const double> times, const std::string& path) {
+  const Units& units = scenario.units();
+  const std::string angle = units.label(Dimension::angle), rate = units.label(Dimension::rate);
+  const std::vector<ColumnGroup> groups = {
+      {"t", {{"t", units.time()}}},
+      {"q", {{"qw", "1"}, {"qx", "1"}, {"qy", "1"}, {"qz", "1"}}},
+      {"rate", {{"w_x", rate}, {"w_y", rate}, {"w_z", rate}}},
+      {"errors", {{"error_x", angle}, {"error_y", angle}, {"error_z", angle}}},
+      {"correlations", {{"r_xy", "1"}, {"r_xz", "1"}, {"r_yz", "1"}}},
+      {"scaled_errors",
+       {{"scaled_error_x", angle}, {"scaled_error_y", angle}, {"scaled_error_z", angle}}},
+      {"scaled_correlations", {{"scaled_r_xy", "1"}, {"scaled_r_xz", "1"}, {"scaled_r_yz", "1"}}}};
+  std::vector<double> rows;
+  const auto add = [&](const std::optional<Mat3>& c) {
+    for (int k = 0; k < 3; ++k)
+      rows.push_back(c ? units.from_core(error_about(*c, k), Dimension::angle) : none);
+    for (const auto& [i, j] : {std::pair(0, 1), std::pair(0, 2), std::pair(1, 2)})
+      rows.push_back(c ? correlation(*c, i, j) : none);
+  };
+  for (const auto& [raw, scaled] : fit_predictions(report, solution, times)) {
+    rows.insert(rows.end(),
+                {units.from_core(raw.t, Dimension::time), raw.q.w, raw.q.x, raw.q.y, raw.q.z});
+    for (int k = 0; k < 3; ++k) rows.push_back(units.from_core(raw.w_F[k], Dimension::rate));
+    add(raw.covariance);
+    add(scaled ? std::optional(scaled->covariance) : std::nullopt);
+  }
+  detail::write_fit_rows(
+      scenario, groups, rows,
+      {"attitudes that the solution predicts: body axes to inertial axes, errors about the body "
+       "axes of first order, with errors of data as given and scaled; those of more than a radian "
+       "say that the attitude is not known"},
+      path);
+}
+
+void detail::add_predictions(JsonWriter& json, const Scenario& scenario, const FitReport& report,
+                             std::size_t solution, std::span<const double> times) {
+  const Units& units = scenario.units();
+  const auto add_errors = [&](const char* key, const Mat3& c) {
+    json.key(key).begin_array();
+    for (int k = 0; k < 3; ++k) json.value(units.from_core(error_about(c, k), Dimension::angle));
+    json.end_array();
+  };
+  json.begin_array();
+  for (const auto& [raw, scaled] : fit_predictions(report, solution, times)) {
+    json.begin_object().key("t").value(units.from_core(raw.t, Dimension::time));
+    json.key("quaternion").begin_array();
+    json.value(raw.q.w).value(raw.q.x).value(raw.q.y).value(raw.q.z).end_array();
+    json.key("rate").begin_array();
+    for (int k = 0; k < 3; ++k) json.value(units.from_core(raw.w_F[k], Dimension::rate));
+    json.end_array();
+    add_errors("errors", raw.covariance);
+    if (scaled) add_errors("scaled_errors", scaled->covariance);
+    json.end_object();
+  }
+  json.end_array();
+}
+
+}  // namespace v0
+}  // namespace polhode

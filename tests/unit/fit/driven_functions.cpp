@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+// What a fit of a driven body offers and refuses beside its solutions: torques that jump by the
+// state, residuals as a function for others, and predictions of what is not determined.
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <limits>
+
+#include "message_of.hpp"
+#include "polhode/fit/driven_spin_fit.hpp"
+#include "polhode/perturb/constant_torque.hpp"
+#include "polhode/perturb/user_terms.hpp"
+
+namespace {
+using namespace polhode;
+using testing::HasSubstr;
+
+SpinDrive pushed() {
+  SpinDrive drive;
+  drive.parameters = {{"x", 2e-4}, {"z", -1e-3}};
+  drive.terms = [](std::span<const double> p) {
+    return std::vector<AnyPerturbation>{{"body", ConstantTorque::in_body({0.0, 0.0, p[1]})},
+                                        {"space", ConstantTorque::in_space({p[0], 0.0, 0.0})}};
+  };
+  return drive;
+}
+
+// Twelve attitudes without errors, of a tumbler.
+SpinFit seen_of(const SpinDrive& drive) {
+  SpinFit fit;
+  fit.start = {
+      1.0, normalized(Quaternion{0.5, 0.1, -0.7, 0.5}), {0.2, -0.1, 0.9}, Mat3::identity()};
+  fit.start.inertia_F(0, 0) = 0.5;
+  fit.start.inertia_F(1, 1) = 0.8;
+  std::vector<double> times;
+  for (int i = 0; i < 12; ++i) times.push_back(1.9 * i);
+  for (const PredictedAttitude& at : driven_attitudes(fit.start, drive, times))
+    fit.seen.attitudes.push_back({at.t, at.q, covariance_of(0.01)});
+  return fit;
+}
+
+// A thruster that pushes against the rate beyond a dead band, and a brake that begins there from
+// nothing: the one jumps where the state says so, the other has a kink.
+SpinDrive switched(double push, double slope) {
+  SpinDrive drive;
+  drive.terms = [=](std::span<const double>) {
+    const auto torque = [=]<Real T>(const T&, const BasicRotorState<T>& s,
+                                    std::span<const double> sides) {
+      const BasicVec3<T> none{T(0.0), T(0.0), T(0.0)};
+      if (sides[0] < 0.0) return none;
+      return BasicVec3<T>{T(-push) - T(slope) * (s.g.x - T(0.05)), none.y, none.z};
+    };
+    const auto band = [](double, const RotorState& s) { return std::vector<double>{s.g.x - 0.05}; };
+    return std::vector<AnyPerturbation>{{"thruster", SwitchedTorqueTerm(torque, band)}};
+  };
+  return drive;
+}
+
+TEST(FitDrivenSpin, RefusesWhatJumpsByItsState) {
+  const SpinFit fit = seen_of(pushed());
+  EXPECT_THAT(test::message_of([&] { fit_driven_spin(fit, switched(1e-3, 0.0)); }),
+              HasSubstr("the term \"thruster\" jumps where the attitude or the rate says so"));
+  EXPECT_NO_THROW(least_squares_of(fit, switched(0.0, 1e-3)));
+  // one that jumps at a time has derivatives
+  SpinDrive timed;
+  timed.terms = [](std::span<const double>) {
+    const auto torque = []<Real T>(const T&, const BasicRotorState<T>&,
+                                   std::span<const double> sides) {
+      return BasicVec3<T>{T(sides[0] < 0.0 ? 0.0 : 1e-3), T(0.0), T(0.0)};
+    };
+    const auto when = [](double t, const RotorState&) { return std::vector<double>{t - 11.0}; };
+    return std::vector<AnyPerturbation>{{"timed", SwitchedTorqueTerm(torque, when)}};
+  };
+  EXPECT_NO_THROW(least_squares_of(fit, timed));
+}
+
+TEST(FitDrivenSpin, IsAResidualFunctionForOthers) {
+  const SpinDrive drive = pushed();
+  const SpinFit fit = seen_of(drive);
+  const LeastSquares problem = least_squares_of(fit, drive);
+  ASSERT_EQ(problem.unknowns.size(), 10u);
+  EXPECT_EQ(problem.unknowns[9].name, "z");
+  std::vector<double> x;
+  for (const Unknown& one : problem.unknowns) x.push_back(one.start);
+  const SpinState start = state_at(fit, drive, x);
+  EXPECT_EQ(start.w_F, fit.start.w_F);
+  EXPECT_THAT(test::message_of([&] { state_at(fit, drive, std::vector<double>(8)); }),
+              HasSubstr("got 8 unknowns; expected 10"));
+}
+
+// An unknown that is not determined leaves the attitude open about the axes about which it moves
+// it.
+TEST(FitDrivenSpin, PredictsWhatIsOpenAsOpen) {
+  SpinDrive drive = pushed();
+  const SpinFit fit = seen_of(drive);
+  drive.parameters.push_back({"nothing", 1.0});
+  const SpinSolution found = fit_driven_spin(fit, drive);
+  ASSERT_TRUE(found.is_found()) << found.result.sentence;
+  EXPECT_TRUE(std::isinf(found.covariance.error(10)));
+  const double times[] = {40.0};
+  const Mat3 c = predicted(fit, drive, found, times)[0].covariance;
+  for (int k = 0; k < 3; ++k) EXPECT_TRUE(c(k, k) > 0.0 && std::isfinite(c(k, k)));
+  SpinSolution open = found;
+  open.covariance.matrix[9 * 11 + 9] = std::numeric_limits<double>::infinity();
+  const Mat3 o = predicted(fit, drive, open, times)[0].covariance;
+  for (int k = 0; k < 3; ++k) EXPECT_TRUE(std::isinf(o(k, k)));
+}
+
+}  // namespace
