@@ -142,9 +142,10 @@ web: build/release/build.ninja ## The explorer and its npm package: WebAssembly,
 	cd web && npm ci --loglevel=error --ignore-scripts --no-audit --no-fund
 	$(MAKE) -C web/core -j $(CORES)
 	cd web && npm run --silent build
-	cmake --build build/release --target web_answers
+	cmake --build build/release --target web_answers web_answers_musl
 	@mkdir -p build/web
 	$(NO_FMA) build/release/web/web_answers > build/web/answers.json
+	build/release/web/web_answers_musl > build/web/answers_musl.json
 	cd web && npm test --silent
 	cd web && npm run --silent page -- ../$(EXPLORER)
 	cd web && CHROMIUM="$${CHROMIUM:-$$(command -v chromium || command -v chromium-browser)}" \

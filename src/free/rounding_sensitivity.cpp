@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "polhode/free/rounding_sensitivity.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -15,10 +16,19 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
+// |v| without overflow. Written out, since the last digit of std::hypot of three numbers is that of
+// the standard library, and WebAssembly has another than this machine.
+double length(const Vec3& v) {
+  const double x = std::abs(v.x), y = std::abs(v.y), z = std::abs(v.z);
+  const double a = std::max({x, y, z});
+  if (!(a > 0.0)) return x + y + z;
+  return a * std::sqrt((x / a) * (x / a) + (y / a) * (y / a) + (z / a) * (z / a));
+}
+
 // Of the rotation from a to b, right for small ones too.
 double angle_between(const Quaternion& a, const Quaternion& b) {
   const Quaternion d = conj(a) * b;
-  return 2.0 * std::atan2(std::hypot(d.x, d.y, d.z), std::abs(d.w));
+  return 2.0 * std::atan2(length({d.x, d.y, d.z}), std::abs(d.w));
 }
 
 // A component that is zero stays zero: it was not rounded.
@@ -45,7 +55,7 @@ double rounding_sensitivity(const FreeRotation& motion, double t) {
   const Quaternion q = motion.at(t).q;
   // Beyond 1/eps rad a rounding of the rate is whole turns.
   const Vec3 w = angular_velocity(motion.body(), s);
-  const double turned = std::hypot(w.x, w.y, w.z) * std::abs(t - motion.epoch());
+  const double turned = length(w) * std::abs(t - motion.epoch());
   if (!(turned < 1.0 / std::numeric_limits<double>::epsilon())) return std::numbers::pi;
   double largest = 0.0;
   for (int component = 0; component < 3; ++component) {

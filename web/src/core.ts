@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Everything, to be used after `await load()`.
-export { DomainError, load, version } from "./module.js";
+export { DomainError, load, loadSync, version } from "./module.js";
 export type { Source } from "./module.js";
 export {
   Body, angularVelocity, checkedState, inertialAngularVelocity, inertialMomentum, kineticEnergy, rotorState,

@@ -19,7 +19,9 @@ let starting: Promise<void> | undefined;
 const ROOM = 64;
 let desk = 0;
 
-export type Source = string | URL | Response | BufferSource | WebAssembly.Module;
+/** A path or an address, a URL, a Response, bytes, or a WebAssembly.Module; typed without the names of a
+ *  browser, which programs for Node need not know. */
+export type Source = string | object;
 
 /** Compiles and starts the core; later calls return at once. Without a source: the file polhode.wasm
  *  beside this script. */
@@ -31,20 +33,32 @@ export function load(source?: Source): Promise<void> {
   return starting;
 }
 
+/** The same of bytes that are there, at once: for Node and workers. Where a page is drawn, browsers
+ *  refuse to compile so much while it waits. */
+export function loadSync(bytes: ArrayBuffer | ArrayBufferView): void {
+  if (exports !== undefined) return;
+  const module = new WebAssembly.Module(bytes as BufferSource);
+  begin(new WebAssembly.Instance(module, imports(module)));
+  starting = Promise.resolve();
+}
+
 async function start(source: Source = new URL("./polhode.wasm", import.meta.url)): Promise<void> {
   const module = source instanceof WebAssembly.Module ? source : await compiled(source);
-  const instance = await WebAssembly.instantiate(module, imports(module));
-  const found = instance.exports as unknown as Exports;
+  begin(await WebAssembly.instantiate(module, imports(module)));
+}
+
+function begin(instance: WebAssembly.Instance): void {
+  if (exports !== undefined) return; // what has been prepared lies in the memory of the first
   (instance.exports["_initialize"] as (() => void) | undefined)?.();
-  exports = found;
+  exports = instance.exports as unknown as Exports;
   desk = allocate(2 * ROOM);
 }
 
-async function compiled(source: string | URL | Response | BufferSource): Promise<WebAssembly.Module> {
+async function compiled(source: Source): Promise<WebAssembly.Module> {
   if (source instanceof Response) return WebAssembly.compile(await source.arrayBuffer());
   if (source instanceof ArrayBuffer || ArrayBuffer.isView(source))
     return WebAssembly.compile(source as BufferSource);
-  const url = new URL(source, import.meta.url);
+  const url = new URL(String(source), import.meta.url);
   if (url.protocol === "file:" && typeof process !== "undefined") {
     const files = "node:fs/promises"; // a bundler for the browser need not find it
     const { readFile } = (await import(files)) as typeof import("node:fs/promises");

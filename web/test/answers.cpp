@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // What the interface of the explorer's core answers on this machine, as JSON: numbers in 17 digits,
 // which are their bits; every golden case, its charts, curves and perturbed motion.
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -14,8 +16,8 @@ namespace {
 
 using Numbers = std::vector<double>;
 
-void print(const char* name, const Numbers& values, const char* end = ",\n") {
-  std::printf("\"%s\": [", name);
+void print(const std::string& name, const Numbers& values, const char* end = ",\n") {
+  std::printf("\"%s\": [", name.c_str());
   for (std::size_t i = 0; i < values.size(); ++i) {
     const double x = values[i];
     std::printf(i == 0 ? "" : ", ");
@@ -54,25 +56,101 @@ void print_rows(const polhode_motion* motion, const Numbers& times) {
   print("brightness", rows(POLHODE_BRIGHTNESS, 1, nullptr, 0.25, 0.375, 20));
 }
 
+// The chart, empty where there is none, and the state that is made of its numbers.
+void print_chart(const char* name, int kind, std::size_t size, const double* moments,
+                 const double* state) {
+  const Numbers chart = answer(size, [&](double* to) {
+    if (kind == POLHODE_POINCARE) to[6] = to[7] = -1.0;
+    return polhode_to_chart(kind, moments, state, to);
+  });
+  const bool is_attitude = kind >= POLHODE_ROLL_PITCH_YAW;
+  print((kind == POLHODE_MATRIX ? "" : "to_") + std::string(name), chart);
+  print("from_" + std::string(name),
+        chart.empty() ? chart : answer(is_attitude ? 4 : 7, [&](double* to) {
+          Numbers back(7);
+          const int is_refused = polhode_from_chart(kind, moments, chart.data(), back.data());
+          std::copy_n(back.begin(), is_attitude ? 4 : 7, to);
+          return is_refused;
+        }));
+}
+
+void print_motion_chart(const char* name, int kind, std::size_t size, const double* moments,
+                        const polhode_motion* motion) {
+  const Numbers chart =
+      answer(size, [&](double* to) { return polhode_motion_chart(motion, kind, 0.5, to); });
+  const double t = kind == POLHODE_SERRET ? 0.5 : 0.0;
+  print(name, chart);
+  print("from_" + std::string(name), chart.empty() ? chart : answer(7, [&](double* to) {
+          return polhode_from_motion_chart(kind, moments, chart.data(), t, to);
+        }));
+}
+
 void print_charts(const polhode_motion* motion, const double* moments, const double* state) {
-  const auto chart = [&](int kind, std::size_t size) {
-    Numbers found(9);
-    found[6] = found[7] = -1.0;
-    if (polhode_to_chart(kind, moments, state, found.data()) != 0) return Numbers{};
-    found.resize(size);
-    return found;
-  };
-  print("to_andoyer", chart(POLHODE_ANDOYER, 6));
-  print("to_euler", chart(POLHODE_EULER, 6));
-  print("to_euler_rates", chart(POLHODE_EULER_RATES, 6));
-  print("to_poincare", chart(POLHODE_POINCARE, 8));
-  print("to_roll_pitch_yaw", chart(POLHODE_ROLL_PITCH_YAW, 3));
-  const auto of_motion = [&](int kind, std::size_t size) {
-    return answer(size, [&](double* to) { return polhode_motion_chart(motion, kind, 0.5, to); });
-  };
-  print("serret", of_motion(POLHODE_SERRET, 8));
-  print("sadov", of_motion(POLHODE_SADOV, 8));
-  print("tumbler", of_motion(POLHODE_TUMBLER, 10));
+  print_chart("andoyer", POLHODE_ANDOYER, 6, moments, state);
+  print_chart("euler", POLHODE_EULER, 6, moments, state);
+  print_chart("euler_rates", POLHODE_EULER_RATES, 6, moments, state);
+  print_chart("poincare", POLHODE_POINCARE, 8, moments, state);
+  print_chart("roll_pitch_yaw", POLHODE_ROLL_PITCH_YAW, 3, moments, state);
+  print_chart("euler_angles", POLHODE_EULER_ANGLES, 3, moments, state);
+  print_chart("matrix", POLHODE_MATRIX, 9, moments, state);
+  print_motion_chart("serret", POLHODE_SERRET, 8, moments, motion);
+  print_motion_chart("sadov", POLHODE_SADOV, 8, moments, motion);
+  print_motion_chart("tumbler", POLHODE_TUMBLER, 10, moments, motion);
+  print("derived", answer(10, [&](double* to) {
+          polhode_derived(moments, state, to);
+          return 0;
+        }));
+  print("semi_axes", answer(3, [&](double* to) {
+          polhode_semi_axes(moments, 1.0, to);
+          return 0;
+        }));
+  const Numbers direction{0.3, -0.2, 0.9};
+  print("along",
+        answer(7, [&](double* to) { return polhode_momentum_along(state, direction.data(), to); }));
+}
+
+void print_flips(const polhode_motion* motion) {
+  Numbers flips(20);
+  double interval = 0.0;
+  const int count = polhode_motion_flips(motion, 0.0, 100.0, 20, flips.data(), &interval);
+  flips.resize(count < 0 ? 0 : static_cast<std::size_t>(count));
+  if (count >= 0) flips.push_back(interval);
+  print("flips", flips);
+  print("sensitivity", {polhode_motion_sensitivity(motion, 1000.0)});
+}
+
+// Energies and points of the curves that the body has.
+template <class F>
+Numbers curves(uint32_t points, const F& twice_energy) {
+  Numbers found;
+  for (int side = 0; side < 4; ++side) {
+    Numbers rows(3 * points);
+    const double twice = twice_energy(side, rows.data());
+    if (std::isnan(twice)) continue;
+    found.push_back(twice / 2.0);
+    found.insert(found.end(), rows.begin(), rows.end());
+  }
+  return found;
+}
+
+void print_curves(const polhode_motion* motion, const double* moments, const char* end) {
+  Numbers summary(19), curve(3 * 33), plane(2 * 33);
+  polhode_motion_summary(motion, summary.data());
+  print("summary", summary);
+  const double G = summary[1];
+  print("curves", curves(17, [&](int k, double* rows) {
+          return polhode_curve(moments, G, k < 2, k % 2 == 0 ? 1 : -1, std::numbers::pi / 2 * 0.5,
+                               17, rows);
+        }));
+  print("separatrix", curves(9, [&](int k, double* rows) {
+          return polhode_half_separatrix(moments, G, k % 2 == 0 ? 1 : -1, k < 2 ? 1 : -1, 9, rows);
+        }));
+  const uint32_t count = polhode_motion_curve(motion, 33, curve.data());
+  curve.resize(3 * std::size_t{count});
+  plane.resize(2 * std::size_t{count});
+  polhode_andoyer_plane(curve.data(), count, plane.data());
+  print("plane", plane);
+  print("curve", curve, end);
 }
 
 void print_case(const polhode::GoldenCase& golden, bool is_last) {
@@ -99,14 +177,10 @@ void print_case(const polhode::GoldenCase& golden, bool is_last) {
   print("exact", exact);
   print("state", state);
   print("at", at);
-  Numbers summary(19);
-  polhode_motion_summary(motion, summary.data());
-  print("summary", summary);
   print_rows(motion, times);
   print_charts(motion, moments.data(), state.data());
-  Numbers curve(3 * 33);
-  curve.resize(3 * polhode_motion_curve(motion, 33, curve.data()));
-  print("curve", curve, is_last ? "}\n" : "},\n");
+  print_flips(motion);
+  print_curves(motion, moments.data(), is_last ? "}\n" : "},\n");
   polhode_motion_release(motion);
 }
 

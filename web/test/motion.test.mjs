@@ -9,7 +9,7 @@ import {
   toAndoyer, toEuler, toEulerAngles, toEulerRates, toMatrix, toPoincare, toRollPitchYaw, version, withMomentum,
   withMomentumAlong,
 } from "polhode";
-import { flat } from "./tools/bits.mjs";
+import { flat } from "./tools/answers.mjs";
 
 const near = (a, b, tolerance, what) => {
   const x = flat(a), y = flat(b);

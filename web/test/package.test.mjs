@@ -2,7 +2,7 @@
 // The package: how large it is, how fast, and that a copy of it works elsewhere.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { mkdtempSync, readFileSync, rmSync } from "node:fs";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { test } from "node:test";
@@ -65,6 +65,25 @@ test("the package has its licence, what it is, and the core alone", () => {
   assert.equal(readFileSync(join(web, "LICENSE"), "utf8"), readFileSync(join(web, "../LICENSE"), "utf8"));
 });
 
+// With the names of no browser: an error of a type fails the compiler, and one that is missed as well.
+const TYPED = `
+import { Body, DomainError, FreeRotation, integrate, toAndoyer, type Andoyer, type Regime, type RotorState } from "polhode";
+import { load } from "polhode/core";
+const body = new Body(1, 2, 2.5);
+const state: RotorState = { q: [1, 0, 0, 0], g: [1, 0.1, 0.2] };
+const motion = new FreeRotation(body, state);
+const regime: Regime = motion.regime;
+const { G }: Andoyer = toAndoyer(motion.at(3));
+const rows: Float64Array = motion.states({ start: 0, step: 0.1, count: 10 });
+const { ended } = integrate({ body, state, stop: 10, count: 3, internalDamping: 0.01 });
+await load();
+export function refused(): unknown {
+  // @ts-expect-error a state has a quaternion
+  return new FreeRotation(body, { g: [1, 2, 3] });
+}
+if (regime !== "long_axis" || !(G > 1) || rows.length !== 70 || ended !== "") throw new DomainError("polhode");
+`;
+
 test("npm pack makes a package that works where it is installed", () => {
   const folder = mkdtempSync(join(tmpdir(), "polhode-"));
   const npm = (args, cwd) => execFileSync("npm", [...args, "--silent", "--offline", "--no-audit", "--no-fund"], { cwd, encoding: "utf8" });
@@ -72,9 +91,19 @@ test("npm pack makes a package that works where it is installed", () => {
     const packed = npm(["pack", "--pack-destination", folder], web).trim().split("\n").at(-1);
     npm(["init", "-y"], folder);
     npm(["install", "--ignore-scripts", join(folder, packed)], folder);
-    const script = 'import { Body, FreeRotation } from "polhode"; console.log(new FreeRotation(new Body(1, 2, 2.5), { q: [1, 0, 0, 0], g: [1, 0, 0] }).regime); const deferred = await import("polhode/core"); await deferred.load(); console.log(deferred.version().length > 0)';
-    const answer = execFileSync(process.execPath, ["--input-type=module", "-e", script], { cwd: folder, encoding: "utf8" });
-    assert.equal(answer, "steady\ntrue\n");
+    const node = (...args) => execFileSync(process.execPath, args, { cwd: folder, encoding: "utf8" });
+    const use = "console.log(new FreeRotation(new Body(1, 2, 2.5), { q: [1, 0, 0, 0], g: [1, 0, 0] }).regime);";
+    const script = `import { Body, FreeRotation } from "polhode"; ${use} const deferred = await import("polhode/core"); await deferred.load(); console.log(deferred.version().length > 0)`;
+    assert.equal(node("--input-type=module", "-e", script), "steady\ntrue\n");
+    assert.equal(node("--input-type=commonjs", "-e", `import("polhode").then(({ Body, FreeRotation }) => ${use.slice(0, -1)})`), "steady\n");
+    if (process.features.require_module)
+      assert.equal(node("--no-warnings", "--input-type=commonjs", "-e", `const { Body, FreeRotation } = require("polhode"); ${use}`), "steady\n");
+    // what browsers and bundlers take, which waits
+    assert.equal(node("--input-type=module", "-e", 'const { version } = await import("./node_modules/polhode/dist/polhode.js"); console.log(version().length > 0)'), "true\n");
+    writeFileSync(join(folder, "use.mts"), TYPED);
+    const compiler = join(web, "node_modules/typescript/bin/tsc");
+    node(compiler, "--strict", "--target", "es2022", "--lib", "es2022", "--module", "nodenext", "--skipLibCheck", "false", "use.mts");
+    assert.equal(node("use.mjs"), "");
   } finally {
     rmSync(folder, { recursive: true, force: true });
   }

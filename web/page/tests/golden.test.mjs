@@ -1,26 +1,34 @@
 // SPDX-License-Identifier: MIT
 // Every golden case in the browser: its states have the bits that the library gives on this machine
-// (web/test/answers.cpp writes them), as they have in Node (web/test/golden.test.mjs).
+// (web/test/answers.cpp writes them), and with the same sines all numbers, as in Node
+// (web/test/golden.test.mjs).
 import assert from "node:assert/strict";
 import { existsSync, readFileSync } from "node:fs";
 import { test } from "node:test";
 import { fileURLToPath } from "node:url";
 import { build } from "esbuild";
+import { BACK, CHARTS, FLOW, RATES, STATES } from "../../test/tools/answers.mjs";
+import { compared, written } from "../../test/tools/bits.mjs";
 import { launched } from "./browser.mjs";
 
 const path = (name) => fileURLToPath(new URL(name, import.meta.url));
-const ANSWERS = process.env.POLHODE_WEB_ANSWERS ?? path("../../../build/web/answers.json");
+const answersOf = (file) => {
+  assert.ok(existsSync(file), `${file}: not there; make web writes it`);
+  return written(file);
+};
 
-test("states of every golden case, in Chromium, have the bits of the library", async () => {
-  assert.ok(existsSync(ANSWERS), `${ANSWERS}: not there; make web writes it`);
-  const number = (_, x) => (typeof x === "string" && (x === "NaN" || !isNaN(Number(x))) ? Number(x) : x);
-  const { cases } = JSON.parse(readFileSync(ANSWERS, "utf8"), number);
-  assert.ok(cases.length >= 43, `${cases.length} cases`);
+test("every golden case, in Chromium, has the bits of the library", async () => {
+  const native = answersOf(process.env.POLHODE_WEB_ANSWERS ?? path("../../../build/web/answers.json"));
+  const musl = answersOf(process.env.POLHODE_WEB_ANSWERS_MUSL ?? path("../../../build/web/answers_musl.json"));
+  assert.ok(native.cases.length >= 43, `${native.cases.length} cases`);
   const { outputFiles } = await build({
-    stdin: { contents: 'export * from "./dist/core.js"', resolveDir: path("../..") },
+    stdin: {
+      contents: 'export * as polhode from "./dist/core.js"; export * from "./test/tools/answers.mjs"',
+      resolveDir: path("../.."),
+    },
     bundle: true,
     format: "iife",
-    globalName: "polhode",
+    globalName: "asked",
     write: false,
     define: { "import.meta.url": '"about:blank"' },
   });
@@ -31,31 +39,30 @@ test("states of every golden case, in Chromium, have the bits of the library", a
     const wasm = readFileSync(path("../../dist/polhode.wasm")).toString("base64");
     // Bits travel as text: JSON has neither -0 nor NaN.
     const found = await page.evaluate(
-      async ([core, asked]) => {
-        const { Body, FreeRotation, load, rotorState } = window.polhode;
-        await load(Uint8Array.from(atob(core), (c) => c.charCodeAt(0)));
+      async ([core, cases, problem]) => {
+        const { polhode, answers, perturbed } = window.asked;
+        await polhode.load(Uint8Array.from(atob(core), (c) => c.charCodeAt(0)));
         const bits = (numbers) =>
           [...new BigUint64Array(Float64Array.from(numbers).buffer)].map((b) => b.toString(16)).join();
-        return asked.map(({ moments, q0, omega0, times }) => {
-          const body = new Body(...moments);
-          const motion = new FreeRotation(body, rotorState(body, q0, omega0));
-          const at = times.flatMap((t) => Object.values(motion.at(t)).flatMap((part) => [...part]));
-          return {
-            at: bits(at),
-            rows: bits(motion.states(times)),
-            grid: bits(motion.states({ start: 0.25, step: 0.375, count: 300 })),
-          };
-        });
+        const all = cases.map((golden) => answers(polhode, golden));
+        return [...all, { perturbed: perturbed(polhode, problem) }].map((named) =>
+          Object.fromEntries(Object.entries(named).map(([name, numbers]) => [name, bits(numbers)])),
+        );
       },
-      [wasm, cases.map(({ moments, q0, omega0, times }) => ({ moments, q0, omega0, times }))],
+      [wasm, native.cases.map(({ moments, q0, omega0, times }) => ({ moments, q0, omega0, times })), native.problem],
     );
-    const bits = (numbers) =>
-      [...new BigUint64Array(Float64Array.from(numbers).buffer)].map((b) => b.toString(16)).join();
-    for (const [index, golden] of cases.entries()) {
-      for (const name of ["at", "rows", "grid"]) {
-        assert.ok(found[index][name] === bits(golden[name]), `${golden.name}: ${name}`);
-      }
-    }
+    const numbers = (text) =>
+      text === "" ? [] : [...new Float64Array(BigUint64Array.from(text.split(","), (b) => BigInt(`0x${b}`)).buffer)];
+    const answers = found.map((named) =>
+      Object.fromEntries(Object.entries(named).map(([name, bits]) => [name, numbers(bits)])),
+    );
+    const states = compared(answers, native.cases, [...STATES, ...RATES]);
+    assert.ok(states.numbers > 100_000, `${states.numbers}`);
+    assert.equal(states.different, 0, states.where);
+    const all = compared(answers, musl.cases, [...STATES, ...RATES, ...CHARTS, ...FLOW, ...BACK]);
+    console.log(`Chromium, all, with the same sines: ${all.different} of ${all.numbers} differ`);
+    assert.equal(all.different, 0, all.where);
+    assert.deepEqual(answers.at(-1).perturbed, musl.perturbed);
   } finally {
     await browser.close();
   }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Numbers of answers, and how far apart two doubles are.
+// What a program wrote of its answers, and how far apart two doubles are.
+import { readFileSync } from "node:fs";
 
-/** The numbers of a value of the package, in order; words as the interface has them. */
-export function flat(value) {
-  if (typeof value === "number") return [value];
-  if (typeof value === "string") return [value === "pi" || value === "long_axis" ? 1 : 0];
-  return Object.values(value).flatMap(flat);
+/** Doubles as web_answers writes them: JSON has neither NaN nor infinities. */
+export function written(file) {
+  const number = (_, x) => (typeof x === "string" && (x === "NaN" || !isNaN(Number(x))) ? Number(x) : x);
+  return JSON.parse(readFileSync(file, "utf8"), number);
 }
 
 /** Doubles from a to b; Infinity where one is NaN. */
@@ -18,4 +18,25 @@ export function ulps(a, b) {
   };
   const distance = order(a) - order(b);
   return Number(distance < 0n ? -distance : distance);
+}
+
+/** Differing numbers, of how many, and the largest difference in units of the last place. `found`: the
+ *  answers of the package, a case each; `expected`: of a program. */
+export function compared(found, expected, names) {
+  const total = { numbers: 0, different: 0, ulps: 0, where: "" };
+  expected.forEach((golden, k) => {
+    for (const name of names) {
+      const a = found[k][name], b = golden[name];
+      if (a.length !== b.length) throw new Error(`${golden.name} ${name}: ${a.length} numbers, expected ${b.length}`);
+      for (let i = 0; i < b.length; ++i) {
+        ++total.numbers;
+        if (Object.is(a[i], b[i])) continue;
+        ++total.different;
+        const distance = ulps(a[i], b[i]);
+        if (!(distance <= total.ulps))
+          Object.assign(total, { ulps: distance, where: `${golden.name} ${name} ${i}: ${a[i]}, ${b[i]}` });
+      }
+    }
+  });
+  return total;
 }
