@@ -7,6 +7,8 @@ import { Address } from "./address.js";
 import { Explorer, type Change } from "./explorer.js";
 import { Pacing } from "./pacing.js";
 import { CopyDialog } from "./panel/copies.js";
+import { DrivenPanel } from "./panel/driven.js";
+import { Gravitation } from "./panel/gravitation.js";
 import { HeadlinePanel } from "./panel/headline.js";
 import { Numbers } from "./panel/numbers.js";
 import { Settings } from "./panel/settings.js";
@@ -63,6 +65,8 @@ async function start(): Promise<void> {
     explorer,
   );
   const settings = new Settings(document, explorer);
+  const gravitation = new Gravitation(explorer);
+  const driven = new DrivenPanel(explorer);
   const transport = new Transport(explorer);
   const copies = new CopyDialog(explorer);
 
@@ -79,7 +83,7 @@ async function start(): Promise<void> {
     explorer.play(false);
     explorer.change(scene);
     beginning = scene;
-    for (const panel of [numbers, settings, transport]) panel.forget();
+    for (const panel of [numbers, settings, gravitation, transport]) panel.forget();
     name(PRESETS.find((p) => sameMotion(p.scene(), scene)) ?? { about: "A state from a link." });
   };
   const address = new Address(explorer, show);
@@ -124,6 +128,7 @@ async function start(): Promise<void> {
     if (!explorer.playing || clock - lastNumbers > 100) {
       lastNumbers = clock;
       numbers.show();
+      driven.show();
       transport.show();
     }
     const { dataset } = document.documentElement;
@@ -147,6 +152,7 @@ async function start(): Promise<void> {
     }
     if (change !== "time") {
       settings.show();
+      gravitation.show();
       element("refusal").textContent = explorer.refusal;
     }
     address.later();
@@ -169,6 +175,7 @@ async function start(): Promise<void> {
     r: again,
     t: () => (tour.open ? tour.end() : tour.go(0)),
     c: () => copies.open(),
+    g: () => gravitation.toggle(),
     "+": closer,
     "=": closer,
     "-": wider,

@@ -173,6 +173,7 @@ export class BodyView implements View {
         colour: parts.tones[k]!,
       });
     }
+    this.beside(this.explorer, plain, labels);
     parts.planes.show(scene.overlay, state);
     labels.push(...parts.planes.labels);
     this.lights(labels);
@@ -224,6 +225,22 @@ export class BodyView implements View {
         colour: this.sheet.colours.sun,
       });
     }
+  }
+
+  /** The body with torques, and what it orbits. */
+  private beside({ driven, now }: Explorer, plain: boolean, labels: Label[]): void {
+    const { parts, sheet } = this;
+    const state = plain ? (driven?.at(now) ?? null) : null;
+    for (const part of [parts.driven, parts.drivenMomentum, parts.centre]) part.visible = state !== null;
+    if (!state) return;
+    const [w, x, y, z] = state.q;
+    parts.driven.quaternion.set(x, y, z, w);
+    const g = unit(rotate(state.q, state.g));
+    parts.drivenMomentum.point(scale(1.52, g));
+    labels.push({ text: "G′", at: scale(1.64, g), colour: sheet.colours.sun });
+    const centre = driven!.toCentre(now);
+    parts.centre.point(scale(1.5, centre));
+    labels.push({ text: "planet", at: scale(1.5, centre), colour: "text" });
   }
 
   private lights(labels: Label[]): void {

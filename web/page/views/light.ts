@@ -32,7 +32,7 @@ export class LightView implements View {
   }
 
   /** The mean and the range over some swings: a scale that does not move with time. */
-  private scale({ model, scene }: Explorer): void {
+  private scale({ model, driven, scene }: Explorer): void {
     this.light = lightOf(model, scene);
     const length = Number.isFinite(model.swing) ? Math.max(3 * model.swing, TURNS * model.turn) : 1;
     const count = 1500;
@@ -43,6 +43,13 @@ export class LightView implements View {
     for (const value of flux) {
       const m = this.magnitude(value);
       if (Number.isFinite(m)) [low, high] = [Math.min(low, m), Math.max(high, m)];
+    }
+    if (driven) {
+      const [first, last] = driven.between(epoch, epoch + 2 * TURNS * model.turn);
+      for (let i = first; i <= last; ++i) {
+        const m = this.magnitude(driven.brightness(this.light, i));
+        if (Number.isFinite(m)) [low, high] = [Math.min(low, m), Math.max(high, m)];
+      }
     }
     this.dark = !(low <= high);
     if (this.dark) [low, high] = [-1, 1];
@@ -61,7 +68,7 @@ export class LightView implements View {
     if (change === "theme" || change === "size") this.sheet.fit();
   }
 
-  draw({ model, scene, now }: Explorer): void {
+  draw({ model, driven, scene, now }: Explorer): void {
     const { sheet, box, flux } = this;
     const { colours } = sheet;
     const context = sheet.clear();
@@ -91,6 +98,16 @@ export class LightView implements View {
     context.lineWidth = 1.6;
     context.lineJoin = "round";
     context.stroke();
+    if (driven) {
+      const [first, last] = driven.between(low, high);
+      context.beginPath();
+      for (let i = first; i <= last; ++i) {
+        const m = Math.min(this.magnitude(driven.brightness(this.light, i)), this.high + 1);
+        context.lineTo(x(driven.time(i)), y(m));
+      }
+      context.strokeStyle = colours.sun;
+      context.stroke();
+    }
     context.restore();
     axes.frame();
     axes.below(times);

@@ -9,7 +9,7 @@ import { DEG } from "../vectors.js";
 import { Axes, type Box } from "./axes.js";
 import { draggable, near, NOWHERE, type Place } from "./drag.js";
 import { Sheet, symbol, type View } from "./pane.js";
-import { familyOf, frictionOf, look } from "./sphere.js";
+import { familyOf, frictionOf, look, ring, TAIL } from "./sphere.js";
 
 const REACH = 26;
 const TURN = 2 * Math.PI;
@@ -97,7 +97,7 @@ export class PlaneView implements View {
     }
   }
 
-  draw({ model, scene, now }: Explorer): void {
+  draw({ model, driven, scene, now }: Explorer): void {
     const { sheet } = this;
     const { colours } = sheet;
     this.layer ??= this.still();
@@ -121,6 +121,12 @@ export class PlaneView implements View {
         context.lineWidth = 1.4;
         this.trace(context, this.friction, 1);
       }
+      if (driven) {
+        context.strokeStyle = colours.sun;
+        context.lineWidth = 1.6;
+        const [first, last] = driven.between(now - TAIL * driven.step, now);
+        this.trace(context, andoyerPlane(driven.directions(first, last)), 1);
+      }
       if (this.osculating) {
         context.strokeStyle = colours.omega;
         context.lineWidth = 1.8;
@@ -130,6 +136,11 @@ export class PlaneView implements View {
         this.ring(context, this.osculating, momentum, (now - scene.epoch) / (SWINGS * model.swing));
       }
     });
+    const pulled = driven?.at(now);
+    if (pulled) {
+      const { l, L, G } = toAndoyer(pulled);
+      ring(context, colours, [this.x(l), this.y(L / G)]);
+    }
     const a = toAndoyer(model.at(now));
     this.dot = { x: this.x(a.l), y: this.y(a.L / a.G) };
     context.beginPath();

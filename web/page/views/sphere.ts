@@ -12,6 +12,7 @@ import { inset } from "./inset.js";
 import { Sheet, symbol, type View } from "./pane.js";
 import type { Palette } from "./palette.js";
 
+export const TAIL = 256; // samples behind the momentum of the body with torques
 const REACH = 26; // px: how far from the dot a finger takes it
 const AXES: readonly [Vec3, string][] = [
   [[1, 0, 0], "b₁"],
@@ -110,7 +111,7 @@ export class SphereView implements View {
     }
   }
 
-  draw({ model, now }: Explorer): void {
+  draw({ model, driven, now }: Explorer): void {
     const { sheet, globe } = this;
     const { colours } = sheet;
     globe.place(
@@ -142,6 +143,18 @@ export class SphereView implements View {
         context.globalAlpha = side ? 0.95 : 0.25;
         globe.trace(context, this.friction, side);
       }
+    }
+    if (driven) {
+      const state = driven.at(now);
+      const [first, last] = driven.between(now - TAIL * driven.step, now);
+      context.strokeStyle = colours.sun;
+      const path = driven.directions(first, last);
+      for (const side of [false, true]) {
+        context.globalAlpha = side ? 0.95 : 0.35;
+        context.lineWidth = side ? 1.6 : 1.2;
+        globe.trace(context, path, side);
+      }
+      if (state) ring(context, colours, globe.paper(unit(state.g)));
     }
     const g = scale(1 / momentum, model.at(now).g);
     const [x, y, depth] = globe.paper(g);
@@ -239,6 +252,23 @@ export class SphereView implements View {
     }
     context.globalAlpha = 1;
   }
+}
+
+/** Where the body with torques is: hollow, the free one is full. */
+export function ring(
+  context: CanvasRenderingContext2D,
+  colours: Palette,
+  [x, y, depth = 1]: readonly [x: number, y: number, depth?: number],
+): void {
+  context.globalAlpha = depth >= 0 ? 1 : 0.5;
+  context.beginPath();
+  context.arc(x, y, 5.5, 0, 2 * Math.PI);
+  context.fillStyle = colours.paper;
+  context.fill();
+  context.lineWidth = 2.4;
+  context.strokeStyle = colours.sun;
+  context.stroke();
+  context.globalAlpha = 1;
 }
 
 /** The family of a body, kept: dragging changes the state a hundred times, never these. */

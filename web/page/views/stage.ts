@@ -6,6 +6,7 @@ import {
   DirectionalLight,
   DoubleSide,
   Group,
+  LineBasicMaterial,
   LineSegments,
   Mesh,
   MeshBasicMaterial,
@@ -45,6 +46,9 @@ export function built(e: Explorer) {
   const body = new Group();
   const shape = shapeOf(e.scene.shape, e.model.axes, colours);
   body.add(shape);
+  const driven = outlined(shape, colours.sun);
+  const drivenMomentum = new Arrow({ colour: colours.sun, width: 2 });
+  const centre = new Arrow({ colour: colours.soft, width: 1.5, dashed: true });
   const order = e.model.body.axisOrder;
   const tones: string[] = [];
   tones[order[0]] = colours.lam;
@@ -75,6 +79,9 @@ export function built(e: Explorer) {
   const light = new DirectionalLight("#ffffff", 2.6);
   root.add(
     body,
+    driven,
+    drivenMomentum.group,
+    centre.group,
     ...axes.map((axis) => axis.group),
     momentum.group,
     omega.group,
@@ -101,6 +108,9 @@ export function built(e: Explorer) {
     root,
     body,
     shape,
+    driven,
+    drivenMomentum,
+    centre,
     tones,
     axes,
     momentum,
@@ -115,4 +125,18 @@ export function built(e: Explorer) {
     light,
     dispose,
   };
+}
+
+/** The edges of a shape alone, just outside of it: a second body that hides nothing. */
+function outlined(shape: Group, color: string): Group {
+  const outline = shape.clone();
+  const lines = new LineBasicMaterial({ color });
+  outline.traverse((thing) => {
+    if (thing instanceof LineSegments) thing.material = lines;
+    else if (thing instanceof Mesh) thing.visible = false;
+  });
+  const turned = new Group();
+  turned.add(outline);
+  turned.scale.setScalar(1.015);
+  return turned;
 }

@@ -66,7 +66,7 @@ export class StripView implements View {
     if (change === "theme" || change === "size") this.sheet.fit();
   }
 
-  draw({ model, now }: Explorer): void {
+  draw({ model, driven, now }: Explorer): void {
     const { sheet, box, states } = this;
     const { colours } = sheet;
     const context = sheet.clear();
@@ -104,6 +104,22 @@ export class StripView implements View {
       }
       context.setLineDash([]);
       context.globalAlpha = 1;
+    }
+    if (driven) {
+      const axis = model.body.axisOrder[1];
+      const [first, last] = driven.between(low, high);
+      context.save();
+      context.beginPath();
+      context.rect(box.left, box.top, box.right - box.left, box.bottom - box.top);
+      context.clip();
+      context.beginPath();
+      for (let i = first; i <= last; ++i) {
+        context.lineTo(x(driven.time(i)), y(driven.ratio(i, axis) / full));
+      }
+      context.strokeStyle = colours.sun;
+      context.lineWidth = 1.6;
+      context.stroke();
+      context.restore();
     }
     axes.frame();
     axes.below(labels);
