@@ -6,6 +6,7 @@ import core from "polhode/core.wasm";
 import { Address } from "./address.js";
 import { Explorer, type Change } from "./explorer.js";
 import { Pacing } from "./pacing.js";
+import { Pictures } from "./pictures.js";
 import { CopyDialog } from "./panel/copies.js";
 import { DrivenPanel } from "./panel/driven.js";
 import { Gravitation } from "./panel/gravitation.js";
@@ -22,6 +23,7 @@ import { LightView } from "./views/light.js";
 import type { View } from "./views/pane.js";
 import { PlaneView } from "./views/plane.js";
 import { SphereView } from "./views/sphere.js";
+import { started } from "./views/stage.js";
 import { StripView } from "./views/strip.js";
 
 const element = <T extends HTMLElement = HTMLElement>(id: string) =>
@@ -34,23 +36,33 @@ async function start(): Promise<void> {
   theme(() => restyle()); // at once: loading the core takes a while
   const bytes = new Blob([core]).stream().pipeThrough(new DecompressionStream("gzip"));
   performance.mark("script");
-  await load(new Response(bytes));
+  const loading = load(new Response(bytes));
+  const renderer = started(canvas("body")); // now: later it waits for the first pictures of the page
+  await loading;
   performance.mark("core");
   const explorer = new Explorer(preset("wing-nut").scene());
 
-  let waiting = false;
-  const redraw = () => {
-    if (waiting) return;
-    waiting = true;
-    requestAnimationFrame(picture);
-  };
-
-  const body = new BodyView(canvas("body"), canvas("body-labels"), explorer, redraw);
-  const sphere = new SphereView(canvas("sphere"), explorer, redraw);
+  const pictures = new Pictures((clock) => {
+    try {
+      paint(clock);
+    } catch (error) {
+      fatal("The picture stopped", error);
+      throw error;
+    }
+  });
+  const body: BodyView = new BodyView(
+    canvas("body"),
+    canvas("body-labels"),
+    renderer,
+    explorer,
+    () => pictures.ask(body),
+  );
+  const sphere: SphereView = new SphereView(canvas("sphere"), explorer, () => pictures.ask(sphere));
   const plane = new PlaneView(canvas("plane"), explorer);
   const light = new LightView(canvas("light"), explorer);
-  const strip = new StripView(canvas("strip"), explorer, redraw);
+  const strip: StripView = new StripView(canvas("strip"), explorer, () => pictures.ask(strip));
   const views: readonly View[] = [body, sphere, plane, light, strip];
+  for (const view of views) pictures.watch(view);
 
   const headline = new HeadlinePanel(
     element("mode"),
@@ -104,28 +116,19 @@ async function start(): Promise<void> {
   const pacing = new Pacing();
   let lastPicture = 0;
   let lastNumbers = 0;
-  function picture(clock: number): void {
-    try {
-      paint(clock);
-    } catch (error) {
-      fatal("The picture stopped", error);
-      throw error;
-    }
-  }
   function paint(clock: number): void {
-    waiting = false;
+    const level = explorer.playing ? pacing.now : pacing.still;
     if (explorer.playing) {
       // A page that was hidden goes on where it was.
       const interval = lastPicture ? clock - lastPicture : 0;
-      const passed = Math.min(0.1, interval / 1000);
-      const fineness = pacing.after(interval);
-      if (fineness !== null) body.fineness = fineness;
-      explorer.now += passed * explorer.scene.pace;
-      redraw();
+      pacing.after(interval);
+      explorer.now += Math.min(0.1, interval / 1000) * explorer.scene.pace;
+      pictures.ask();
     }
     lastPicture = explorer.playing ? clock : 0;
-    for (const view of views) if (view.canvas.clientWidth > 0) view.draw(explorer);
-    if (!explorer.playing || clock - lastNumbers > 100) {
+    body.fineness = level.fineness;
+    pictures.draw(explorer, body, level.every);
+    if (!explorer.playing || clock - lastNumbers > level.numbers) {
       lastNumbers = clock;
       numbers.show();
       driven.show();
@@ -156,11 +159,11 @@ async function start(): Promise<void> {
       element("refusal").textContent = explorer.refusal;
     }
     address.later();
-    redraw();
+    pictures.ask(...views);
   });
   const refit = (what: "size" | "theme") => {
     for (const view of views) view.changed(what, explorer);
-    redraw();
+    pictures.ask(...views);
   };
   restyle = () => refit("theme");
   const sizes = new ResizeObserver(() => refit("size"));
@@ -186,7 +189,7 @@ async function start(): Promise<void> {
     name(preset("wing-nut"));
     explorer.play(!linked && !still.matches);
   }
-  redraw();
+  pictures.ask(...views);
   // For a reader's console, the tests and the measurements.
   Object.assign(window, { explorer, sphere, plane, views: { body, sphere, plane, light, strip } });
 }

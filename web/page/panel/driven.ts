@@ -20,6 +20,9 @@ export class DrivenPanel {
   private readonly mode = document.getElementById("driven-mode")!;
   private readonly list = document.getElementById("driven-clocks")!;
 
+  /** Of what is listed. */
+  private names = "";
+
   constructor(private readonly explorer: Explorer) {
     this.show();
   }
@@ -30,6 +33,15 @@ export class DrivenPanel {
     if (!driven) return;
     const [mode, rows] = this.rows();
     if (this.mode.textContent !== mode) this.mode.textContent = mode;
+    const data = this.list.querySelectorAll("dd");
+    const names = rows.map(([symbol, what]) => symbol + what).join();
+    if (names === this.names) {
+      for (const [k, [, , value]] of rows.entries()) {
+        if (data[k]!.textContent !== value) data[k]!.textContent = value;
+      }
+      return;
+    }
+    this.names = names;
     this.list.replaceChildren(
       ...rows.flatMap(([symbol, what, value]) => {
         const term = document.createElement("dt");
