@@ -23,7 +23,7 @@ import { LightView } from "./views/light.js";
 import type { View } from "./views/pane.js";
 import { PlaneView } from "./views/plane.js";
 import { SphereView } from "./views/sphere.js";
-import { started } from "./views/stage.js";
+import { slow, started } from "./views/stage.js";
 import { StripView } from "./views/strip.js";
 
 const element = <T extends HTMLElement = HTMLElement>(id: string) =>
@@ -113,11 +113,13 @@ async function start(): Promise<void> {
   };
   element("reset").addEventListener("click", again);
 
-  const pacing = new Pacing();
+  const pacing = new Pacing(slow(renderer));
   let lastPicture = 0;
   let lastNumbers = 0;
+  let resting = 0;
   function paint(clock: number): void {
-    const level = explorer.playing ? pacing.now : pacing.still;
+    const level = body.there ? pacing.at(clock, explorer.playing) : pacing.first;
+    clearTimeout(resting);
     if (explorer.playing) {
       // A page that was hidden goes on where it was.
       const interval = lastPicture ? clock - lastPicture : 0;
@@ -125,8 +127,11 @@ async function start(): Promise<void> {
       explorer.now += Math.min(0.1, interval / 1000) * explorer.scene.pace;
       pictures.ask();
     }
+    else if (pacing.untilRest(level)) {
+      resting = window.setTimeout(() => pictures.ask(body), pacing.untilRest(level));
+    }
     lastPicture = explorer.playing ? clock : 0;
-    body.fineness = level.fineness;
+    if (body.refine(level.fineness)) pictures.mark(body);
     pictures.draw(explorer, body, level.every);
     if (!explorer.playing || clock - lastNumbers > level.numbers) {
       lastNumbers = clock;

@@ -7,7 +7,7 @@ const FAST = 18;
 const PATIENCE = 8; // slow pictures in a row
 const TRUST = 180; // fast ones in a row; twice as many after each disappointment
 
-interface Level {
+export interface Level {
   /** Pixels of the body along an edge, over those of the screen. */
   readonly fineness: number;
   /** Every which picture of a view beside the body is drawn. */
@@ -16,17 +16,24 @@ interface Level {
   readonly numbers: number;
 }
 const LEVELS: readonly Level[] = [
-  { fineness: 1, every: 1, numbers: 100 },
-  { fineness: 0.75, every: 2, numbers: 200 },
-  { fineness: 0.5, every: 2, numbers: 330 },
-  { fineness: 0.35, every: 4, numbers: 500 },
+  { fineness: 2, every: 1, numbers: 100 },
+  { fineness: 1, every: 1, numbers: 150 },
+  { fineness: 0.75, every: 2, numbers: 250 },
+  { fineness: 0.5, every: 4, numbers: 500 },
 ];
+const REST = 250; // ms without a change: what is drawn then is drawn in full
 
 export class Pacing {
   private slow = 0;
   private fast = 0;
   private trust = TRUST;
-  private level = 0;
+  private level: number;
+  private last = -Infinity;
+
+  /** On a machine that is known to be slow one level down. */
+  constructor(slow: boolean) {
+    this.level = slow ? 1 : 0;
+  }
 
   /** The interval between two pictures of a motion. */
   after(interval: number): void {
@@ -46,10 +53,20 @@ export class Pacing {
     this.slow = this.fast = 0;
   }
 
-  get now(): Level {
-    return LEVELS[this.level]!;
+  /** How to draw at this time: while much changes in a row, as far down as it has to be. */
+  at(clock: number, playing: boolean): Level {
+    const busy = playing || clock - this.last < REST;
+    this.last = clock;
+    return LEVELS[busy ? this.level : 0]!;
   }
-  get still(): Level {
-    return LEVELS[0]!;
+
+  /** Of the first picture: soon, and in full a moment later. */
+  get first(): Level {
+    return LEVELS[1]!;
+  }
+
+  /** ms until what was drawn like this is to be drawn in full; 0: it was. */
+  untilRest(drawn: Level): number {
+    return drawn === LEVELS[0] ? 0 : REST + 50;
   }
 }

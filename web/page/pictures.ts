@@ -30,6 +30,11 @@ export class Pictures {
     this.sight.observe(view.canvas);
   }
 
+  /** With the picture that is being drawn, or the next. */
+  mark(view: View): void {
+    this.due.add(view);
+  }
+
   /** At the next picture of the screen, these with it. */
   ask(...views: View[]): void {
     for (const view of views) this.due.add(view);

@@ -16,6 +16,7 @@ const HEIGHT = 1.15; // of the invariable plane: 2T/G on paper
 const FAR = 1.42; // of Sun and observer
 const NEAREST = 0.45; // zooms
 const FARTHEST = 2.2;
+const MOST = 5e6; // pixels
 const NAMES = ["b₁", "b₂", "b₃"] as const;
 const UP = new Vector3(0, 1, 0);
 const Z = new Vector3(0, 0, 1);
@@ -122,12 +123,12 @@ export class BodyView implements View {
     this.redraw();
   }
 
-  /** Below 1: fewer pixels than the screen has. */
-  set fineness(part: number) {
-    if (part === this.part) return;
+  /** Draws with so many pixels along an edge over those of the screen; true where that is new. */
+  refine(part: number): boolean {
+    if (part === this.part) return false;
     this.part = part;
     this.fit();
-    this.redraw();
+    return true;
   }
 
   changed(change: Change | "theme" | "size", explorer: Explorer): void {
@@ -148,7 +149,8 @@ export class BodyView implements View {
     const { renderer, camera, part } = this;
     const { width, height } = this.sheet;
     if (!renderer || width === 0 || height === 0) return;
-    renderer.setPixelRatio(part * Math.min(window.devicePixelRatio || 1, 2));
+    const most = Math.sqrt(MOST / (width * height));
+    renderer.setPixelRatio(Math.min(part * Math.min(window.devicePixelRatio || 1, 2), most));
     renderer.setSize(width, height, false);
     camera.aspect = width / height;
     this.distance = 6.9 / Math.min(1, width / height) ** 0.85;
@@ -215,6 +217,7 @@ export class BodyView implements View {
     );
     camera.lookAt(0, plain ? 0.3 : 0, 0);
     if (!this.there) translated(renderer, parts, camera);
+    parts.hairs(this.part);
     renderer.render(parts.stage, camera);
     this.there = true;
     labels.write(sheet, camera, parts.root.quaternion);

@@ -14,8 +14,9 @@ import {
   WebGLRenderer,
   type Camera,
 } from "three";
-import type { Explorer } from "../explorer.js";
+import { Line2 } from "three/examples/jsm/lines/Line2.js";
 import type { Vec3 } from "polhode/core";
+import type { Explorer } from "../explorer.js";
 import type { Shape } from "../scene.js";
 import { Arrow, flat, Hairline, Path } from "./lines.js";
 import { palette } from "./palette.js";
@@ -46,12 +47,22 @@ export const lookOf = (e: Explorer): Look => ({
 /** Null where the browser has no WebGL. */
 export function started(canvas: HTMLCanvasElement): WebGLRenderer | null {
   try {
-    const renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
+    // No samples of its own: these take half the time of a picture on a machine without a graphics
+    // card. What is drawn in full is drawn in more pixels than the screen has.
+    const renderer = new WebGLRenderer({ canvas, antialias: false, alpha: true });
     renderer.debug.checkShaderErrors = false; // to ask means to wait for each, one after another
     return renderer;
   } catch {
     return null;
   }
+}
+
+/** WebGL by the processor: no need to find out that it is slow. */
+export function slow(renderer: WebGLRenderer | null): boolean {
+  const gl = renderer?.getContext();
+  const named = gl?.getExtension("WEBGL_debug_renderer_info");
+  const name = named ? String(gl!.getParameter(named.UNMASKED_RENDERER_WEBGL)) : "";
+  return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
 }
 
 /** Lets the shaders of all that is seen be translated at the same time. */
@@ -85,7 +96,7 @@ export function built({ key, shape: kind, axes: semiAxes, order }: Look) {
   const momentum = new Arrow({ colour: colours.momentum, width: 3 });
   const omega = new Arrow({ colour: colours.omega, width: 2.5 });
   const relative = new Arrow({ colour: colours.sun, width: 2, dashed: true });
-  const past = new Hairline(TRAIL, { colour: colours.omega, opacity: 0.6 });
+  const past = new Hairline(TRAIL, { colour: colours.omega, opacity: 0.45 });
   const recent = new Path(RECENT, { colour: colours.omega, width: 2.2 });
   const invariable = new Mesh(
     new CircleGeometry(1.15, 72),
@@ -116,6 +127,12 @@ export function built({ key, shape: kind, axes: semiAxes, order }: Look) {
     light,
   );
   stage.add(root, new AmbientLight("#ffffff", colours.dark ? 0.75 : 1.15));
+  const hairs = new Map<LineBasicMaterial, number>();
+  stage.traverse((thing) => {
+    if (!(thing instanceof Line) || thing instanceof Line2) return;
+    const material = thing.material as LineBasicMaterial;
+    hairs.set(material, material.opacity);
+  });
   const dispose = () => {
     stage.traverse((thing) => {
       if (!(thing instanceof Mesh || thing instanceof Line)) return;
@@ -147,6 +164,11 @@ export function built({ key, shape: kind, axes: semiAxes, order }: Look) {
     /** Of the free motion; of the one with torques. */
     traces: [past, recent, omega, invariable],
     pulled: [driven, drivenMomentum, centre],
+    /** One pixel wide, so finer the more pixels there are: as much ink with `part` times as many along
+     *  an edge. */
+    hairs: (part: number) => {
+      for (const [material, opacity] of hairs) material.opacity = Math.min(1, opacity * part);
+    },
     dispose,
   };
 }
