@@ -179,7 +179,16 @@ async function start(): Promise<void> {
   element("wider").addEventListener("click", wider);
   element("from-observer").addEventListener("click", () => body.fromObserver());
   expandable(() => refit("size"));
+  const neighbour = (way: 1 | -1) => {
+    const at = PRESETS.findIndex(({ id }) => id === choice.value);
+    const next = at < 0 ? (way > 0 ? 0 : PRESETS.length - 1) : at + way;
+    begin(PRESETS[(next + PRESETS.length) % PRESETS.length]!.id);
+  };
   keyboard(explorer, transport, {
+    n: () => neighbour(1),
+    p: () => neighbour(-1),
+    "[": () => transport.faster(0.5),
+    "]": () => transport.faster(2),
     r: again,
     t: () => (tour.open ? tour.end() : tour.go(0)),
     c: () => copies.open(),
@@ -256,8 +265,8 @@ function keyboard(
       ArrowRight: () => (explorer.now += step),
       ArrowLeft: () => (explorer.now -= step),
       Home: () => (explorer.now = 0),
-      n: () => transport.flip(1),
-      p: () => transport.flip(-1),
+      ".": () => transport.flip(1),
+      ",": () => transport.flip(-1),
       "?": () => keys.showModal(),
       ...others,
     }[event.key];

@@ -199,7 +199,7 @@ export const PRESETS: readonly Preset[] = [
     group: "Bodies",
     name: "Gravity-gradient satellite",
     about:
-      "A boom that the Earth holds upright: thrown 20\u2009° off, the amber outline swings about the line to the Earth like a pendulum; friction inside slowly calms what of the swing leaves the plane of the orbit. Free, the satellite would stay behind.",
+      "A boom that the Earth holds upright: thrown 20° off, the amber outline swings about the line to the Earth like a pendulum; friction inside slowly calms what of the swing leaves the plane of the orbit. Free, the satellite would stay behind.",
     source: "examples/gravity-gradient-satellite.toml, 800 km up, with a larger swing; the friction is ours",
     scene: () => ({
       ...PLAIN,
@@ -214,8 +214,8 @@ export const PRESETS: readonly Preset[] = [
       moment: "kg m2",
       pace: 600,
       gravity: { ...ORBIT, period: 6052.414, friction: 3000 },
-      sun: [-20, 10],
-      observer: [10, 30],
+      sun: [-50, 20],
+      observer: [95, 35],
     }),
   },
   {

@@ -86,9 +86,9 @@ export function units(scene: Pick<Scene, "time" | "moment">) {
 }
 export type Dimension = keyof ReturnType<typeof units>;
 
-/** True where a scene is the body and the motion of another, whatever it is called. */
+/** True where a scene is the body, the motion and the surroundings of another, whatever it is called. */
 export function sameMotion(a: Scene, b: Scene): boolean {
-  const numbers = ({ moments, state, epoch, time, moment }: Scene) =>
-    [...moments, ...state.q, ...state.g, epoch, time, moment].join();
-  return numbers(a) === numbers(b);
+  const told = ({ moments, state, epoch, time, moment, overlay, precession, gravity }: Scene) =>
+    JSON.stringify([moments, state.q, state.g, epoch, time, moment, overlay, precession, gravity]);
+  return told(a) === told(b);
 }

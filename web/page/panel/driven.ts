@@ -45,7 +45,7 @@ export class DrivenPanel {
     this.list.replaceChildren(
       ...rows.flatMap(([symbol, what, value]) => {
         const term = document.createElement("dt");
-        term.innerHTML = `<span class="symbol">${symbol}</span> <span>${what}</span>`;
+        term.innerHTML = (symbol && `<span class="symbol">${symbol}</span> `) + `<span>${what}</span>`;
         const data = document.createElement("dd");
         data.textContent = value; // a unit may come from a link
         return [term, data];

@@ -8,6 +8,9 @@ export const FILE = fileURLToPath(new URL("../../dist/page/index.html", import.m
 
 const CHROMIUM = process.env.CHROMIUM ?? "/usr/bin/chromium";
 
+// As on a machine without a graphics card: pages are put together by the processor, WebGL is emulated.
+const GRAPHICS = (process.env.GRAPHICS ?? "--disable-gpu --enable-unsafe-swiftshader").split(" ");
+
 export async function launched() {
   for (const needed of [FILE, CHROMIUM]) {
     if (!existsSync(needed)) throw new Error(`${needed}: not there; run make web`);
@@ -18,8 +21,7 @@ export async function launched() {
       "--no-sandbox",
       "--no-first-run",
       "--disable-background-networking",
-      "--use-angle=swiftshader", // WebGL without a graphics card
-      "--enable-unsafe-swiftshader",
+      ...GRAPHICS,
     ],
   });
 }

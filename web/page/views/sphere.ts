@@ -239,15 +239,18 @@ export class SphereView implements View {
         context.strokeStyle = tones[rank]!;
         context.stroke();
         if (end < 0) continue;
+        // Outwards on paper, clear of the end itself, which an axis towards the eye would cover.
         const [u, v] = globe.paper(scale(1.19, axis));
-        const out = globe.paper(scale(1.09, axis));
+        const away = Math.hypot(u - x, v - y);
+        const reach = Math.max(away, 22) / Math.max(away, 1e-9);
+        const towardEye = away < 2;
+        const [a, b] = towardEye ? [x + 16, y - 16] : [x + reach * (u - x), y + reach * (v - y)];
         context.lineWidth = 1.2;
         context.beginPath();
         context.moveTo(x, y);
-        context.lineTo(out[0], out[1]);
+        context.lineTo(x + 0.45 * (a - x), y + 0.45 * (b - y));
         context.stroke();
-        const inward = Math.hypot(u - globe.x, v - globe.y) < 0.35 * globe.radius ? 16 : 0;
-        symbol(context, name, u + inward, v - inward, tones[rank]!, colours.paper);
+        symbol(context, name, a, b, tones[rank]!, colours.paper);
       }
     }
     context.globalAlpha = 1;

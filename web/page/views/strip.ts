@@ -4,7 +4,7 @@
 import type { Change, Explorer } from "../explorer.js";
 import type { Model } from "../model.js";
 import { Axes, timeLabels, type Box } from "./axes.js";
-import { draggable, type Place } from "./drag.js";
+import { draggable, pinchable, type Place } from "./drag.js";
 import { smallAngle } from "./inset.js";
 import { Sheet, symbol, type View } from "./pane.js";
 
@@ -24,6 +24,7 @@ export class StripView implements View {
   ) {
     this.sheet = new Sheet(canvas);
     draggable(canvas, () => this.drag());
+    pinchable(canvas, (by) => this.zoom(1 / by));
     canvas.addEventListener(
       "wheel",
       (event) => {
