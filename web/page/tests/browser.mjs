@@ -27,10 +27,11 @@ export async function launched() {
 }
 
 /** The explorer, with its first picture drawn; `errors` gathers what it says to the console. */
-export async function opened(browser, { link = "", width = 1440, height = 900, dark = false, still = true } = {}) {
+export async function opened(browser, { link = "", width = 1440, height = 900, dark = false, still = true, touch = false } = {}) {
   const page = await browser.newPage({
     viewport: { width, height },
     colorScheme: dark ? "dark" : "light",
+    hasTouch: touch,
     reducedMotion: still ? "reduce" : "no-preference",
   });
   page.setDefaultTimeout(60_000);
