@@ -5,7 +5,7 @@ import { brightness, type Light } from "polhode/core";
 import type { Change, Explorer } from "../explorer.js";
 import { number } from "../format.js";
 import { lightOf } from "../model.js";
-import { Axes, ticks, timeLabels, type Box } from "./axes.js";
+import { Axes, NO_BOX, ticks, timeLabels, type Box } from "./axes.js";
 import { Sheet, type View } from "./pane.js";
 import { SMALL } from "./palette.js";
 
@@ -27,6 +27,7 @@ export class LightView implements View {
     explorer: Explorer,
   ) {
     this.sheet = new Sheet(canvas);
+    this.fit();
     this.light = lightOf(explorer.model, explorer.scene);
     this.scale(explorer);
   }
@@ -59,13 +60,16 @@ export class LightView implements View {
 
   private magnitude = (flux: number): number => -2.5 * Math.log10(flux / this.mean);
 
-  private get box(): Box {
-    return { left: 50, right: this.sheet.width - 12, top: 10, bottom: this.sheet.height - 34 };
+  private box: Box = NO_BOX;
+
+  private fit(): void {
+    this.sheet.fit();
+    this.box = { left: 50, right: this.sheet.width - 12, top: 10, bottom: this.sheet.height - 34 };
   }
 
   changed(change: Change | "theme" | "size", explorer: Explorer): void {
     if (change === "motion" || change === "looks") this.scale(explorer);
-    if (change === "theme" || change === "size") this.sheet.fit();
+    if (change === "theme" || change === "size") this.fit();
   }
 
   draw({ model, driven, scene, now }: Explorer): void {
@@ -90,9 +94,12 @@ export class LightView implements View {
     context.rect(box.left, box.top, box.right - box.left, box.bottom - box.top);
     context.clip();
     context.beginPath();
+    const { mean, low: least, high: most } = this;
+    const across = (box.right - box.left) / (COUNT - 1);
+    const down = (box.bottom - box.top) / (most - least);
     for (let i = 0; i < COUNT; ++i) {
-      const m = Math.min(this.magnitude(flux[i]!), this.high + 1);
-      context.lineTo(box.left + (i / (COUNT - 1)) * (box.right - box.left), y(m));
+      const m = Math.min(-2.5 * Math.log10(flux[i]! / mean), most + 1);
+      context.lineTo(box.left + i * across, box.top + (m - least) * down);
     }
     context.strokeStyle = colours.ink;
     context.lineWidth = 1.6;

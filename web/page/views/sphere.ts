@@ -14,6 +14,8 @@ import type { Palette } from "./palette.js";
 
 export const TAIL = 256; // samples behind the momentum of the body with torques
 const REACH = 26; // px: how far from the dot a finger takes it
+/** Behind, in front. */
+const SIDES = [false, true] as const;
 const AXES: readonly [Vec3, string][] = [
   [[1, 0, 0], "b₁"],
   [[0, 1, 0], "b₂"],
@@ -34,6 +36,10 @@ export class SphereView implements View {
   private polhode = new Float64Array(0);
   private friction: Float64Array | null = null;
   private layer: HTMLCanvasElement | null = null;
+  /** On paper, the far side and the near one: made when the motion or the view changes. */
+  private own: readonly Path2D[] = [];
+  private drift: readonly Path2D[] = [];
+  private drawn = false;
   /** Where the state is on paper. */
   dot: Place = NOWHERE;
   private depth = 1;
@@ -71,6 +77,7 @@ export class SphereView implements View {
       move: (_to: Place, by: Place) => {
         this.globe.turn(-by.x / this.globe.radius, by.y / this.globe.radius);
         this.layer = null;
+        this.drawn = false;
         this.redraw();
       },
     };
@@ -105,6 +112,7 @@ export class SphereView implements View {
       this.polhode = model.motion.polhode(241);
     }
     if (change === "motion" || change === "looks") this.friction = frictionOf(explorer);
+    if (change !== "time") this.drawn = false;
     if (change === "theme" || change === "size") {
       this.sheet.fit();
       this.layer = null;
@@ -128,20 +136,26 @@ export class SphereView implements View {
       this.dot = NOWHERE;
       return;
     }
+    if (!this.drawn) {
+      this.drawn = true;
+      const sides = (rows: Float64Array, size: number) => SIDES.map((near) => globe.path(rows, near, size));
+      this.own = sides(this.polhode, momentum);
+      this.drift = this.friction ? sides(this.friction, 1) : [];
+    }
     const style = look(regime === "long_axis" || regime === "separatrix" ? regime : "short_axis", colours);
     context.strokeStyle = style.colour;
     context.lineCap = "round";
-    for (const side of [false, true]) {
+    for (const side of SIDES) {
       context.globalAlpha = side ? 1 : 0.35;
       context.lineWidth = side ? 3 : 2;
-      globe.trace(context, this.polhode, side, momentum);
+      context.stroke(this.own[side ? 1 : 0]!);
     }
     if (this.friction) {
       context.strokeStyle = colours.sun;
       context.lineWidth = 1.4;
-      for (const side of [false, true]) {
+      for (const side of SIDES) {
         context.globalAlpha = side ? 0.95 : 0.25;
-        globe.trace(context, this.friction, side);
+        context.stroke(this.drift[side ? 1 : 0]!);
       }
     }
     if (driven) {
@@ -149,10 +163,10 @@ export class SphereView implements View {
       const [first, last] = driven.between(now - TAIL * driven.step, now);
       context.strokeStyle = colours.sun;
       const path = driven.directions(first, last);
-      for (const side of [false, true]) {
+      for (const side of SIDES) {
         context.globalAlpha = side ? 0.95 : 0.35;
         context.lineWidth = side ? 1.6 : 1.2;
-        globe.trace(context, path, side);
+        context.stroke(globe.path(path, side));
       }
       if (state) ring(context, colours, globe.paper(unit(state.g)));
     }
@@ -203,14 +217,14 @@ export class SphereView implements View {
     context.lineWidth = 1;
     context.strokeStyle = colours.line;
     context.stroke();
-    for (const side of [false, true]) {
+    for (const side of SIDES) {
       for (const curve of this.curves) {
         const style = look(curve.mode, colours);
         context.strokeStyle = style.colour;
         context.globalAlpha = side ? 0.8 : 0.16;
         context.lineWidth = style.width;
         context.setLineDash(style.dash);
-        globe.trace(context, curve.points, side);
+        context.stroke(globe.path(curve.points, side));
       }
     }
     context.setLineDash([]);
