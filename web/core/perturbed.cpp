@@ -110,11 +110,13 @@ Frame frame_of(const double* axis, double rate) {
   return rate == 0.0 ? Frame::inertial() : Frame::precessing(vector(axis), rate);
 }
 
+KeplerOrbit orbit(const double* x) {
+  return KeplerOrbit(KeplerElements{x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7]});
+}
+
 PerturbedRotor rotor_of(const double* x) {
   PerturbedRotor rotor{body(x), frame_of(x + 23, x[26]), {}, {}, {}};
-  if (x[13] != 0.0)
-    rotor.gravity.emplace(
-        x[13], KeplerOrbit(KeplerElements{x[13], x[14], x[15], x[16], x[17], x[18], x[19], x[20]}));
+  if (x[13] != 0.0) rotor.gravity.emplace(x[13], orbit(x + 13));
   if (x[21] != 0.0) rotor.internal.emplace(x[21]);
   if (x[22] != 0.0) rotor.linear.emplace(x[22]);
   return rotor;
@@ -151,4 +153,8 @@ int polhode_integrate(const double* x, uint32_t count, double* rows) {
 
 int polhode_damping_of_wobble(const double* moments, double time, double G, double* k) {
   return guarded([&] { *k = InternalDamping::of_wobble(body(moments), time, G).coefficients().x; });
+}
+
+int polhode_orbit_position(const double* elements, double t, double* position) {
+  return guarded([&] { put(position, orbit(elements).position(t)); });
 }

@@ -142,6 +142,8 @@ POLHODE_WEB(double) polhode_phase_angle(const double* to_sun, const double* to_o
 POLHODE_WEB(int) polhode_integrate(const double* problem, uint32_t count, double* rows);
 POLHODE_WEB(int)
 polhode_damping_of_wobble(const double* moments, double time, double G, double* k);
+// Where the orbit of eight numbers, as in a problem, is at t.
+POLHODE_WEB(int) polhode_orbit_position(const double* elements, double t, double* position);
 
 #ifdef __cplusplus
 }

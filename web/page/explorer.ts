@@ -2,6 +2,7 @@
 // The one state of the page. Whoever changes it says what; all views hear of it and draw the same
 // body at the same time. A change that the library refuses throws, and leaves everything as it was.
 import type { RotorState } from "polhode/core";
+import { Driven } from "./driven.js";
 import { Model } from "./model.js";
 import type { Scene } from "./scene.js";
 
@@ -14,12 +15,15 @@ export class Explorer {
   private listeners: Listener[] = [];
   scene: Scene;
   model: Model;
+  /** The body with torques, where the scene has any. */
+  driven: Driven | null;
   playing = false;
   refusal = "";
 
   constructor(scene: Scene) {
     this.scene = scene;
     this.model = new Model(scene);
+    this.driven = drivenBy(this.model, scene);
   }
 
   onChange(listener: Listener): void {
@@ -32,16 +36,17 @@ export class Explorer {
 
   /** Changes parts of the scene. DomainError for a body, a state or a frame that there is not. */
   change(parts: Partial<Scene>): void {
-    const { scene, model } = this;
+    const { scene, model, driven } = this;
     const next = { ...scene, ...parts };
     const moved = MOTION.some((key) => next[key] !== scene[key]);
     const fresh = moved ? new Model(next) : model;
     [this.scene, this.model] = [next, fresh];
     try {
+      if (moved || next.gravity !== scene.gravity) this.driven = drivenBy(fresh, next);
       this.tell(moved ? "motion" : "looks");
     } catch (error) {
       // The views compute curves of their own, and these can be refused, too.
-      [this.scene, this.model] = [scene, model];
+      [this.scene, this.model, this.driven] = [scene, model, driven];
       if (moved) fresh.motion.dispose();
       this.tell("motion");
       throw error;
@@ -99,3 +104,6 @@ export class Explorer {
     return times.at(way > 0 ? 0 : -1) ?? NaN;
   }
 }
+
+const drivenBy = (model: Model, scene: Scene): Driven | null =>
+  scene.gravity && new Driven(model, scene.gravity, scene);

@@ -2,7 +2,7 @@
 // The whole state in a link: read, written, and what is wrong with one that was cut. Numbers are
 // written with all their digits, so that the link gives the same motion to the last bit.
 import { Body, checkedState, type Quaternion, type Vec3 } from "polhode/core";
-import { OVERLAYS, SHAPES, type Direction, type Scene } from "./scene.js";
+import { GRAVITY, OVERLAYS, SHAPES, type Direction, type Gravity, type Scene } from "./scene.js";
 
 const VERSION = "1";
 /** Stands last: a link without it was cut. */
@@ -29,7 +29,8 @@ export function toLink(scene: Scene): string {
     ["planes", scene.overlay],
     ["friction", scene.friction ? "on" : "off"],
   ];
-  const { precession } = scene;
+  const { precession, gravity } = scene;
+  if (gravity) parts.push(["orbit", digits(GRAVITY.map((key) => gravity[key]))]);
   if (precession) parts.push(["frame", digits([...precession.axis, precession.rate])]);
   parts.push(["end", LAST]);
   return "#" + parts.map(([key, value]) => `${key}=${written(value)}`).join("&");
@@ -61,6 +62,7 @@ export function fromLink(link: string): Scene {
   const g = numbers(fields, "g", 3) as unknown as Vec3;
   refused("q, g", () => checkedState({ q, g }));
   const frame = fields.has("frame") ? numbers(fields, "frame", 4) : null;
+  const orbit = fields.has("orbit") ? numbers(fields, "orbit", GRAVITY.length) : null;
   const pace = numbers(fields, "pace", 1)[0]!;
   if (!(pace > 0)) throw wrong(fields, "pace", "a number above 0");
   const scene: Scene = {
@@ -78,6 +80,7 @@ export function fromLink(link: string): Scene {
     overlay: oneOf(fields, "planes", OVERLAYS),
     friction: oneOf(fields, "friction", ["on", "off"]) === "on",
     precession: frame && frame[3] !== 0 ? { axis: [frame[0]!, frame[1]!, frame[2]!], rate: frame[3]! } : null,
+    gravity: orbit && (Object.fromEntries(GRAVITY.map((key, k) => [key, orbit[k]])) as unknown as Gravity),
   };
   if (fields.get("end") !== LAST) {
     throw new LinkError(`end: ${got(fields.get("end"))}; expected "${LAST}": the link was cut`);

@@ -6,7 +6,10 @@ import core from "polhode/core.wasm";
 import { Address } from "./address.js";
 import { Explorer, type Change } from "./explorer.js";
 import { Pacing } from "./pacing.js";
+import { Pictures } from "./pictures.js";
 import { CopyDialog } from "./panel/copies.js";
+import { DrivenPanel } from "./panel/driven.js";
+import { Gravitation } from "./panel/gravitation.js";
 import { HeadlinePanel } from "./panel/headline.js";
 import { Numbers } from "./panel/numbers.js";
 import { Settings } from "./panel/settings.js";
@@ -20,6 +23,7 @@ import { LightView } from "./views/light.js";
 import type { View } from "./views/pane.js";
 import { PlaneView } from "./views/plane.js";
 import { SphereView } from "./views/sphere.js";
+import { slow, started } from "./views/stage.js";
 import { StripView } from "./views/strip.js";
 
 const element = <T extends HTMLElement = HTMLElement>(id: string) =>
@@ -32,23 +36,33 @@ async function start(): Promise<void> {
   theme(() => restyle()); // at once: loading the core takes a while
   const bytes = new Blob([core]).stream().pipeThrough(new DecompressionStream("gzip"));
   performance.mark("script");
-  await load(new Response(bytes));
+  const loading = load(new Response(bytes));
+  const renderer = started(canvas("body")); // now: later it waits for the first pictures of the page
+  await loading;
   performance.mark("core");
   const explorer = new Explorer(preset("wing-nut").scene());
 
-  let waiting = false;
-  const redraw = () => {
-    if (waiting) return;
-    waiting = true;
-    requestAnimationFrame(picture);
-  };
-
-  const body = new BodyView(canvas("body"), canvas("body-labels"), explorer, redraw);
-  const sphere = new SphereView(canvas("sphere"), explorer, redraw);
+  const pictures = new Pictures((clock) => {
+    try {
+      paint(clock);
+    } catch (error) {
+      fatal("The picture stopped", error);
+      throw error;
+    }
+  });
+  const body: BodyView = new BodyView(
+    canvas("body"),
+    canvas("body-labels"),
+    renderer,
+    explorer,
+    () => pictures.ask(body),
+  );
+  const sphere: SphereView = new SphereView(canvas("sphere"), explorer, () => pictures.ask(sphere));
   const plane = new PlaneView(canvas("plane"), explorer);
   const light = new LightView(canvas("light"), explorer);
-  const strip = new StripView(canvas("strip"), explorer, redraw);
+  const strip: StripView = new StripView(canvas("strip"), explorer, () => pictures.ask(strip));
   const views: readonly View[] = [body, sphere, plane, light, strip];
+  for (const view of views) pictures.watch(view);
 
   const headline = new HeadlinePanel(
     element("mode"),
@@ -63,6 +77,8 @@ async function start(): Promise<void> {
     explorer,
   );
   const settings = new Settings(document, explorer);
+  const gravitation = new Gravitation(explorer);
+  const driven = new DrivenPanel(explorer);
   const transport = new Transport(explorer);
   const copies = new CopyDialog(explorer);
 
@@ -79,7 +95,7 @@ async function start(): Promise<void> {
     explorer.play(false);
     explorer.change(scene);
     beginning = scene;
-    for (const panel of [numbers, settings, transport]) panel.forget();
+    for (const panel of [numbers, settings, gravitation, transport]) panel.forget();
     name(PRESETS.find((p) => sameMotion(p.scene(), scene)) ?? { about: "A state from a link." });
   };
   const address = new Address(explorer, show);
@@ -97,33 +113,30 @@ async function start(): Promise<void> {
   };
   element("reset").addEventListener("click", again);
 
-  const pacing = new Pacing();
+  const pacing = new Pacing(slow(renderer));
   let lastPicture = 0;
   let lastNumbers = 0;
-  function picture(clock: number): void {
-    try {
-      paint(clock);
-    } catch (error) {
-      fatal("The picture stopped", error);
-      throw error;
-    }
-  }
+  let resting = 0;
   function paint(clock: number): void {
-    waiting = false;
+    const level = body.there ? pacing.at(clock, explorer.playing) : pacing.first;
+    clearTimeout(resting);
     if (explorer.playing) {
       // A page that was hidden goes on where it was.
       const interval = lastPicture ? clock - lastPicture : 0;
-      const passed = Math.min(0.1, interval / 1000);
-      const fineness = pacing.after(interval);
-      if (fineness !== null) body.fineness = fineness;
-      explorer.now += passed * explorer.scene.pace;
-      redraw();
+      pacing.after(interval);
+      explorer.now += Math.min(0.1, interval / 1000) * explorer.scene.pace;
+      pictures.ask();
+    }
+    else if (pacing.untilRest(level)) {
+      resting = window.setTimeout(() => pictures.ask(body), pacing.untilRest(level));
     }
     lastPicture = explorer.playing ? clock : 0;
-    for (const view of views) if (view.canvas.clientWidth > 0) view.draw(explorer);
-    if (!explorer.playing || clock - lastNumbers > 100) {
+    if (body.refine(level.fineness)) pictures.mark(body);
+    pictures.draw(explorer, body, level.every);
+    if (!explorer.playing || clock - lastNumbers > level.numbers) {
       lastNumbers = clock;
       numbers.show();
+      driven.show();
       transport.show();
     }
     const { dataset } = document.documentElement;
@@ -147,14 +160,15 @@ async function start(): Promise<void> {
     }
     if (change !== "time") {
       settings.show();
+      gravitation.show();
       element("refusal").textContent = explorer.refusal;
     }
     address.later();
-    redraw();
+    pictures.ask(...views);
   });
   const refit = (what: "size" | "theme") => {
     for (const view of views) view.changed(what, explorer);
-    redraw();
+    pictures.ask(...views);
   };
   restyle = () => refit("theme");
   const sizes = new ResizeObserver(() => refit("size"));
@@ -165,10 +179,20 @@ async function start(): Promise<void> {
   element("wider").addEventListener("click", wider);
   element("from-observer").addEventListener("click", () => body.fromObserver());
   expandable(() => refit("size"));
+  const neighbour = (way: 1 | -1) => {
+    const at = PRESETS.findIndex(({ id }) => id === choice.value);
+    const next = at < 0 ? (way > 0 ? 0 : PRESETS.length - 1) : at + way;
+    begin(PRESETS[(next + PRESETS.length) % PRESETS.length]!.id);
+  };
   keyboard(explorer, transport, {
+    n: () => neighbour(1),
+    p: () => neighbour(-1),
+    "[": () => transport.faster(0.5),
+    "]": () => transport.faster(2),
     r: again,
     t: () => (tour.open ? tour.end() : tour.go(0)),
     c: () => copies.open(),
+    g: () => gravitation.toggle(),
     "+": closer,
     "=": closer,
     "-": wider,
@@ -179,7 +203,7 @@ async function start(): Promise<void> {
     name(preset("wing-nut"));
     explorer.play(!linked && !still.matches);
   }
-  redraw();
+  pictures.ask(...views);
   // For a reader's console, the tests and the measurements.
   Object.assign(window, { explorer, sphere, plane, views: { body, sphere, plane, light, strip } });
 }
@@ -241,8 +265,8 @@ function keyboard(
       ArrowRight: () => (explorer.now += step),
       ArrowLeft: () => (explorer.now -= step),
       Home: () => (explorer.now = 0),
-      n: () => transport.flip(1),
-      p: () => transport.flip(-1),
+      ".": () => transport.flip(1),
+      ",": () => transport.flip(-1),
       "?": () => keys.showModal(),
       ...others,
     }[event.key];

@@ -10,7 +10,7 @@ import {
   type RotorState,
   type Vec3,
 } from "polhode/core";
-import type { Direction, Scene } from "./scene.js";
+import type { Direction, Gravity, Scene } from "./scene.js";
 import { DEG, direction } from "./vectors.js";
 
 export interface Preset {
@@ -31,11 +31,24 @@ const PLAIN = {
   now: 0,
   precession: null,
   friction: false,
+  gravity: null,
   sun: [20, 10],
   observer: [-35, -5],
 } as const;
 
 const TURN = 2 * Math.PI;
+
+/** In the plane of the first two inertial axes, at the pericentre at time 0. */
+export const ORBIT: Gravity = {
+  period: 1,
+  eccentricity: 0,
+  inclination: 0,
+  node: 0,
+  pericentre: 0,
+  anomaly: 0,
+  friction: 0,
+  drag: 0,
+};
 
 function tumbling(
   moments: Vec3,
@@ -156,6 +169,53 @@ export const PRESETS: readonly Preset[] = [
       pace: 1.5,
       sun: [-20, 20],
       observer: [0, -30],
+    }),
+  },
+  {
+    id: "hyperion-saturn",
+    group: "Bodies",
+    name: "Hyperion at Saturn",
+    about:
+      "Free, it would turn evenly about its shortest axis. Saturn pulls at a body so long on an orbit so eccentric: the amber outline tumbles, and starts that differ by a thousandth part are far apart within half a year.",
+    source:
+      "Wisdom, Peale & Mignard (1984), Icarus 58, 137; orbit of 21.277 d, e = 0.1; the start of examples/hyperion.toml",
+    scene: () => ({
+      ...PLAIN,
+      ...spinning([34021, 49096, 57125], [0, 0, 22 * DEG], {
+        phi: 10 * DEG,
+        theta: 30 * DEG,
+        psi: 10 * DEG,
+      }),
+      title: "Hyperion at Saturn",
+      time: "d",
+      pace: 3,
+      gravity: { ...ORBIT, period: 21.277, eccentricity: 0.1 },
+      sun: [-20, 20],
+      observer: [0, -30],
+    }),
+  },
+  {
+    id: "gravity-satellite",
+    group: "Bodies",
+    name: "Gravity-gradient satellite",
+    about:
+      "A boom that the Earth holds upright: thrown 20° off, the amber outline swings about the line to the Earth like a pendulum; friction inside slowly calms what of the swing leaves the plane of the orbit. Free, the satellite would stay behind.",
+    source: "examples/gravity-gradient-satellite.toml, 800 km up, with a larger swing; the friction is ours",
+    scene: () => ({
+      ...PLAIN,
+      ...spinning([10, 98, 100], [0, 0, 0.059480403488 * DEG], {
+        phi: 20 * DEG,
+        theta: 12 * DEG,
+        psi: 0,
+      }),
+      title: "Gravity-gradient satellite",
+      shape: "boom",
+      time: "s",
+      moment: "kg m2",
+      pace: 600,
+      gravity: { ...ORBIT, period: 6052.414, friction: 3000 },
+      sun: [-50, 20],
+      observer: [95, 35],
     }),
   },
   {

@@ -3,8 +3,8 @@
 // presets are these, and every view draws them.
 import type { RotorState, Vec3 } from "polhode/core";
 
-export type Shape = "ellipsoid" | "box" | "wing-nut" | "satellite";
-export const SHAPES: readonly Shape[] = ["ellipsoid", "box", "wing-nut", "satellite"];
+export type Shape = "ellipsoid" | "box" | "wing-nut" | "satellite" | "boom";
+export const SHAPES: readonly Shape[] = ["ellipsoid", "box", "wing-nut", "satellite", "boom"];
 
 /** Planes, nodes and angles drawn around the body. */
 export type Overlay = "none" | "andoyer" | "euler";
@@ -18,6 +18,32 @@ export interface Precession {
   readonly axis: Vec3;
   readonly rate: number;
 }
+
+/** What the body orbits, and what brakes it: it turns a second body, drawn beside the free one. */
+export interface Gravity {
+  /** Of a revolution. */
+  readonly period: number;
+  readonly eccentricity: number;
+  /** Degrees, inertial axes; the mean anomaly at time 0. */
+  readonly inclination: number;
+  readonly node: number;
+  readonly pericentre: number;
+  readonly anomaly: number;
+  /** Time in which friction inside takes a small wobble down by e; 0: there is none. */
+  readonly friction: number;
+  /** Time in which a torque against the spin takes it down by e; 0: there is none. */
+  readonly drag: number;
+}
+export const GRAVITY: readonly (keyof Gravity)[] = [
+  "period",
+  "eccentricity",
+  "inclination",
+  "node",
+  "pericentre",
+  "anomaly",
+  "friction",
+  "drag",
+];
 
 export interface Scene {
   readonly title: string;
@@ -39,6 +65,7 @@ export interface Scene {
   readonly precession: Precession | null;
   /** Also drawn: where friction inside the body would take the momentum. */
   readonly friction: boolean;
+  readonly gravity: Gravity | null;
 }
 
 /** "kg m2/s" and the like of a scene. */
@@ -59,9 +86,9 @@ export function units(scene: Pick<Scene, "time" | "moment">) {
 }
 export type Dimension = keyof ReturnType<typeof units>;
 
-/** True where a scene is the body and the motion of another, whatever it is called. */
+/** True where a scene is the body, the motion and the surroundings of another, whatever it is called. */
 export function sameMotion(a: Scene, b: Scene): boolean {
-  const numbers = ({ moments, state, epoch, time, moment }: Scene) =>
-    [...moments, ...state.q, ...state.g, epoch, time, moment].join();
-  return numbers(a) === numbers(b);
+  const told = ({ moments, state, epoch, time, moment, overlay, precession, gravity }: Scene) =>
+    JSON.stringify([moments, state.q, state.g, epoch, time, moment, overlay, precession, gravity]);
+  return told(a) === told(b);
 }

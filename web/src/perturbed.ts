@@ -3,6 +3,7 @@
 import { DomainError, args, call, checked, filled, numbersOf, refusal, result, results } from "./module.js";
 import { STATE_SIZE } from "./motion.js";
 import type { Body, RotorState, Vec3 } from "./state.js";
+import { vector } from "./state.js";
 
 /** Any consistent units; angles in rad. */
 export interface KeplerOrbit {
@@ -93,6 +94,12 @@ export function integrate(problem: Perturbed): Trajectory {
 function elements(orbit: KeplerOrbit): number[] {
   const { gm, pericentre, eccentricity, inclination = 0, node = 0, argument = 0 } = orbit;
   return [gm, pericentre, eccentricity, inclination, node, argument, orbit.meanAnomaly ?? 0, orbit.epoch ?? 0];
+}
+
+/** Where the body is on its orbit about the central mass, inertial axes. DomainError for no orbit. */
+export function orbitPosition(orbit: KeplerOrbit, t: number): Vec3 {
+  checked("orbit_position", args(8, ...elements(orbit)), t, results());
+  return vector(result(3));
 }
 
 /** The k of internal damping with which a small wobble falls by e in `time` at the momentum G. */

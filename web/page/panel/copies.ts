@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The state shown, for elsewhere: a scenario file, Python, C++, and the link of this page.
 import { copies } from "polhode/core";
+import type { Driven } from "../driven.js";
 import type { Explorer } from "../explorer.js";
 import { toLink } from "../link.js";
 
@@ -64,5 +65,40 @@ export function textOf(kind: Kind, explorer: Explorer): string {
   const { scene, model, now, state } = explorer;
   if (kind === "link") return location.href.replace(/#.*$/, "") + toLink(scene);
   const { time, moment, title } = scene;
-  return copies(model.body, state, { t0: now, title, time, moment })[kind];
+  const options = { t0: now, title, time, moment };
+  const { driven } = explorer;
+  const pulled = driven?.at(now);
+  if (kind !== "toml" || !driven || !pulled) return copies(model.body, state, options)[kind];
+  // The body with torques, which runs on from here.
+  const { toml } = copies(model.body, pulled, options);
+  return toml.replace("\n[time]\n", () => `${torques(driven, now, scene.gravity!.period)}\n[time]\n`);
+}
+
+const decimal = (x: number): string => (/[.e]/.test(String(x)) ? String(x) : `${x}.0`);
+
+/** As a scenario has them, its time 0 at `now`; the semi-axis of the orbit is the unit of length. */
+function torques({ problem, orbit }: Driven, now: number, period: number): string {
+  const anomaly = (orbit.meanAnomaly ?? 0) + 2 * Math.PI * ((now / period) % 1);
+  const elements = {
+    gm: orbit.gm,
+    pericentre: orbit.pericentre,
+    eccentricity: orbit.eccentricity,
+    inclination: orbit.inclination ?? 0,
+    node: orbit.node ?? 0,
+    pericentre_argument: orbit.argument ?? 0,
+    mean_anomaly: anomaly,
+  };
+  const lines = Object.entries(elements).map(([key, value]) => `${key} = ${decimal(value)}`);
+  const term = (kind: string, more: string) => ["", "[[perturbation]]", `kind = "${kind}"`, more];
+  const { internalDamping: k = 0, linearDamping: d = 0 } = problem;
+  const thrice = (x: number) => `[${[x, x, x].map(decimal).join(", ")}]`;
+  return [
+    "",
+    "[orbit.planet]",
+    ...lines,
+    ...term("gravity-gradient", 'orbit = "planet"'),
+    ...(k > 0 ? term("internal-damping", `k = ${thrice(k)}`) : []),
+    ...(d > 0 ? term("damping", `coefficients = ${thrice(d)}`) : []),
+    "",
+  ].join("\n");
 }

@@ -63,7 +63,10 @@ export class NumberField {
     });
   }
 
+  private written = "";
   set units(text: string) {
+    if (text === this.written) return;
+    this.written = text;
     this.unit.replaceChildren(...pretty(text));
   }
 

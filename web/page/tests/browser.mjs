@@ -8,6 +8,9 @@ export const FILE = fileURLToPath(new URL("../../dist/page/index.html", import.m
 
 const CHROMIUM = process.env.CHROMIUM ?? "/usr/bin/chromium";
 
+// As on a machine without a graphics card: pages are put together by the processor, WebGL is emulated.
+const GRAPHICS = (process.env.GRAPHICS ?? "--disable-gpu --enable-unsafe-swiftshader").split(" ");
+
 export async function launched() {
   for (const needed of [FILE, CHROMIUM]) {
     if (!existsSync(needed)) throw new Error(`${needed}: not there; run make web`);
@@ -18,17 +21,17 @@ export async function launched() {
       "--no-sandbox",
       "--no-first-run",
       "--disable-background-networking",
-      "--use-angle=swiftshader", // WebGL without a graphics card
-      "--enable-unsafe-swiftshader",
+      ...GRAPHICS,
     ],
   });
 }
 
 /** The explorer, with its first picture drawn; `errors` gathers what it says to the console. */
-export async function opened(browser, { link = "", width = 1440, height = 900, dark = false, still = true } = {}) {
+export async function opened(browser, { link = "", width = 1440, height = 900, dark = false, still = true, touch = false } = {}) {
   const page = await browser.newPage({
     viewport: { width, height },
     colorScheme: dark ? "dark" : "light",
+    hasTouch: touch,
     reducedMotion: still ? "reduce" : "no-preference",
   });
   page.setDefaultTimeout(60_000);

@@ -42,8 +42,32 @@ const SHOTS = {
   ],
   small: [{ width: 1280, height: 720 }, (page) => now(page, 5.3)],
   tablet: [{ width: 820, height: 1180 }, (page) => choose(page, "apophis")],
+  "gravity-satellite": [
+    WIDE,
+    async (page) => {
+      await choose(page, "gravity-satellite");
+      await now(page, 9000);
+    },
+  ],
+  "hyperion-saturn": [
+    { dark: true },
+    async (page) => {
+      await choose(page, "hyperion-saturn");
+      await now(page, 60);
+    },
+  ],
+  keys: [WIDE, (page) => page.click("#keys-open")],
   phone: [PHONE, (page) => now(page, 5.3)],
   "phone-dark": [{ ...PHONE, dark: true }, (page) => page.locator("#pane-sphere").scrollIntoViewIfNeeded()],
+  "phone-gravity": [
+    PHONE,
+    async (page) => {
+      await choose(page, "gravity-satellite");
+      await now(page, 9000);
+    },
+  ],
+  "phone-numbers": [PHONE, (page) => page.locator("#pane-numbers").scrollIntoViewIfNeeded()],
+  "phone-settings": [{ ...PHONE, dark: true }, (page) => page.locator("#frame").scrollIntoViewIfNeeded()],
   "phone-tour": [PHONE, (page) => page.click("#tour-open")],
 };
 
@@ -55,6 +79,8 @@ for (const name of names.length > 0 ? names : Object.keys(SHOTS)) {
   const [look, act] = SHOTS[name];
   const { page, errors } = await opened(browser, look);
   await act(page);
+  await drawn(page);
+  await page.waitForTimeout(600); // what stands still is drawn in full
   await drawn(page);
   await page.screenshot({ path: resolve(folder, `${name}.png`), timeout: 120_000 });
   for (const error of errors) console.log(`${name}: ${error}`);

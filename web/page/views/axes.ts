@@ -10,6 +10,8 @@ export interface Box {
   readonly bottom: number;
 }
 
+export const NO_BOX: Box = { left: 0, right: 1, top: 0, bottom: 1 };
+
 /** Round numbers 1, 2, 5 times a power of ten, about `count` of them from low to high. */
 export function ticks(low: number, high: number, count: number): number[] {
   const span = high - low;

@@ -2,68 +2,97 @@
 // The body in space, in inertial axes: its momentum, which stands still; its angular velocity, whose
 // end stays in one plane and draws the herpolhode there; the directions to Sun and observer.
 import { PerspectiveCamera, Quaternion as Turn, Vector3, type WebGLRenderer } from "three";
-import type { Vec3 } from "polhode/core";
+import type { RotorState, Vec3 } from "polhode/core";
 import type { Change, Explorer } from "../explorer.js";
 import type { Direction, Overlay } from "../scene.js";
-import { add, direction, rotate, scale, unit } from "../vectors.js";
-import { draggable } from "./drag.js";
-import { Sheet, symbol, type View } from "./pane.js";
+import { direction, unit } from "../vectors.js";
+import { draggable, pinchable } from "./drag.js";
+import { Labels } from "./labels.js";
+import { Sheet, type View } from "./pane.js";
 import { TEXT } from "./palette.js";
-import type { Label } from "./planes.js";
-import { built, RECENT, stale, started, TRAIL, type Parts } from "./stage.js";
+import { built, lookOf, RECENT, stale, TRAIL, translated, type Parts } from "./stage.js";
 
 const HEIGHT = 1.15; // of the invariable plane: 2T/G on paper
 const FAR = 1.42; // of Sun and observer
-const BODY_AXES: readonly Vec3[] = [
-  [1, 0, 0],
-  [0, 1, 0],
-  [0, 0, 1],
-];
+const NEAREST = 0.45; // zooms
+const FARTHEST = 2.2;
+const MOST = 5e6; // pixels
+const NAMES = ["b₁", "b₂", "b₃"] as const;
+const UP = new Vector3(0, 1, 0);
+const Z = new Vector3(0, 0, 1);
 
 export class BodyView implements View {
   private readonly sheet: Sheet;
-  /** Undefined until the other pictures are there: WebGL takes longer than all of them to start. */
-  private renderer: WebGLRenderer | null | undefined;
-  private asked = false;
+  private readonly labels = new Labels();
   private readonly camera = new PerspectiveCamera(26, 1, 0.1, 60);
   private part = 1;
   private longitude = 0.5;
   private latitude = 0.3;
+  private distance = 10;
+  private closer = 1;
   private readonly trail = new Float64Array(3 * TRAIL);
   private parts: Parts;
+  /** Set when something of it is drawn for the first time, after the other pictures. */
+  there = false;
+  private asked = false;
+  // What a picture computes with: none is made anew.
+  private readonly tip = new Vector3();
+  private readonly foot = new Vector3();
+  private readonly g = new Vector3();
+  private readonly turn = new Turn();
 
+  /** Without a renderer the browser has no WebGL. */
   constructor(
     readonly canvas: HTMLCanvasElement,
     labels: HTMLCanvasElement,
+    private readonly renderer: WebGLRenderer | null,
     private readonly explorer: Explorer,
     private readonly redraw: () => void,
   ) {
     this.sheet = new Sheet(labels);
-    this.parts = built(explorer);
+    this.parts = built(lookOf(explorer));
     this.face(explorer);
     this.changed("size", explorer);
-    draggable(labels, () => ({
-      move: (_to, by) => {
-        this.longitude -= by.x / 140;
-        this.latitude = Math.max(-1.45, Math.min(1.45, this.latitude + by.y / 140));
-        this.redraw();
+    draggable(labels, () => ({ move: (_to, by) => this.orbit(-by.x / 140, by.y / 140) }));
+    pinchable(labels, (by) => this.zoom(1 / by));
+    labels.addEventListener(
+      "wheel",
+      (event) => {
+        if (!event.ctrlKey && !event.shiftKey) return; // the page scrolls on
+        event.preventDefault();
+        this.zoom(Math.exp((event.deltaY || event.deltaX) / 300));
       },
-    }));
+      { passive: false },
+    );
     labels.addEventListener("keydown", (event) => {
       const step = 0.1;
-      const by = {
-        ArrowLeft: [-step, 0],
-        ArrowRight: [step, 0],
-        ArrowUp: [0, step],
-        ArrowDown: [0, -step],
+      const act = {
+        ArrowLeft: () => this.orbit(-step, 0),
+        ArrowRight: () => this.orbit(step, 0),
+        ArrowUp: () => this.orbit(0, step),
+        ArrowDown: () => this.orbit(0, -step),
+        "+": () => this.zoom(1 / 1.15),
+        "=": () => this.zoom(1 / 1.15),
+        "-": () => this.zoom(1.15),
+        "0": () => this.zoom(1 / this.closer),
       }[event.key];
-      if (!by) return;
+      if (!act || event.ctrlKey || event.metaKey || event.altKey) return;
       event.preventDefault();
       event.stopPropagation();
-      this.longitude += by[0]!;
-      this.latitude = Math.max(-1.45, Math.min(1.45, this.latitude + by[1]!));
-      this.redraw();
+      act();
     });
+  }
+
+  private orbit(longitude: number, latitude: number): void {
+    this.longitude += longitude;
+    this.latitude = Math.max(-1.45, Math.min(1.45, this.latitude + latitude));
+    this.redraw();
+  }
+
+  /** So many times as far away. */
+  zoom(by: number): void {
+    this.closer = Math.max(NEAREST, Math.min(FARTHEST, this.closer * by));
+    this.redraw();
   }
 
   /** A body is first seen with the Sun to the left, on the side that is lit. */
@@ -76,8 +105,10 @@ export class BodyView implements View {
 
   /** Turns the stage: the momentum points up, or the third inertial axis. */
   private upright(overlay: Overlay, momentum: Vec3): void {
-    const up: Vec3 = overlay === "none" ? unit(momentum) : [0, 0, 1];
-    this.parts.root.quaternion.setFromUnitVectors(new Vector3(...up), new Vector3(0, 1, 0));
+    const { foot } = this;
+    if (overlay === "none") foot.set(...unit(momentum));
+    else foot.copy(Z);
+    this.parts.root.quaternion.setFromUnitVectors(foot, UP);
   }
 
   private inRoom(towards: Direction): Vector3 {
@@ -92,194 +123,156 @@ export class BodyView implements View {
     this.redraw();
   }
 
-  get there(): boolean {
-    return this.renderer !== undefined;
-  }
-
-  /** Below 1: fewer pixels than the screen has. */
-  set fineness(part: number) {
+  /** Draws with so many pixels along an edge over those of the screen; true where that is new. */
+  refine(part: number): boolean {
+    if (part === this.part) return false;
     this.part = part;
-    this.changed("size", this.explorer);
+    this.fit();
+    return true;
   }
 
   changed(change: Change | "theme" | "size", explorer: Explorer): void {
-    if (change === "theme" || (change !== "time" && change !== "size" && stale(this.parts, explorer))) {
-      this.parts.dispose();
-      this.parts = built(explorer);
+    const { parts } = this;
+    if (change === "theme" || (change !== "time" && change !== "size" && stale(parts, explorer))) {
+      parts.dispose();
+      this.parts = built(lookOf(explorer));
       if (change !== "theme") this.face(explorer);
     }
-    if (change === "theme" || change === "size") {
-      this.sheet.fit();
-      const { width, height } = this.sheet;
-      if (!this.renderer || width === 0 || height === 0) return;
-      this.renderer.setPixelRatio(this.part * Math.min(window.devicePixelRatio || 1, 2));
-      this.renderer.setSize(width, height, false);
-      this.camera.aspect = width / height;
-      const narrow = Math.min(1, width / height);
-      this.camera.userData["distance"] = 6.9 / narrow ** 0.85;
-      this.camera.updateProjectionMatrix();
-    }
+    if (change === "motion") this.upright(explorer.scene.overlay, explorer.model.motion.momentumDirection);
+    if (change === "motion" || change === "looks" || change === "theme") this.light(explorer);
+    if (change !== "theme" && change !== "size") return;
+    this.sheet.fit();
+    this.fit();
   }
 
-  draw({ model, scene, now }: Explorer): void {
+  private fit(): void {
+    const { renderer, camera, part } = this;
+    const { width, height } = this.sheet;
+    if (!renderer || width === 0 || height === 0) return;
+    const most = Math.sqrt(MOST / (width * height));
+    renderer.setPixelRatio(Math.min(part * Math.min(window.devicePixelRatio || 1, 2), most));
+    renderer.setSize(width, height, false);
+    camera.aspect = width / height;
+    this.distance = 6.9 / Math.min(1, width / height) ** 0.85;
+    camera.updateProjectionMatrix();
+  }
+
+  draw(explorer: Explorer): void {
     if (!this.asked) {
+      // The other pictures first: WebGL takes longer than all of them to start.
       this.asked = true;
+      this.light(explorer);
       this.redraw();
       return;
     }
-    if (this.renderer === undefined) {
-      this.renderer = started(this.canvas);
-      this.changed("size", this.explorer);
-    }
-    const { sheet, parts, renderer, camera } = this;
+    const { sheet, parts, renderer, camera, labels, tip } = this;
+    const { model, scene, now } = explorer;
     const context = sheet.clear();
     if (!renderer) {
+      this.there = true;
       context.font = TEXT;
       context.fillStyle = sheet.colours.soft;
       context.textAlign = "center";
-      context.fillText(
-        "This browser has no WebGL: the body is not drawn. All else works.",
-        sheet.width / 2,
-        sheet.height / 2,
-      );
+      const text = "This browser has no WebGL: the body is not drawn. All else works.";
+      context.fillText(text, sheet.width / 2, sheet.height / 2);
       return;
     }
     const state = model.at(now);
     this.upright(scene.overlay, model.motion.momentumDirection);
-    const [w, x, y, z] = state.q;
-    parts.body.quaternion.copy(new Turn(x, y, z, w));
+    turnOf(state, parts.body.quaternion);
     const plain = scene.overlay === "none";
-    parts.shape.visible = true;
     parts.body.scale.setScalar(plain ? 1 : 0.42);
 
-    const labels: Label[] = [];
-    const { colours } = sheet;
+    labels.clear();
     const { momentum, energy } = model.motion;
     const moving = momentum > 0;
-    const g = unit(model.motion.momentumDirection);
+    const g = this.g.set(...model.motion.momentumDirection);
     parts.momentum.visible = moving;
     if (moving) {
-      parts.momentum.point(scale(1.52, g));
-      labels.push({ text: "G", at: scale(1.64, g), colour: colours.momentum });
+      parts.momentum.point(tip.copy(g).multiplyScalar(1.52));
+      labels.add("G", g, sheet.colours.momentum, 1.64);
     }
-    this.herpolhode(this.explorer, moving && plain, (HEIGHT * momentum) / (2 * energy), g, labels);
-    for (const [k, axis] of BODY_AXES.entries()) {
-      const tip = rotate(state.q, axis);
-      const reach = plain ? model.axes[k]! + 0.26 : 1.05;
-      parts.axes[k]!.point(scale(reach, tip), scale(plain ? model.axes[k]! * 0.9 : 0, tip));
-      labels.push({
-        text: ["b₁", "b₂", "b₃"][k]!,
-        at: scale(reach + 0.13, tip),
-        colour: parts.tones[k]!,
-      });
+    this.herpolhode(explorer, moving && plain, (HEIGHT * momentum) / (2 * energy));
+    for (let k = 0; k < 3; ++k) {
+      const own = model.axes[k]!;
+      const reach = plain ? own + 0.26 : 1.05;
+      tip.set(0, 0, 0).setComponent(k, 1).applyQuaternion(parts.body.quaternion);
+      labels.add(NAMES[k]!, tip, parts.tones[k]!, reach + 0.13);
+      this.foot.copy(tip).multiplyScalar(plain ? own * 0.9 : 0);
+      parts.axes[k]!.point(tip.multiplyScalar(reach), this.foot);
     }
-    parts.planes.show(scene.overlay, state);
-    labels.push(...parts.planes.labels);
-    this.lights(labels);
+    this.beside(explorer, plain);
+    parts.planes.show(scene.overlay, state, labels);
+    if (parts.sun.visible) {
+      labels.add("Sun", parts.sun.position, null);
+      labels.add("observer", parts.observer.position, null);
+    }
 
-    const distance = (camera.userData["distance"] as number) ?? 10;
-    const C = Math.cos(this.latitude);
+    const distance = this.distance * this.closer;
+    const across = distance * Math.cos(this.latitude);
     camera.position.set(
-      distance * C * Math.sin(this.longitude),
+      across * Math.sin(this.longitude),
       distance * Math.sin(this.latitude),
-      distance * C * Math.cos(this.longitude),
+      across * Math.cos(this.longitude),
     );
     camera.lookAt(0, plain ? 0.3 : 0, 0);
+    if (!this.there) translated(renderer, parts, camera);
+    parts.hairs(this.part);
     renderer.render(parts.stage, camera);
-    this.write(labels);
+    this.there = true;
+    labels.write(sheet, camera, parts.root.quaternion);
   }
 
-  private herpolhode(
-    { model, now, scene }: Explorer,
-    shown: boolean,
-    size: number,
-    g: Vec3,
-    labels: Label[],
-  ): void {
-    const { parts, trail } = this;
-    for (const part of [parts.past, parts.recent, parts.omega]) part.visible = shown;
-    parts.invariable.visible = shown;
+  private herpolhode({ model, now, scene }: Explorer, shown: boolean, size: number): void {
+    const { parts, trail, labels, tip, foot, g, sheet } = this;
+    for (const part of parts.traces) part.visible = shown;
     parts.relative.visible = shown && scene.precession !== null;
     if (!shown) return;
     const window = Math.min(model.swing, 24 * model.turn);
     const step = window / (TRAIL - 1);
     model.motion.angularVelocities({ start: now - window, step, count: TRAIL }, "inertial", trail);
     parts.past.follow(trail, size);
-    parts.recent.follow(trail.subarray(3 * (TRAIL - RECENT)), size);
-    const end = 3 * (TRAIL - 1);
-    const omega: Vec3 = [trail[end]!, trail[end + 1]!, trail[end + 2]!];
-    const tip = scale(size, omega);
+    parts.recent.follow(trail, size, TRAIL - RECENT);
+    tip.fromArray(trail, 3 * (TRAIL - 1)).multiplyScalar(size);
     parts.omega.point(tip);
-    labels.push({ text: "ω", at: add(tip, scale(0.16, unit(omega))), colour: this.sheet.colours.omega });
-    parts.invariable.quaternion.setFromUnitVectors(new Vector3(0, 0, 1), new Vector3(...g));
-    parts.invariable.position.set(...(scale(HEIGHT, g) as [number, number, number]));
+    const length = tip.length();
+    labels.add("ω", tip, sheet.colours.omega, 1 + 0.16 / length);
+    parts.invariable.quaternion.setFromUnitVectors(Z, g);
+    parts.invariable.position.copy(g).multiplyScalar(HEIGHT);
     const { precession } = scene;
-    if (precession) {
-      const mu = scale(precession.rate, unit(precession.axis));
-      const relative = scale(size, add(omega, scale(-1, mu)));
-      parts.relative.point(relative);
-      labels.push({
-        text: "ω − μ",
-        at: add(relative, scale(0.2, unit(relative))),
-        colour: this.sheet.colours.sun,
-      });
-    }
+    if (!precession) return;
+    foot.set(...unit(precession.axis));
+    tip.addScaledVector(foot, -size * precession.rate);
+    parts.relative.point(tip);
+    labels.add("ω − μ", tip, sheet.colours.sun, 1 + 0.2 / Math.max(tip.length(), 1e-9));
   }
 
-  private lights(labels: Label[]): void {
+  /** The body with torques, and what it orbits. */
+  private beside({ driven, now }: Explorer, plain: boolean): void {
+    const { parts, sheet, labels, tip, turn } = this;
+    const state = plain && driven ? driven.at(now) : null;
+    for (const part of parts.pulled) part.visible = state !== null;
+    if (!state) return;
+    parts.driven.quaternion.copy(turnOf(state, turn));
+    tip.set(...state.g).applyQuaternion(turn).normalize();
+    labels.add("G′", tip, sheet.colours.sun, 1.64);
+    parts.drivenMomentum.point(tip.multiplyScalar(1.52));
+    tip.set(...driven!.toCentre(now));
+    labels.add("planet", tip, null, 1.5);
+    parts.centre.point(tip.multiplyScalar(1.5));
+  }
+
+  /** Sun and observer, which stand still. */
+  private light({ scene }: Explorer): void {
     const { parts } = this;
-    const { scene } = this.explorer;
     const sun = direction(scene.sun);
-    const observer = direction(scene.observer);
-    parts.light.position.set(...(scale(10, sun) as [number, number, number]));
-    const shown = scene.overlay === "none" && scene.precession === null;
-    parts.sun.visible = parts.observer.visible = shown;
-    if (!shown) return;
-    parts.sun.position.set(...(scale(FAR, sun) as [number, number, number]));
-    parts.observer.position.set(...(scale(FAR, observer) as [number, number, number]));
-    labels.push(
-      { text: "Sun", at: scale(FAR + 0.02, sun), colour: "text" },
-      { text: "observer", at: scale(FAR + 0.02, observer), colour: "text" },
-    );
-  }
-
-  private write(labels: readonly Label[]): void {
-    const { sheet, camera, parts } = this;
-    const { context, colours } = sheet;
-    const taken: [number, number][] = [];
-    for (const { text, at, colour } of labels) {
-      const v = new Vector3(...at).applyQuaternion(parts.root.quaternion).project(camera);
-      const wide = colour === "text" ? 40 : 19;
-      const place = [((v.x + 1) / 2) * sheet.width, ((1 - v.y) / 2) * sheet.height] as const;
-      const [left, low] = free(taken, ...place, wide);
-      // Within the sheet: a narrow one would cut them.
-      const x = Math.max(14, Math.min(sheet.width - 14, left));
-      const y = Math.max(11, Math.min(sheet.height - 11, low));
-      if (colour !== "text") {
-        symbol(context, text, x, y, colour, colours.paper);
-      } else {
-        context.font = TEXT;
-        context.textAlign = "center";
-        context.textBaseline = "top";
-        context.fillStyle = colours.soft;
-        context.fillText(text, Math.max(26, Math.min(sheet.width - 26, x)), y + 8);
-      }
-    }
+    parts.light.position.set(...sun).multiplyScalar(10);
+    parts.sun.visible = parts.observer.visible = scene.overlay === "none" && scene.precession === null;
+    parts.sun.position.set(...sun).multiplyScalar(FAR);
+    parts.observer.position.set(...direction(scene.observer)).multiplyScalar(FAR);
   }
 }
 
-/** The place itself, or the nearest beside it where no other label stands. */
-function free(
-  taken: [number, number][],
-  x: number,
-  y: number,
-  wide: number,
-): [number, number] {
-  const ways = [0, 1, -1].flatMap((u) => [0, -1, 1].map((v) => [20 * u, 18 * v] as const));
-  const way = ways.find(([u, v]) =>
-    taken.every(([a, b]) => Math.abs(a - x - u) > wide || Math.abs(b - y - v) > 15),
-  ) ?? [0, 0];
-  const place: [number, number] = [x + way[0], y + way[1]];
-  taken.push(place);
-  return place;
+function turnOf({ q }: RotorState, turn: Turn): Turn {
+  return turn.set(q[1], q[2], q[3], q[0]);
 }

@@ -25,8 +25,13 @@ export function draggable(
     const box = element.getBoundingClientRect();
     return { x: event.clientX - box.left, y: event.clientY - box.top };
   };
+  const fingers = new Set<number>();
+  element.addEventListener("pointerdown", (event) => fingers.add(event.pointerId));
+  for (const up of ["pointerup", "pointercancel"] as const) {
+    element.addEventListener(up, (event) => fingers.delete(event.pointerId));
+  }
   element.addEventListener("pointerdown", (event) => {
-    if (event.button !== 0) return;
+    if (event.button !== 0 || !event.isPrimary) return;
     let last = placeOf(event);
     const taken = grab(last);
     if (!taken) return;
@@ -35,7 +40,7 @@ export function draggable(
     const move = (e: PointerEvent) => {
       if (e.pointerId !== event.pointerId) return;
       const to = placeOf(e);
-      taken.move(to, { x: to.x - last.x, y: to.y - last.y });
+      if (fingers.size < 2) taken.move(to, { x: to.x - last.x, y: to.y - last.y });
       last = to;
     };
     const end = (e: PointerEvent) => {
@@ -58,6 +63,32 @@ export function draggable(
     },
     { passive: false },
   );
+}
+
+/** Two fingers: `act` hears how many times as far apart they are as before. */
+export function pinchable(element: HTMLElement, act: (by: number) => void): void {
+  let apart = 0;
+  const between = ({ touches }: TouchEvent): number => {
+    const [a, b] = [touches[0]!, touches[1]!];
+    return Math.hypot(a.clientX - b.clientX, a.clientY - b.clientY);
+  };
+  const begin = (event: TouchEvent) => {
+    apart = event.touches.length === 2 ? between(event) : 0;
+    if (apart > 0) event.preventDefault();
+  };
+  element.addEventListener("touchstart", begin, { passive: false });
+  element.addEventListener(
+    "touchmove",
+    (event) => {
+      if (event.touches.length !== 2 || apart === 0) return;
+      event.preventDefault();
+      const now = between(event);
+      if (now > 0) act(now / apart);
+      apart = now;
+    },
+    { passive: false },
+  );
+  element.addEventListener("touchend", begin, { passive: false });
 }
 
 export const near = (a: Place, b: Place, reach: number): boolean =>

@@ -61,18 +61,23 @@ export class Globe {
     return unit(add(v, add(scale(right, this.right), scale(up, this.up))));
   }
 
-  /** The parts of a curve (rows of 3) on the near or on the far side, drawn. */
-  trace(context: CanvasRenderingContext2D, rows: Float64Array, near: boolean, size = 1): void {
-    context.beginPath();
+  /** The parts of a curve (rows of 3) on the near or on the far side. */
+  path(rows: Float64Array, near: boolean, size = 1): Path2D {
+    const { right, up, toward, x, y } = this;
+    const radius = this.radius / size;
+    const path = new Path2D();
     let drawing = false;
     for (let i = 0; i + 2 < rows.length; i += 3) {
-      const v: Vec3 = [rows[i]! / size, rows[i + 1]! / size, rows[i + 2]! / size];
-      const [x, y, depth] = this.paper(v);
-      const here = depth >= 0 === near;
-      if (here && drawing) context.lineTo(x, y);
-      else if (here) context.moveTo(x, y);
+      const [a, b, c] = [rows[i]!, rows[i + 1]!, rows[i + 2]!];
+      const here = a * toward[0] + b * toward[1] + c * toward[2] >= 0 === near;
+      if (here) {
+        const u = x + radius * (a * right[0] + b * right[1] + c * right[2]);
+        const v = y - radius * (a * up[0] + b * up[1] + c * up[2]);
+        if (drawing) path.lineTo(u, v);
+        else path.moveTo(u, v);
+      }
       drawing = here;
     }
-    context.stroke();
+    return path;
   }
 }

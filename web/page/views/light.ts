@@ -5,7 +5,7 @@ import { brightness, type Light } from "polhode/core";
 import type { Change, Explorer } from "../explorer.js";
 import { number } from "../format.js";
 import { lightOf } from "../model.js";
-import { Axes, ticks, timeLabels, type Box } from "./axes.js";
+import { Axes, NO_BOX, ticks, timeLabels, type Box } from "./axes.js";
 import { Sheet, type View } from "./pane.js";
 import { SMALL } from "./palette.js";
 
@@ -27,12 +27,13 @@ export class LightView implements View {
     explorer: Explorer,
   ) {
     this.sheet = new Sheet(canvas);
+    this.fit();
     this.light = lightOf(explorer.model, explorer.scene);
     this.scale(explorer);
   }
 
   /** The mean and the range over some swings: a scale that does not move with time. */
-  private scale({ model, scene }: Explorer): void {
+  private scale({ model, driven, scene }: Explorer): void {
     this.light = lightOf(model, scene);
     const length = Number.isFinite(model.swing) ? Math.max(3 * model.swing, TURNS * model.turn) : 1;
     const count = 1500;
@@ -44,6 +45,13 @@ export class LightView implements View {
       const m = this.magnitude(value);
       if (Number.isFinite(m)) [low, high] = [Math.min(low, m), Math.max(high, m)];
     }
+    if (driven) {
+      const [first, last] = driven.between(epoch, epoch + 2 * TURNS * model.turn);
+      for (let i = first; i <= last; ++i) {
+        const m = this.magnitude(driven.brightness(this.light, i));
+        if (Number.isFinite(m)) [low, high] = [Math.min(low, m), Math.max(high, m)];
+      }
+    }
     this.dark = !(low <= high);
     if (this.dark) [low, high] = [-1, 1];
     const room = Math.max(0.02, 0.08 * (high - low));
@@ -52,16 +60,19 @@ export class LightView implements View {
 
   private magnitude = (flux: number): number => -2.5 * Math.log10(flux / this.mean);
 
-  private get box(): Box {
-    return { left: 50, right: this.sheet.width - 12, top: 10, bottom: this.sheet.height - 34 };
+  private box: Box = NO_BOX;
+
+  private fit(): void {
+    this.sheet.fit();
+    this.box = { left: 50, right: this.sheet.width - 12, top: 10, bottom: this.sheet.height - 34 };
   }
 
   changed(change: Change | "theme" | "size", explorer: Explorer): void {
     if (change === "motion" || change === "looks") this.scale(explorer);
-    if (change === "theme" || change === "size") this.sheet.fit();
+    if (change === "theme" || change === "size") this.fit();
   }
 
-  draw({ model, scene, now }: Explorer): void {
+  draw({ model, driven, scene, now }: Explorer): void {
     const { sheet, box, flux } = this;
     const { colours } = sheet;
     const context = sheet.clear();
@@ -83,14 +94,27 @@ export class LightView implements View {
     context.rect(box.left, box.top, box.right - box.left, box.bottom - box.top);
     context.clip();
     context.beginPath();
+    const { mean, low: least, high: most } = this;
+    const across = (box.right - box.left) / (COUNT - 1);
+    const down = (box.bottom - box.top) / (most - least);
     for (let i = 0; i < COUNT; ++i) {
-      const m = Math.min(this.magnitude(flux[i]!), this.high + 1);
-      context.lineTo(box.left + (i / (COUNT - 1)) * (box.right - box.left), y(m));
+      const m = Math.min(-2.5 * Math.log10(flux[i]! / mean), most + 1);
+      context.lineTo(box.left + i * across, box.top + (m - least) * down);
     }
     context.strokeStyle = colours.ink;
     context.lineWidth = 1.6;
     context.lineJoin = "round";
     context.stroke();
+    if (driven) {
+      const [first, last] = driven.between(low, high);
+      context.beginPath();
+      for (let i = first; i <= last; ++i) {
+        const m = Math.min(this.magnitude(driven.brightness(this.light, i)), this.high + 1);
+        context.lineTo(x(driven.time(i)), y(m));
+      }
+      context.strokeStyle = colours.sun;
+      context.stroke();
+    }
     context.restore();
     axes.frame();
     axes.below(times);

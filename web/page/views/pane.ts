@@ -17,7 +17,9 @@ export class Sheet {
   colours: Palette = palette();
 
   constructor(readonly canvas: HTMLCanvasElement) {
-    this.context = canvas.getContext("2d")!;
+    // Drawn by the processor: lines of a thousand points, dashed ones most, cost more than the whole
+    // page where a graphics card is slow or missing.
+    this.context = canvas.getContext("2d", { willReadFrequently: true })!;
     this.fit();
   }
 
@@ -48,7 +50,7 @@ export class Sheet {
     const canvas = document.createElement("canvas");
     canvas.width = this.canvas.width;
     canvas.height = this.canvas.height;
-    const context = canvas.getContext("2d")!;
+    const context = canvas.getContext("2d", { willReadFrequently: true })!;
     const ratio = this.width > 0 ? this.canvas.width / this.width : 1;
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
     return { canvas, context };

@@ -6,10 +6,10 @@ import type { Change, Explorer } from "../explorer.js";
 import { osculatingPlane, SWINGS } from "../model.js";
 import type { Precession } from "../scene.js";
 import { DEG } from "../vectors.js";
-import { Axes, type Box } from "./axes.js";
+import { Axes, NO_BOX, type Box } from "./axes.js";
 import { draggable, near, NOWHERE, type Place } from "./drag.js";
 import { Sheet, symbol, type View } from "./pane.js";
-import { familyOf, frictionOf, look } from "./sphere.js";
+import { familyOf, frictionOf, look, ring, TAIL } from "./sphere.js";
 
 const REACH = 26;
 const TURN = 2 * Math.PI;
@@ -22,6 +22,8 @@ export class PlaneView implements View {
   private osculating: Float64Array | null = null;
   private precession: Precession | null = null;
   private friction: Float64Array | null = null;
+  /** Of the rows above on paper: made when they or the size change. */
+  private paths: { own: Path2D; friction: Path2D | null; osculating: Path2D | null } | null = null;
   /** Where the state is on paper. */
   dot: Place = NOWHERE;
 
@@ -30,20 +32,24 @@ export class PlaneView implements View {
     private readonly explorer: Explorer,
   ) {
     this.sheet = new Sheet(canvas);
+    this.fit();
     this.changed("motion", explorer);
     const holds = (at: Place) => near(at, this.dot, REACH);
     draggable(canvas, (at) => (holds(at) ? { move: (to) => this.point(to) } : null), holds);
     canvas.addEventListener("keydown", (event) => this.key(event));
   }
 
-  private get box(): Box {
-    return { left: 44, right: this.sheet.width - 12, top: 10, bottom: this.sheet.height - 34 };
-  }
+  private box: Box = NO_BOX;
 
   private x = (l: number) =>
     this.box.left + ((l / Math.PI + 1) / 2) * (this.box.right - this.box.left);
   private y = (ratio: number) =>
     (this.box.top + this.box.bottom) / 2 - (ratio * (this.box.bottom - this.box.top)) / 2.08;
+
+  private fit(): void {
+    this.sheet.fit();
+    this.box = { left: 44, right: this.sheet.width - 12, top: 10, bottom: this.sheet.height - 34 };
+  }
 
   /** The state with l and L there; g, h, G and H stay. */
   private point(to: Place): void {
@@ -91,13 +97,14 @@ export class PlaneView implements View {
         this.osculating = scene.precession ? osculatingPlane(model, scene.precession) : null;
       }
     }
+    if (change !== "time") this.paths = null;
     if (change === "theme" || change === "size") {
-      this.sheet.fit();
+      this.fit();
       this.layer = null;
     }
   }
 
-  draw({ model, scene, now }: Explorer): void {
+  draw({ model, driven, scene, now }: Explorer): void {
     const { sheet } = this;
     const { colours } = sheet;
     this.layer ??= this.still();
@@ -112,24 +119,42 @@ export class PlaneView implements View {
       regime === "long_axis" || regime === "separatrix" ? regime : "short_axis",
       colours,
     );
+    const { own, friction, osculating } = this;
+    this.paths ??= {
+      own: this.path(own, momentum),
+      friction: friction && this.path(friction, 1),
+      osculating: osculating && this.path(osculating, momentum),
+    };
+    const { paths } = this;
     this.clipped(context, () => {
       context.strokeStyle = style.colour;
       context.lineWidth = 3;
-      this.trace(context, this.own, momentum);
-      if (this.friction) {
+      context.stroke(paths.own);
+      if (paths.friction) {
         context.strokeStyle = colours.sun;
         context.lineWidth = 1.4;
-        this.trace(context, this.friction, 1);
+        context.stroke(paths.friction);
       }
-      if (this.osculating) {
+      if (driven) {
+        context.strokeStyle = colours.sun;
+        context.lineWidth = 1.6;
+        const [first, last] = driven.between(now - TAIL * driven.step, now);
+        context.stroke(this.path(andoyerPlane(driven.directions(first, last)), 1));
+      }
+      if (this.osculating && paths.osculating) {
         context.strokeStyle = colours.omega;
         context.lineWidth = 1.8;
         context.setLineDash([6, 3]);
-        this.trace(context, this.osculating, momentum);
+        context.stroke(paths.osculating);
         context.setLineDash([]);
         this.ring(context, this.osculating, momentum, (now - scene.epoch) / (SWINGS * model.swing));
       }
     });
+    const pulled = driven?.at(now);
+    if (pulled) {
+      const { l, L, G } = toAndoyer(pulled);
+      ring(context, colours, [this.x(l), this.y(L / G)]);
+    }
     const a = toAndoyer(model.at(now));
     this.dot = { x: this.x(a.l), y: this.y(a.L / a.G) };
     context.beginPath();
@@ -168,25 +193,25 @@ export class PlaneView implements View {
     context.restore();
   }
 
-  /** Rows of l, L: drawn as often as the plane holds it, a turn apart. */
-  private trace(context: CanvasRenderingContext2D, rows: Float64Array, G: number): void {
+  /** Rows of l, L: as often as the plane holds them, a turn apart. */
+  private path(rows: Float64Array, G: number): Path2D {
+    const path = new Path2D();
     let [low, high] = [Infinity, -Infinity];
     for (let i = 0; i < rows.length; i += 2) {
       low = Math.min(low, rows[i]!);
       high = Math.max(high, rows[i]!);
     }
-    if (!Number.isFinite(low)) return;
+    if (!Number.isFinite(low)) return path;
     const first = Math.ceil((-Math.PI - high) / TURN);
     const last = Math.floor((Math.PI - low) / TURN);
     for (let turn = first; turn <= Math.min(last, first + 40); ++turn) {
-      context.beginPath();
       for (let i = 0; i < rows.length; i += 2) {
         const [x, y] = [this.x(rows[i]! + turn * TURN), this.y(rows[i + 1]! / G)];
-        if (i === 0) context.moveTo(x, y);
-        else context.lineTo(x, y);
+        if (i === 0) path.moveTo(x, y);
+        else path.lineTo(x, y);
       }
-      context.stroke();
     }
+    return path;
   }
 
   private still(): HTMLCanvasElement {
@@ -207,7 +232,7 @@ export class PlaneView implements View {
         context.globalAlpha = curve.mode === "separatrix" ? 0.9 : 0.65;
         context.lineWidth = style.width;
         context.setLineDash(style.dash);
-        this.trace(context, andoyerPlane(curve.points), 1);
+        context.stroke(this.path(andoyerPlane(curve.points), 1));
       }
       context.setLineDash([]);
       context.globalAlpha = 1;

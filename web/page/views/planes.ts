@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The paper's figures 2 and 3 around a living body: the inertial plane, the invariable plane, the
 // equator of the body, the nodes where they meet, and the angles that count from these.
-import { CircleGeometry, DoubleSide, Group, Mesh, MeshBasicMaterial, Vector3 } from "three";
+import { CircleGeometry, Group, Mesh, Vector3 } from "three";
 import { toAndoyer, toEuler, type RotorState, type Vec3 } from "polhode/core";
 import type { Overlay } from "../scene.js";
 import { rotate, scale, turned, unit } from "../vectors.js";
-import { Path } from "./lines.js";
+import type { Labels } from "./labels.js";
+import { flat, Path } from "./lines.js";
 import type { Palette } from "./palette.js";
-
-export interface Label {
-  readonly text: string;
-  readonly at: Vec3;
-  readonly colour: string;
-}
 
 const REACH = 1.45;
 const ARC = 41;
@@ -20,7 +15,8 @@ const Z = new Vector3(0, 0, 1);
 
 export class Planes {
   readonly group = new Group();
-  labels: Label[] = [];
+  private labels: Labels | null = null;
+  private readonly place = new Vector3();
   private readonly discs: readonly Mesh[];
   private readonly rims: readonly Path[];
   private readonly nodes: readonly Path[];
@@ -28,16 +24,7 @@ export class Planes {
 
   constructor(private readonly colours: Palette) {
     const tones = [colours.soft, colours.sam, colours.lam];
-    this.discs = tones.map((color) => {
-      const material = new MeshBasicMaterial({
-        color,
-        transparent: true,
-        opacity: 0.1,
-        side: DoubleSide,
-        depthWrite: false,
-      });
-      return new Mesh(new CircleGeometry(REACH, 72), material);
-    });
+    this.discs = tones.map((colour) => new Mesh(new CircleGeometry(REACH, 72), flat(colour, 0.1)));
     this.rims = tones.map((colour) => new Path(97, { colour, width: 1.5 }));
     this.nodes = [0, 1].map(() => new Path(2, { colour: colours.ink, width: 1.5, dashed: true }));
     this.arcs = [0, 1, 2, 3, 4].map(() => new Path(ARC, { colour: colours.ink, width: 2.5 }));
@@ -46,9 +33,9 @@ export class Planes {
     this.group.visible = false;
   }
 
-  show(overlay: Overlay, state: RotorState): void {
+  show(overlay: Overlay, state: RotorState, labels: Labels): void {
     this.group.visible = overlay !== "none";
-    this.labels = [];
+    this.labels = labels;
     if (overlay === "none") return;
     const andoyer = toAndoyer(state);
     const euler = toEuler(state);
@@ -97,7 +84,7 @@ export class Planes {
     const path = this.nodes[k]!;
     path.visible = true;
     path.follow([...scale(-REACH, along), ...scale(REACH, along)]);
-    this.labels.push({ text, at: scale(REACH + 0.12, along), colour: this.colours.ink });
+    this.labels?.add(text, this.place.set(...along), this.colours.ink, REACH + 0.12);
   }
 
   private arc(
@@ -117,6 +104,6 @@ export class Planes {
       rows.push(...scale(radius, turned(axis, start, (angle * i) / (ARC - 1))));
     }
     path.follow(rows);
-    this.labels.push({ text, at: scale(radius + 0.14, turned(axis, start, angle / 2)), colour });
+    this.labels?.add(text, this.place.set(...turned(axis, start, angle / 2)), colour, radius + 0.14);
   }
 }

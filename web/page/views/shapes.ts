@@ -39,6 +39,8 @@ export function shapeOf(shape: Shape, axes: Vec3, colours: Palette): Group {
     group.scale.set(a, b, c);
   } else if (shape === "box") {
     solid(group, new BoxGeometry(1.6 * a, 1.6 * b, 1.6 * c), stone, lines);
+  } else if (shape === "boom") {
+    boom(group, stone, lines, colours);
   } else if (shape === "wing-nut") {
     nut(group, stone, lines);
   } else {
@@ -123,4 +125,18 @@ function satellite(
   group.children.at(-1)!.position.x = 0.28;
   const antenna = solid(group, new BoxGeometry(0.16, 0.02, 0.7), cells, lines);
   antenna.position.set(-0.45, -0.23, 0);
+}
+
+/** A bus and a mass at the two ends of a boom along axis 1. */
+function boom(
+  group: Group,
+  stone: MeshLambertMaterial,
+  lines: LineBasicMaterial,
+  colours: Palette,
+): void {
+  solid(group, new BoxGeometry(0.36, 0.5, 0.3), stone, lines).position.x = -0.72;
+  const cells = new MeshLambertMaterial({ color: colours.sam });
+  solid(group, new BoxGeometry(0.2, 0.9, 0.02), cells, lines).position.x = -0.72;
+  solid(group, new BoxGeometry(1.5, 0.04, 0.04), stone, lines).position.x = 0.14;
+  solid(group, new BoxGeometry(0.16, 0.16, 0.16), stone, lines).position.x = 0.92;
 }

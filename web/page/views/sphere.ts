@@ -12,7 +12,10 @@ import { inset } from "./inset.js";
 import { Sheet, symbol, type View } from "./pane.js";
 import type { Palette } from "./palette.js";
 
+export const TAIL = 256; // samples behind the momentum of the body with torques
 const REACH = 26; // px: how far from the dot a finger takes it
+/** Behind, in front. */
+const SIDES = [false, true] as const;
 const AXES: readonly [Vec3, string][] = [
   [[1, 0, 0], "b₁"],
   [[0, 1, 0], "b₂"],
@@ -33,6 +36,10 @@ export class SphereView implements View {
   private polhode = new Float64Array(0);
   private friction: Float64Array | null = null;
   private layer: HTMLCanvasElement | null = null;
+  /** On paper, the far side and the near one: made when the motion or the view changes. */
+  private own: readonly Path2D[] = [];
+  private drift: readonly Path2D[] = [];
+  private drawn = false;
   /** Where the state is on paper. */
   dot: Place = NOWHERE;
   private depth = 1;
@@ -70,6 +77,7 @@ export class SphereView implements View {
       move: (_to: Place, by: Place) => {
         this.globe.turn(-by.x / this.globe.radius, by.y / this.globe.radius);
         this.layer = null;
+        this.drawn = false;
         this.redraw();
       },
     };
@@ -104,13 +112,14 @@ export class SphereView implements View {
       this.polhode = model.motion.polhode(241);
     }
     if (change === "motion" || change === "looks") this.friction = frictionOf(explorer);
+    if (change !== "time") this.drawn = false;
     if (change === "theme" || change === "size") {
       this.sheet.fit();
       this.layer = null;
     }
   }
 
-  draw({ model, now }: Explorer): void {
+  draw({ model, driven, now }: Explorer): void {
     const { sheet, globe } = this;
     const { colours } = sheet;
     globe.place(
@@ -127,21 +136,39 @@ export class SphereView implements View {
       this.dot = NOWHERE;
       return;
     }
+    if (!this.drawn) {
+      this.drawn = true;
+      const sides = (rows: Float64Array, size: number) => SIDES.map((near) => globe.path(rows, near, size));
+      this.own = sides(this.polhode, momentum);
+      this.drift = this.friction ? sides(this.friction, 1) : [];
+    }
     const style = look(regime === "long_axis" || regime === "separatrix" ? regime : "short_axis", colours);
     context.strokeStyle = style.colour;
     context.lineCap = "round";
-    for (const side of [false, true]) {
+    for (const side of SIDES) {
       context.globalAlpha = side ? 1 : 0.35;
       context.lineWidth = side ? 3 : 2;
-      globe.trace(context, this.polhode, side, momentum);
+      context.stroke(this.own[side ? 1 : 0]!);
     }
     if (this.friction) {
       context.strokeStyle = colours.sun;
       context.lineWidth = 1.4;
-      for (const side of [false, true]) {
+      for (const side of SIDES) {
         context.globalAlpha = side ? 0.95 : 0.25;
-        globe.trace(context, this.friction, side);
+        context.stroke(this.drift[side ? 1 : 0]!);
       }
+    }
+    if (driven) {
+      const state = driven.at(now);
+      const [first, last] = driven.between(now - TAIL * driven.step, now);
+      context.strokeStyle = colours.sun;
+      const path = driven.directions(first, last);
+      for (const side of SIDES) {
+        context.globalAlpha = side ? 0.95 : 0.35;
+        context.lineWidth = side ? 1.6 : 1.2;
+        context.stroke(globe.path(path, side));
+      }
+      if (state) ring(context, colours, globe.paper(unit(state.g)));
     }
     const g = scale(1 / momentum, model.at(now).g);
     const [x, y, depth] = globe.paper(g);
@@ -190,14 +217,14 @@ export class SphereView implements View {
     context.lineWidth = 1;
     context.strokeStyle = colours.line;
     context.stroke();
-    for (const side of [false, true]) {
+    for (const side of SIDES) {
       for (const curve of this.curves) {
         const style = look(curve.mode, colours);
         context.strokeStyle = style.colour;
         context.globalAlpha = side ? 0.8 : 0.16;
         context.lineWidth = style.width;
         context.setLineDash(style.dash);
-        globe.trace(context, curve.points, side);
+        context.stroke(globe.path(curve.points, side));
       }
     }
     context.setLineDash([]);
@@ -226,19 +253,39 @@ export class SphereView implements View {
         context.strokeStyle = tones[rank]!;
         context.stroke();
         if (end < 0) continue;
+        // Outwards on paper, clear of the end itself, which an axis towards the eye would cover.
         const [u, v] = globe.paper(scale(1.19, axis));
-        const out = globe.paper(scale(1.09, axis));
+        const away = Math.hypot(u - x, v - y);
+        const reach = Math.max(away, 22) / Math.max(away, 1e-9);
+        const towardEye = away < 2;
+        const [a, b] = towardEye ? [x + 16, y - 16] : [x + reach * (u - x), y + reach * (v - y)];
         context.lineWidth = 1.2;
         context.beginPath();
         context.moveTo(x, y);
-        context.lineTo(out[0], out[1]);
+        context.lineTo(x + 0.45 * (a - x), y + 0.45 * (b - y));
         context.stroke();
-        const inward = Math.hypot(u - globe.x, v - globe.y) < 0.35 * globe.radius ? 16 : 0;
-        symbol(context, name, u + inward, v - inward, tones[rank]!, colours.paper);
+        symbol(context, name, a, b, tones[rank]!, colours.paper);
       }
     }
     context.globalAlpha = 1;
   }
+}
+
+/** Where the body with torques is: hollow, the free one is full. */
+export function ring(
+  context: CanvasRenderingContext2D,
+  colours: Palette,
+  [x, y, depth = 1]: readonly [x: number, y: number, depth?: number],
+): void {
+  context.globalAlpha = depth >= 0 ? 1 : 0.5;
+  context.beginPath();
+  context.arc(x, y, 5.5, 0, 2 * Math.PI);
+  context.fillStyle = colours.paper;
+  context.fill();
+  context.lineWidth = 2.4;
+  context.strokeStyle = colours.sun;
+  context.stroke();
+  context.globalAlpha = 1;
 }
 
 /** The family of a body, kept: dragging changes the state a hundred times, never these. */

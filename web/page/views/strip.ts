@@ -3,8 +3,8 @@
 // be dragged through; a wheel changes how much of it is seen.
 import type { Change, Explorer } from "../explorer.js";
 import type { Model } from "../model.js";
-import { Axes, timeLabels, type Box } from "./axes.js";
-import { draggable, type Place } from "./drag.js";
+import { Axes, NO_BOX, timeLabels, type Box } from "./axes.js";
+import { draggable, pinchable, type Place } from "./drag.js";
 import { smallAngle } from "./inset.js";
 import { Sheet, symbol, type View } from "./pane.js";
 
@@ -23,7 +23,9 @@ export class StripView implements View {
     private readonly redraw: () => void,
   ) {
     this.sheet = new Sheet(canvas);
+    this.fit();
     draggable(canvas, () => this.drag());
+    pinchable(canvas, (by) => this.zoom(1 / by));
     canvas.addEventListener(
       "wheel",
       (event) => {
@@ -58,15 +60,18 @@ export class StripView implements View {
     };
   }
 
-  private get box(): Box {
-    return { left: 44, right: this.sheet.width - 12, top: 16, bottom: this.sheet.height - 20 };
+  private box: Box = NO_BOX;
+
+  private fit(): void {
+    this.sheet.fit();
+    this.box = { left: 44, right: this.sheet.width - 12, top: 16, bottom: this.sheet.height - 20 };
   }
 
   changed(change: Change | "theme" | "size"): void {
-    if (change === "theme" || change === "size") this.sheet.fit();
+    if (change === "theme" || change === "size") this.fit();
   }
 
-  draw({ model, now }: Explorer): void {
+  draw({ model, driven, now }: Explorer): void {
     const { sheet, box, states } = this;
     const { colours } = sheet;
     const context = sheet.clear();
@@ -89,12 +94,15 @@ export class StripView implements View {
       model.motion.states({ start: low, step: window / (COUNT - 1), count: COUNT }, states);
       const order = model.body.axisOrder;
       const tones = [colours.lam, colours.ink, colours.sam];
+      const across = (box.right - box.left) / (COUNT - 1);
+      const middle = y(0);
+      const up = (middle - y(1)) / (momentum * full);
       for (const rank of [0, 2, 1]) {
         if (order[rank] === model.wobble?.axis) continue; // all but 1, and off the enlarged scale
         context.beginPath();
+        const first = 4 + order[rank]!;
         for (let i = 0; i < COUNT; ++i) {
-          const ratio = states[i * SIZE + 4 + order[rank]!]! / (momentum * full);
-          context.lineTo(box.left + (i / (COUNT - 1)) * (box.right - box.left), y(ratio));
+          context.lineTo(box.left + i * across, middle - states[i * SIZE + first]! * up);
         }
         context.strokeStyle = tones[rank]!;
         context.lineWidth = rank === 1 ? 2 : 1;
@@ -104,6 +112,22 @@ export class StripView implements View {
       }
       context.setLineDash([]);
       context.globalAlpha = 1;
+    }
+    if (driven) {
+      const axis = model.body.axisOrder[1];
+      const [first, last] = driven.between(low, high);
+      context.save();
+      context.beginPath();
+      context.rect(box.left, box.top, box.right - box.left, box.bottom - box.top);
+      context.clip();
+      context.beginPath();
+      for (let i = first; i <= last; ++i) {
+        context.lineTo(x(driven.time(i)), y(driven.ratio(i, axis) / full));
+      }
+      context.strokeStyle = colours.sun;
+      context.lineWidth = 1.6;
+      context.stroke();
+      context.restore();
     }
     axes.frame();
     axes.below(labels);
