@@ -209,7 +209,7 @@ nb::dict solution_dict(const SpinSolution& found) {
 }
 
 void bind_spin_fit(nb::module_& m) {
-  nb::class_<FoundSpinSolution>(m, "_FoundSpinSolution");
+  const nb::class_<FoundSpinSolution> found(m, "_FoundSpinSolution");
   nb::class_<SpinProblem>(m, "_SpinProblem")
       .def("fit", fitted)
       .def("predicted", predicted_at)
