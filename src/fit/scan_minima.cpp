@@ -5,9 +5,9 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <utility>
 #include <vector>
 
+#include "fit/detail/landscape_minima.hpp"
 #include "polhode/ensemble/cells.hpp"
 
 namespace polhode {
@@ -41,16 +41,20 @@ bool is_same(const Landscape& of, const RefinedPair& a, const RefinedPair& b) {
 
 }  // namespace
 
-std::vector<ScanMinimum> scan_minima(const ScanPoints& points, const Landscape& of,
-                                     const MinimaOptions& options) {
-  std::vector<std::pair<std::size_t, std::size_t>> cells;
+std::vector<detail::LandscapeCell> detail::minimum_cells(const Landscape& of, std::size_t most) {
+  std::vector<LandscapeCell> cells;
   for (std::size_t r = 0; r < of.first.count; ++r)
     for (std::size_t c = 0; c < of.second.count; ++c)
-      if (is_minimum(of, r, c)) cells.emplace_back(r, c);
-  std::stable_sort(cells.begin(), cells.end(), [&](const auto& a, const auto& b) {
-    return of.at(a.first, a.second) < of.at(b.first, b.second);
-  });
-  if (cells.size() > options.most) cells.resize(options.most);
+      if (is_minimum(of, r, c)) cells.push_back({r, c});
+  std::ranges::stable_sort(cells, {},
+                           [&](const LandscapeCell& a) { return of.at(a.row, a.column); });
+  if (cells.size() > most) cells.resize(most);
+  return cells;
+}
+
+std::vector<ScanMinimum> scan_minima(const ScanPoints& points, const Landscape& of,
+                                     const MinimaOptions& options) {
+  const std::vector<detail::LandscapeCell> cells = detail::minimum_cells(of, options.most);
 
   // a cell of the grid; of one frequency alone, what the time base tells apart
   double reach = std::numeric_limits<double>::infinity();
@@ -61,6 +65,7 @@ std::vector<ScanMinimum> scan_minima(const ScanPoints& points, const Landscape& 
   run_cells(
       0, static_cast<std::int64_t>(cells.size()), options.threads,
       [&](std::int64_t k) {
+        if (options.between) options.between();
         const auto [r, c] = cells[static_cast<std::size_t>(k)];
         return refined_pair(points, of.first.at(r), of.second.at(c), of.orders, reach);
       },

@@ -54,6 +54,9 @@ inline constexpr double flat_ratio = 1.001, thin_ratio = 0.01;
 // --- times of sessions; peaks of the window, in turns over the time base ---
 inline constexpr double scan_times = 1e-9, window_peak = 0.1;
 
+// --- nights far apart: lines of the best pair, in turns over the whole time base ---
+inline constexpr double session_turns = 0.05;
+
 // --- periods of bodies made for them, in eps; their moments, angles and periods of labels against
 // those put in ---
 inline constexpr double periods_of_body = 8.0, moments_of_body = 1e-12;
@@ -67,6 +70,7 @@ inline constexpr double light_distance = 26.1;
 // and of |w|; chi-square over that of the start, with shadows ---
 inline constexpr double surface_bend = 1e-6;
 inline constexpr double convex_moments = 1e-5, convex_axes = 0.3, convex_ratio = 0.3;
+inline constexpr double light_image_cost = 1e-6;  // of images, from fixed directions
 inline constexpr double mesh_exact = 1e-4, mesh_gain = 0.25;
 // of drawn tumblers, in how many the true periods are reported; are among the first 20 labels
 inline constexpr double light_reported = 0.95, light_labelled = 0.75;

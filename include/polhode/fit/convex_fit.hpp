@@ -28,6 +28,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <span>
 #include <vector>
@@ -77,16 +78,19 @@ std::vector<std::vector<double>> model_fluxes(const BrightConvex& body,
                                               std::span<const LightCurve> curves);
 
 // From the best ellipsoid of each pair of periods, be its chi-square what it may: the ellipsoid is
-// wrong about real bodies, and an alias can suit it better. `how` without its start.
+// wrong about real bodies, and an alias can suit it better; and from what the search reports
+// besides, images and other poles. `how` without its start.
 struct FoundConvex {
   std::size_t periods = 0;  // the place of those of the search
   ConvexSolution solution;
 };
 // By chi-square; those that did not converge last. `most` pairs of periods, those with the lowest
-// chi-squares of ellipsoids.
+// chi-squares of ellipsoids. `between` is called before each fit, in any of the threads; what it
+// throws ends the fits.
 std::vector<FoundConvex> fit_convex_of_periods(
     const LightSearchResult& found, const ConvexFit& how, int threads = 1,
-    std::size_t most = std::numeric_limits<std::size_t>::max());
+    std::size_t most = std::numeric_limits<std::size_t>::max(),
+    const std::function<void()>& between = {});
 
 // How an even filling of the convex body would turn beside the moments that were fitted.
 struct ShapeInertia {

@@ -15,6 +15,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 #include "polhode/fit/fourier_scan.hpp"
@@ -35,6 +36,8 @@ struct ScanMinimum {
 struct MinimaOptions {
   std::size_t most = 20;  // so many cells are refined, the lowest
   int threads = 1;
+  // Called before each refinement, in any of the threads; what it throws ends the search.
+  std::function<void()> between = {};
 };
 
 // By chi-square after refinement, the lowest first.

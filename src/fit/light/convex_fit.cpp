@@ -228,21 +228,36 @@ std::vector<std::vector<double>> model_fluxes(const BrightConvex& body,
 }
 
 std::vector<FoundConvex> fit_convex_of_periods(const LightSearchResult& found, const ConvexFit& how,
-                                               int threads, std::size_t most) {
+                                               int threads, std::size_t most,
+                                               const std::function<void()>& between) {
   std::vector<std::size_t> pairs;
   for (std::size_t p = 0; p < found.best_of_periods.size(); ++p)
     if (found.best_of_periods[p]) pairs.push_back(p);
   std::ranges::stable_sort(
       pairs, {}, [&](std::size_t p) { return found.best_of_periods[p]->result.chi_square; });
   pairs.resize(std::min(most, pairs.size()));
+  struct Start {
+    std::size_t periods;
+    const BrightEllipsoid* body;
+  };
+  std::vector<Start> starts;
+  for (const std::size_t p : pairs) starts.push_back({p, &found.best_of_periods[p]->body});
+  for (const FoundLight& f : found.solutions) {
+    const bool is_known = std::ranges::any_of(starts, [&](const Start& s) {
+      return s.body->spin.q == f.solution.body.spin.q &&
+             s.body->spin.w_F == f.solution.body.spin.w_F;
+    });
+    if (!is_known) starts.push_back({f.periods, &f.solution.body});
+  }
   std::vector<FoundConvex> all;
   run_cells(
-      0, std::ssize(pairs), threads,
+      0, std::ssize(starts), threads,
       [&](std::int64_t k) {
-        const std::size_t p = pairs[static_cast<std::size_t>(k)];
+        if (between) between();
+        const Start& start = starts[static_cast<std::size_t>(k)];
         ConvexFit fit = how;
-        fit.start = found.best_of_periods[p]->body;
-        return FoundConvex{p, fit_convex(fit)};
+        fit.start = *start.body;
+        return FoundConvex{start.periods, fit_convex(fit)};
       },
       [&](std::int64_t, const FoundConvex& f) { all.push_back(f); });
   std::ranges::stable_sort(all, {}, [](const FoundConvex& f) {

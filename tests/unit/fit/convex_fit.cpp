@@ -191,6 +191,20 @@ TEST(ConvexFit, GoesOnFromEachPairOfPeriods) {
   EXPECT_EQ(found[0].periods, 2u);
   EXPECT_EQ(found[1].periods, 0u);
   EXPECT_EQ(fit_convex_of_periods(search, how, 1, 1).size(), 1u);
+  // what the search reports besides: the best of a pair once, its mirror pole
+  FoundLight best, mirror;
+  best.solution = mirror.solution = *search.best_of_periods[2];
+  best.periods = mirror.periods = 2;
+  const LightPoint& p = curves[0].points[0];
+  mirror.solution.body = image_of(best.solution.body, LightImage::normal, p.to_sun, p.to_observer);
+  search.solutions = {best, mirror};
+  int calls = 0;
+  const std::vector<FoundConvex> both = fit_convex_of_periods(search, how, 1, 1, [&] { ++calls; });
+  ASSERT_EQ(both.size(), 2u);
+  EXPECT_EQ(calls, 2);
+  EXPECT_NEAR(both[0].solution.result.cost / both[1].solution.result.cost, 1.0,
+              budget::light_image_cost);
+  EXPECT_GT(norm(both[0].solution.pole - both[1].solution.pole), budget::convex_axes);
 }
 
 // Areas that are far from closed have no body and no moments: said of the fit, not thrown.

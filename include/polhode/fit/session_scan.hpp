@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// scan_sessions(): the two periods of a tumbler from several nights, night by night first.
+//
+// Equations   a grid over all nights is as fine as their whole time base asks for, and its pairs
+//             grow with the square of that. Here each session has a series of its own, with its own
+//             phases, which needs a grid as fine as the longest session alone: the sum of their
+//             chi-squares is a landscape without the relation between nights. Around its lowest
+//             minima, 1.5 of its steps to all sides, pairs are scanned on the whole time base.
+// Corrections none.
+// Units       frequencies in turns per unit of time.
+// Domain      sessions with more points than a series has unknowns count in the coarse landscape,
+//             one of them at least; all do in the fine ones. What no single night tells apart is
+//             told apart in the fine scan alone, where it is near a minimum of the coarse one:
+//             periods longer than a night are not found so.
+// Accuracy    as scan_pairs and scan_minima.
+// Errors      DomainError as scan_pairs and ScanPoints; no session with enough points; fewer than
+//             one window.
+// Cost        windows x (3 T / T_s)^2 pairs, T the whole time base, T_s that of the longest
+//             session, beside the coarse ones of each session.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "polhode/fit/scan_minima.hpp"
+#include "polhode/light/light_curve.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+struct SessionScanOptions {
+  ScanOptions scan;
+  ScanQuantity quantity = ScanQuantity::flux;
+  std::size_t windows = 20;  // minima of the coarse landscape that are looked into
+  std::size_t most = 5;      // minima of each that are refined
+};
+
+struct SessionScan {
+  Landscape coarse;          // sums of sessions
+  std::size_t sessions = 0;  // that are in them
+  std::size_t pairs = 0;     // of the fine scans
+  // On the whole time base, the lowest first; row and column are those of the coarse landscape.
+  std::vector<ScanMinimum> minima;
+};
+
+// Both frequencies from `least` to `most`.
+SessionScan scan_sessions(std::span<const LightCurve> sessions, double least, double most,
+                          const SessionScanOptions& options = {});
+
+}  // namespace v0
+}  // namespace polhode
