@@ -27,12 +27,6 @@ PoincareState poincare(const RotorState& s, const double* poles) {
 
 RotorState at_rest(const Quaternion& q) { return {q, {0.0, 0.0, 0.0}}; }
 
-Mat3 matrix(const double* x) {
-  Mat3 m;
-  for (int i = 0; i < 9; ++i) m(i / 3, i % 3) = x[i];
-  return m;
-}
-
 void put_chart(int chart, const double* moments, const RotorState& s, double* to) {
   switch (chart) {
     case POLHODE_ANDOYER: {

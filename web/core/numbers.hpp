@@ -17,6 +17,12 @@ inline Quaternion quaternion(const double* x) { return {x[0], x[1], x[2], x[3]};
 inline RotorState state(const double* x) { return {quaternion(x), vector(x + 4)}; }
 inline Body body(const double* moments) { return {moments[0], moments[1], moments[2]}; }
 
+inline Mat3 matrix(const double* x) {
+  Mat3 m;
+  for (int i = 0; i < 9; ++i) m(i / 3, i % 3) = x[i];
+  return m;
+}
+
 inline double* put(double* to, const Vec3& v) {
   to[0] = v.x, to[1] = v.y, to[2] = v.z;
   return to + 3;

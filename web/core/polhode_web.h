@@ -24,6 +24,8 @@ POLHODE_WEB(void) polhode_release(void* memory);
 // ---- body and state: state.cpp
 
 POLHODE_WEB(int) polhode_body(const double* moments);
+// Of a full tensor (9), row by row: moments (3) and the turn from principal axes to its axes (4).
+POLHODE_WEB(int) polhode_body_of_tensor(const double* tensor, double* result);
 // Moments of the ellipsoid of constant density, and back.
 POLHODE_WEB(int) polhode_ellipsoid_moments(const double* semi_axes, double mass, double* moments);
 POLHODE_WEB(void) polhode_semi_axes(const double* moments, double mass, double* semi_axes);

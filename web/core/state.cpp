@@ -43,6 +43,13 @@ int polhode_body(const double* moments) {
   return guarded([&] { body(moments); });
 }
 
+int polhode_body_of_tensor(const double* tensor, double* result) {
+  return guarded([&] {
+    const Body of = Body::from_tensor(matrix(tensor));
+    put(put(result, of.moments()), of.q_FB());
+  });
+}
+
 int polhode_ellipsoid_moments(const double* semi_axes, double mass, double* moments) {
   return guarded([&] {
     const Vec3 I = homogeneous_moments(Ellipsoid{semi_axes[0], semi_axes[1], semi_axes[2]}, mass);

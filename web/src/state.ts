@@ -31,6 +31,8 @@ export class Body {
   readonly moments: Vec3;
   /** Indices of the body axes by moment: of the least, the middle and the greatest. */
   readonly axisOrder: readonly [least: number, middle: number, greatest: number];
+  /** From the principal axes to those of the tensor the body was made of: v_F = q v_B q*. */
+  readonly axes: Quaternion = [1, 0, 0, 0];
 
   /** DomainError for moments that no body has. */
   constructor(I1: number, I2: number, I3: number) {
@@ -39,6 +41,15 @@ export class Body {
     this.moments = moments;
     const order = [0, 1, 2].sort((i, j) => moments[i]! - moments[j]!);
     this.axisOrder = [order[0]!, order[1]!, order[2]!];
+  }
+
+  /** Of a full tensor of inertia, symmetric, in any axes F of the body: finds the principal axes, `axes`. */
+  static fromTensor(tensor: Matrix3): Body {
+    checked("body_of_tensor", args(9, ...tensor), results());
+    const found = result(7);
+    const body = new Body(...vector(found));
+    (body as { axes: Quaternion }).axes = quaternion(found, 3);
+    return body;
   }
 
   /** The ellipsoid of constant density with these semi-axes along axes 1, 2, 3. */

@@ -104,6 +104,15 @@ void print_charts(const polhode_motion* motion, const double* moments, const dou
           polhode_semi_axes(moments, 1.0, to);
           return 0;
         }));
+  print("tensor", answer(7, [&](double* to) {
+          Numbers R(9), tensor;
+          polhode_to_chart(POLHODE_MATRIX, moments, state, R.data());
+          for (std::size_t i = 0; i < 3; ++i)
+            for (std::size_t j = 0; j < 3; ++j)
+              tensor.push_back(R[i] * moments[0] * R[j] + R[3 + i] * moments[1] * R[3 + j] +
+                               R[6 + i] * moments[2] * R[6 + j]);
+          return polhode_body_of_tensor(tensor.data(), to);
+        }));
   const Numbers direction{0.3, -0.2, 0.9};
   print("along",
         answer(7, [&](double* to) { return polhode_momentum_along(state, direction.data(), to); }));

@@ -23,6 +23,13 @@ test("moments that no body has", () => {
   refuses(() => new Body(1, -Infinity, 1), "Body: moments (1, -inf, 1) must be positive and finite");
 });
 
+test("tensors that are none", () => {
+  refuses(() => Body.fromTensor([1, 0.1, 0, 0, 2, 0, 0, 0, 2.5]), "Body::from_tensor: entries (0.1, 0) at 12 and its mirror must be equal");
+  refuses(() => Body.fromTensor([1, 0, 0, 0, 1, 0, 0, 0, 3]), "Body::from_tensor: moments (1, 1, 3) break I3 <= I1 + I2");
+  refuses(() => Body.fromTensor(new Array(9).fill(NaN)), "Body::from_tensor: entry nan must be finite");
+  assert.throws(() => Body.fromTensor([1, 2, 3]), RangeError);
+});
+
 test("numbers are written as std::to_chars writes them", () => {
   const written = (x) => {
     try {

@@ -153,4 +153,15 @@ test("perturbed motion: free without terms, energy kept by a gradient, lost by d
   assert.ok(Math.abs(pulled.andoyer[2 * 6 + 4] - pulled.andoyer[4]) > 1e-4);
 });
 
+test("a body of its tensor: moments, and the turn from its principal axes", () => {
+  assert.deepEqual(Body.fromTensor([1, 0, 0, 0, 2, 0, 0, 0, 2.5]).axes, [1, 0, 0, 0]);
+  const q = [0.9, 0.1, -0.3, 0.2];
+  const R = toMatrix(q); // principal axes to those of the tensor are its rows' turn back
+  const entry = (i, j) => [1, 2, 2.5].reduce((sum, I, k) => sum + R[3 * k + i] * I * R[3 * k + j], 0);
+  const tensor = [0, 1, 2].flatMap((i) => [0, 1, 2].map((j) => entry(i, j)));
+  const found = Body.fromTensor(tensor);
+  near(found.moments, [1, 2, 2.5], 1e-14);
+  near(found.axes, q.map((x) => x / Math.hypot(...q)), 1e-14);
+});
+
 test("the version is that of the library", () => assert.match(version(), /^\d+\.\d+\.\d+/));

@@ -7,7 +7,7 @@ const REGIMES = ["rest", "steady", "short_axis", "long_axis", "separatrix"];
 
 /** Arithmetic and the library's own sines: the same bits anywhere. */
 export const STATES = ["state", "at", "rows", "grid", "far_grid"];
-export const RATES = ["body_rates", "inertial_rates", "herpolhode", "derived", "matrix", "semi_axes", "along", "from_matrix"];
+export const RATES = ["body_rates", "inertial_rates", "herpolhode", "derived", "matrix", "semi_axes", "along", "from_matrix", "tensor"];
 /** What takes sines and angles from the C library. */
 export const CHARTS = [
   "andoyer", "to_andoyer", "to_euler", "to_euler_rates", "to_poincare", "to_roll_pitch_yaw", "to_euler_angles",
@@ -72,6 +72,11 @@ export function answers(polhode, { moments, q0, omega0, times }) {
       polhode.angularVelocity(body, state), polhode.inertialAngularVelocity(body, state),
       polhode.inertialMomentum(state), polhode.kineticEnergy(body, state),
     ],
+    tensor: () => {
+      const R = to.matrix(), at = (i, j) => R[i] * moments[0] * R[j] + R[3 + i] * moments[1] * R[3 + j] + R[6 + i] * moments[2] * R[6 + j];
+      const found = polhode.Body.fromTensor([0, 1, 2].flatMap((i) => [0, 1, 2].map((j) => at(i, j))));
+      return [found.moments, found.axes];
+    },
     semi_axes: () => body.semiAxes(),
     along: () => polhode.withMomentumAlong(state, [0.3, -0.2, 0.9]),
     from_andoyer: () => polhode.fromAndoyer(to.to_andoyer()),
