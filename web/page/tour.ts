@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A tour of six steps: a scene each, what to look at, what to try.
 import type { Explorer } from "./explorer.js";
-import { preset } from "./presets.js";
+import { preset } from "./presets/presets.js";
 import type { Scene } from "./scene.js";
 
 interface Step {

@@ -3,7 +3,7 @@
 // waits for it.
 import type { Explorer } from "../explorer.js";
 import { unitOf } from "../format.js";
-import { ORBIT } from "../presets.js";
+import { ORBIT } from "../presets/starts.js";
 import type { Gravity } from "../scene.js";
 import { NumberField, together } from "./field.js";
 

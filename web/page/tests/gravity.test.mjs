@@ -146,6 +146,7 @@ test("gravity is switched by key and box, typed, and refused with a sentence", a
   assert.deepEqual([typed.eccentricity, typed.friction], [0.3, 50]);
   await page.locator("#gravity").click();
   assert.equal(await gravity(), null);
+  await drawn(page);
   assert.equal(await page.isVisible("#driven"), false);
   await page.locator("#gravity").click();
   assert.deepEqual(await gravity(), typed);

@@ -7,9 +7,9 @@ import { osculatingPlane, SWINGS } from "../model.js";
 import type { Precession } from "../scene.js";
 import { DEG } from "../vectors.js";
 import { Axes, NO_BOX, type Box } from "./axes.js";
+import { familyOf, frictionOf, look, ring, TAIL } from "./curves.js";
 import { draggable, near, NOWHERE, type Place } from "./drag.js";
 import { Sheet, symbol, type View } from "./pane.js";
-import { familyOf, frictionOf, look, ring, TAIL } from "./sphere.js";
 
 const REACH = 26;
 const TURN = 2 * Math.PI;
