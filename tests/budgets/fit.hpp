@@ -65,6 +65,8 @@ inline constexpr double periods_of_body = 8.0, moments_of_body = 1e-12;
 inline constexpr double light_derivatives = 1e-12;
 // Mahalanobis' distance squared of the truth, 8 unknowns: 1 in 1000 is beyond, over fixed seeds
 inline constexpr double light_distance = 26.1;
+// beyond this the nearest solution is another one; of drawn tumblers, in how many it is the truth
+inline constexpr double light_missed = 60.0, light_within = 0.9;
 // --- convex bodies and meshes: derivatives against differences in double, of a column, between the
 // bends of meshes; moments that follow the shape; what a spin state of exact light is off, in rad
 // and of |w|; chi-square over that of the start, with shadows ---
