@@ -42,7 +42,7 @@ BrightnessGradient ConvexSurface::gradient(const Shape& shape, const Scattering&
   const FacetGradient g = patch_gradient(image_.normals(), image_.widths(), shape.areas, law, s, o);
   const std::vector<double> by = image_.by_coefficients(g.by_areas, shape.areas);
   std::copy(by.begin() + 1, by.end(), own_row.begin());
-  return g;
+  return static_cast<const BrightnessGradient&>(g);
 }
 
 double ConvexSurface::mean(const Shape& shape, std::span<const double> values, double error,

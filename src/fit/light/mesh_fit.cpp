@@ -21,6 +21,11 @@ const std::string who = "fit_mesh: ";
 // a fit comes to rest between bends, some tenths of an error from the least.
 constexpr double mesh_nearness = 1.0;
 
+// Areas of a given mesh are no unknowns.
+BrightnessGradient of_all(const FacetGradient& g) {
+  return static_cast<const BrightnessGradient&>(g);
+}
+
 // A mesh as it is: nothing of it is unknown.
 class MeshSurface {
  public:
@@ -47,7 +52,7 @@ class MeshSurface {
   // is left out. At a terminator nothing is missing: the light of a facet is 0 there.
   BrightnessGradient gradient(const Shape&, const Scattering& law, const Vec3& s, const Vec3& o,
                               std::span<double>) const {
-    if (mesh_.is_shadowless()) return facet_gradient(normals_, areas_, law, s, o);
+    if (mesh_.is_shadowless()) return of_all(facet_gradient(normals_, areas_, law, s, o));
     const Vec3 sun = (1.0 / norm(s)) * s, observer = (1.0 / norm(o)) * o;
     std::vector<double> lit = areas_;
     for (std::size_t i = 0; i < lit.size(); ++i) {
@@ -55,7 +60,7 @@ class MeshSurface {
       if (!faces || mesh_.obstacles(i) == 0) continue;
       if (!mesh_.is_free(i, sun) || !mesh_.is_free(i, observer)) lit[i] = 0.0;
     }
-    return facet_gradient(normals_, lit, law, s, o);
+    return of_all(facet_gradient(normals_, lit, law, s, o));
   }
 
  private:
