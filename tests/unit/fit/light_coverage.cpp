@@ -83,7 +83,7 @@ Found found_of(const DrawnTumbler& t) {
 }
 
 TEST(LightCoverage, TheTruthIsAmongWhatIsReported) {
-  const std::size_t count = is_full() ? 100 : 5, points = is_full() ? 200 : 140;
+  const std::size_t count = is_full() ? 100 : 5, points = is_full() ? 350 : 140;
   for (const std::uint64_t seed : drawn_seeds()) {
     std::size_t labelled = 0, high = 0, reported = 0, first = 0, within = 0;
     PooledDistance distance;
