@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
-#include <span>
 #include <string>
 
 #include "math/number_text.hpp"
@@ -21,9 +19,6 @@ constexpr double alike_turn = 0.25, alike_rate = 0.03, alike_ratio = 0.1;
 constexpr double same_turn = 1e-3, same_rate = 1e-5, same_ratio = 1e-3;
 // Turns over the time base by which frequencies are told apart.
 constexpr double apart = 0.25;
-// By less than this fits to one least differ: errors of unknowns that grow together hide what the
-// data say of periods.
-constexpr double least_apart = 0.05;
 
 const char* mode_text(Regime mode) {
   switch (mode) {
@@ -52,59 +47,20 @@ double turns_apart(double period, double other, double time_base) {
   return std::abs(1.0 / period - 1.0 / other) * time_base;
 }
 
-bool same_periods(const TumblerPeriods& a, const TumblerPeriods& b, double time_base, double most) {
-  return a.mode == b.mode &&
-         turns_apart(a.precession_period, b.precession_period, time_base) < most &&
-         turns_apart(a.rotation_period, b.rotation_period, time_base) < most;
+bool same_periods(const TumblerPeriods& a, const TumblerPeriods& b, double time_base) {
+  return turns_apart(a.precession_period, b.precession_period, time_base) < apart &&
+         turns_apart(a.rotation_period, b.rotation_period, time_base) < apart;
 }
 
-double distance(const BrightEllipsoid& a, const BrightEllipsoid& other) {
-  const BrightEllipsoid b = nearest_of_same(a, other);
-  return norm(attitude_residual(a.spin.q, b.spin.q)) +
-         norm(b.spin.w_F - a.spin.w_F) / norm(a.spin.w_F);
-}
-
-// The same body with its axes b and c, and their moments, in the other order.
-BrightEllipsoid exchanged(const BrightEllipsoid& body) {
-  BrightEllipsoid found = body;
-  const double half = std::sqrt(0.5);
-  const Quaternion quarter{half, half, 0.0, 0.0};
-  found.spin.q = normalized(body.spin.q) * quarter;
-  found.spin.w_F = rotate(conj(quarter), body.spin.w_F);
-  found.shape = {body.shape.a, body.shape.c, body.shape.b};
-  const Mat3& T = body.spin.inertia_F;
-  const double size = T(1, 1);
-  found.spin.inertia_F = Mat3::identity();
-  found.spin.inertia_F(0, 0) = T(0, 0) / size;
-  found.spin.inertia_F(1, 1) = T(2, 2) / size;
-  return found;
-}
-
-struct ImageOf {
-  std::size_t of = 0;
-  LightImage image = LightImage::none;
-};
-
-// Which solution before this one it is an image of, the nearest of them. Half turns about three
-// directions at right angles and none are a group: images of images are images of what is none.
-std::optional<ImageOf> image_among(std::span<const FoundLight> before, const FoundLight& f,
-                                   const LightGeometry& g) {
-  std::optional<ImageOf> found;
-  double least = std::numeric_limits<double>::infinity();
-  const BrightEllipsoid& body = f.solution.body;
-  for (std::size_t k = 0; k < before.size(); ++k) {
-    if (before[k].beside == FoundLight::Beside::image) continue;
-    if (!same_periods(before[k].solution.periods, f.solution.periods, g.time_base, apart)) continue;
-    for (const LightImage i : {LightImage::normal, LightImage::bisector, LightImage::difference}) {
-      const BrightEllipsoid image = image_of(before[k].solution.body, i, g.to_sun, g.to_observer);
-      if (!are_alike(image, body)) continue;
-      const double off = distance(image, body);
-      if (!(off < least)) continue;
-      least = off;
-      found = ImageOf{k, i};
-    }
+// Images come before everything else that a solution may be.
+bool is_image(const BrightEllipsoid& of, const BrightEllipsoid& body, const LightGeometry& g,
+              LightImage& image) {
+  for (const LightImage i : {LightImage::normal, LightImage::bisector, LightImage::difference}) {
+    if (!are_alike(image_of(of, i, g.to_sun, g.to_observer), body)) continue;
+    image = i;
+    return true;
   }
-  return found;
+  return false;
 }
 
 std::string motion_text(const LightSolution& s) {
@@ -157,29 +113,19 @@ bool are_alike(const BrightEllipsoid& a, const BrightEllipsoid& other) {
          std::abs(a.shape.c / a.shape.b - b.shape.c / b.shape.b) < alike_ratio;
 }
 
-bool have_same_periods(const LightSolution& a, const LightSolution& b, double time_base) {
-  return same_periods(a.periods, b.periods, time_base, apart);
-}
-
-bool are_same(const LightSolution& a, const LightSolution& b, const LightUnknowns& unknowns,
-              double time_base) {
-  if (!same_periods(a.periods, b.periods, time_base, least_apart)) return false;
+bool are_same(const LightSolution& a, const LightSolution& b, const LightUnknowns& unknowns) {
   const std::vector<double> x = light_unknowns_at(unknowns, a.body, a.body);
+  const std::vector<double> y =
+      light_unknowns_at(unknowns, a.body, nearest_of_same(a.body, b.body));
   const double rate = norm(a.body.spin.w_F), factor = std::max(1.0, a.error_factor());
-  const auto is_within = [&](const BrightEllipsoid& body) {
-    const std::vector<double> y =
-        light_unknowns_at(unknowns, a.body, nearest_of_same(a.body, body));
-    for (std::size_t i = 0; i < x.size(); ++i) {
-      const double error = factor * a.covariance.error(i);
-      const double least = i < 3 ? same_turn : i < 6 ? same_rate * rate : same_ratio;
-      // an unknown that the data do not determine may be anything
-      if (error == std::numeric_limits<double>::infinity()) continue;
-      if (!(std::abs(y[i] - x[i]) <= (error > least ? error : least))) return false;
-    }
-    return true;
-  };
-  return is_within(b.body) ||
-         (unknowns.moments == MomentSource::fit && is_within(exchanged(b.body)));
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const double error = factor * a.covariance.error(i);
+    const double least = i < 3 ? same_turn : i < 6 ? same_rate * rate : same_ratio;
+    // an unknown that the data do not determine may be anything
+    if (error == std::numeric_limits<double>::infinity()) continue;
+    if (!(std::abs(y[i] - x[i]) <= (error > least ? error : least))) return false;
+  }
+  return true;
 }
 
 void describe_relations(std::vector<FoundLight>& solutions, const LightGeometry& geometry) {
@@ -188,14 +134,14 @@ void describe_relations(std::vector<FoundLight>& solutions, const LightGeometry&
     FoundLight& f = solutions[j];
     f.beside = Beside::first;
     f.of = 0;
-    if (const auto image = image_among(std::span(solutions).first(j), f, geometry)) {
+    for (std::size_t k = 0; k < j && f.beside != Beside::image; ++k) {
+      if (!is_image(solutions[k].solution.body, f.solution.body, geometry, f.image)) continue;
       f.beside = Beside::image;
-      f.of = image->of;
-      f.image = image->image;
+      f.of = k;
     }
     for (std::size_t k = 0; k < j && f.beside == Beside::first; ++k) {
       const TumblerPeriods &a = solutions[k].solution.periods, &b = f.solution.periods;
-      if (!same_periods(a, b, geometry.time_base, apart)) continue;
+      if (a.mode != b.mode || !same_periods(a, b, geometry.time_base)) continue;
       f.beside = Beside::other_pole;
       f.of = k;
     }

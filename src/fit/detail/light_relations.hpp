@@ -20,12 +20,8 @@ LightGeometry geometry_of(std::span<const LightCurve> curves);
 
 // Near enough that fits from both would most likely meet.
 bool are_alike(const BrightEllipsoid& a, const BrightEllipsoid& b);
-// In the same mode, periods less than a quarter of a turn apart over the time base.
-bool have_same_periods(const LightSolution& a, const LightSolution& b, double time_base);
-// Within the errors of the first, periods less than a twentieth of a turn apart over the time base;
-// where moments are unknowns, also with b and c exchanged.
-bool are_same(const LightSolution& a, const LightSolution& b, const LightUnknowns& unknowns,
-              double time_base);
+// Within the errors of the first.
+bool are_same(const LightSolution& a, const LightSolution& b, const LightUnknowns& unknowns);
 
 // Says of each solution what it is beside those before it.
 void describe_relations(std::vector<FoundLight>& solutions, const LightGeometry& geometry);

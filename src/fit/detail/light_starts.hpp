@@ -21,8 +21,7 @@ struct LightTrial {
 double epoch_of(std::span<const LightCurve> curves);
 
 // None where no body was found that has the periods.
-std::optional<LightTrial> light_trial(const LightSearch& search, double epoch,
-                                      std::uint64_t number);
+std::optional<LightTrial> light_trial(const LightSearch& search, std::uint64_t number);
 
 }  // namespace detail
 }  // namespace v0

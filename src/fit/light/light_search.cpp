@@ -4,11 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
-#include "fit/detail/light_begun_anew.hpp"
 #include "fit/detail/light_relations.hpp"
-#include "fit/detail/light_search_fits.hpp"
 #include "fit/detail/light_starts.hpp"
 #include "math/number_text.hpp"
 #include "polhode/ensemble/cells.hpp"
@@ -20,16 +17,9 @@ namespace polhode {
 inline namespace v0 {
 namespace {
 
-using detail::LightFinalist;
 using detail::LightTrial;
 
 constexpr double same_periods = 1e-3;
-// Chi-squares that are one, of a pair of periods.
-constexpr double same_chi_square = 0.01;
-// Rounds of finalists until the best of a pair was reached twice, and of starts within the limit.
-constexpr int rounds_of_pairs = 3, rounds_within = 3;
-// Starts that a pair within the limit gets in a round, at most.
-constexpr std::size_t most_more = 20;
 
 void check(const LightSearch& s) {
   const std::string who = "search_light: ";
@@ -56,27 +46,24 @@ void check(const LightSearch& s) {
     throw DomainError(who + "within = " + detail::number_text(s.within) + " must be 1 or more");
 }
 
+struct Finalist {
+  BrightEllipsoid start;
+  std::size_t periods;
+};
+
 class Search {
  public:
   explicit Search(const LightSearch& search)
-      : search_(search),
-        fits_(search),
-        geometry_(detail::geometry_of(search.curves)),
-        trials_(search.periods.size()),
-        hits_(search.periods.size(), 0) {
+      : search_(search), geometry_(detail::geometry_of(search.curves)) {
     result_.chi_square_of_periods.assign(search.periods.size(),
                                          std::numeric_limits<double>::infinity());
     result_.best_of_periods.resize(search.periods.size());
   }
 
   LightSearchResult found() {
-    std::vector<std::size_t> numbers(search_.starts);
-    std::iota(numbers.begin(), numbers.end(), std::size_t{0});
-    draw(numbers);
-    result_.starts = with_body_;
-    for (int round = 0; round < rounds_of_pairs; ++round)
-      fit(next_of(unsettled(), search_.finalists));
-    explore();
+    fit(finalists());
+    sort_and_limit();
+    fit(images());
     sort_and_limit();
     detail::describe_relations(result_.solutions, geometry_);
     add_notes();
@@ -84,149 +71,71 @@ class Search {
   }
 
  private:
-  struct Waiting {
-    LightTrial trial;
-    bool is_taken = false;
-  };
-
-  void draw(const std::vector<std::size_t>& numbers) {
+  // Of each pair of periods the best, and after it the next best that is unlike those taken.
+  std::vector<Finalist> finalists() {
+    std::vector<std::vector<LightTrial>> trials(search_.periods.size());
     run_cells(
-        0, std::ssize(numbers), search_.threads,
+        0, static_cast<std::int64_t>(search_.starts), search_.threads,
         [&](std::int64_t k) {
           if (search_.between) search_.between();
-          return fits_.trial(numbers[static_cast<std::size_t>(k)]);
+          return detail::light_trial(search_, static_cast<std::uint64_t>(k));
         },
         [&](std::int64_t k, const std::optional<LightTrial>& trial) {
           if (!trial) return;
-          ++with_body_;
-          const std::size_t p = numbers[static_cast<std::size_t>(k)] % search_.periods.size();
-          trials_[p].push_back({*trial});
+          ++result_.starts;
+          trials[static_cast<std::size_t>(k) % search_.periods.size()].push_back(*trial);
         });
-    for (std::vector<Waiting>& all : trials_)
-      std::ranges::stable_sort(all, {}, [](const Waiting& w) { return w.trial.chi_square; });
-  }
-
-  // Pairs of periods whose best was not reached by two fits.
-  std::vector<std::size_t> unsettled() const {
-    std::vector<std::size_t> pairs;
-    for (std::size_t p = 0; p < hits_.size(); ++p)
-      if (hits_[p] < 2) pairs.push_back(p);
-    return pairs;
-  }
-
-  // Of each of these pairs the best trials that wait, and after them the next best unlike those.
-  std::vector<LightFinalist> next_of(const std::vector<std::size_t>& pairs, std::size_t most) {
-    std::vector<LightFinalist> found;
-    for (const std::size_t p : pairs) {
-      std::vector<const Waiting*> taken;
-      for (const Waiting& w : trials_[p])
-        if (w.is_taken) taken.push_back(&w);
-      std::size_t count = 0;
-      for (Waiting& w : trials_[p]) {
-        if (count == most) break;
-        const bool is_known = w.is_taken || std::ranges::any_of(taken, [&](const Waiting* known) {
-                                return detail::are_alike(known->trial.body, w.trial.body);
-                              });
+    std::vector<Finalist> found;
+    for (std::size_t p = 0; p < trials.size(); ++p) {
+      std::ranges::stable_sort(trials[p], {}, &LightTrial::chi_square);
+      std::vector<const LightTrial*> taken;
+      for (const LightTrial& t : trials[p]) {
+        if (taken.size() == search_.finalists) break;
+        const bool is_known = std::ranges::any_of(
+            taken, [&](const LightTrial* known) { return detail::are_alike(known->body, t.body); });
         if (is_known) continue;
-        w.is_taken = true;
-        taken.push_back(&w);
-        found.push_back({w.trial.body, p});
-        ++count;
+        taken.push_back(&t);
+        found.push_back({t.body, p});
       }
     }
     return found;
   }
 
-  void fit(const std::vector<LightFinalist>& finalists) {
+  std::vector<Finalist> images() const {
+    std::vector<Finalist> found;
+    for (const FoundLight& f : result_.solutions) {
+      for (const LightImage i : {LightImage::normal, LightImage::bisector, LightImage::difference})
+        found.push_back(
+            {image_of(f.solution.body, i, geometry_.to_sun, geometry_.to_observer), f.periods});
+    }
+    return found;
+  }
+
+  void fit(const std::vector<Finalist>& finalists) {
     result_.finalists += finalists.size();
     run_cells(
         0, std::ssize(finalists), search_.threads,
         [&](std::int64_t k) {
           if (search_.between) search_.between();
-          return fits_.to_end(finalists[static_cast<std::size_t>(k)]);
+          const Finalist& f = finalists[static_cast<std::size_t>(k)];
+          LightFit fit{search_.curves, f.start, search_.unknowns, search_.loss,
+                       search_.most_iterations};
+          return fit_light(fit);
         },
         [&](std::int64_t k, const LightSolution& s) {
-          add(s, finalists[static_cast<std::size_t>(k)].periods);
+          if (s.is_found()) add(s, finalists[static_cast<std::size_t>(k)].periods);
         });
   }
 
-  // Until a round brings nothing new: more starts of pairs whose best is within the limit, and
-  // every solution there begun anew from its images and near states.
-  void explore() {
-    for (int round = 0; round < rounds_within; ++round) {
-      const std::size_t before = count_within();
-      const std::vector<std::size_t> pairs = pairs_within();
-      const std::size_t of_each =
-          (search_.starts + search_.periods.size() - 1) / search_.periods.size();
-      std::vector<std::size_t> numbers;
-      const std::size_t more = std::min(of_each, most_more);
-      for (std::size_t i = 0; i < more; ++i)
-        for (const std::size_t p : pairs)
-          numbers.push_back(p + search_.periods.size() *
-                                    (of_each * 2 + more * static_cast<std::size_t>(round) + i));
-      draw(numbers);
-      fit(next_of(pairs, 2 * more));
-      while (true) {
-        const std::vector<LightFinalist> again = begun_anew();
-        if (again.empty()) break;
-        fit(again);
-      }
-      if (count_within() == before && round > 0) break;
-    }
-  }
-
-  double limit() const {
-    double least = std::numeric_limits<double>::infinity();
-    for (const FoundLight& f : result_.solutions) least = std::min(least, f.solution.result.cost);
-    return search_.within * least;
-  }
-  std::size_t count_within() const {
-    const double most = limit();
-    return static_cast<std::size_t>(std::ranges::count_if(
-        result_.solutions, [&](const FoundLight& f) { return f.solution.result.cost <= most; }));
-  }
-  // One pair of periods of all that came to the same.
-  std::vector<std::size_t> pairs_within() const {
-    std::vector<std::size_t> pairs;
-    const double most = limit();
-    for (std::size_t p = 0; p < result_.best_of_periods.size(); ++p) {
-      const std::optional<LightSolution>& best = result_.best_of_periods[p];
-      if (!best || !(best->result.cost <= most)) continue;
-      const bool is_known = std::ranges::any_of(pairs, [&](std::size_t q) {
-        return detail::have_same_periods(*result_.best_of_periods[q], *best, geometry_.time_base);
-      });
-      if (!is_known) pairs.push_back(p);
-    }
-    return pairs;
-  }
-
-  std::vector<LightFinalist> begun_anew() {
-    begun_.resize(result_.solutions.size(), false);
-    std::vector<LightFinalist> found;
-    const double most = limit();
-    for (std::size_t i = 0; i < begun_.size(); ++i) {
-      const FoundLight& f = result_.solutions[i];
-      if (begun_[i] || !(f.solution.result.cost <= most)) continue;
-      begun_[i] = true;
-      for (const BrightEllipsoid& b : detail::begun_anew(f.solution.body, geometry_))
-        found.push_back({b, f.periods, false});
-    }
-    return found;
-  }
-
   void add(const LightSolution& s, std::size_t periods) {
-    if (!std::isfinite(s.result.chi_square)) return;
+    ++result_.converged;
     double& least = result_.chi_square_of_periods[periods];
     if (s.result.chi_square < least) {
-      if (s.result.chi_square < (1.0 - same_chi_square) * least) hits_[periods] = 0;
       least = s.result.chi_square;
       result_.best_of_periods[periods] = s;
     }
-    if (s.result.chi_square <= (1.0 + same_chi_square) * least) ++hits_[periods];
-    if (!s.is_found()) return;
-    ++result_.converged;
     for (FoundLight& f : result_.solutions) {
-      if (!detail::are_same(f.solution, s, search_.unknowns, geometry_.time_base)) continue;
+      if (!detail::are_same(f.solution, s, search_.unknowns)) continue;
       ++f.starts;
       if (s.result.cost < f.solution.result.cost) f.solution = s;
       return;
@@ -240,9 +149,10 @@ class Search {
 
   void sort_and_limit() {
     std::vector<FoundLight>& all = result_.solutions;
-    const double most = limit();
     std::ranges::stable_sort(all, {}, [](const FoundLight& f) { return f.solution.result.cost; });
-    std::erase_if(all, [&](const FoundLight& f) { return f.solution.result.cost > most; });
+    if (all.empty()) return;
+    const double limit = search_.within * all.front().solution.result.cost;
+    std::erase_if(all, [&](const FoundLight& f) { return f.solution.result.cost > limit; });
   }
 
   void add_notes() {
@@ -258,12 +168,7 @@ class Search {
   }
 
   const LightSearch& search_;
-  detail::LightSearchFits fits_;
   detail::LightGeometry geometry_;
-  std::vector<std::vector<Waiting>> trials_;  // of each pair of periods
-  std::vector<std::size_t> hits_;             // fits that came to the best of it
-  std::vector<bool> begun_;                   // solutions that were begun anew
-  std::size_t with_body_ = 0;
   LightSearchResult result_;
 };
 

@@ -48,8 +48,8 @@ bool is_thick(const TumblingBody& body) {
 }
 
 // The rate in principal axes at a phase of the polhode, with the shape.
-std::optional<BrightEllipsoid> drawn_body(const LightSearch& search, double epoch,
-                                          const TumblerPeriods& periods, Draws& draws) {
+std::optional<BrightEllipsoid> drawn_body(const LightSearch& search, const TumblerPeriods& periods,
+                                          Draws& draws) {
   for (int k = 0; k < most_tilts; ++k) {
     const double tilt = draws.between(0.05, 0.5 * pi<double>() - 0.05);
     std::vector<TumblingBody> bodies = bodies_with_periods(periods, tilt, bodies_of_tilt);
@@ -61,7 +61,8 @@ std::optional<BrightEllipsoid> drawn_body(const LightSearch& search, double epoc
     const FreeRotation motion = FreeRotation::short_arc(chosen.body, chosen.state);
     const Vec3 g = motion.at(part * periods.rotation_period).g, I = chosen.body.moments();
     const Ellipsoid e = homogeneous_ellipsoid(I, 1.0);
-    return BrightEllipsoid::homogeneous(epoch, {}, {g.x / I.x, g.y / I.y, g.z / I.z},
+    return BrightEllipsoid::homogeneous(epoch_of(search.curves), {},
+                                        {g.x / I.x, g.y / I.y, g.z / I.z},
                                         {1.0, e.b / e.a, e.c / e.a}, search.law);
   }
   return std::nullopt;
@@ -80,11 +81,10 @@ double epoch_of(std::span<const LightCurve> curves) {
   return first + 0.5 * (last - first);
 }
 
-std::optional<LightTrial> light_trial(const LightSearch& search, double epoch,
-                                      std::uint64_t number) {
+std::optional<LightTrial> light_trial(const LightSearch& search, std::uint64_t number) {
   Draws draws(search.seed, number);
   const TumblerPeriods& periods = search.periods[number % search.periods.size()];
-  std::optional<BrightEllipsoid> body = drawn_body(search, epoch, periods, draws);
+  std::optional<BrightEllipsoid> body = drawn_body(search, periods, draws);
   if (!body) return std::nullopt;
   // One motion, turned as a whole: q_IB(t) = q p(t).
   const LightResiduals looked_at(search.curves, search.unknowns, *body);
