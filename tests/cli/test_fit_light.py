@@ -317,6 +317,31 @@ def test_vectors_come_from_orbits(run, fit_file, tmp_path):
     assert abs(found["precession_period"]["value"] - 12) < 5 * found["precession_period"]["error"]
 
 
+DISTANCES = NIGHT.replace("to_observer = [0.8, 0.6, 0.1]", "to_observer = [1.6, 1.2, 0.2]").replace(
+    "at-body", "at-observer")
+
+
+def test_light_takes_its_time_from_the_distance_of_each_point(run, fit_file, tmp_path):
+    """2.01 au are 16.72 min, whether a key says so or vectors in au do."""
+    head = TUMBLER.replace('angle = "deg"', 'angle = "deg"\nlength = "au"')
+    own = fit_file(DISTANCES, FREE, head=head)
+    assert run("simulate", own, "--into", tmp_path).returncode == 0
+    lag = (1.6**2 + 1.2**2 + 0.2**2)**0.5 * 149597870.7 / 299792.458 / 60
+    assert rows(tmp_path / "night.csv")["t"][0] == pytest.approx(lag, rel=budgets.cli_carried)
+    found = fitted(run, own)
+    keyed = fitted(run, fit_file(DISTANCES + f"light_time = {lag!r}\n", FREE, head=head,
+                                 name="keyed.toml"))
+    assert found["solutions"][0]["chi_square"] == pytest.approx(
+        keyed["solutions"][0]["chi_square"], rel=budgets.cli_carried)
+    assert "light time of each point from its distance to the observer, 16.7" in run(
+        "fit", own).stdout
+    directions = DISTANCES.replace("[1.6, 1.2, 0.2]", "[0.6, 0.8, 0]")
+    assert "directions and no distances" in refused(
+        run, fit_file(directions, FREE, head=head, name="directions.toml"))
+    assert "vectors to the observer with units.length" in refused(
+        run, fit_file(DISTANCES, FREE, head=TUMBLER, name="bare.toml"))
+
+
 LINES = "t,flux\n" + "".join(f"{t},{1 + 0.2 * (t % 3)}\n" for t in range(20))
 
 

@@ -53,7 +53,8 @@ struct Observation {
   std::string time_unit;                               // of numbers; empty: that of the file
   std::string value_unit;                              // of angles or rates; empty: the same
   LightTime times = LightTime::at_body;
-  double light_time = 0.0;  // of times at the observer
+  // Of times at the observer; of light curves without one each point has that of its distance.
+  std::optional<double> light_time = std::nullopt;
   std::optional<Axes> axes = std::nullopt;
   Vec3 axis{0.0, 0.0, 1.0};  // of the body, of directions
   // One of the three.

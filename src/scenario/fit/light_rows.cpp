@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Light curves of [[observation]]: read for a fit, written for a simulation.
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "polhode/error.hpp"
@@ -104,6 +106,18 @@ LightCurve with_orbits(const ObservationTable& of, LightCurve curve, LightTime g
   });
 }
 
+// From when light arrived to when it left, by the vector to the observer of each point.
+LightCurve after_own_light_times(const ObservationTable& of, LightCurve curve) {
+  constexpr double unit_length = 1e-9;  // of a direction that was written with ten digits
+  if (std::ranges::all_of(curve.points, [](const LightPoint& p) {
+        return std::fabs(norm(p.to_observer) - 1.0) < unit_length;
+      }))
+    of.keys.refuse("times",
+                   "expected a key light_time as well: vectors to the observer have length 1, so "
+                   "that they are directions and no distances");
+  return of.keys.built("times", [&] { return at_body(std::move(curve), speed_of(of)); });
+}
+
 // In core time at the body, with vectors along the axes of the state.
 LightCurve in_core(const ObservationTable& of, LightCurve curve) {
   const double unit = of.clock ? of.clock->second : of.time_unit;
@@ -112,7 +126,8 @@ LightCurve in_core(const ObservationTable& of, LightCurve curve) {
     p.to_sun = turned(of.to_state, p.to_sun);
     p.to_observer = turned(of.to_state, p.to_observer);
   }
-  if (!of.of.orbit.empty()) curve = with_orbits(of, std::move(curve), of.of.times);
+  if (!of.of.orbit.empty()) return with_orbits(of, std::move(curve), of.of.times);
+  if (of.has_own_light_times()) return after_own_light_times(of, std::move(curve));
   return curve;
 }
 
@@ -192,7 +207,8 @@ std::string light_curve_text(const Scenario& scenario, std::size_t index,
   std::vector<LightCurve> written(curves.begin(), curves.end());
   for (LightCurve& curve : written)
     for (LightPoint& p : curve.points) {
-      const bool arrives = has_orbit && of.of.times == LightTime::at_observer;
+      const bool arrives =
+          of.has_own_light_times() || (has_orbit && of.of.times == LightTime::at_observer);
       p.t = (p.t + (arrives ? norm(p.to_observer) / speed_of(of) : of.light_time())) / unit;
       p.to_sun = turned(conj(of.to_state), p.to_sun);
       p.to_observer = turned(conj(of.to_state), p.to_observer);
