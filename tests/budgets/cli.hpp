@@ -28,6 +28,8 @@ inline constexpr double cli_fit_starts = 1e-6;
 // the light of the facets of a fit and of the mesh that is written of them, which closes; and
 // chi-square of a fit of this mesh, of that of the facets
 inline constexpr double cli_convex_mesh = 0.01, cli_convex_again = 0.1;
+// chi-square of the same night with times as Julian dates, which have 0.04 ms, and of microseconds
+inline constexpr double cli_julian = 1e-3;
 // Unknowns of a fit of exact attitudes, deg, deg/h and ratios.
 inline constexpr double cli_fit_exact = 1e-8;
 // Numbers of a published or independent fit that are told to three decimals.

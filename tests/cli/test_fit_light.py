@@ -210,6 +210,28 @@ def test_a_search_finds_the_images_whatever_the_threads(run, night, fit_file):
     assert "image (normal) of 1" in text
 
 
+def test_pairs_beyond_the_limit_are_told(run, night, fit_file):
+    """Their own best ellipsoid: its periods, which it left, its pole and the mirror pole."""
+    other = SEARCH + '[[fit.periods]]\nmode = "LAM"\nprecession_period = 12\nrotation_period = 11\n'
+    path = fit_file(NIGHT, FREE, other.replace("1.5", "1.1"), head=TUMBLER, name="pairs.toml")
+    found = fitted(run, path)
+    right, alias = found["periods"]
+    first = found["solutions"][0]
+    assert alias["chi_square"] > 1.1 * first["chi_square"]
+    assert all(abs(s["rotation_period"]["value"] - 20) < 1 for s in found["solutions"])
+    assert alias["found"]["rotation_period"] not in (11, 20)
+    assert right["found"]["rotation_period"] == pytest.approx(
+        first["rotation_period"]["value"], rel=budgets.cli_fit_starts)
+    of_pair = right["found"]
+    told = {(round(of_pair[m + "longitude"], 2), round(of_pair[m + "latitude"], 2))
+            for m in ("", "mirror_")}
+    assert len(told) == 2 and told <= {
+        (round(s["pole"]["longitude"], 2), round(s["pole"]["latitude"], 2))
+        for s in found["solutions"]}
+    text = run("fit", path).stdout
+    assert f"{alias['chi_square']:>12.5g}   LAM" in text and "mirror" in text
+
+
 def test_a_scan_has_a_landscape(run, night, fit_file, tmp_path):
     scan = ('[fit]\nfrom = "search"\nstarts = 1\n[fit.scan]\norder = 2\nshortest = 5\n'
             "longest = 30\nminima = 4\npairs = 1\nlabels = 1\n")

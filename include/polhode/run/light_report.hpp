@@ -48,6 +48,7 @@ struct LightScan {
 // What a convex body or a mesh came to from the best ellipsoid of a pair of periods.
 struct SurfaceOfPeriods {
   TumblerPeriods periods{};
+  Vec3 pole;
   double chi_square = 0.0;
   bool is_converged = false;
   std::string sentence;

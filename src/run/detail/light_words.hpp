@@ -24,6 +24,9 @@ struct SkyPlace {
   double longitude, latitude;
 };
 SkyPlace sky_place(const Vec3& direction);
+// The pole turned by pi about the normal of the plane of Sun and observer, in the middle of the
+// data; where these are one direction there is no such plane, and it is the pole.
+Vec3 mirror_pole(const Vec3& pole, const LightReport& report);
 
 // A number with its errors, as given and scaled, in the unit of the file.
 struct WithErrors {

@@ -58,6 +58,15 @@ void add_scan(JsonWriter& json, const Scenario& scenario, const LightScan& scan)
 void add_periods(JsonWriter& json, const Scenario& scenario, const LightReport& report) {
   const double time = scenario.units().from_core(1.0, Dimension::time);
   json.key("periods").begin_array();
+  const auto add_place = [&](const Vec3& direction, const char* longitude, const char* latitude) {
+    const detail::SkyPlace at = detail::sky_place(direction);
+    json.key(longitude).value(scenario.units().from_core(at.longitude, Dimension::angle));
+    json.key(latitude).value(scenario.units().from_core(at.latitude, Dimension::angle));
+  };
+  const auto add_poles = [&](const Vec3& pole) {
+    add_place(pole, "longitude", "latitude");
+    add_place(detail::mirror_pole(pole, report), "mirror_longitude", "mirror_latitude");
+  };
   const auto add = [&](const TumblerPeriods& p) {
     json.key("mode").value(detail::mode_word(p.mode));
     json.key("precession_period").value(time * p.precession_period);
@@ -69,11 +78,9 @@ void add_periods(JsonWriter& json, const Scenario& scenario, const LightReport& 
     json.key("chi_square").value(pair.ellipsoid ? pair.ellipsoid->result.chi_square : none);
     if (pair.ellipsoid) {
       const LightSolution& s = *pair.ellipsoid;
-      const detail::SkyPlace pole = detail::sky_place(s.pole);
       json.key("found").begin_object();
       add(s.periods);
-      json.key("longitude").value(scenario.units().from_core(pole.longitude, Dimension::angle));
-      json.key("latitude").value(scenario.units().from_core(pole.latitude, Dimension::angle));
+      add_poles(s.pole);
       json.key("b/a").value(s.body.shape.b / s.body.shape.a);
       json.key("c/b").value(s.body.shape.c / s.body.shape.b).end_object();
     }
@@ -82,6 +89,7 @@ void add_periods(JsonWriter& json, const Scenario& scenario, const LightReport& 
       json.key("chi_square").value(pair.surface->chi_square);
       json.key("converged").value(pair.surface->is_converged);
       add(pair.surface->periods);
+      add_poles(pair.surface->pole);
       json.key("sentence").value(pair.surface->sentence).end_object();
     }
     json.end_object();

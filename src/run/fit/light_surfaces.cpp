@@ -158,7 +158,7 @@ class Surfaces {
     const LightSolution& s = best->solution;
     for (const std::size_t p : start.pairs)
       report_.pairs.at(p).surface =
-          SurfaceOfPeriods{s.periods, s.result.chi_square, s.is_found(), s.result.sentence};
+          SurfaceOfPeriods{s.periods, s.pole, s.result.chi_square, s.is_found(), s.result.sentence};
   }
 
   void limit() {

@@ -106,8 +106,8 @@ void add_pair_rows(std::string& text, const Scenario& scenario, const LightRepor
                                     detail::shape_word(report.shape))
                       : fmt::format("\npairs of periods by what an ellipsoid comes to\n{:>12}",
                                     "chi-square");
-  text += fmt::format("{:>6}{:>16}{:>16}{:>10}\n", "mode", "P_phi " + time, "P_psi " + time,
-                      "readings");
+  text += fmt::format("{:>6}{:>13}{:>13}{:>9}{:>8}{:>9}{:>8}{:>10}\n", "mode", "P_phi " + time,
+                      "P_psi " + time, "pole", "", "mirror", "", "readings");
   const std::vector<detail::PairGroup> groups = detail::groups_of_pairs(report);
   for (std::size_t i = 0; i < std::min(groups.size(), most_pairs); ++i) {
     const PairFound& pair = report.pairs[groups[i].best];
@@ -118,10 +118,17 @@ void add_pair_rows(std::string& text, const Scenario& scenario, const LightRepor
     };
     text += fmt::format("{:>12.5g}", s.result.chi_square);
     if (has_surface) text += fmt::format("{:>12}", surface_chi_square(pair));
-    text +=
-        fmt::format("{:>6}{:>16}{:>16}{:>10}{}\n", detail::mode_word(p.mode),
-                    period(p.precession_period), period(p.rotation_period), groups[i].pairs.size(),
-                    pair.surface && !pair.surface->is_converged ? "  not converged" : "");
+    text += fmt::format("{:>6}{:>13}{:>13}", detail::mode_word(p.mode), period(p.precession_period),
+                        period(p.rotation_period));
+    const Vec3 pole = pair.surface ? pair.surface->pole : s.pole;
+    for (const Vec3& one : {pole, detail::mirror_pole(pole, report)}) {
+      const detail::SkyPlace at = detail::sky_place(one);
+      text += fmt::format("{:>9.1f}{:>8.1f}",
+                          scenario.units().from_core(at.longitude, Dimension::angle),
+                          scenario.units().from_core(at.latitude, Dimension::angle));
+    }
+    text += fmt::format("{:>10}{}\n", groups[i].pairs.size(),
+                        pair.surface && !pair.surface->is_converged ? "  not converged" : "");
   }
   if (groups.size() > most_pairs)
     text += fmt::format("{:>12}\n", fmt::format("and {} more", groups.size() - most_pairs));

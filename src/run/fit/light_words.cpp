@@ -72,6 +72,18 @@ SkyPlace sky_place(const Vec3& d) {
           std::atan2(d.z, std::hypot(d.x, d.y))};
 }
 
+Vec3 mirror_pole(const Vec3& pole, const LightReport& report) {
+  Vec3 sun, observer;
+  for (const LightCurve& curve : report.observed.curves)
+    for (const LightPoint& p : curve.points) {
+      sun = sun + (1.0 / norm(p.to_sun)) * p.to_sun;
+      observer = observer + (1.0 / norm(p.to_observer)) * p.to_observer;
+    }
+  const Vec3 normal = cross(sun, observer);
+  const double size2 = dot(normal, normal);
+  return size2 > 0.0 ? (2.0 * dot(normal, pole) / size2) * normal - pole : pole;
+}
+
 LightFigures light_figures(const Scenario& scenario, const LightReport& report,
                            std::size_t solution) {
   const LightSolution& s = report.solutions.at(solution).solution;

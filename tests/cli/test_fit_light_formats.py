@@ -1,0 +1,169 @@
+# SPDX-License-Identifier: MIT
+"""One night in every form that `polhode fit` reads: magnitudes, dates, Julian dates, fluxes of the
+distances of the time, ALCDEF. The fit is the same, since the light is."""
+
+import datetime
+import math
+
+import budgets
+import numpy
+import pytest
+from fit_files import fitted, refused, rows
+
+HEAD = """schema = 1
+kind = "fit"
+[units]
+time = "min"
+angle = "deg"
+length = "au"
+[body]
+moments = [0.5625, 1.2025, 1.36]
+[state]
+epoch = "2013-01-05T00:00:00 UTC"
+axes = "ecliptic-J2000"
+[state.tumbler]
+mode = "LAM"
+precession_period = 12
+rotation_period = 20
+pole = { longitude = 50, latitude = 40 }
+phi0 = 20
+psi0 = 70
+[time]
+start = -60
+stop = 180
+count = 161
+[simulate]
+sessions = [0, 120]
+[free]
+unknowns = ["attitude", "rate", "shape"]
+"""
+TABLE = """
+[[observation]]
+kind = "light-curve"
+file = "%s"
+times = "at-body"
+"""
+VECTORS = "to_sun = [1, 0.2, 0.3]\nto_observer = [0.8, 0.6, 0.1]\n"
+SLOPE = 0.4 * numpy.log(10)  # of a flux by its magnitude, over the flux
+JULIAN = 2456297.5  # of the epoch
+TT = 67.184 / 60  # TT - UTC, min
+
+
+@pytest.fixture
+def night(run, fit_file, tmp_path):
+    """Columns of a simulated night, and what a fit of them comes to."""
+    table = TABLE % "night.csv" + VECTORS + "sigma = 0.02\n"
+    path = fit_file(table, head=HEAD)
+    assert run("simulate", path, "--into", tmp_path).returncode == 0
+    read = fit_file(TABLE % "night.csv" + VECTORS + 'sigma_columns = ["sigma"]\n', head=HEAD)
+    return rows(tmp_path / "night.csv"), fitted(run, read)["solutions"][0]
+
+
+def write(path, **columns):
+    lines = [",".join(columns)] + [
+        ",".join(x if isinstance(x, str) else repr(float(x)) for x in row)
+        for row in zip(*columns.values(), strict=True)]
+    path.write_text("\n".join(lines) + "\n")
+
+
+def same(run, path, expected):
+    found = fitted(run, path)["solutions"][0]
+    assert found["chi_square"] == pytest.approx(expected["chi_square"], rel=budgets.cli_fit_starts)
+    assert found["precession_period"]["value"] == pytest.approx(
+        expected["precession_period"]["value"], rel=budgets.cli_fit_starts)
+
+
+def test_magnitudes_are_fluxes(run, night, fit_file, tmp_path):
+    light, expected = night
+    write(tmp_path / "m.csv", t=light["t"], magnitude=3 - 2.5 * numpy.log10(light["flux"]),
+          error=light["sigma"] / light["flux"] / SLOPE)
+    table = (TABLE % "m.csv" + VECTORS + 'brightness = "magnitude"\nsigma_columns = ["error"]\n')
+    same(run, fit_file(table, head=HEAD, name="m.toml"), expected)
+
+
+@pytest.mark.parametrize(("form", "scale", "time"), [
+    ("MJD", "TT", lambda t: JULIAN - 2400000.5 + (t + TT) / 1440),
+    ("JD", "UTC", lambda t: JULIAN + t / 1440),
+    ("date", "UTC", lambda t: [
+        (datetime.datetime(2013, 1, 5) + datetime.timedelta(minutes=x)).isoformat() for x in t]),
+])
+def test_times_are_dates(run, night, fit_file, tmp_path, form, scale, time):
+    light, expected = night
+    write(tmp_path / "d.csv", t=time(light["t"]), flux=light["flux"],
+          error=light["sigma"])
+    table = (TABLE % "d.csv" + VECTORS + 'sigma_columns = ["error"]\n'
+             f'time_format = "{form}"\ntime_scale = "{scale}"\n')
+    found = fitted(run, fit_file(table, head=HEAD, name="d.toml"))["solutions"][0]
+    # a Julian date in double has 0.04 ms
+    assert found["chi_square"] == pytest.approx(expected["chi_square"], rel=budgets.cli_julian)
+
+
+def test_fluxes_of_the_time_have_their_distances(run, night, fit_file, tmp_path):
+    """Distances that change by a factor of two, and fluxes with them; without the key the fit is
+    another one."""
+    light, expected = night
+    r, d = 1 + light["t"] / 120, 0.1 + light["t"] / 600
+    sun, eye = (numpy.array(v) / numpy.linalg.norm(v) for v in ([1, 0.2, 0.3], [0.8, 0.6, 0.1]))
+    write(tmp_path / "f.csv", t=light["t"], flux=light["flux"] / (r * d)**2,
+          error=light["sigma"] / (r * d)**2,
+          **{f"sun_{a}": r * x for a, x in zip("xyz", sun)},
+          **{f"observer_{a}": d * x for a, x in zip("xyz", eye)})
+    table = (TABLE % "f.csv" + 'sigma_columns = ["error"]\nof_the_time = true\n'
+             'sun_columns = ["sun_x", "sun_y", "sun_z"]\n'
+             'observer_columns = ["observer_x", "observer_y", "observer_z"]\n')
+    same(run, fit_file(table, head=HEAD, name="f.toml"), expected)
+    plain = fit_file(table.replace("= true", "= false"), head=HEAD, name="plain.toml")
+    done = run("fit", plain, "--json")
+    assert done.returncode != 0 or "chi_square" in done.stdout and (
+        fitted(run, plain)["solutions"][0]["chi_square"] > 10 * expected["chi_square"])
+
+
+ORBITS = """
+[orbit.body]
+kind = "kepler"
+semi_major_axis = 1.2
+eccentricity = 0.2
+gm = "1.32712440018e11 km3/s2"
+[orbit.earth]
+kind = "ephemeris"
+target = "earth"
+centre = "sun"
+"""
+ALCDEF = """STARTMETADATA
+OBJECTNUMBER=99942
+OBJECTNAME=Tumbler
+SESSIONDATE=2013-01-05
+SESSIONTIME=01:00:00
+FILTER=C
+MAGBAND=C
+DIFFERMAGS=TRUE
+STANDARD=NONE
+LTCAPP=%s
+LTCDAYS=-0.005
+REDUCEDMAGS=POINT
+DELIMITER=PIPE
+ENDMETADATA
+"""
+
+
+def test_alcdef_through_a_scenario(run, fit_file, tmp_path):
+    """As columns at the observer, with vectors and light time of orbits."""
+    orbits = 'orbit = "body"\nobserver_orbit = "earth"\n'
+    observed = (TABLE % "seen.csv").replace("at-body", "at-observer") + orbits
+    path = fit_file(observed + "sigma = 0.02\n", ORBITS, head=HEAD)
+    assert run("simulate", path, "--into", tmp_path).returncode == 0
+    own = fit_file(observed + 'sigma_columns = ["sigma"]\n', ORBITS, head=HEAD, name="own.toml")
+    expected = fitted(run, own)["solutions"][0]
+    light = rows(tmp_path / "seen.csv")
+    data = "".join(
+        f"DATA={JULIAN + t / 1440!r}|{-2.5 * math.log10(flux)!r}|{float(s / flux / SLOPE)!r}\n"
+        for t, flux, s in zip(*(light[n].tolist() for n in ("t", "flux", "sigma")), strict=True))
+    table = (observed.replace("seen.csv", "seen.alcdef")
+             + 'format = "alcdef"\ntime_format = "JD"\ntime_scale = "UTC"\n'
+             "sigma = 0.5\n")  # of points without an error, which there are not
+    read = fit_file(table, ORBITS, head=HEAD, name="alcdef.toml")
+    (tmp_path / "seen.alcdef").write_text(ALCDEF % "NONE" + data + "ENDDATA\n")
+    found = fitted(run, read)["solutions"][0]
+    assert found["chi_square"] == pytest.approx(expected["chi_square"], rel=budgets.cli_julian)
+    (tmp_path / "seen.alcdef").write_text(ALCDEF % "POINT" + data + "ENDDATA\n")
+    assert 'expected "at-body", as the file says of its times' in refused(run, read)
