@@ -2,6 +2,7 @@
 // Light curves of [[observation]]: read for a fit, written for a simulation.
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <utility>
 
@@ -131,6 +132,53 @@ LightCurve in_core(const ObservationTable& of, LightCurve curve) {
   return curve;
 }
 
+// Whole numbers from 1; `most` is how many there are.
+std::vector<std::size_t> counted_from_1(const ObservationTable& of, const char* key,
+                                        const std::vector<std::string>& words, std::size_t most) {
+  std::vector<std::size_t> all;
+  for (const std::string& one : words) {
+    std::size_t n = 0;
+    const auto [end, error] = std::from_chars(one.data(), one.data() + one.size(), n);
+    if (error != std::errc() || end != one.data() + one.size() || n < 1 || n > most)
+      of.keys.refuse(key, "expected whole numbers from 1 to " + std::to_string(most));
+    all.push_back(n);
+  }
+  return all;
+}
+
+// Without sessions and lines that the table does not want.
+void take_wanted(const ObservationTable& of, LightCurveFile& file) {
+  if (!of.of.sessions.empty()) {
+    const std::vector<std::size_t> wanted =
+        counted_from_1(of, "sessions", of.of.sessions, file.sessions.size());
+    std::vector<LightSession> taken;
+    for (std::size_t k = 0; k < file.sessions.size(); ++k)
+      if (std::ranges::count(wanted, k + 1) > 0) taken.push_back(std::move(file.sessions[k]));
+    file.sessions = std::move(taken);
+  }
+  if (of.of.leave_out.empty()) return;
+  std::vector<std::size_t> lines = counted_from_1(of, "leave_out", of.of.leave_out, 0xffffffff);
+  for (LightSession& session : file.sessions) {
+    LightSession kept = session;
+    kept.curve.points.clear();
+    kept.lines.clear();
+    for (std::size_t k = 0; k < session.curve.points.size() && k < session.lines.size(); ++k) {
+      if (std::ranges::count(of.of.leave_out, std::to_string(session.lines[k])) > 0) {
+        std::erase(lines, static_cast<std::size_t>(session.lines[k]));
+        continue;
+      }
+      kept.curve.points.push_back(session.curve.points[k]);
+      kept.lines.push_back(session.lines[k]);
+    }
+    if (session.lines.size() == session.curve.points.size()) session = std::move(kept);
+  }
+  if (!lines.empty())
+    of.keys.refuse("leave_out", "expected lines with a point of the sessions taken; line " +
+                                    std::to_string(lines.front()) + " has none");
+  std::erase_if(file.sessions, [](const LightSession& s) { return s.curve.points.empty(); });
+  if (file.sessions.empty()) of.keys.refuse("leave_out", "expected some points to stay");
+}
+
 // What light_csv writes is what the keys of the table must read.
 void require_own_columns(const ObservationTable& of, std::size_t sessions) {
   const Observation& o = of.of;
@@ -162,6 +210,7 @@ void detail::read_light_curves(const ObservationTable& of, std::size_t index,
     complete(session.curve, of.of);
   }
   require_sound(file, {.vectors = of.of.orbit.empty()});
+  take_wanted(of, file);
   for (LightSession& session : file.sessions) {
     LightCurve curve = in_core(of, std::move(session.curve));
     if (of.of.is_of_the_time)
