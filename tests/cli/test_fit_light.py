@@ -269,6 +269,8 @@ def test_sessions_have_factors_of_their_own(run, fit_file, tmp_path):
     found = fitted(run, path)
     assert [s["points"] for s in found["sessions"]] == [34, 34]
     assert len(set(found["solutions"][0]["factors"])) == 2
+    second = fitted(run, path, "--set", "observation[0].sessions=[2]")
+    assert [s["points"] for s in second["sessions"]] == [34]
     steady = fit_file(table + "calibrated = true\n", FREE, sessions, head=TUMBLER, name="c.toml")
     assert run("simulate", steady, "--into", tmp_path, "--replace").returncode == 0
     assert len(set(fitted(run, steady)["solutions"][0]["factors"])) == 1
@@ -337,6 +339,64 @@ def test_vectors_come_from_orbits(run, fit_file, tmp_path):
     found = fitted(run, path)["solutions"][0]
     assert 0.4 < found["chi_square"] / found["degrees_of_freedom"] < 1.7
     assert abs(found["precession_period"]["value"] - 12) < 5 * found["precession_period"]["error"]
+
+
+DISTANCES = NIGHT.replace("to_observer = [0.8, 0.6, 0.1]", "to_observer = [1.6, 1.2, 0.2]").replace(
+    "at-body", "at-observer")
+
+
+def test_light_takes_its_time_from_the_distance_of_each_point(run, fit_file, tmp_path):
+    """2.01 au are 16.72 min, whether a key says so or vectors in au do."""
+    head = TUMBLER.replace('angle = "deg"', 'angle = "deg"\nlength = "au"')
+    own = fit_file(DISTANCES, FREE, head=head)
+    assert run("simulate", own, "--into", tmp_path).returncode == 0
+    lag = (1.6**2 + 1.2**2 + 0.2**2)**0.5 * 149597870.7 / 299792.458 / 60
+    assert rows(tmp_path / "night.csv")["t"][0] == pytest.approx(lag, rel=budgets.cli_carried)
+    found = fitted(run, own)
+    keyed = fitted(run, fit_file(DISTANCES + f"light_time = {lag!r}\n", FREE, head=head,
+                                 name="keyed.toml"))
+    assert found["solutions"][0]["chi_square"] == pytest.approx(
+        keyed["solutions"][0]["chi_square"], rel=budgets.cli_carried)
+    assert "light time of each point from its distance to the observer, 16.7" in run(
+        "fit", own).stdout
+    directions = DISTANCES.replace("[1.6, 1.2, 0.2]", "[0.6, 0.8, 0]")
+    assert "directions and no distances" in refused(
+        run, fit_file(directions, FREE, head=head, name="directions.toml"))
+    assert "vectors to the observer with units.length" in refused(
+        run, fit_file(DISTANCES, FREE, head=TUMBLER, name="bare.toml"))
+
+
+def test_a_fit_restarts_from_its_solution(run, night, tmp_path):
+    found, again = tmp_path / "found.toml", tmp_path / "again.toml"
+    first, = fitted(run, night, "--solution", found)["solutions"]
+    second, = fitted(run, found, "--solution", again, "--set", "fit.iterations=3")["solutions"]
+    assert second["chi_square"] == pytest.approx(first["chi_square"], rel=budgets.cli_fit_starts)
+    assert "semiaxes" in found.read_text() and "semiaxes" in again.read_text()
+    assert run("run", found, "--out", tmp_path / "motion.csv").returncode == 0
+
+
+def test_points_far_out_are_named_spared_and_left_out(run, night, tmp_path):
+    table = tmp_path / "night.csv"
+    lines = table.read_text().splitlines()
+    at = len(lines) - 30
+    part = lines[at].split(",")
+    column = next(x for x in lines if not x.startswith("#")).split(",").index("flux")
+    part[column] = str(3 * float(part[column]))
+    lines[at] = ",".join(part)
+    clean = fitted(run, night)["solutions"][0]
+    table.write_text("\n".join(lines) + "\n")
+    huber = ["--set", 'fit.loss="huber"']
+    text = run("fit", night, *huber).stdout
+    assert "which was minimised: huber from 1 standard errors on" in text
+    assert f"of chi-square; lines {at + 1}\n" in text
+    spared = fitted(run, night, *huber)["solutions"][0]
+    assert spared["error_factor"] < 1.5 and spared["chi_square"] > 1000
+    without = fitted(run, night, "--set", f"observation[0].leave_out=[{at + 1}]")["solutions"][0]
+    assert without["chi_square"] < 1.1 * clean["chi_square"]
+    assert without["degrees_of_freedom"] == clean["degrees_of_freedom"] - 1
+    for key, expected in (("leave_out=[1]", "line 1 has none"), ("sessions=[2]", "from 1 to 1")):
+        done = run("fit", night, "--set", "observation[0]." + key)
+        assert done.returncode == 2 and expected in done.stderr, done.stderr
 
 
 LINES = "t,flux\n" + "".join(f"{t},{1 + 0.2 * (t % 3)}\n" for t in range(20))

@@ -113,9 +113,9 @@ void write_light_residuals(const Scenario& scenario, const LightReport& report,
                            std::size_t solution, const std::string& path);
 void write_light_covariance(const Scenario& scenario, const LightReport& report,
                             std::size_t solution, const std::string& path);
-// As solution_text: a scenario of kind "rotation" that begins at the solution. Of a convex body or
-// a mesh it is one of kind "fit" that has the mesh, so that it can be simulated and fitted again as
-// well as run; `mesh` is the file of a convex body, as the scenario names it.
+// As solution_text: a scenario of kind "fit" that begins at the solution, with the ellipsoid or the
+// mesh, so that it can be simulated and fitted again as well as run; `mesh` is the file of a convex
+// body, as the scenario names it.
 std::string light_solution_text(const Scenario& scenario, const LightReport& report,
                                 std::size_t solution, const std::string& mesh = "seen.obj");
 // The file, and beside PATH.toml the mesh of a convex body, PATH.obj; DomainError for areas that

@@ -53,7 +53,8 @@ struct Observation {
   std::string time_unit;                               // of numbers; empty: that of the file
   std::string value_unit;                              // of angles or rates; empty: the same
   LightTime times = LightTime::at_body;
-  double light_time = 0.0;  // of times at the observer
+  // Of times at the observer; of light curves without one each point has that of its distance.
+  std::optional<double> light_time = std::nullopt;
   std::optional<Axes> axes = std::nullopt;
   Vec3 axis{0.0, 0.0, 1.0};  // of the body, of directions
   // One of the three.
@@ -65,6 +66,8 @@ struct Observation {
   LightFormat light_format = LightFormat::columns;
   Brightness brightness = Brightness::flux;
   std::vector<std::string> session_column, sun_columns, observer_columns;  // 1, 3 and 3, or none
+  std::vector<std::string> sessions;   // whole numbers from 1: those that are taken; empty: all
+  std::vector<std::string> leave_out;  // whole numbers from 1: lines without their points
   std::optional<Vec3> to_sun = std::nullopt;  // of all points, where no columns have them
   std::optional<Vec3> to_observer = std::nullopt;
   std::string orbit;  // of the body about the Sun, from which vectors and light time follow

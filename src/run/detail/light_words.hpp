@@ -14,9 +14,18 @@ namespace detail {
 const char* mode_word(Regime mode);  // "SAM", "LAM", or what else it is
 const char* beside_word(const FoundLight& found);
 const char* image_word(LightImage image);
+const char* loss_word(const Loss& loss);  // as fit.loss has it
 
-// By what errors are scaled; NaN where the data leave no degree of freedom or no residual.
-double scale_of(const LightOutcome& found);
+// The robust standard deviation of residuals in standard errors, by the median of their sizes; NaN
+// of the squared loss.
+double spread_of(const Scenario& scenario, const LightReport& report, const LightOutcome& found);
+// By what errors are scaled, after a loss that is not squared by spread_of; NaN where the data
+// leave no degree of freedom or no residual.
+double scale_of(const Scenario& scenario, const LightReport& report, const LightOutcome& found);
+
+// Of a loss that is not squared: what was minimised, and the points that it spared.
+void add_loss(std::string& text, const Scenario& scenario, const LightReport& report,
+              const LightSolution& s);
 
 // Where a direction along the axes of the state points, in rad: longitude or right ascension, 0 to
 // 2 pi, and latitude or declination.

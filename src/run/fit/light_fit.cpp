@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <mutex>
 #include <utility>
 
@@ -20,6 +21,7 @@ namespace polhode {
 inline namespace v0 {
 namespace {
 
+constexpr double speed_of_light = 299792458.0;  // m/s
 // Starts of each pair of periods where the file does not say how many there are.
 constexpr std::size_t starts_of_periods = 20;
 // Rows of the landscape that are computed at a time.
@@ -224,6 +226,31 @@ void search(const Scenario& scenario, const FitPlan& plan, const LightFitOptions
     report.failure = report.notes.empty() ? "no fit converged" : report.notes.front();
 }
 
+// A sentence for each table whose points have light times of their own.
+void add_light_times(const Scenario& scenario, LightReport& report) {
+  const std::vector<Observation>& tables = require_fit(scenario).observations;
+  const auto text = [&](double time) {
+    return detail::rounded_text(scenario.units().from_core(time, Dimension::time)) + " " +
+           scenario.units().time();
+  };
+  for (std::size_t i = 0; i < tables.size(); ++i) {
+    if (tables[i].times != LightTime::at_observer || tables[i].light_time) continue;
+    const double c = scenario.units().to_core(speed_of_light, "m/s", Dimension::speed);
+    double least = std::numeric_limits<double>::infinity(), most = 0.0;
+    for (std::size_t k = 0; k < report.observed.curves.size(); ++k) {
+      if (report.observed.curve_rows[k].front().table != i) continue;
+      for (const LightPoint& p : report.observed.curves[k].points) {
+        least = std::fmin(least, norm(p.to_observer) / c);
+        most = std::fmax(most, norm(p.to_observer) / c);
+      }
+    }
+    report.notes.push_back("times of " + tables[i].shown() +
+                           " are those at the body, earlier by the light time of each point from "
+                           "its distance to the observer, " +
+                           text(least) + " to " + text(most));
+  }
+}
+
 }  // namespace
 
 std::size_t LightReport::points() const {
@@ -258,6 +285,7 @@ LightReport fit_light_scenario(const Scenario& scenario, const LightFitOptions& 
       fit_from_start(scenario, plan, report);
     return 0;
   });
+  add_light_times(scenario, report);
   return report;
 }
 

@@ -8,6 +8,7 @@
 #include "polhode/run/light_report.hpp"
 #include "polhode/tables/obj.hpp"
 #include "run/detail/fit_tables.hpp"
+#include "run/detail/light_words.hpp"
 #include "text/number_text.hpp"
 #include "text/printable.hpp"
 
@@ -70,12 +71,8 @@ std::string quoted(const std::string& path) {
 // The rest of [fit] looked for what is found.
 void add_loss(const Scenario& scenario, Changes& changes) {
   const Loss& loss = require_fit(scenario).loss;
-  using enum Loss::Kind;
-  if (loss.kind == squared) return;
-  const char* const word = loss.kind == huber     ? "huber"
-                           : loss.kind == soft_l1 ? "soft-l1"
-                                                  : "cauchy";
-  changes.push_back({"fit.loss", quoted(word)});
+  if (loss.kind == Loss::Kind::squared) return;
+  changes.push_back({"fit.loss", quoted(detail::loss_word(loss))});
   changes.push_back({"fit.loss_scale", number_text(loss.scale)});
 }
 
@@ -111,10 +108,18 @@ Changes mesh_changes(const Scenario& scenario, const LightReport& report, const 
 
 Changes ellipsoid_changes(const Scenario& scenario, const LightReport& report,
                           const FoundLight& found) {
-  const SpinState state = at_zero(found.solution.body.spin);
-  Changes changes = detail::without_observations(scenario);
+  const BrightEllipsoid& body = found.solution.body;
+  const SpinState state = at_zero(body.spin);
+  Changes changes;
+  for (const char* const key : {"fit", "map", "ensemble"}) changes.push_back({key, ""});
+  add_loss(scenario, changes);
   add_moments(scenario, state.inertia_F, changes);
   add_state(scenario, state, changes);
+  changes.push_back({"light.semiaxes", detail::row_text(body.shape.a, body.shape.b, body.shape.c)});
+  if (report.unknowns.multiple && body.law.multiple > 0.0) {
+    changes.push_back({"light.law", "\"mixed\""});
+    changes.push_back({"light.multiple", number_text(body.law.multiple)});
+  }
   detail::add_rows_of(scenario, times_of(report), changes);
   return changes;
 }

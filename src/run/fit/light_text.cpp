@@ -75,8 +75,11 @@ void add_scan(std::string& text, const Scenario& scenario, const LightScan& scan
                   all.orders.second, g.count, g.count, period_of(scenario, g.at(g.count - 1)),
                   period_of(scenario, g.at(0)), time));
   text += fmt::format(
-      "\nlowest minima of the scan: lines at sums and multiples of 1/P1 and 1/P2\n"
+      "\nlowest minima of the scan: lines at sums and multiples of 1/P1 and 1/P2{}\n"
       "{:>4}{:>12}{:>16}{:>11}{:>16}{:>11}\n",
+      scan.minima.empty() ? std::string()
+                          : fmt::format("; {} degrees of freedom",
+                                        scan.minima.front().refined.fit.degrees_of_freedom),
       "", "chi-square", "P1 " + time, "error", "P2 " + time, "error");
   for (std::size_t i = 0; i < scan.minima.size(); ++i) {
     const ScanMinimum& m = scan.minima[i];
@@ -236,7 +239,8 @@ void add_solution(std::string& text, const Scenario& scenario, const LightReport
   add_fit_line(text, "chi-square",
                fmt::format("{:.5g} on {:.4g} degrees of freedom", s.result.chi_square,
                            s.degrees_of_freedom));
-  if (const double scale = detail::scale_of(s); std::isfinite(scale))
+  detail::add_loss(text, scenario, report, s);
+  if (const double scale = detail::scale_of(scenario, report, s); std::isfinite(scale))
     add_fit_line(text, "errors scaled by", fmt::format("{:.4g}", scale));
   add_fit_line(text, "mode", detail::mode_word(s.periods.mode));
   if (s.periods.precession_period > 0.0) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "run/detail/light_words.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -60,10 +62,66 @@ const char* image_word(LightImage image) {
                                : "none";
 }
 
-double scale_of(const LightOutcome& found) {
+const char* loss_word(const Loss& loss) {
+  using enum Loss::Kind;
+  return loss.kind == huber     ? "huber"
+         : loss.kind == soft_l1 ? "soft-l1"
+         : loss.kind == cauchy  ? "cauchy"
+                                : "squared";
+}
+
+double spread_of(const Scenario& scenario, const LightReport& report, const LightOutcome& found) {
+  constexpr double of_normal = 1.482602218505602;  // 1 / Phi^-1(3/4)
+  const std::size_t n = std::min(report.points(), found.result.numbers.size());
+  if (require_fit(scenario).loss.kind == Loss::Kind::squared || n == 0)
+    return std::numeric_limits<double>::quiet_NaN();
+  std::vector<double> sizes(n);
+  for (std::size_t i = 0; i < n; ++i) sizes[i] = std::fabs(found.result.numbers[i]);
+  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(n / 2);
+  std::ranges::nth_element(sizes, middle);
+  return of_normal * *middle;
+}
+
+double scale_of(const Scenario& scenario, const LightReport& report, const LightOutcome& found) {
   constexpr double least_freedom = 0.5;
   const bool has = found.degrees_of_freedom >= least_freedom && found.result.chi_square > 0.0;
-  return has ? found.error_factor() : std::numeric_limits<double>::quiet_NaN();
+  if (!has) return std::numeric_limits<double>::quiet_NaN();
+  const double spread = spread_of(scenario, report, found);
+  if (!std::isfinite(spread)) return found.error_factor();
+  return spread * std::sqrt(static_cast<double>(report.points()) / found.degrees_of_freedom);
+}
+
+void add_loss(std::string& text, const Scenario& scenario, const LightReport& report,
+              const LightSolution& s) {
+  constexpr double far = 4.0;
+  constexpr std::size_t most_far = 10;
+  const Loss& loss = require_fit(scenario).loss;
+  const double spread = spread_of(scenario, report, s);
+  if (!std::isfinite(spread)) return;
+  add_fit_line(text, "loss",
+               fmt::format("{:.5g}, which was minimised: {} from {:g} standard errors on",
+                           s.result.cost, loss_word(loss), loss.scale));
+  std::string places;
+  std::size_t count = 0, k = 0;
+  double part = 0.0;
+  for (const std::vector<ObservedRow>& rows : report.observed.curve_rows)
+    for (const ObservedRow& row : rows) {
+      const double r = k < s.result.numbers.size() ? s.result.numbers[k] : 0.0;
+      ++k;
+      if (!(std::fabs(r) > far * spread)) continue;
+      part += r * r;
+      if (++count > most_far) continue;
+      places += (places.empty() ? "" : ", ") +
+                (require_fit(scenario).observations.size() > 1
+                     ? fmt::format("{} of table {}", row.line, row.table + 1)
+                     : fmt::format("{}", row.line));
+    }
+  std::string words = fmt::format("{} beyond {:g} times {:.3g} standard errors, the spread of all",
+                                  counted(count, "point", "points"), far, spread);
+  if (count > 0)
+    words += fmt::format("; {:.4g} of chi-square; lines {}{}", part, places,
+                         count > most_far ? ", ..." : "");
+  add_fit_line(text, "far points", words);
 }
 
 SkyPlace sky_place(const Vec3& d) {
@@ -88,7 +146,7 @@ LightFigures light_figures(const Scenario& scenario, const LightReport& report,
                            std::size_t solution) {
   const LightSolution& s = report.solutions.at(solution).solution;
   const SpinFigures f = spin_figures(s, report.unknowns);
-  const double scale = scale_of(s);
+  const double scale = scale_of(scenario, report, s);
   const Units& units = scenario.units();
   const auto with = [&](double value, double error, Dimension d) {
     return WithErrors{units.from_core(value, d), units.from_core(error, d),
@@ -160,7 +218,7 @@ std::vector<FitNumber> light_numbers(const Scenario& scenario, const LightReport
   }
   std::fill_n(start.begin(), 3, 0.0);  // not what rounding leaves
   if (!report.start) std::fill_n(value.begin(), 3, 0.0);
-  const double scale = detail::scale_of(found);
+  const double scale = detail::scale_of(scenario, report, found);
   std::vector<FitNumber> numbers;
   for (std::size_t i = 0; i < value.size(); ++i) {
     const std::string& name = found.covariance.names.at(i);

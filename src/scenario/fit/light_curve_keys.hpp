@@ -48,6 +48,14 @@ inline constexpr std::array light_curve_keys = {
         "The column whose numbers tell sessions apart, one name; left "
         "out, all rows are one.")
         .example("[\"session\"]"),
+    columns_key<&Observation::sessions>("sessions",
+                                        "The sessions that are taken, by their order in the file "
+                                        "from 1; left out, all.")
+        .example("[1]"),
+    columns_key<&Observation::leave_out>(
+        "leave_out",
+        "Lines of the file, from 1, whose points are left out, as residuals name them.")
+        .example("[17, 203]"),
     flag_key<&Observation::is_calibrated>(
         "calibrated",
         "Whether fluxes of all sessions are in one unit; otherwise each "

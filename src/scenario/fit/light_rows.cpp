@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Light curves of [[observation]]: read for a fit, written for a simulation.
+#include <algorithm>
 #include <array>
+#include <charconv>
+#include <cmath>
 #include <utility>
 
 #include "polhode/error.hpp"
@@ -104,6 +107,18 @@ LightCurve with_orbits(const ObservationTable& of, LightCurve curve, LightTime g
   });
 }
 
+// From when light arrived to when it left, by the vector to the observer of each point.
+LightCurve after_own_light_times(const ObservationTable& of, LightCurve curve) {
+  constexpr double unit_length = 1e-9;  // of a direction that was written with ten digits
+  if (std::ranges::all_of(curve.points, [](const LightPoint& p) {
+        return std::fabs(norm(p.to_observer) - 1.0) < unit_length;
+      }))
+    of.keys.refuse("times",
+                   "expected a key light_time as well: vectors to the observer have length 1, so "
+                   "that they are directions and no distances");
+  return of.keys.built("times", [&] { return at_body(std::move(curve), speed_of(of)); });
+}
+
 // In core time at the body, with vectors along the axes of the state.
 LightCurve in_core(const ObservationTable& of, LightCurve curve) {
   const double unit = of.clock ? of.clock->second : of.time_unit;
@@ -112,8 +127,56 @@ LightCurve in_core(const ObservationTable& of, LightCurve curve) {
     p.to_sun = turned(of.to_state, p.to_sun);
     p.to_observer = turned(of.to_state, p.to_observer);
   }
-  if (!of.of.orbit.empty()) curve = with_orbits(of, std::move(curve), of.of.times);
+  if (!of.of.orbit.empty()) return with_orbits(of, std::move(curve), of.of.times);
+  if (of.has_own_light_times()) return after_own_light_times(of, std::move(curve));
   return curve;
+}
+
+// Whole numbers from 1; `most` is how many there are.
+std::vector<std::size_t> counted_from_1(const ObservationTable& of, const char* key,
+                                        const std::vector<std::string>& words, std::size_t most) {
+  std::vector<std::size_t> all;
+  for (const std::string& one : words) {
+    std::size_t n = 0;
+    const auto [end, error] = std::from_chars(one.data(), one.data() + one.size(), n);
+    if (error != std::errc() || end != one.data() + one.size() || n < 1 || n > most)
+      of.keys.refuse(key, "expected whole numbers from 1 to " + std::to_string(most));
+    all.push_back(n);
+  }
+  return all;
+}
+
+// Without sessions and lines that the table does not want.
+void take_wanted(const ObservationTable& of, LightCurveFile& file) {
+  if (!of.of.sessions.empty()) {
+    const std::vector<std::size_t> wanted =
+        counted_from_1(of, "sessions", of.of.sessions, file.sessions.size());
+    std::vector<LightSession> taken;
+    for (std::size_t k = 0; k < file.sessions.size(); ++k)
+      if (std::ranges::count(wanted, k + 1) > 0) taken.push_back(std::move(file.sessions[k]));
+    file.sessions = std::move(taken);
+  }
+  if (of.of.leave_out.empty()) return;
+  std::vector<std::size_t> lines = counted_from_1(of, "leave_out", of.of.leave_out, 0xffffffff);
+  for (LightSession& session : file.sessions) {
+    LightSession kept = session;
+    kept.curve.points.clear();
+    kept.lines.clear();
+    for (std::size_t k = 0; k < session.curve.points.size() && k < session.lines.size(); ++k) {
+      if (std::ranges::count(of.of.leave_out, std::to_string(session.lines[k])) > 0) {
+        std::erase(lines, static_cast<std::size_t>(session.lines[k]));
+        continue;
+      }
+      kept.curve.points.push_back(session.curve.points[k]);
+      kept.lines.push_back(session.lines[k]);
+    }
+    if (session.lines.size() == session.curve.points.size()) session = std::move(kept);
+  }
+  if (!lines.empty())
+    of.keys.refuse("leave_out", "expected lines with a point of the sessions taken; line " +
+                                    std::to_string(lines.front()) + " has none");
+  std::erase_if(file.sessions, [](const LightSession& s) { return s.curve.points.empty(); });
+  if (file.sessions.empty()) of.keys.refuse("leave_out", "expected some points to stay");
 }
 
 // What light_csv writes is what the keys of the table must read.
@@ -147,6 +210,7 @@ void detail::read_light_curves(const ObservationTable& of, std::size_t index,
     complete(session.curve, of.of);
   }
   require_sound(file, {.vectors = of.of.orbit.empty()});
+  take_wanted(of, file);
   for (LightSession& session : file.sessions) {
     LightCurve curve = in_core(of, std::move(session.curve));
     if (of.of.is_of_the_time)
@@ -192,7 +256,8 @@ std::string light_curve_text(const Scenario& scenario, std::size_t index,
   std::vector<LightCurve> written(curves.begin(), curves.end());
   for (LightCurve& curve : written)
     for (LightPoint& p : curve.points) {
-      const bool arrives = has_orbit && of.of.times == LightTime::at_observer;
+      const bool arrives =
+          of.has_own_light_times() || (has_orbit && of.of.times == LightTime::at_observer);
       p.t = (p.t + (arrives ? norm(p.to_observer) / speed_of(of) : of.light_time())) / unit;
       p.to_sun = turned(conj(of.to_state), p.to_sun);
       p.to_observer = turned(conj(of.to_state), p.to_observer);

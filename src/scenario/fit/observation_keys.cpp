@@ -45,8 +45,11 @@ constexpr std::array shared = {
         "Whose times rows have: when light left the body, or when it arrived.")
         .required()
         .example("\"at-body\""),
-    quantity_key<&O::light_time>("light_time", Dimension::time,
-                                 "From the body to the observer, of times at the observer.")
+    quantity_key<&O::light_time>(
+        "light_time", Dimension::time,
+        "From the body to the observer, of times at the observer. Of light "
+        "curves it may be left out where vectors to the observer are in "
+        "`units.length`: each point then has that of its own distance.")
         .not_negative()
         .example("\"30 s\""),
     choice_key<&O::time_format, O::TimeFormat::number, O::TimeFormat::julian,
@@ -205,9 +208,16 @@ void require_columns(const Observation& o, const KeyValues& table) {
 
 void require_clock(const Observation& o, const KeyValues& table) {
   const bool is_at_observer = o.times == LightTime::at_observer;
-  const bool has_orbit = o.kind == Observation::Kind::light_curve && !o.orbit.empty();
-  if (is_at_observer && !has_orbit && !table.has("light_time"))
-    table.refuse("times", "expected a key light_time as well; or times at the body");
+  const bool is_light = o.kind == Observation::Kind::light_curve;
+  const bool has_orbit = is_light && !o.orbit.empty();
+  const bool has_vectors = is_light && (!o.observer_columns.empty() || o.to_observer);
+  if (is_at_observer && !has_orbit && !table.has("light_time") &&
+      !(has_vectors && table.units().length() != "1"))
+    table.refuse("times",
+                 is_light ? "expected a key light_time as well; or vectors to the observer with "
+                            "units.length, such as \"au\", from which it follows point by point; "
+                            "or times at the body"
+                          : "expected a key light_time as well; or times at the body");
   if (has_orbit && table.has("light_time"))
     table.refuse("light_time", "expected none: it follows from the orbits");
   if (!is_at_observer && table.has("light_time"))

@@ -28,7 +28,14 @@ struct ObservationTable {
   std::optional<Clock> clock = std::nullopt;
   Quaternion to_state;  // from its axes to those of the state
 
-  double light_time() const { return of.times == LightTime::at_observer ? of.light_time : 0.0; }
+  double light_time() const {
+    return of.times == LightTime::at_observer ? of.light_time.value_or(0.0) : 0.0;
+  }
+  // Whether points of a light curve have light times of their own, by their vectors to the
+  // observer.
+  bool has_own_light_times() const {
+    return of.times == LightTime::at_observer && of.orbit.empty() && !of.light_time;
+  }
 };
 
 // "observation[0]"
