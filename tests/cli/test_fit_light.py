@@ -381,7 +381,7 @@ def test_points_far_out_are_named_spared_and_left_out(run, night, tmp_path):
     at = len(lines) - 30
     part = lines[at].split(",")
     column = next(x for x in lines if not x.startswith("#")).split(",").index("flux")
-    part[column] = str(3 * float(part[column]))
+    part[column] = str(1.4 * float(part[column]))
     lines[at] = ",".join(part)
     clean = fitted(run, night)["solutions"][0]
     table.write_text("\n".join(lines) + "\n")
@@ -390,7 +390,8 @@ def test_points_far_out_are_named_spared_and_left_out(run, night, tmp_path):
     assert "which was minimised: huber from 1 standard errors on" in text
     assert f"of chi-square; lines {at + 1}\n" in text
     spared = fitted(run, night, *huber)["solutions"][0]
-    assert spared["error_factor"] < 1.5 and spared["chi_square"] > 1000
+    one = spared["pole"]
+    assert one["scaled_error_major"] < 1.5 * one["error_major"] and spared["chi_square"] > 250
     without = fitted(run, night, "--set", f"observation[0].leave_out=[{at + 1}]")["solutions"][0]
     assert without["chi_square"] < 1.1 * clean["chi_square"]
     assert without["degrees_of_freedom"] == clean["degrees_of_freedom"] - 1
