@@ -146,12 +146,13 @@ ConvexMoments convex_moments(std::span<const Vec3> normals, std::span<const doub
   static_cast<void>(body.areas(h, &M));
   const Eigen::MatrixXd N = body.rows();
   M.noalias() -= N * N.transpose();
-  // symmetric; then through closure, where what is off is small beside the areas
+  // symmetric; then through closure, da_j = kept_j dA_j - A_j n_j . dt, where the tensor times dt
+  // is the sum of kept_k n_k dA_k
   const Eigen::MatrixXd by_closed = M.partialPivLu().solve(by_h);
   const Eigen::VectorXd given = closed.areas.cwiseQuotient(closed.kept);
   const Eigen::MatrixXd taken =
       closed.tensor.inverse() * (N.transpose() * given.asDiagonal() * by_closed);
-  const Eigen::MatrixXd by = closed.kept.asDiagonal() * by_closed - N * taken;
+  const Eigen::MatrixXd by = closed.kept.asDiagonal() * (by_closed - N * taken);
   double mean = 0.0;
   for (const double A : areas) mean += A / static_cast<double>(areas.size());
   for (Eigen::Index j = 0; j < h.size(); ++j) {

@@ -10,21 +10,12 @@ namespace polhode {
 inline namespace v0 {
 namespace {
 
-// BasicSoftCosine with its slopes.
-struct SoftSlope {
-  double even, positive, even_slope, positive_slope;
+using SoftCosine = BasicSoftCosine<double>;
 
-  SoftSlope(double mu, double h) : even(mu), positive(mu), even_slope(1.0), positive_slope(1.0) {
-    const double u = mu / h, z = u * u;
-    if (u > 1.0) return;
-    const double q = 35.0 + z * (420.0 + z * (-350.0 + z * (196.0 - 45.0 * z)));
-    const double p = 5.0 + z * (15.0 + z * (-5.0 + z));
-    even = h * (0.5 * u + q / 512.0);
-    positive = h * (0.5 * u + p / 32.0);
-    even_slope = 0.5 + u * (840.0 + z * (-1400.0 + z * (1176.0 - 360.0 * z))) / 512.0;
-    positive_slope = 0.5 + u * (30.0 + z * (-20.0 + 6.0 * z)) / 32.0;
-  }
-};
+// Most facets that are lit are so beyond their width.
+SoftCosine soft(double mu, double h) {
+  return mu < h ? SoftCosine::at(mu, h) : SoftCosine{mu, mu, 1.0, 1.0};
+}
 
 }  // namespace
 
@@ -46,8 +37,8 @@ FacetGradient patch_gradient(std::span<const Vec3> normals, std::span<const doub
   for (std::size_t j = 0; j < normals.size(); ++j) {
     const double h = widths[j];
     const double mu = dot(normals[j], observer.unit), mu0 = dot(normals[j], sun.unit);
-    if (mu <= -h || mu0 <= -h) continue;  // with all derivatives
-    const SoftSlope a(mu, h), b(mu0, h);
+    if (mu <= -h || mu0 <= -h) continue;                 // with all derivatives
+    const SoftCosine a = soft(mu, h), b = soft(mu0, h);  // M > 0 each
     const double inverse = 1.0 / (a.positive + b.positive);
     const double second = a.even * b.even, first = second * inverse;
     const double S = law.single * first + law.multiple * second;

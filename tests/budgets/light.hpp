@@ -23,6 +23,8 @@ inline constexpr double light_facet_gradient = 1e-13;
 // patches: means of kernels, how they join; scatter over that of flat facets, bias times rows^2
 inline constexpr double light_patch_mean = 1e-6, light_patch_joint = 1e-7;
 inline constexpr double light_patch_lowest = 1e-4;
+// slopes beside dual numbers; the gradient just above -h, of its largest component
+inline constexpr double light_patch_slope = 1e-14, light_patch_begin = 1e-13;
 inline constexpr double light_patch_scatter = 1.0, light_patch_bias = 0.35;
 
 // --- convex bodies from areas (tests/unit/light/convex_body.cpp): of the total area; of an

@@ -14,9 +14,8 @@
 // Domain      areas need not close exactly: what sum A_j n_j is off 0 is taken from the areas, each
 //             by its part along the sum, before the body is looked for.
 // Accuracy    budget convex_areas: areas of the mesh, of the total; convex_moments_by_areas:
-//             derivatives of areas that are closed, of the largest; else they err by the part that
-//             closure takes. The origin is the centre of
-//             mass of an even filling.
+//             derivatives, of the largest, closed or not. The origin is the centre of mass of an
+//             even filling.
 // Errors      DomainError for numbers of areas and normals that differ, areas that are not
 //             positive, closure that takes more than an area has, normals that leave a side open,
 //             and where the method does not end.

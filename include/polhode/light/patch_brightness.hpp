@@ -31,23 +31,30 @@
 namespace polhode {
 inline namespace v0 {
 
-// m and M.
+// m and M, and their slopes by mu. In e = 1 + u and v = 1 - u both have the factor e^4, which is
+// taken out: sums of powers of u leave of it, near u = -1, what roundings do, and M that is 0 or
+// negative.
+//     512 m / h = e^4 (32 + 32 v + 16 v^2 - 45 v^4),   32 M / h = e^4 (2 + 2 v + v^2)
 template <Number T>
 struct BasicSoftCosine {
   T even;      // m, of a kernel of mean square 0
-  T positive;  // M
+  T positive;  // M: exactly 0 where mu <= -h, and positive beyond
+  T even_slope, positive_slope;
 
   static constexpr BasicSoftCosine at(const T& mu, double h) {
-    const T low(-1.0), high(1.0), u0 = T(1.0 / h) * mu;
-    const T u = select(u0 < low, low, select(high < u0, high, u0)), z = u * u;
-    const T q = T(35.0) + z * (T(420.0) + z * (T(-350.0) + z * (T(196.0) + z * T(-45.0))));
-    const T p = T(5.0) + z * (T(15.0) + z * (T(-5.0) + z));
-    const T half = T(0.5) * u;
-    // exactly 0 and mu beyond h
-    const auto within = [&](const T& value) {
-      return select(u0 < low, T(0.0), select(high < u0, mu, T(h) * value));
-    };
-    return {within(half + T(1.0 / 512.0) * q), within(half + T(1.0 / 32.0) * p)};
+    const T none(0.0), one(1.0), two(2.0);
+    const T e0 = T(1.0 / h) * (mu + T(h));  // the sum is exact near -h
+    const auto beyond = two < e0;
+    const T e = select(e0 < none, none, select(beyond, two, e0)), v = two - e;
+    const T cube = e * e * e, quartic = T(h) * (cube * e);
+    const T r = T(32.0) + v * (T(32.0) + v * (T(16.0) - T(45.0) * (v * v)));
+    const T p = two + v * (two + v);
+    const T r_slope = T(8.0) + v * (T(12.0) + v * (T(12.0) + v * (T(45.0) - T(45.0) * v)));
+    const T p_slope = two + v * (T(3.0) + T(3.0) * v);
+    return {select(beyond, mu, quartic * (T(1.0 / 512.0) * r)),
+            select(beyond, mu, quartic * (T(1.0 / 32.0) * p)),
+            select(beyond, one, cube * (T(1.0 / 64.0) * r_slope)),
+            select(beyond, one, cube * (T(1.0 / 16.0) * p_slope))};
   }
 };
 
@@ -56,8 +63,9 @@ template <Number T>
 constexpr T patch_scattering(const BasicScattering<T>& law, const T& mu, const T& mu0, double h) {
   const auto a = BasicSoftCosine<T>::at(mu, h), b = BasicSoftCosine<T>::at(mu0, h);
   const T both = a.even * b.even;
-  const T sum = a.positive + b.positive + T(1e-300);  // 0 / 0 is 0, as the limit is
-  return law.single * (both / sum) + law.multiple * both;
+  const T sum = a.positive + b.positive;
+  // 0 / 0 is 0, as the limit is
+  return law.single * (both / select(sum == T(0.0), T(1.0), sum)) + law.multiple * both;
 }
 
 void require_widths(std::span<const Vec3> normals, std::size_t widths);

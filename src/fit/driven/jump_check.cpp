@@ -19,12 +19,21 @@ namespace {
 constexpr std::size_t most_times = 8;
 constexpr int states_at_a_time = 48;
 constexpr int halvings = 80;
-// A kink leaves what the last halving does, a jump a part of the torque.
+// A kink leaves what the last halving does, a jump a part of the torque or of the rate.
 constexpr double jump_from = 1e-6;
 
-double size(const Effect& e) { return norm(e.u) + norm(e.v); }
+// Of a torque and of a rate, which have no unit in common.
+struct Sizes {
+  double u = 0.0, v = 0.0;
 
-// States that have nothing in common, with the momentum of the start, less and none.
+  static Sizes of(const Effect& e) { return {norm(e.u), norm(e.v)}; }
+  // by either of the two
+  bool is_jump_beside(const Sizes& typical) const {
+    return u > jump_from * typical.u || v > jump_from * typical.v;
+  }
+};
+
+// States that have nothing in common, with the momentum of the start and less, down to a tenth.
 RotorState drawn(const RotorState& s, int k) {
   const double x = k;
   const Vec3 direction = rotate(turn_by({1.1 * x, 0.9 - 0.6 * x, 0.3 * x}), Vec3{0.0, 0.0, 1.0});
@@ -53,9 +62,9 @@ class Crossing {
       : term_(term), body_(body), t_(t) {}
 
   std::vector<double> values(const RotorState& s) const { return term_.switches(setting(s, {})); }
-  double effect_size(const RotorState& s) const { return size(term_.effect(setting(s, {}))); }
+  Sizes sizes(const RotorState& s) const { return Sizes::of(term_.effect(setting(s, {}))); }
 
-  double jump(RotorState a, RotorState b, std::size_t f) const {
+  Sizes jump(RotorState a, RotorState b, std::size_t f) const {
     const bool is_negative = values(a)[f] < 0.0;
     for (int i = 0; i < halvings; ++i) {
       const RotorState middle = between(a, b, 0.5);
@@ -66,7 +75,7 @@ class Crossing {
     const Effect above = term_.effect(setting(a, sides));
     sides[f] = -1.0;
     const Effect below = term_.effect(setting(a, sides));
-    return size({above.v - below.v, above.u - below.u});
+    return Sizes::of({above.v - below.v, above.u - below.u});
   }
 
  private:
@@ -81,16 +90,18 @@ class Crossing {
 
 bool jumps(const AnyPerturbation& term, const Body& body, const RotorState& start, double t) {
   const Crossing crossing(term, body, t);
-  double typical = 0.0;
-  for (int k = 0; k < states_at_a_time; ++k)
-    typical = std::max(typical, crossing.effect_size(drawn(start, k)));
+  Sizes typical;  // the largest of each
+  for (int k = 0; k < states_at_a_time; ++k) {
+    const Sizes at = crossing.sizes(drawn(start, k));
+    typical = {std::max(typical.u, at.u), std::max(typical.v, at.v)};
+  }
   for (int k = 0; k + 1 < states_at_a_time; ++k) {
     const RotorState a = drawn(start, k), b = drawn(start, k + 1);
     const std::vector<double> at_a = crossing.values(a), at_b = crossing.values(b);
     for (std::size_t f = 0; f < at_a.size(); ++f) {
       // of no numbers nothing is said: the motion refuses them
       if (!(at_a[f] * at_b[f] < 0.0)) continue;
-      if (crossing.jump(a, b, f) > jump_from * typical) return true;
+      if (crossing.jump(a, b, f).is_jump_beside(typical)) return true;
     }
   }
   return false;

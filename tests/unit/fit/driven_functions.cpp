@@ -74,6 +74,42 @@ TEST(FitDrivenSpin, RefusesWhatJumpsByItsState) {
   EXPECT_NO_THROW(least_squares_of(fit, timed));
 }
 
+// A push beyond a dead band, of a term that also has a rate, which is large beside it or jumps too.
+struct PushAndRate {
+  double push, slope, rate, rate_jump;
+
+  std::vector<double> switches(const Setting& at) const { return {at.s.g.x - 0.05}; }
+  template <Real T>
+  BasicEffect<T> effect(const BasicSetting<T>& at) const {
+    const bool is_on = at.sides.empty() ? to_double(at.s.g.x) >= 0.05 : at.sides[0] >= 0.0;
+    const T none(0.0);
+    const T u = is_on ? T(-push) - T(slope) * (at.s.g.x - T(0.05)) : none;
+    return {{none, T(rate + (is_on ? rate_jump : 0.0)), none}, {u, none, none}};
+  }
+};
+
+// Torque and rate are in units of their own: neither hides a jump of the other.
+TEST(FitDrivenSpin, FindsJumpsOfATorqueBesideALargeRate) {
+  const SpinFit fit = seen_of(pushed());
+  const auto drive = [](const PushAndRate& term) {
+    SpinDrive one;
+    one.terms = [=](std::span<const double>) {
+      return std::vector<AnyPerturbation>{{"both", term}};
+    };
+    return one;
+  };
+  const auto jumps = HasSubstr("the term \"both\" jumps where the attitude or the rate says so");
+  EXPECT_THAT(test::message_of([&] {
+                least_squares_of(fit, drive({1e-9, 0.0, 0.01, 0.0}));
+              }),
+              jumps);
+  EXPECT_THAT(test::message_of([&] {
+                least_squares_of(fit, drive({0.0, 0.01, 1e-10, 1e-10}));
+              }),
+              jumps);
+  EXPECT_NO_THROW(least_squares_of(fit, drive({0.0, 1e-9, 0.01, 0.0})));
+}
+
 TEST(FitDrivenSpin, IsAResidualFunctionForOthers) {
   const SpinDrive drive = pushed();
   const SpinFit fit = seen_of(drive);

@@ -127,6 +127,69 @@ TEST(LightPatch, GradientsAgreeWithDualNumbers) {
   EXPECT_LE(worst.value(), budget::light_facet_gradient);
 }
 
+// The slopes that the struct gives beside its values are theirs, within the width and beyond.
+TEST(LightPatch, SlopesAreThoseOfTheValues) {
+  using D = Dual<double, 1>;
+  Worst<> worst;
+  for (const double h : {0.07, 1.0}) {
+    for (int i = -1200; i <= 1200; ++i) {
+      const D mu = D::variable(h * i / 1000.0, 0);
+      const auto m = BasicSoftCosine<D>::at(mu, h);
+      worst.add(std::fabs(m.even.derivative[0] - m.even_slope.value));
+      worst.add(std::fabs(m.positive.derivative[0] - m.positive_slope.value));
+      if (i <= -1000) EXPECT_EQ(m.positive.value, 0.0);
+    }
+  }
+  EXPECT_LE(worst.value(), budget::light_patch_slope);
+}
+
+// Just above -h, where m and M are e^4 of h, with the Sun and the observer in one direction and in
+// two that are near: value and gradient are finite, and one is the derivative of the other.
+TEST(LightPatch, BeginsWithoutNaN) {
+  using D = Dual<double, 6>;
+  const std::vector<Vec3> normal{{0.0, 0.0, 1.0}};
+  const std::vector<double> area{1.0}, width{0.17};
+  const std::vector<D> dual_area{D(1.0)};
+  const Scattering law{0.7, 0.2};
+  const BasicScattering<D> dual_law{D(0.7), D(0.2)};
+  const auto at = [&](double e) {
+    const double mu = width[0] * (e - 1.0);
+    return Vec3{std::sqrt(1.0 - mu * mu), 0.0, mu};
+  };
+  Worst<> worst;
+  const auto look = [&](const Vec3& s, const Vec3& o) {
+    const FacetGradient got = patch_gradient(normal, width, area, law, s, o);
+    std::array<D, 6> x;
+    for (int i = 0; i < 3; ++i) {
+      x[static_cast<std::size_t>(i)] = D::variable(s[i], i);
+      x[static_cast<std::size_t>(i + 3)] = D::variable(o[i], i + 3);
+    }
+    const D dual = patch_brightness<D>(normal, width, dual_area, dual_law, {x[0], x[1], x[2]},
+                                       {x[3], x[4], x[5]});
+    const double all[] = {got.by_sun.x,      got.by_sun.y,      got.by_sun.z,
+                          got.by_observer.x, got.by_observer.y, got.by_observer.z};
+    Worst<> size, off;
+    for (std::size_t i = 0; i < 6; ++i) {
+      size.add(std::fabs(all[i]));
+      off.add(std::fabs(all[i] - dual.derivative[i]));
+    }
+    EXPECT_GT(got.value, 0.0);
+    EXPECT_TRUE(std::isfinite(got.by_single) && std::isfinite(got.by_multiple));
+    EXPECT_TRUE(std::isfinite(size.value()));
+    worst.add(std::fabs(got.value - dual.value) / got.value);
+    worst.add(off.value() / size.value());
+  };
+  look(at(1e-6), at(1e-6));
+  constexpr int count = 100000;
+  for (int k = 0; k <= count; ++k) {
+    const double e = std::pow(10.0, -8.0 + 5.0 * k / count);
+    look(at(e), at(e));
+    look(at(e * (1.0 + 0.3 * std::sin(k))), at(e));
+    look(at(e) + Vec3{0.0, 1e-9, 0.0}, at(e));
+  }
+  EXPECT_LE(worst.value(), budget::light_patch_begin);
+}
+
 TEST(LightPatch, ErrorsNameWhatIsWrong) {
   const GaussianImage image(0, 1);
   const std::vector<double> eight(8, 1.0), three(3, 1.0);
