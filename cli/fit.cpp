@@ -51,6 +51,14 @@ int threads_of(const FitCommand& options) {
                                        scenario.document.name, starts, failure));
 }
 
+// Whether a table takes the place of the text on standard output.
+bool prints_table(const FitCommand& options) {
+  for (const std::vector<std::string>* const paths :
+       {&options.residuals, &options.covariance, &options.landscape})
+    if (std::count(paths->begin(), paths->end(), "-") > 0) return true;
+  return false;
+}
+
 // Files of every solution, and whether one of them went to standard output.
 template <class Report>
 bool writes_files(
@@ -65,10 +73,7 @@ bool writes_files(
       covariance(scenario, report, i, numbered(path, i));
     if (!options.solution.empty()) solution(scenario, report, i, numbered(options.solution, i));
   }
-  for (const std::vector<std::string>* const paths :
-       {&options.residuals, &options.covariance, &options.landscape})
-    if (std::count(paths->begin(), paths->end(), "-") > 0) return true;
-  return false;
+  return prints_table(options);
 }
 
 // Whether they went to standard output.
@@ -97,6 +102,10 @@ void fit_snapshots(const FitCommand& options, const Scenario& scenario) {
                       "\"search\"");
   const std::vector<double> times = times_at(options, scenario);
   if (!options.predict.empty() && options.at.empty()) prediction_times(scenario);  // said early
+  if (!options.at.empty() && options.predict.empty() && prints_table(options))
+    throw DomainError(scenario.document.name +
+                      ": --at: another table goes to standard output and not the text with what is "
+                      "predicted; expected --predict PATH as well");
   const StopSignals signals;
   std::optional<ProgressLine> progress;
   FitOptions how;
@@ -129,8 +138,8 @@ void fit_snapshots(const FitCommand& options, const Scenario& scenario) {
 void fit_light_curves(const FitCommand& options, const Scenario& scenario) {
   if (!options.at.empty() || !options.predict.empty())
     throw DomainError(scenario.document.name +
-                      ": --at, --predict: expected attitudes, directions or rates: of light curves "
-                      "polhode run --solution's scenario");
+                      ": --at and --predict are for fits of attitudes, directions or rates; for "
+                      "light curves write --solution PATH and run it");
   const LightPlan& plan = require_fit(scenario).light;
   const bool scans = plan.searches && plan.periods.empty();
   if (!options.landscape.empty() && !scans)

@@ -255,6 +255,16 @@ def test_a_landscape_without_a_scan_is_refused_before_the_fit(run, night, tmp_pa
     assert 'expected fit.from = "search" without fit.periods' in done.stderr
 
 
+def test_light_curves_predict_no_attitudes(run, night, tmp_path):
+    for asked in (("--at", "0"), ("--predict", tmp_path / "p.csv")):
+        done = run("fit", night, *asked)
+        assert done.returncode == 2 and not done.stdout
+        assert "--at and --predict are for fits of attitudes, directions or rates; for light" in (
+            done.stderr
+        )
+        assert "write --solution PATH and run it" in done.stderr
+
+
 def test_sessions_have_factors_of_their_own(run, fit_file, tmp_path):
     """Two sessions of one table, each as parts of its mean, and the same calibrated."""
     table = NIGHT + 'session_column = ["session"]\n'

@@ -98,6 +98,17 @@ def test_times_are_numbers_or_dates(run, fit_file, tmp_path):
         turns = [found["unknowns"][f"turn_{k}"][error] for k in "xyz"]
         assert_allclose(predicted[0][key], turns, rtol=budgets.cli_rounding)
     assert_allclose(predicted[0]["quaternion"], found["quaternion"], rtol=budgets.cli_rounding)
+    days = [one["date"][:16] for one in predicted]
+    assert days == ["2013-01-05T00:00", "2013-01-06T00:00", "2013-01-06T00:00"]
+    # as much as the file of the same times has
+    run("fit", path, *at, "--predict", tmp_path / "same.csv")
+    table = rows(tmp_path / "same.csv")
+    for scaled in ("", "scaled_"):
+        for key, names in (("errors", ("error_x", "error_y", "error_z")),
+                           ("correlations", ("r_xy", "r_xz", "r_yz"))):  # fmt: skip
+            of_file = numpy.array([table[scaled + name] for name in names]).T
+            of_json = [one[scaled + key] for one in predicted]
+            assert_allclose(of_json, of_file, rtol=budgets.cli_rounding)
     text = run("fit", path, *at).stdout
     assert "predicted attitudes, errors in deg\n" in text and "2013-01-06T00:00 UTC" in text
     assert "more than a radian" not in text
@@ -128,6 +139,34 @@ def test_predictions_need_times(run, fit_file, tmp_path):
     assert run("simulate", fit_file(ATTITUDES, FREE), "--into", tmp_path).returncode == 0
     done = run("fit", fit_file(ATTITUDES, FREE, head=head), "--predict", tmp_path / "p.csv")
     assert done.returncode == 2 and "time: got nothing; expected [time]" in done.stderr
+
+
+def test_times_that_nothing_would_show_are_refused(run, fit_file, tmp_path):
+    path = fit_file(ATTITUDES, FREE)
+    assert run("simulate", path, "--into", tmp_path).returncode == 0
+    for table in ("--residuals", "--covariance"):
+        done = run("fit", path, "--at", "0", table, "-")
+        assert done.returncode == 2 and done.stdout == ""
+        assert "--at: another table goes to standard output" in done.stderr
+        assert "expected --predict PATH as well" in done.stderr
+    done = run("fit", path, "--at", "0", "--residuals", "-", "--predict", tmp_path / "at.csv")
+    assert done.returncode == 0 and list(rows(tmp_path / "at.csv")["t"]) == [0]
+
+
+def test_a_tolerance_without_torques_or_jumps_is_refused(run, fit_file, tmp_path):
+    jump = """
+[[free.jump]]
+kind = "rate"
+t = 30
+change = [0, 0, 0]
+sigmas = [1, 1, 1]
+"""
+    tolerance = "[fit]\ntolerance = 1e-9\n"
+    path = fit_file(ATTITUDES, FREE)
+    assert run("simulate", path, "--into", tmp_path).returncode == 0
+    message = refused(run, fit_file(ATTITUDES, FREE, tolerance))
+    assert "fit.tolerance: got 1e-09; expected torques or jumps as well" in message
+    fitted(run, fit_file(ATTITUDES, FREE, jump, tolerance))
 
 
 def test_a_tolerance_is_one(run, fit_file, tmp_path):

@@ -21,6 +21,10 @@ const MOST = 20_000; // samples: some 300 turns, a quarter of a second
 const CHUNK = 512;
 const TOLERANCE = 1e-10;
 const SIZE = 7; // numbers of a state
+// A link may ask for what no page can follow while it draws. Steps are at most some five times that of
+// a brake, and shorter near a pericentre: so many in the mean of a sample, then the motion ends.
+const STEPS = 16;
+const SHORTEST = 1e-2; // of a turn or a revolution: times of the brakes
 
 /** With the semi-axis as unit of length: only gm/r^3 acts. */
 function orbitOf({ period, eccentricity, inclination, node, pericentre, anomaly }: Gravity): KeplerOrbit {
@@ -63,7 +67,16 @@ export class Driven {
     }
     this.orbit = orbitOf(gravity);
     this.epoch = epoch;
-    this.step = Math.min(turn, gravity.period) / PER_TURN;
+    const shorter = Math.min(turn, gravity.period);
+    this.step = shorter / PER_TURN;
+    for (const [name, time] of Object.entries({ friction, drag })) {
+      if (time === 0 || time >= SHORTEST * shorter) continue;
+      const least = Number((SHORTEST * shorter).toPrecision(3));
+      throw new Error(
+        `got a time of ${time} for ${name}; expected 0 for none, or ${least} or more: ` +
+          "a hundredth of a turn or of a revolution",
+      );
+    }
     this.problem = {
       body,
       gravityGradient: this.orbit,
@@ -89,6 +102,7 @@ export class Driven {
         start: this.epoch + last * this.step,
         stop: this.epoch + (last + more) * this.step,
         count: more + 1,
+        mostSteps: STEPS * more,
       });
       this.ended = run.ended;
       const made = run.states.length / SIZE;
@@ -123,7 +137,14 @@ export class Driven {
     const start = this.epoch + before * this.step;
     const state = this.sample(before);
     if (!(t > start)) return state;
-    const { states } = integrate({ ...this.problem, state, start, stop: t, count: 2 });
+    const { states } = integrate({
+      ...this.problem,
+      state,
+      start,
+      stop: t,
+      count: 2,
+      mostSteps: STEPS * PER_TURN,
+    });
     if (states.length < 2 * SIZE) return null;
     const [w, x, y, z, a, b, c] = states.subarray(SIZE);
     return { q: [w!, x!, y!, z!], g: [a!, b!, c!] };

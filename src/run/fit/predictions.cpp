@@ -4,11 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
+#include <utility>
 
 #include "polhode/error.hpp"
 #include "polhode/rotor/attitude.hpp"
+#include "run/detail/attitude_errors.hpp"
 #include "run/detail/fit_tables.hpp"
 #include "run/fit/driven.hpp"
 #include "scenario/fit/time_words.hpp"
@@ -19,7 +20,9 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-double error_about(const Mat3& c, int k) { return std::sqrt(c(k, k)); }
+using detail::error_about;
+
+constexpr std::pair<int, int> pairs[] = {{0, 1}, {0, 2}, {1, 2}};
 double correlation(const Mat3& c, int i, int j) {
   return c(i, j) / (error_about(c, i) * error_about(c, j));
 }
@@ -51,11 +54,6 @@ std::string table_text(const std::vector<std::vector<std::string>>& rows) {
     text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
   }
   return text;
-}
-
-bool is_open(const Mat3& c) {
-  const double most = std::max({c(0, 0), c(1, 1), c(2, 2)});
-  return !(most <= 1.0);
 }
 
 }  // namespace
@@ -100,7 +98,7 @@ std::string prediction_text(const Scenario& scenario, const FitReport& report, s
                     detail::date_of_time(scenario, raw.t), detail::euler_text(scenario, raw.q),
                     errors_text(units, raw.covariance),
                     one.scaled ? errors_text(units, one.scaled->covariance) : std::string()});
-    open = open || is_open(raw.covariance);
+    open = open || detail::is_open(raw.covariance);
   }
   std::string text = "\npredicted attitudes, errors in " + units.angle() + "\n" + table_text(rows);
   if (open)
@@ -125,8 +123,7 @@ void write_predictions(const Scenario& scenario, const FitReport& report, std::s
   const auto add = [&](const std::optional<Mat3>& c) {
     for (int k = 0; k < 3; ++k)
       rows.push_back(c ? units.from_core(error_about(*c, k), Dimension::angle) : none);
-    for (const auto& [i, j] : {std::pair(0, 1), std::pair(0, 2), std::pair(1, 2)})
-      rows.push_back(c ? correlation(*c, i, j) : none);
+    for (const auto& [i, j] : pairs) rows.push_back(c ? correlation(*c, i, j) : none);
   };
   for (const auto& [raw, scaled] : fit_predictions(report, solution, times)) {
     rows.insert(rows.end(),
@@ -146,21 +143,25 @@ void write_predictions(const Scenario& scenario, const FitReport& report, std::s
 void detail::add_predictions(JsonWriter& json, const Scenario& scenario, const FitReport& report,
                              std::size_t solution, std::span<const double> times) {
   const Units& units = scenario.units();
-  const auto add_errors = [&](const char* key, const Mat3& c) {
-    json.key(key).begin_array();
+  const auto add_errors = [&](const std::string& scaled, const Mat3& c) {
+    json.key(scaled + "errors").begin_array();
     for (int k = 0; k < 3; ++k) json.value(units.from_core(error_about(c, k), Dimension::angle));
+    json.end_array().key(scaled + "correlations").begin_array();
+    for (const auto& [i, j] : pairs) json.value(correlation(c, i, j));
     json.end_array();
   };
   json.begin_array();
   for (const auto& [raw, scaled] : fit_predictions(report, solution, times)) {
     json.begin_object().key("t").value(units.from_core(raw.t, Dimension::time));
+    if (const std::string date = date_of_time(scenario, raw.t); !date.empty())
+      json.key("date").value(date);
     json.key("quaternion").begin_array();
     json.value(raw.q.w).value(raw.q.x).value(raw.q.y).value(raw.q.z).end_array();
     json.key("rate").begin_array();
     for (int k = 0; k < 3; ++k) json.value(units.from_core(raw.w_F[k], Dimension::rate));
     json.end_array();
-    add_errors("errors", raw.covariance);
-    if (scaled) add_errors("scaled_errors", scaled->covariance);
+    add_errors("", raw.covariance);
+    if (scaled) add_errors("scaled_", scaled->covariance);
     json.end_object();
   }
   json.end_array();

@@ -81,13 +81,17 @@ void add_jump(const FitContext& at, const std::string& path, FitPlan& plan) {
 
 }  // namespace
 
-void add_drive(const FitContext& at, FitPlan& plan) {
+void add_drive(const FitContext& at, const Rotation& rotation, FitPlan& plan) {
   for (const std::string& path : array_paths(at.values, "free.parameter"))
     add_parameter(at, path, plan);
   for (const std::string& path : array_paths(at.values, "free.jump")) add_jump(at, path, plan);
   plan.drive.tolerance = number(at.values, "fit.tolerance");
   if (!(plan.drive.tolerance >= least_tolerance && plan.drive.tolerance <= most_tolerance))
     refuse(at.values, "fit.tolerance", at.name, "expected a number from 1e-14 to 1e-4");
+  if (is_explicit(at.values, "fit.tolerance") && rotation.kinds.empty() &&
+      plan.drive.parameters.empty() && plan.drive.jumps.empty())
+    refuse(at.values, "fit.tolerance", at.name,
+           "expected torques or jumps as well: free rotation has none");
 }
 
 }  // namespace detail

@@ -9,7 +9,7 @@ inline namespace v0 {
 namespace detail {
 
 // Adds them, and their priors, to a plan. Throws a ScenarioError at the place of what is wrong.
-void add_drive(const FitContext& at, FitPlan& plan);
+void add_drive(const FitContext& at, const Rotation& rotation, FitPlan& plan);
 
 }  // namespace detail
 }  // namespace v0

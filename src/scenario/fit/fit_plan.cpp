@@ -157,7 +157,7 @@ FitPlan fit_plan(const FitContext& at, const Rotation& rotation) {
   const SpinState start = spin_state(rotation);
   Priors priors(at, start, plan);
   for (const std::string& path : array_paths(at.values, "free.prior")) priors.add(path);
-  add_drive(at, plan);
+  add_drive(at, rotation, plan);
   plan.loss = loss_of(at);
   plan.most_iterations =
       static_cast<int>(whole_in(at, "fit.iterations", 1, most_iterations, "from 1 to 1e6"));

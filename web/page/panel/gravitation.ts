@@ -15,7 +15,7 @@ const FIELDS: readonly (readonly [key: keyof Gravity, symbol: string, label: str
   ["pericentre", "ω", "argument of the pericentre"],
   ["anomaly", "M", "mean anomaly at time 0"],
   ["friction", "τ<sub>f</sub>", "time in which friction inside takes a wobble down by e"],
-  ["drag", "τ<sub>d</sub>", "time in which drag takes the spin down by e"],
+  ["drag", "τ<sub>d</sub>", "time in which drag takes a spin about the axis of the largest moment down by e"],
 ];
 const TIMES: readonly (keyof Gravity)[] = ["period", "friction", "drag"];
 const BRAKES: readonly (keyof Gravity)[] = ["friction", "drag"];

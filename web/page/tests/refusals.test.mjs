@@ -99,6 +99,60 @@ test("a steady spin becomes a tumbler by its two periods and a mode", async () =
   await page.close();
 });
 
+test("no link freezes the page: brakes have a least time, and steps a number", async () => {
+  const { page, errors } = await opened(browser);
+  await choose(page, "hyperion-saturn");
+  const good = await page.evaluate(() => window.explorer.scene);
+  for (const brake of ["friction", "drag"]) {
+    const said = await page.evaluate((name) => {
+      const { explorer } = window;
+      try {
+        explorer.change({ gravity: { ...explorer.scene.gravity, [name]: 1e-12 } });
+      } catch (error) {
+        return error.message;
+      }
+      return "";
+    }, brake);
+    assert.match(said, new RegExp(`got a time of 1e-12 for ${brake}; expected 0 for none, or [\\d.e-]+ or more`));
+    assert.deepEqual(await page.evaluate(() => window.explorer.scene), good);
+  }
+  // The shortest of both, and a pericentre that is passed in no time: each ends, and says why, or is
+  // followed to the last sample.
+  const found = await page.evaluate(() => {
+    const { explorer } = window;
+    const { gravity } = explorer.scene;
+    const shorter = 64 * explorer.driven.step;
+    return [
+      { friction: 0.0101 * shorter },
+      { drag: 0.0101 * shorter },
+      { eccentricity: 0.9999999 },
+    ].map((change) => {
+      const begun = performance.now();
+      let refused = "";
+      let least = 0;
+      try {
+        explorer.change({ gravity: { ...gravity, ...change } });
+        const { driven } = explorer;
+        driven.at(driven.time(19_999));
+        least = driven.count;
+        refused = driven.ended;
+      } catch (error) {
+        refused = error.message;
+      }
+      const took = performance.now() - begun;
+      explorer.change({ gravity });
+      return { change, took, least, refused };
+    });
+  });
+  for (const { change, took, least, refused } of found) {
+    assert.ok(refused !== "" || least === 20_000, JSON.stringify(change));
+    assert.ok(took < 20_000, `${JSON.stringify(change)}: ${took} ms`); // on a loaded machine
+  }
+  if (process.env.SHOW) console.log(found);
+  assert.deepEqual(errors, []);
+  await page.close();
+});
+
 test("at rest nothing is dragged, every chart opens, and keys say why they do nothing", async () => {
   const { page, errors } = await opened(browser);
   await page.evaluate(() => window.explorer.changeState({ q: [1, 0, 0, 0], g: [0, 0, 0] }));
