@@ -19,9 +19,6 @@ const char* loss_word(const Loss& loss);  // as fit.loss has it
 // The robust standard deviation of residuals in standard errors, by the median of their sizes; NaN
 // of the squared loss.
 double spread_of(const Scenario& scenario, const LightReport& report, const LightOutcome& found);
-// By what errors are scaled, after a loss that is not squared by spread_of; NaN where the data
-// leave no degree of freedom or no residual.
-double scale_of(const Scenario& scenario, const LightReport& report, const LightOutcome& found);
 
 // Of a loss that is not squared: what was minimised, and the points that it spared.
 void add_loss(std::string& text, const Scenario& scenario, const LightReport& report,

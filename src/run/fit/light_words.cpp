@@ -82,15 +82,6 @@ double spread_of(const Scenario& scenario, const LightReport& report, const Ligh
   return of_normal * *middle;
 }
 
-double scale_of(const Scenario& scenario, const LightReport& report, const LightOutcome& found) {
-  constexpr double least_freedom = 0.5;
-  const bool has = found.degrees_of_freedom >= least_freedom && found.result.chi_square > 0.0;
-  if (!has) return std::numeric_limits<double>::quiet_NaN();
-  const double spread = spread_of(scenario, report, found);
-  if (!std::isfinite(spread)) return found.error_factor();
-  return spread * std::sqrt(static_cast<double>(report.points()) / found.degrees_of_freedom);
-}
-
 void add_loss(std::string& text, const Scenario& scenario, const LightReport& report,
               const LightSolution& s) {
   constexpr double far = 4.0;
@@ -146,7 +137,7 @@ LightFigures light_figures(const Scenario& scenario, const LightReport& report,
                            std::size_t solution) {
   const LightSolution& s = report.solutions.at(solution).solution;
   const SpinFigures f = spin_figures(s, report.unknowns);
-  const double scale = scale_of(scenario, report, s);
+  const double scale = light_error_factor(scenario, report, s);
   const Units& units = scenario.units();
   const auto with = [&](double value, double error, Dimension d) {
     return WithErrors{units.from_core(value, d), units.from_core(error, d),
@@ -205,6 +196,16 @@ std::vector<std::vector<double>> fluxes_of(const LightReport& report, std::size_
 
 }  // namespace detail
 
+double light_error_factor(const Scenario& scenario, const LightReport& report,
+                          const LightOutcome& found) {
+  constexpr double least_freedom = 0.5;
+  const bool has = found.degrees_of_freedom >= least_freedom && found.result.chi_square > 0.0;
+  if (!has) return std::numeric_limits<double>::quiet_NaN();
+  const double spread = detail::spread_of(scenario, report, found);
+  if (!std::isfinite(spread)) return found.error_factor();
+  return spread * std::sqrt(static_cast<double>(report.points()) / found.degrees_of_freedom);
+}
+
 std::vector<FitNumber> light_numbers(const Scenario& scenario, const LightReport& report,
                                      std::size_t solution) {
   const LightSolution& found = report.solutions.at(solution).solution;
@@ -218,7 +219,7 @@ std::vector<FitNumber> light_numbers(const Scenario& scenario, const LightReport
   }
   std::fill_n(start.begin(), 3, 0.0);  // not what rounding leaves
   if (!report.start) std::fill_n(value.begin(), 3, 0.0);
-  const double scale = detail::scale_of(scenario, report, found);
+  const double scale = light_error_factor(scenario, report, found);
   std::vector<FitNumber> numbers;
   for (std::size_t i = 0; i < value.size(); ++i) {
     const std::string& name = found.covariance.names.at(i);
