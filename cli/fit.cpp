@@ -211,7 +211,7 @@ void add_fit(CLI::App& app, const Kinds& kinds) {
   command
       ->add_option("--solution", options->solution,
                    "A scenario that begins at the solution, for polhode run; of a second solution "
-                   "PATH-2.toml and so on")
+                   "PATH-2.toml and so on. Of a convex body its mesh, too: PATH-seen.obj")
       ->type_name("PATH");
   command
       ->add_option("--landscape", options->landscape,

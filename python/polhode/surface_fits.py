@@ -173,8 +173,7 @@ def fit_convex(
     LightSolution
         `body` is a BrightConvex. Unknowns: turn_x, turn_y, turn_z, w_x, w_y, w_z, then those asked
         for, then c_l_m. Of what did not converge too: `.converged` says so. Converged is nearer to
-        the least than one standard error of the unknowns: facets bend the light where they pass a
-        terminator. Errors are under this regularisation.
+        the least than a thousandth of a standard error. Errors are under this regularisation.
 
     DomainError (a ValueError) for light curves that are not sound, errors that are not above 0,
     more coefficients than facets, fewer points than unknowns. Releases the GIL; a second for 350
@@ -221,8 +220,9 @@ def fit_mesh(
     -------
     LightSolution
         `body` is a BrightMesh. Unknowns: turn_x, turn_y, turn_z, w_x, w_y, w_z, then those asked
-        for. `.converged` says whether it is a solution; converged is as in fit_convex. At the edge
-        of a shadow brightness jumps by a facet: fits of coarse meshes may stall there.
+        for. `.converged` says whether it is a solution: nearer to the least than one standard
+        error, as facets bend the light where they pass a terminator. At the edge of a shadow
+        brightness jumps by a facet: fits of coarse meshes may stall there.
 
     DomainError (a ValueError) for light curves that are not sound, a start that no body has, fewer
     points than unknowns. Releases the GIL.

@@ -151,6 +151,9 @@ def test_fits_pickle_as_what_they_are_made_of(toutatis):
     h = polhode.SpinResiduals(TRUTH, seen, ["attitude", "rate"], loss=("huber", 2.0))
     k = pickle.loads(pickle.dumps(h))
     assert np.array_equal(h.jacobian(h.start), k.jacobian(h.start)) and k.names == h.names
+    bare = polhode.SpinResiduals._of(h._compiled)
+    with pytest.raises(TypeError, match="not made of arrays or a scenario"):
+        pickle.dumps(bare)
     for whole in (toutatis, toutatis[0], found, f, h):
         assert copy.copy(whole) is whole and copy.deepcopy(whole) is whole
 

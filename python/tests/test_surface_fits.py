@@ -131,8 +131,11 @@ def test_a_scenario_with_a_convex_body(tmp_path):
     with pytest.raises(ValueError, match="got a convex body or a mesh; expected an ellipsoid"):
         one.residual_function()
     assert one.scenario.run().outcome.ok  # its motion needs no mesh
+    assert 'kind = "fit"' in one.text and 'mesh = "seen.obj"' in one.text
     one.write(tmp_path / "body.toml")
-    assert polhode.read_obj(str(tmp_path / "body.obj")).open_edge == ""
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["body-seen.obj", "body.toml"]
+    assert polhode.read_obj(str(tmp_path / "body-seen.obj")).open_edge == ""
+    assert 'mesh = "body-seen.obj"' in (tmp_path / "body.toml").read_text()
     (path,) = polhode.simulate(tmp_path / "body.toml", tmp_path / "seen")
     assert pathlib.Path(path).exists()
     assert figures.light_curve_fit(found.curves, one).shape == (1, 2)

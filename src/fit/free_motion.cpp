@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "fit/detail/spin_motion.hpp"
+#include "fit/free_rotation_of.hpp"
 #include "polhode/error.hpp"
 #include "polhode/free/evaluate.hpp"
 #include "polhode/free/prepare.hpp"

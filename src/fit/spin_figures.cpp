@@ -9,9 +9,9 @@
 
 #include "fit/detail/snapshot_residuals.hpp"
 #include "fit/detail/spin_motion.hpp"
+#include "fit/free_rotation_of.hpp"
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
-#include "polhode/free/free_rotation.hpp"
 #include "polhode/math/real.hpp"
 
 namespace polhode {

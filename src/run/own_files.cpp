@@ -31,11 +31,11 @@ bool is_file(const std::string& path) {
 }
 
 void require_own_files(const Document& document, std::span<const std::string> paths) {
-  const fs::path folder = fs::path(document.name).parent_path();
+  const fs::path folder = document.folder;
   for (std::size_t i = 0; i < paths.size(); ++i) {
     if (!is_file(paths[i])) continue;
     const std::string path = printable(paths[i], longest_path);
-    if (is_same_file(paths[i], document.name))
+    if (is_same_file(paths[i], document.path))
       throw DomainError(path + ": is the scenario itself; expected another file to write");
     for (const ScenarioFile& file : document.files)
       if (is_same_file(paths[i], folder / file.path))

@@ -84,6 +84,10 @@ def night(run, fit_file, tmp_path):
     return path
 
 
+def found_beside(folder):
+    return sorted(path.name for path in folder.glob("found*.obj"))
+
+
 def test_a_convex_body_follows_an_ellipsoid(run, night, fit_file, tmp_path):
     """The egg is no ellipsoid: facets fit it better, with the same periods; the scenario beside
     its mesh runs, is simulated and fitted again."""
@@ -97,7 +101,11 @@ def test_a_convex_body_follows_an_ellipsoid(run, night, fit_file, tmp_path):
     assert found["model"] == "convex" and solution["convex"]["facets"] == 512
     assert solution["converged"] and solution["convergence"].startswith("converged after")
     assert solution["convex"]["roughness_error"] == 3
-    assert len(solution["convex"]["coefficients"]) == 16
+    coefficients = solution["convex"]["coefficients"]
+    assert len(coefficients) == 16
+    seen = [one for name, one in solution["unknowns"].items() if name.startswith("c_")]
+    assert [one["value"] for one in seen] == coefficients[1:]
+    assert all(one["value"] != one["start"] for one in seen)  # of the ellipsoid of the file
     assert solution["chi_square"] < 0.8 * ellipsoid["chi_square"]
     for key, truth in (("precession_period", 12), ("rotation_period", 20)):
         assert abs(solution[key]["value"] - truth) < 5 * solution[key]["error"] < 0.3
@@ -107,9 +115,10 @@ def test_a_convex_body_follows_an_ellipsoid(run, night, fit_file, tmp_path):
         n for n in rows(tmp_path / "c.csv") if n in solution["unknowns"]]
     text = run("fit", path).stdout
     assert "512 facets, degree 3" in text and "roughness error 3" in text
-    assert "within one standard error of the least" in text
+    assert "standard error of the least" not in text  # as near as any fit
 
-    assert (tmp_path / "found.obj").read_text().count("\nf ") > 100
+    assert found_beside(tmp_path) == ["found-seen.obj"]
+    assert (tmp_path / "found-seen.obj").read_text().count("\nf ") > 100
     assert run("run", out).returncode == 0
     again = tmp_path / "again"
     done = run("simulate", out, "--into", again, "--set", "observation.0.sigma=1e-9")
@@ -160,7 +169,8 @@ def test_a_given_mesh_is_fitted(run, night, fit_file, tmp_path):
     assert again["chi_square"] == pytest.approx(solution["chi_square"], rel=budgets.cli_fit_starts)
     both = fitted(run, night, *off, "--set", 'free.unknowns=["attitude","rate","moments","law"]')
     assert {"Ixx/Izz", "multiple"} <= set(both["solutions"][0]["unknowns"])
-    assert "224 facets" in run("fit", night).stdout
+    text = run("fit", night).stdout
+    assert "224 facets" in text and "within one standard error of the least" in text
 
 
 def test_a_mesh_is_looked_for_with_the_periods_of_ellipsoids(run, night, fit_file):
@@ -199,14 +209,31 @@ def test_what_does_not_converge_is_no_convex_body(run, night, fit_file, tmp_path
     path = fit_file(CONVEX, FREE, "[fit]\niterations = 2\n", head=HEAD, name="few.toml")
     out = tmp_path / "few-found.toml"
     done = run("fit", path, "--solution", out)
-    assert done.returncode == 1 and not out.exists() and not out.with_suffix(".obj").exists()
+    assert done.returncode == 1 and not out.exists()
+    assert not (tmp_path / "few-found-seen.obj").exists()
     assert "did not converge" in done.stderr
 
 
 def test_a_mesh_needs_a_file_beside_it(run, night, fit_file):
     path = fit_file(CONVEX, FREE, head=HEAD, name="convex.toml")
-    done = run("fit", path, "--solution", "-")
-    assert done.returncode == 2 and "expected PATH.toml" in done.stderr
+    for out in ("-", "found.obj"):
+        done = run("fit", path, "--solution", out)
+        assert done.returncode == 2 and "expected PATH.toml" in done.stderr
+
+
+def test_a_mesh_beside_a_solution_is_no_file_that_is_read(run, night, fit_file, tmp_path):
+    """egg-seen.obj is the shape of the body: it stays, and so does egg.obj, which nobody named."""
+    truth = tmp_path / "egg-seen.obj"
+    truth.write_text(egg())
+    (tmp_path / "egg.obj").write_text("mine")
+    head = HEAD.replace("moments = [0.5625, 1.2025, 1.36]", 'shape = "egg-seen.obj"\ndensity = 1')
+    path = fit_file(CONVEX, FREE, head=head, name="of-shape.toml")
+    done = run("fit", path, "--solution", tmp_path / "egg.toml")
+    assert done.returncode == 2 and "egg-seen.obj" in done.stderr, done.stderr
+    assert truth.read_text() == egg() and not (tmp_path / "egg.toml").exists()
+    done = run("fit", path, "--solution", tmp_path / "other.toml")
+    assert done.returncode == 0, done.stderr
+    assert (tmp_path / "egg.obj").read_text() == "mine"
 
 
 @pytest.mark.skipif("POLHODE_TEST_FULL" not in os.environ, reason="two minutes: make test-full")

@@ -98,7 +98,7 @@ struct LightFitOptions {
 LightReport fit_light_scenario(const Scenario& scenario, const LightFitOptions& options = {});
 
 // The unknowns of a solution as fit_numbers has them, scaled by error_factor; `start` is the value
-// of the start, or of the solution in a search.
+// of the start, of coefficients that of its ellipsoid; or of the solution in a search.
 std::vector<FitNumber> light_numbers(const Scenario& scenario, const LightReport& report,
                                      std::size_t solution);
 
@@ -123,8 +123,8 @@ void write_light_covariance(const Scenario& scenario, const LightReport& report,
 // body, as the scenario names it.
 std::string light_solution_text(const Scenario& scenario, const LightReport& report,
                                 std::size_t solution, const std::string& mesh = "seen.obj");
-// The file, and beside PATH.toml the mesh of a convex body, PATH.obj; DomainError for areas that
-// are those of no body.
+// The file, and beside PATH.toml the mesh of a convex body, PATH-seen.obj; DomainError for areas
+// that are those of no body. Nothing is written then.
 void write_light_solution(const Scenario& scenario, const LightReport& report, std::size_t solution,
                           const std::string& path);
 

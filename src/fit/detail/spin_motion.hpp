@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "polhode/fit/spin_fit.hpp"
-#include "polhode/free/free_rotation.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -24,9 +23,6 @@ struct MotionPoint {
   std::array<Vec3, spin_parameters> turn;
   std::array<Vec3, spin_parameters> rate;
 };
-
-// The free rotation of a state, in principal axes and units of Izz.
-FreeRotation free_rotation_of(const SpinState& s);
 
 // Free rotation. False where the state is none that a body may have, or derivatives are not
 // numbers. Derivatives of products and of principal axes that turn with them: only where asked.

@@ -5,10 +5,9 @@
 #include <cmath>
 #include <limits>
 
-#include "fit/detail/spin_motion.hpp"
+#include "fit/free_rotation_of.hpp"
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
-#include "polhode/free/free_rotation.hpp"
 #include "polhode/math/real.hpp"
 
 namespace polhode {

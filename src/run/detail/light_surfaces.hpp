@@ -12,6 +12,9 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
+// The ellipsoid with the moments of the tensor, a = 1; DomainError where none has them.
+Ellipsoid ellipsoid_of(const Mat3& tensor);
+
 // A fit of a convex body or of the mesh. `solution.body` has its spin and law, and an ellipsoid.
 struct SurfaceFound {
   LightSolution solution;

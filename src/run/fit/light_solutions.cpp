@@ -3,12 +3,14 @@
 #include <cmath>
 #include <filesystem>
 
+#include "fit/free_rotation_of.hpp"
 #include "polhode/error.hpp"
 #include "polhode/free/free_rotation.hpp"
 #include "polhode/run/light_report.hpp"
 #include "polhode/tables/obj.hpp"
 #include "run/detail/fit_tables.hpp"
 #include "run/detail/light_words.hpp"
+#include "run/detail/own_files.hpp"
 #include "text/number_text.hpp"
 #include "text/printable.hpp"
 
@@ -28,14 +30,10 @@ double unit_moment(const Scenario& scenario) {
 // The state at t = 0 of the file.
 SpinState at_zero(const SpinState& s) {
   if (s.t0 == 0.0) return s;
-  Mat3 T = s.inertia_F;
-  for (Vec3& row : T.row) row = (1.0 / s.inertia_F(2, 2)) * row;
-  const bool is_diagonal = T(0, 1) == 0.0 && T(0, 2) == 0.0 && T(1, 2) == 0.0;
-  const Body body = is_diagonal ? Body(T(0, 0), T(1, 1), 1.0) : Body::from_tensor(T);
-  const Quaternion f = body.q_FB();
-  const FreeRotation motion(body, {normalized(s.q) * f, rotate(conj(f), T * s.w_F)}, s.t0);
+  const FreeRotation motion = detail::free_rotation_of(s);
+  const Quaternion& f = motion.body().q_FB();
   const RotorState there = motion.at(0.0);
-  return {0.0, there.q * conj(f), rotate(f, angular_velocity(body, there)), s.inertia_F};
+  return {0.0, there.q * conj(f), rotate(f, angular_velocity(motion.body(), there)), s.inertia_F};
 }
 
 std::vector<double> times_of(const LightReport& report) {
@@ -153,16 +151,22 @@ std::string light_solution_text(const Scenario& scenario, const LightReport& rep
 
 void write_light_solution(const Scenario& scenario, const LightReport& report, std::size_t solution,
                           const std::string& path) {
-  std::string mesh;
-  if (!report.convex.empty()) {
-    const std::filesystem::path obj = std::filesystem::path(path).replace_extension(".obj");
-    if (path == "-" || obj.string() == path)
-      throw DomainError(scenario.document.name + ": --solution " + detail::printable(path, 200) +
-                        ": expected PATH.toml; the mesh of a convex body is written beside it");
-    mesh = obj.filename().string();
-    detail::write_fit_text(scenario, obj_text(report.convex.at(solution).mesh()), obj.string());
+  if (report.convex.empty()) {
+    detail::write_fit_text(scenario, light_solution_text(scenario, report, solution), path);
+    return;
   }
-  detail::write_fit_text(scenario, light_solution_text(scenario, report, solution, mesh), path);
+  const std::filesystem::path toml(path);
+  if (path == "-" || toml.extension() == ".obj")
+    throw DomainError(scenario.document.name + ": --solution " + detail::printable(path, 200) +
+                      ": expected PATH.toml; the mesh of a convex body is written beside it");
+  const std::string mesh = toml.stem().string() + "-seen.obj";
+  const std::string files[] = {path, (toml.parent_path() / mesh).string()};
+  detail::require_own_files(scenario.document, files);
+  // both before the first is written
+  const std::string text = light_solution_text(scenario, report, solution, mesh);
+  const std::string obj = obj_text(report.convex.at(solution).mesh());
+  detail::write_fit_text(scenario, obj, files[1]);
+  detail::write_fit_text(scenario, text, files[0]);
 }
 
 }  // namespace v0

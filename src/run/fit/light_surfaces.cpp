@@ -23,18 +23,10 @@ struct Start {
   std::size_t periods;  // the place of those that it was started from
 };
 
-Ellipsoid shape_of(const FacetShape& mesh) {
-  const Vec3 I = Body::from_tensor(homogeneous_inertia(mesh)).moments();
-  double all[3] = {I.x, I.y, I.z};
-  std::ranges::sort(all);
-  const Ellipsoid e = homogeneous_ellipsoid(Vec3{all[0], all[1], all[2]}, 1.0);
-  return {1.0, e.b / e.a, e.c / e.a};
-}
-
 // The ellipsoid with the moments of the body filled evenly.
 void add_shape(const BrightConvex& convex, LightSolution& s) {
   try {
-    s.body.shape = shape_of(convex.mesh());
+    s.body.shape = ellipsoid_of(homogeneous_inertia(convex.mesh()));
   } catch (const DomainError& error) {
     s.notes.push_back(std::string("no mesh has these areas: ") + error.what());
   }

@@ -205,14 +205,17 @@ void add_notes(std::string& text, const std::vector<std::string>& notes) {
             " of coefficients of facets apart that the data hardly determine\n";
 }
 
-// What is seen, and for convex bodies what keeps them smooth and what "converged" means.
+// What is seen, for meshes what "converged" means, and for convex bodies what keeps them smooth.
 void add_surface(std::string& text, const Scenario& scenario, const LightReport& report,
                  std::size_t i) {
   const LightSolution& s = report.solutions[i].solution;
-  if (report.mesh)
+  if (report.mesh) {
     add_fit_line(text, "mesh",
                  counted(report.mesh->shape().facets().size(), "facet", "facets") +
                      (report.mesh->is_shadowless() ? "" : ", with shadows"));
+    add_fit_line(text, "convergence",
+                 s.result.sentence + ": within one standard error of the least");
+  }
   if (report.convex.empty()) return;
   const BrightConvex& body = report.convex[i];
   const ConvexPlan& plan = require_fit(scenario).light.convex;
@@ -225,7 +228,6 @@ void add_surface(std::string& text, const Scenario& scenario, const LightReport&
                    (plan.moments == MomentSource::fit
                         ? fmt::format(", moments error {:g}", plan.moments_error)
                         : std::string()));
-  add_fit_line(text, "convergence", s.result.sentence + ": within one standard error of the least");
 }
 
 void add_solution(std::string& text, const Scenario& scenario, const LightReport& report,

@@ -212,10 +212,12 @@ std::vector<FitNumber> light_numbers(const Scenario& scenario, const LightReport
   const BrightEllipsoid& about = report.start ? *report.start : found.body;
   std::vector<double> start = light_unknowns_at(report.unknowns, about, about);
   std::vector<double> value = light_unknowns_at(report.unknowns, about, found.body);
-  // after them coefficients of a convex body
-  for (std::size_t i = value.size(); i < found.covariance.names.size(); ++i) {
-    start.push_back(found.result.x.at(i));
-    value.push_back(found.result.x.at(i));
+  if (!report.convex.empty()) {  // after them its coefficients but the first
+    const BrightConvex& body = report.convex.at(solution);
+    const std::vector<double> at_start =
+        report.start ? body.image.coefficients(about.shape) : body.coefficients;
+    start.insert(start.end(), at_start.begin() + 1, at_start.end());
+    value.insert(value.end(), body.coefficients.begin() + 1, body.coefficients.end());
   }
   std::fill_n(start.begin(), 3, 0.0);  // not what rounding leaves
   if (!report.start) std::fill_n(value.begin(), 3, 0.0);

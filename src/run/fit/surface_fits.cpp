@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "fit/free_rotation_of.hpp"
 #include "polhode/error.hpp"
 #include "polhode/fit/snapshots.hpp"
 #include "polhode/free/tumbler.hpp"
@@ -47,29 +48,15 @@ std::vector<Vec3> mean_directions(const std::vector<LightCurve>& curves) {
   return mean;
 }
 
-// As an ellipsoid of the search tumbles, whose axes are principal.
-FreeRotation motion_of(const BrightEllipsoid& e) {
-  const Mat3& T = e.spin.inertia_F;
-  const Body body(T(0, 0) / T(2, 2), T(1, 1) / T(2, 2), 1.0);
-  const Vec3 I = body.moments(), w = e.spin.w_F;
-  return FreeRotation(body, {normalized(e.spin.q), {I.x * w.x, I.y * w.y, I.z * w.z}}, e.spin.t0);
-}
+}  // namespace
 
-std::vector<double> principal(const Mat3& tensor) {
-  const Vec3 I = Body::from_tensor(tensor).moments();
-  std::vector<double> all{I.x, I.y, I.z};
-  std::ranges::sort(all);
-  return all;
-}
-
-// The ellipsoid with the moments of the tensor, a = 1.
 Ellipsoid ellipsoid_of(const Mat3& tensor) {
-  const std::vector<double> I = principal(tensor);
-  const Ellipsoid e = homogeneous_ellipsoid(Vec3{I[0], I[1], I[2]}, 1.0);
+  const Vec3 I = Body::from_tensor(tensor).moments();
+  double all[3] = {I.x, I.y, I.z};
+  std::ranges::sort(all);
+  const Ellipsoid e = homogeneous_ellipsoid(Vec3{all[0], all[1], all[2]}, 1.0);
   return {1.0, e.b / e.a, e.c / e.a};
 }
-
-}  // namespace
 
 SurfaceFits::SurfaceFits(const Scenario& scenario, const LightReport& report)
     : scenario_(scenario),
@@ -92,13 +79,6 @@ SurfaceFound SurfaceFits::convex_from(const BrightEllipsoid& ellipsoid) const {
   fit.loss = plan_.loss;
   fit.most_iterations = most_iterations_;
   ConvexSolution found = fit_convex(fit);
-  if (found.result.end == LeastSquaresResult::End::no_descent) {
-    // stalled at a bend: once more from its motion, with the moments and the shape of the ellipsoid
-    fit.start.spin.q = found.body.spin.q;
-    fit.start.spin.w_F = found.body.spin.w_F;
-    ConvexSolution again = fit_convex(fit);
-    if (again.is_found()) found = std::move(again);
-  }
   SurfaceFound one{{}, std::move(found.body), ellipsoid};
   static_cast<LightOutcome&>(one.solution) = std::move(found);
   one.solution.body = {one.convex->spin, ellipsoid.shape, one.convex->law};
@@ -115,13 +95,18 @@ SurfaceFound SurfaceFits::mesh_from(const SpinState& spin, const BrightEllipsoid
               .most_iterations = most_iterations};
   MeshSolution found = fit_mesh(fit);
   SurfaceFound one{{}, std::nullopt, ellipsoid};
-  one.solution.body = {found.body.spin, ellipsoid_of(found.body.spin.inertia_F), found.body.law};
+  one.solution.body = {found.body.spin, ellipsoid.shape, found.body.law};
   static_cast<LightOutcome&>(one.solution) = std::move(found);
+  try {
+    one.solution.body.shape = ellipsoid_of(one.solution.body.spin.inertia_F);
+  } catch (const DomainError& error) {
+    one.solution.notes.push_back(std::string("no ellipsoid has these moments: ") + error.what());
+  }
   return one;
 }
 
 // The mesh with the mode, periods, pole and phases of an ellipsoid and of its images, in each of
-// four half turns. None where the body of the mesh has no such periods.
+// four half turns; without those whose periods the body of the mesh cannot have.
 std::vector<SpinState> SurfaceFits::mesh_starts(const BrightEllipsoid& ellipsoid) const {
   const SpinState own = spin_state(scenario_.rotation());
   const Body body = Body::from_tensor(own.inertia_F);
@@ -130,7 +115,7 @@ std::vector<SpinState> SurfaceFits::mesh_starts(const BrightEllipsoid& ellipsoid
   for (const LightImage i : images) seen.push_back(image_of(ellipsoid, i, mean_[0], mean_[1]));
   for (const BrightEllipsoid& one : seen) {
     try {
-      TumblerState t = to_tumbler(motion_of(one), one.spin.t0);
+      TumblerState t = to_tumbler(free_rotation_of(one.spin), one.spin.t0);
       RotorState s;
       try {
         s = to_rotor(body, t);
@@ -148,7 +133,7 @@ std::vector<SpinState> SurfaceFits::mesh_starts(const BrightEllipsoid& ellipsoid
                        rotate(f, Vec3{g.x / I.x, g.y / I.y, g.z / I.z}), own.inertia_F});
       }
     } catch (const DomainError&) {  // no motion of the body has them
-      return {};
+      continue;
     }
   }
   return all;
