@@ -88,8 +88,9 @@ void add_drive(const FitContext& at, const Rotation& rotation, FitPlan& plan) {
   plan.drive.tolerance = number(at.values, "fit.tolerance");
   if (!(plan.drive.tolerance >= least_tolerance && plan.drive.tolerance <= most_tolerance))
     refuse(at.values, "fit.tolerance", at.name, "expected a number from 1e-14 to 1e-4");
-  if (is_explicit(at.values, "fit.tolerance") && rotation.kinds.empty() &&
-      plan.drive.parameters.empty() && plan.drive.jumps.empty())
+  const bool is_default = plan.drive.tolerance == FitDrive{}.tolerance;  // as templates print it
+  if (!is_default && rotation.kinds.empty() && plan.drive.parameters.empty() &&
+      plan.drive.jumps.empty())
     refuse(at.values, "fit.tolerance", at.name,
            "expected torques or jumps as well: free rotation has none");
 }

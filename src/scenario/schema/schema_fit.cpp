@@ -120,7 +120,7 @@ constexpr Key keys[] = {
     {.path = "fit.tolerance",
      .type = number,
      .fallback = "1e-12",
-     .example = "1e-9",
+     .example = "1e-12",
      .help = "Of the motion and its derivatives where torques act, in a step: long arcs that were "
              "seen with errors of degrees need no more than 1e-9.",
      .range = Range::positive},
