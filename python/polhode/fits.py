@@ -255,9 +255,9 @@ class LightScenarioSolution(ScenarioSolution):
 
     @property
     def text(self) -> str:
-        """The scenario file that begins at the solution: of an ellipsoid of kind "rotation", of a
-        convex body or a mesh of kind "fit", which runs and is fitted again. That of a convex body
-        names a mesh "seen.obj" that is not there: `write` leaves both."""
+        """The scenario file that begins at the solution: of kind "fit", which runs and is fitted
+        again. That of a convex body names a mesh "seen.obj" that is not there: `write` leaves
+        both."""
         return self._results._compiled.solution_text(self._place)
 
     @property

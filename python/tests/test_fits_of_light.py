@@ -83,7 +83,9 @@ def test_the_scan_is_that_of_the_arrays(night):
 def test_a_solution_is_a_scenario_that_runs(night):
     found, _ = night
     best = found[0]
-    assert best.scenario.text == best.text and 'kind = "fit"' not in best.text
+    assert best.scenario.text == best.text and "light.semiaxes" in best.text
+    (again,) = polhode.fit(best.scenario.replace(NEARBY))
+    assert_allclose(again.chi_square, best.chi_square, rtol=budgets.fit_freedom)
     run = best.scenario.with_columns(["q"]).run()
     assert run.outcome.ok
     expected = best.state.free_rotation.at(np.array([run["t"][0], run["t"][-1]]))
