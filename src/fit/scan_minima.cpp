@@ -31,15 +31,19 @@ bool at_end(std::size_t i, const FrequencyGrid& grid) {
   return grid.count > 1 && (i == 0 || i + 1 == grid.count);
 }
 
-bool is_same(const Landscape& of, const RefinedPair& a, const RefinedPair& b) {
-  const auto near = [](double x, double y, double step) { return std::abs(x - y) < 0.01 * step; };
-  if (of.orders.first == 0) return near(a.fit.f2, b.fit.f2, of.second.step);
-  const double step = std::max(of.first.step, of.second.step);
-  return (near(a.fit.f1, b.fit.f1, step) && near(a.fit.f2, b.fit.f2, step)) ||
-         (near(a.fit.f1, b.fit.f2, step) && near(a.fit.f2, b.fit.f1, step));
+constexpr double one_pair = 0.01;  // of a step
+
+bool is_same(const Landscape& of, const FourierFit& a, const FourierFit& b) {
+  if (of.orders.first == 0) return std::abs(a.f2 - b.f2) < one_pair * of.second.step;
+  return detail::are_one(a, b, std::max(of.first.step, of.second.step));
 }
 
 }  // namespace
+
+bool detail::are_one(const FourierFit& a, const FourierFit& b, double step) {
+  const auto near = [&](double x, double y) { return std::abs(x - y) < one_pair * step; };
+  return (near(a.f1, b.f1) && near(a.f2, b.f2)) || (near(a.f1, b.f2) && near(a.f2, b.f1));
+}
 
 std::vector<detail::LandscapeCell> detail::minimum_cells(const Landscape& of, std::size_t most) {
   std::vector<LandscapeCell> cells;
@@ -72,7 +76,7 @@ std::vector<ScanMinimum> scan_minima(const ScanPoints& points, const Landscape& 
       [&](std::int64_t k, const RefinedPair& refined) {
         const auto [r, c] = cells[static_cast<std::size_t>(k)];
         const bool known = std::any_of(found.begin(), found.end(), [&](const ScanMinimum& m) {
-          return is_same(of, m.refined, refined);
+          return is_same(of, m.refined.fit, refined.fit);
         });
         if (known) return;
         const bool edge = at_end(r, of.first) || at_end(c, of.second);

@@ -16,8 +16,6 @@ namespace {
 
 // Half of a window, in steps of the coarse grid: the least of the whole may be beside a cell.
 constexpr double reach = 1.5;
-// Minima this near to each other, in steps of the fine grid, are one.
-constexpr double same_pair = 0.01;
 
 std::size_t unknowns_of(std::size_t order) {
   return 2 * FourierOrders::pair(order).harmonics() + 1;
@@ -29,11 +27,8 @@ FrequencyGrid window(const FrequencyGrid& coarse, std::size_t at, double step) {
 }
 
 bool is_known(std::span<const ScanMinimum> found, const ScanMinimum& m, double step) {
-  const auto near = [&](double a, double b) { return std::abs(a - b) < same_pair * step; };
-  const FourierFit& a = m.refined.fit;
   return std::ranges::any_of(found, [&](const ScanMinimum& one) {
-    const FourierFit& b = one.refined.fit;
-    return (near(a.f1, b.f1) && near(a.f2, b.f2)) || (near(a.f1, b.f2) && near(a.f2, b.f1));
+    return detail::are_one(one.refined.fit, m.refined.fit, step);
   });
 }
 

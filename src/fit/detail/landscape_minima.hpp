@@ -18,6 +18,9 @@ struct LandscapeCell {
 // The lowest first, at most `most`.
 std::vector<LandscapeCell> minimum_cells(const Landscape& of, std::size_t most);
 
+// Pairs that refinement brought together, in either order: nearer than a hundredth of a step.
+bool are_one(const FourierFit& a, const FourierFit& b, double step);
+
 }  // namespace detail
 }  // namespace v0
 }  // namespace polhode

@@ -5,18 +5,12 @@
 #include <cstddef>
 #include <vector>
 
+#include "fit/light_geometry.hpp"
 #include "polhode/fit/light_search.hpp"
 
 namespace polhode {
 inline namespace v0 {
 namespace detail {
-
-// Mean directions of all points.
-struct LightGeometry {
-  Vec3 to_sun, to_observer;
-  double time_base;
-};
-LightGeometry geometry_of(std::span<const LightCurve> curves);
 
 // Near enough that fits from both would most likely meet.
 bool are_alike(const BrightEllipsoid& a, const BrightEllipsoid& b);

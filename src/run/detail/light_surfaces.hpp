@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "fit/light_geometry.hpp"
 #include "polhode/run/light_report.hpp"
 
 namespace polhode {
@@ -49,7 +50,7 @@ class SurfaceFits {
   const Scenario& scenario_;
   const FitPlan& plan_;
   const LightReport& report_;
-  std::vector<Vec3> mean_;  // directions to Sun and observer
+  LightGeometry geometry_;
   int most_iterations_;
 };
 

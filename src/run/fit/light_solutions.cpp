@@ -66,12 +66,18 @@ std::string quoted(const std::string& path) {
   return text + "\"";
 }
 
-// The rest of [fit] looked for what is found.
-void add_loss(const Scenario& scenario, Changes& changes) {
+// The rest of [fit] looked for what is found: its loss alone stays.
+void add_fit(const Scenario& scenario, Changes& changes) {
+  for (const char* const key : {"fit", "map", "ensemble"}) changes.push_back({key, ""});
   const Loss& loss = require_fit(scenario).loss;
   if (loss.kind == Loss::Kind::squared) return;
   changes.push_back({"fit.loss", quoted(detail::loss_word(loss))});
   changes.push_back({"fit.loss_scale", number_text(loss.scale)});
+}
+
+void add_mixed_law(double multiple, Changes& changes) {
+  changes.push_back({"light.law", "\"mixed\""});
+  changes.push_back({"light.multiple", number_text(multiple)});
 }
 
 // A fit of the mesh that begins at the solution: what was observed stays, so that it can be
@@ -81,8 +87,7 @@ Changes mesh_changes(const Scenario& scenario, const LightReport& report, const 
   const bool is_convex = !report.convex.empty();
   const SpinState state = at_zero(found.solution.body.spin);
   Changes changes;
-  for (const char* const key : {"fit", "map", "ensemble"}) changes.push_back({key, ""});
-  add_loss(scenario, changes);
+  add_fit(scenario, changes);
   if (is_convex || report.unknowns.moments == MomentSource::fit) {
     if (!is_convex && require_fit(scenario).light.mesh.empty())
       changes.push_back({"light.mesh", quoted(scenario.rotation().shape->file)});
@@ -95,10 +100,7 @@ Changes mesh_changes(const Scenario& scenario, const LightReport& report, const 
     changes.push_back({"light.shape", "\"mesh\""});
     changes.push_back({"light.mesh", quoted(mesh)});
   }
-  if (report.unknowns.multiple) {
-    changes.push_back({"light.law", "\"mixed\""});
-    changes.push_back({"light.multiple", number_text(found.solution.body.law.multiple)});
-  }
+  if (report.unknowns.multiple) add_mixed_law(found.solution.body.law.multiple, changes);
   changes.push_back({"free.unknowns", "[\"attitude\", \"rate\"]"});
   detail::add_rows_of(scenario, times_of(report), changes);
   return changes;
@@ -109,15 +111,12 @@ Changes ellipsoid_changes(const Scenario& scenario, const LightReport& report,
   const BrightEllipsoid& body = found.solution.body;
   const SpinState state = at_zero(body.spin);
   Changes changes;
-  for (const char* const key : {"fit", "map", "ensemble"}) changes.push_back({key, ""});
-  add_loss(scenario, changes);
+  add_fit(scenario, changes);
   add_moments(scenario, state.inertia_F, changes);
   add_state(scenario, state, changes);
   changes.push_back({"light.semiaxes", detail::row_text(body.shape.a, body.shape.b, body.shape.c)});
-  if (report.unknowns.multiple && body.law.multiple > 0.0) {
-    changes.push_back({"light.law", "\"mixed\""});
-    changes.push_back({"light.multiple", number_text(body.law.multiple)});
-  }
+  if (report.unknowns.multiple && body.law.multiple > 0.0)
+    add_mixed_law(body.law.multiple, changes);
   detail::add_rows_of(scenario, times_of(report), changes);
   return changes;
 }

@@ -32,6 +32,18 @@ void add_shape(const BrightConvex& convex, LightSolution& s) {
   }
 }
 
+void keep(SurfaceFound&& one, std::size_t periods, std::size_t starts, LightReport& report) {
+  FoundLight f;
+  f.solution = std::move(one.solution);
+  f.periods = periods;
+  f.starts = starts;
+  if (one.convex) {
+    add_shape(*one.convex, f.solution);
+    report.convex.push_back(std::move(*one.convex));
+  }
+  report.solutions.push_back(std::move(f));
+}
+
 class Surfaces {
  public:
   Surfaces(const Scenario& scenario, const LightSearchResult& found, const LightFitOptions& options,
@@ -163,17 +175,7 @@ class Surfaces {
 
   void finish() {
     report_.solutions.clear();
-    for (Kept& one : kept_) {
-      FoundLight f;
-      f.solution = std::move(one.found.solution);
-      f.periods = one.periods;
-      f.starts = one.starts;
-      if (one.found.convex) {
-        add_shape(*one.found.convex, f.solution);
-        report_.convex.push_back(std::move(*one.found.convex));
-      }
-      report_.solutions.push_back(std::move(f));
-    }
+    for (Kept& one : kept_) keep(std::move(one.found), one.periods, one.starts, report_);
     describe_solutions(report_.solutions, report_.observed.curves);
     if (!report_.solutions.empty()) return;
     report_.failure = report_.surfaces == 0
@@ -226,14 +228,7 @@ void fit_surface_from_start(const Scenario& scenario, LightReport& report) {
     return;
   }
   report.surfaces_converged = 1;
-  FoundLight f;
-  f.solution = std::move(one.solution);
-  f.starts = 1;
-  if (one.convex) {
-    add_shape(*one.convex, f.solution);
-    report.convex.push_back(std::move(*one.convex));
-  }
-  report.solutions.push_back(std::move(f));
+  keep(std::move(one), 0, 1, report);
 }
 
 void fit_surfaces(const Scenario& scenario, const LightSearchResult& found,

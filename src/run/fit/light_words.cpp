@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "fit/light_geometry.hpp"
 #include "polhode/math/real.hpp"
 #include "run/detail/fit_tables.hpp"
 
@@ -122,13 +123,8 @@ SkyPlace sky_place(const Vec3& d) {
 }
 
 Vec3 mirror_pole(const Vec3& pole, const LightReport& report) {
-  Vec3 sun, observer;
-  for (const LightCurve& curve : report.observed.curves)
-    for (const LightPoint& p : curve.points) {
-      sun = sun + (1.0 / norm(p.to_sun)) * p.to_sun;
-      observer = observer + (1.0 / norm(p.to_observer)) * p.to_observer;
-    }
-  const Vec3 normal = cross(sun, observer);
+  const LightGeometry mean = geometry_of(report.observed.curves);
+  const Vec3 normal = cross(mean.to_sun, mean.to_observer);
   const double size2 = dot(normal, normal);
   return size2 > 0.0 ? (2.0 * dot(normal, pole) / size2) * normal - pole : pole;
 }
@@ -198,11 +194,10 @@ std::vector<std::vector<double>> fluxes_of(const LightReport& report, std::size_
 
 double light_error_factor(const Scenario& scenario, const LightReport& report,
                           const LightOutcome& found) {
-  constexpr double least_freedom = 0.5;
-  const bool has = found.degrees_of_freedom >= least_freedom && found.result.chi_square > 0.0;
-  if (!has) return std::numeric_limits<double>::quiet_NaN();
+  const double by_chi_square = found.error_factor();
+  if (!(by_chi_square > 0.0)) return std::numeric_limits<double>::quiet_NaN();
   const double spread = detail::spread_of(scenario, report, found);
-  if (!std::isfinite(spread)) return found.error_factor();
+  if (!std::isfinite(spread)) return by_chi_square;
   return spread * std::sqrt(static_cast<double>(report.points()) / found.degrees_of_freedom);
 }
 

@@ -38,16 +38,6 @@ constexpr std::array<Quaternion, 4> half_turns{Quaternion{1.0, 0.0, 0.0, 0.0},
 constexpr std::array<LightImage, 3> images{LightImage::normal, LightImage::bisector,
                                            LightImage::difference};
 
-std::vector<Vec3> mean_directions(const std::vector<LightCurve>& curves) {
-  std::vector<Vec3> mean(2);
-  for (const LightCurve& curve : curves)
-    for (const LightPoint& p : curve.points) {
-      mean[0] = mean[0] + (1.0 / norm(p.to_sun)) * p.to_sun;
-      mean[1] = mean[1] + (1.0 / norm(p.to_observer)) * p.to_observer;
-    }
-  return mean;
-}
-
 }  // namespace
 
 Ellipsoid ellipsoid_of(const Mat3& tensor) {
@@ -62,7 +52,7 @@ SurfaceFits::SurfaceFits(const Scenario& scenario, const LightReport& report)
     : scenario_(scenario),
       plan_(require_fit(scenario)),
       report_(report),
-      mean_(mean_directions(report.observed.curves)),
+      geometry_(geometry_of(report.observed.curves)),
       most_iterations_(plan_.light.most_iterations.value_or(usual_iterations)) {}
 
 SurfaceFound SurfaceFits::convex_from(const BrightEllipsoid& ellipsoid) const {
@@ -112,7 +102,8 @@ std::vector<SpinState> SurfaceFits::mesh_starts(const BrightEllipsoid& ellipsoid
   const Body body = Body::from_tensor(own.inertia_F);
   std::vector<SpinState> all;
   std::vector<BrightEllipsoid> seen{ellipsoid};
-  for (const LightImage i : images) seen.push_back(image_of(ellipsoid, i, mean_[0], mean_[1]));
+  for (const LightImage i : images)
+    seen.push_back(image_of(ellipsoid, i, geometry_.to_sun, geometry_.to_observer));
   for (const BrightEllipsoid& one : seen) {
     try {
       TumblerState t = to_tumbler(free_rotation_of(one.spin), one.spin.t0);
@@ -173,7 +164,7 @@ std::vector<SurfaceFound> SurfaceFits::from_images(
     return found;
   }
   for (const LightImage i : images) {
-    const BrightEllipsoid image = image_of(ellipsoid, i, mean_[0], mean_[1]);
+    const BrightEllipsoid image = image_of(ellipsoid, i, geometry_.to_sun, geometry_.to_observer);
     if (!is_known(image, known)) found.push_back(convex_from(image));
   }
   return found;

@@ -157,14 +157,17 @@ void take_wanted(const ObservationTable& of, LightCurveFile& file) {
     file.sessions = std::move(taken);
   }
   if (of.of.leave_out.empty()) return;
-  std::vector<std::size_t> lines = counted_from_1(of, "leave_out", of.of.leave_out, 0xffffffff);
+  const std::vector<std::size_t> left_out =
+      counted_from_1(of, "leave_out", of.of.leave_out, 0xffffffff);
+  std::vector<std::size_t> unseen = left_out;
   for (LightSession& session : file.sessions) {
     LightSession kept = session;
     kept.curve.points.clear();
     kept.lines.clear();
     for (std::size_t k = 0; k < session.curve.points.size() && k < session.lines.size(); ++k) {
-      if (std::ranges::count(of.of.leave_out, std::to_string(session.lines[k])) > 0) {
-        std::erase(lines, static_cast<std::size_t>(session.lines[k]));
+      const auto line = static_cast<std::size_t>(session.lines[k]);
+      if (std::ranges::count(left_out, line) > 0) {
+        std::erase(unseen, line);
         continue;
       }
       kept.curve.points.push_back(session.curve.points[k]);
@@ -172,9 +175,9 @@ void take_wanted(const ObservationTable& of, LightCurveFile& file) {
     }
     if (session.lines.size() == session.curve.points.size()) session = std::move(kept);
   }
-  if (!lines.empty())
+  if (!unseen.empty())
     of.keys.refuse("leave_out", "expected lines with a point of the sessions taken; line " +
-                                    std::to_string(lines.front()) + " has none");
+                                    std::to_string(unseen.front()) + " has none");
   std::erase_if(file.sessions, [](const LightSession& s) { return s.curve.points.empty(); });
   if (file.sessions.empty()) of.keys.refuse("leave_out", "expected some points to stay");
 }
