@@ -27,6 +27,37 @@ FREE = """
 [free]
 unknowns = ["attitude", "rate", "moments"]
 """
+# What light curves are of.
+TUMBLING = """[state.tumbler]
+mode = "LAM"
+precession_period = 12
+rotation_period = 20
+pole = { longitude = 50, latitude = 40 }
+phi0 = 20
+psi0 = 70
+"""
+TUMBLER = f"""schema = 1
+kind = "fit"
+[units]
+time = "min"
+angle = "deg"
+[body]
+moments = [0.5625, 1.2025, 1.36]  # of the ellipsoid 1 : 0.6 : 0.45
+{TUMBLING}[time]
+stop = 120
+count = 81
+"""
+ORBITS = """
+[orbit.body]
+kind = "kepler"
+semi_major_axis = 1.2
+eccentricity = 0.2
+gm = "1.32712440018e11 km3/s2"
+[orbit.earth]
+kind = "ephemeris"
+target = "earth"
+centre = "sun"
+"""
 
 
 def fitted(run, path, *arguments):

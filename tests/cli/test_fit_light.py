@@ -11,7 +11,7 @@ import budgets
 import numpy
 import pytest
 from closeness import assert_allclose
-from fit_files import fitted, refused, rows
+from fit_files import ORBITS, TUMBLER, fitted, refused, rows
 
 FREE = """
 [free]
@@ -85,24 +85,6 @@ def test_bad_tables_of_light_are_refused(run, fit_file, change, expected):
     assert expected in refused(run, fit_file(LIGHT.replace(*change), FREE), "simulate")
 
 
-TUMBLER = """schema = 1
-kind = "fit"
-[units]
-time = "min"
-angle = "deg"
-[body]
-moments = [0.5625, 1.2025, 1.36]  # of the ellipsoid 1 : 0.6 : 0.45
-[state.tumbler]
-mode = "LAM"
-precession_period = 12
-rotation_period = 20
-pole = { longitude = 50, latitude = 40 }
-phi0 = 20
-psi0 = 70
-[time]
-stop = 120
-count = 81
-"""
 NIGHT = """
 [[observation]]
 kind = "light-curve"
@@ -317,19 +299,6 @@ def test_errors_are_parts_of_the_mean_of_a_session(run, fit_file, tmp_path):
         assert numpy.all(own["sigma"][own["session"] == k] == 0.1)
     low, high = sorted(means)
     assert high > 1.5 * low
-
-
-ORBITS = """
-[orbit.body]
-kind = "kepler"
-semi_major_axis = 1.2
-eccentricity = 0.2
-gm = "1.32712440018e11 km3/s2"
-[orbit.earth]
-kind = "ephemeris"
-target = "earth"
-centre = "sun"
-"""
 
 
 def test_vectors_come_from_orbits(run, fit_file, tmp_path):

@@ -8,9 +8,9 @@ import math
 import budgets
 import numpy
 import pytest
-from fit_files import fitted, refused, rows
+from fit_files import ORBITS, TUMBLING, fitted, refused, rows
 
-HEAD = """schema = 1
+HEAD = f"""schema = 1
 kind = "fit"
 [units]
 time = "min"
@@ -21,14 +21,7 @@ moments = [0.5625, 1.2025, 1.36]
 [state]
 epoch = "2013-01-05T00:00:00 UTC"
 axes = "ecliptic-J2000"
-[state.tumbler]
-mode = "LAM"
-precession_period = 12
-rotation_period = 20
-pole = { longitude = 50, latitude = 40 }
-phi0 = 20
-psi0 = 70
-[time]
+{TUMBLING}[time]
 start = -60
 stop = 180
 count = 161
@@ -118,17 +111,6 @@ def test_fluxes_of_the_time_have_their_distances(run, night, fit_file, tmp_path)
         fitted(run, plain)["solutions"][0]["chi_square"] > 10 * expected["chi_square"])
 
 
-ORBITS = """
-[orbit.body]
-kind = "kepler"
-semi_major_axis = 1.2
-eccentricity = 0.2
-gm = "1.32712440018e11 km3/s2"
-[orbit.earth]
-kind = "ephemeris"
-target = "earth"
-centre = "sun"
-"""
 ALCDEF = """STARTMETADATA
 OBJECTNUMBER=99942
 OBJECTNAME=Tumbler

@@ -10,26 +10,9 @@ import budgets
 import numpy
 import pytest
 from closeness import smallest
-from fit_files import fitted, refused, rows
+from fit_files import TUMBLER, fitted, refused, rows
 
-HEAD = """schema = 1
-kind = "fit"
-[units]
-time = "min"
-angle = "deg"
-[body]
-moments = [0.5625, 1.2025, 1.36]  # of the ellipsoid 1 : 0.6 : 0.45
-[state.tumbler]
-mode = "LAM"
-precession_period = 12
-rotation_period = 20
-pole = { longitude = 50, latitude = 40 }
-phi0 = 20
-psi0 = 70
-[time]
-stop = 120
-count = 81
-[[observation]]
+HEAD = TUMBLER + """[[observation]]
 kind = "light-curve"
 file = "night.csv"
 times = "at-body"
