@@ -45,6 +45,11 @@ function orbitOf({ period, eccentricity, inclination, node, pericentre, anomaly 
   };
 }
 
+function stateOf(rows: Float64Array, i: number): RotorState {
+  const [w, x, y, z, a, b, c] = rows.subarray(SIZE * i, SIZE * (i + 1));
+  return { q: [w!, x!, y!, z!], g: [a!, b!, c!] };
+}
+
 export class Driven {
   readonly orbit: KeplerOrbit;
   readonly epoch: number;
@@ -117,8 +122,7 @@ export class Driven {
   }
 
   private sample(i: number): RotorState {
-    const [w, x, y, z, a, b, c] = this.states.subarray(SIZE * i, SIZE * (i + 1));
-    return { q: [w!, x!, y!, z!], g: [a!, b!, c!] };
+    return stateOf(this.states, i);
   }
 
   /** Null before the epoch, and beyond what is followed. */
@@ -146,8 +150,7 @@ export class Driven {
       mostSteps: STEPS * PER_TURN,
     });
     if (states.length < 2 * SIZE) return null;
-    const [w, x, y, z, a, b, c] = states.subarray(SIZE);
-    return { q: [w!, x!, y!, z!], g: [a!, b!, c!] };
+    return stateOf(states, 1);
   }
 
   /** The samples from `low` to `high`, first and last index; last < first where there are none. */
