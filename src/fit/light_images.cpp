@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "polhode/fit/light_search.hpp"
+#include "polhode/rotor/attitude.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -15,6 +18,64 @@ Quaternion half_turn(const Vec3& axis) {
   if (!(size > 0.0)) return {};
   const Vec3 n = (1.0 / size) * axis;
   return {0.0, n.x, n.y, n.z};
+}
+
+// Whether moments are those of an even filling, so that both say which axis is the longest.
+bool is_filled(const BrightEllipsoid& body) {
+  constexpr double same = 1e-9;
+  const Ellipsoid& s = body.shape;
+  const Mat3 even = BrightEllipsoid::homogeneous(0.0, {}, {}, s).spin.inertia_F;
+  const Mat3& T = body.spin.inertia_F;
+  return s.a >= s.b && s.b >= s.c && std::abs(T(0, 0) / T(2, 2) - even(0, 0)) < same &&
+         std::abs(T(1, 1) / T(2, 2) - even(1, 1)) < same;
+}
+
+// Rotations that take axes to axes, in which row i has axis order[i]: 4 where none is exchanged.
+void add_turns(const std::array<int, 3>& order, std::vector<Mat3>& found) {
+  for (const double x : {1.0, -1.0})
+    for (const double y : {1.0, -1.0}) {
+      Mat3 R;
+      R(0, order[0]) = x;
+      R(1, order[1]) = y;
+      R.row[2] = cross(R.row[0], R.row[1]);
+      found.push_back(R);
+    }
+}
+
+std::vector<Mat3> half_turns() {
+  std::vector<Mat3> found;
+  add_turns({0, 1, 2}, found);
+  return found;
+}
+
+std::vector<Mat3> turns_of_axes() {
+  std::vector<Mat3> found;
+  std::array<int, 3> order{0, 1, 2};
+  do add_turns(order, found);
+  while (std::ranges::next_permutation(order).found);
+  return found;
+}
+
+Vec3 permuted(const Mat3& R, const Vec3& v) {
+  const Vec3 w = R * v;
+  return {std::abs(w.x), std::abs(w.y), std::abs(w.z)};
+}
+
+// The same body in axes of which row i of R is number i, with a = 1 and Izz as the unit.
+BrightEllipsoid in_axes(const Mat3& R, const BrightEllipsoid& body) {
+  BrightEllipsoid found = body;
+  found.spin.q = normalized(body.spin.q) * attitude(R);
+  found.spin.w_F = R * body.spin.w_F;
+  const Mat3& T = body.spin.inertia_F;
+  const Vec3 I = permuted(R, {T(0, 0), T(1, 1), T(2, 2)});
+  for (int i = 0; i < 3; ++i) found.spin.inertia_F(i, i) = I[i] / I.z;
+  const Vec3 s = permuted(R, {body.shape.a, body.shape.b, body.shape.c});
+  found.shape = {1.0, s.y / s.x, s.z / s.x};
+  return found;
+}
+
+double shape_distance(const Ellipsoid& a, const Ellipsoid& b) {
+  return std::abs(std::log(a.b / b.b)) + std::abs(std::log(a.c / b.c));
 }
 
 }  // namespace
@@ -33,21 +94,18 @@ BrightEllipsoid image_of(const BrightEllipsoid& body, LightImage image, const Ve
 }
 
 BrightEllipsoid nearest_of_same(const BrightEllipsoid& about, const BrightEllipsoid& body) {
-  constexpr std::array<Quaternion, 4> turns{Quaternion{1.0, 0.0, 0.0, 0.0},
-                                            {0.0, 1.0, 0.0, 0.0},
-                                            {0.0, 0.0, 1.0, 0.0},
-                                            {0.0, 0.0, 0.0, 1.0}};
+  const bool in_order = is_filled(about) && is_filled(body);
+  const double rate = norm(about.spin.w_F);
   BrightEllipsoid nearest = body;
   double least = std::numeric_limits<double>::infinity();
-  const double rate = norm(about.spin.w_F);
-  for (const Quaternion& r : turns) {
-    const Quaternion q = normalized(body.spin.q) * r;
-    const Vec3 w = rotate(conj(r), body.spin.w_F);
-    const double off = norm(attitude_residual(about.spin.q, q)) + norm(w - about.spin.w_F) / rate;
+  for (const Mat3& R : in_order ? half_turns() : turns_of_axes()) {
+    const BrightEllipsoid same = in_axes(R, body);
+    const double off = norm(attitude_residual(about.spin.q, same.spin.q)) +
+                       norm(same.spin.w_F - about.spin.w_F) / rate +
+                       (in_order ? 0.0 : shape_distance(about.shape, same.shape));
     if (!(off < least)) continue;
     least = off;
-    nearest.spin.q = q;
-    nearest.spin.w_F = w;
+    nearest = same;
   }
   return nearest;
 }

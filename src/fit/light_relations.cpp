@@ -52,15 +52,39 @@ bool same_periods(const TumblerPeriods& a, const TumblerPeriods& b, double time_
          turns_apart(a.rotation_period, b.rotation_period, time_base) < apart;
 }
 
-// Images come before everything else that a solution may be.
-bool is_image(const BrightEllipsoid& of, const BrightEllipsoid& body, const LightGeometry& g,
-              LightImage& image) {
-  for (const LightImage i : {LightImage::normal, LightImage::bisector, LightImage::difference}) {
-    if (!are_alike(image_of(of, i, g.to_sun, g.to_observer), body)) continue;
-    image = i;
-    return true;
+// How far a state is from another, in units of what is still alike.
+double distance_of(const BrightEllipsoid& a, const BrightEllipsoid& other) {
+  const BrightEllipsoid b = nearest_of_same(a, other);
+  const double rate = norm(a.spin.w_F);
+  return std::max({norm(attitude_residual(a.spin.q, b.spin.q)) / alike_turn,
+                   norm(b.spin.w_F - a.spin.w_F) / (alike_rate * rate),
+                   std::abs(a.shape.b / a.shape.a - b.shape.b / b.shape.a) / alike_ratio,
+                   std::abs(a.shape.c / a.shape.b - b.shape.c / b.shape.b) / alike_ratio});
+}
+
+// Its parent: of those before solution j the one whose image it is nearest to; one that is no image
+// itself, where there is such a one.
+void set_parent(std::vector<FoundLight>& solutions, std::size_t j, const LightGeometry& g) {
+  using Beside = FoundLight::Beside;
+  FoundLight& f = solutions[j];
+  for (const bool of_images : {false, true}) {
+    double least = 1.0;
+    for (std::size_t k = 0; k < j; ++k) {
+      if ((solutions[k].beside == Beside::image) != of_images) continue;
+      for (const LightImage i :
+           {LightImage::normal, LightImage::bisector, LightImage::difference}) {
+        const BrightEllipsoid image =
+            image_of(solutions[k].solution.body, i, g.to_sun, g.to_observer);
+        const double off = distance_of(image, f.solution.body);
+        if (!(off < least)) continue;
+        least = off;
+        f.beside = Beside::image;
+        f.image = i;
+        f.of = k;
+      }
+    }
+    if (f.beside == Beside::image) return;
   }
-  return false;
 }
 
 std::string motion_text(const LightSolution& s) {
@@ -81,7 +105,7 @@ std::string beside_text(const FoundLight& f) {
     case FoundLight::Beside::other_mode:
       return "the other mode than " + of;
     case FoundLight::Beside::other_pole:
-      return "the periods of " + of + " with another attitude or shape";
+      return "about the periods of " + of + " with another attitude or shape";
     default:
       return "the lowest chi-square";
   }
@@ -105,12 +129,7 @@ LightGeometry geometry_of(std::span<const LightCurve> curves) {
 }
 
 bool are_alike(const BrightEllipsoid& a, const BrightEllipsoid& other) {
-  const BrightEllipsoid b = nearest_of_same(a, other);
-  const double rate = norm(a.spin.w_F);
-  return norm(attitude_residual(a.spin.q, b.spin.q)) < alike_turn &&
-         norm(b.spin.w_F - a.spin.w_F) < alike_rate * rate &&
-         std::abs(a.shape.b / a.shape.a - b.shape.b / b.shape.a) < alike_ratio &&
-         std::abs(a.shape.c / a.shape.b - b.shape.c / b.shape.b) < alike_ratio;
+  return distance_of(a, other) < 1.0;
 }
 
 bool are_same(const LightSolution& a, const LightSolution& b, const LightUnknowns& unknowns) {
@@ -134,11 +153,7 @@ void describe_relations(std::vector<FoundLight>& solutions, const LightGeometry&
     FoundLight& f = solutions[j];
     f.beside = Beside::first;
     f.of = 0;
-    for (std::size_t k = 0; k < j && f.beside != Beside::image; ++k) {
-      if (!is_image(solutions[k].solution.body, f.solution.body, geometry, f.image)) continue;
-      f.beside = Beside::image;
-      f.of = k;
-    }
+    set_parent(solutions, j, geometry);
     for (std::size_t k = 0; k < j && f.beside == Beside::first; ++k) {
       const TumblerPeriods &a = solutions[k].solution.periods, &b = f.solution.periods;
       if (a.mode != b.mode || !same_periods(a, b, geometry.time_base)) continue;
@@ -151,6 +166,18 @@ void describe_relations(std::vector<FoundLight>& solutions, const LightGeometry&
     }
     f.sentence = motion_text(f.solution) + ": " + beside_text(f);
   }
+}
+
+std::vector<std::size_t> starts_of_images(const std::vector<FoundLight>& solutions) {
+  std::vector<std::size_t> first(solutions.size()), sum(solutions.size(), 0);
+  for (std::size_t k = 0; k < solutions.size(); ++k) {
+    const FoundLight& f = solutions[k];
+    first[k] = f.beside == FoundLight::Beside::image ? first[f.of] : k;
+    sum[first[k]] += f.starts;
+  }
+  std::vector<std::size_t> found;
+  for (const std::size_t k : first) found.push_back(sum[k]);
+  return found;
 }
 
 }  // namespace detail

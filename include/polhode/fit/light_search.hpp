@@ -5,11 +5,14 @@
 // Equations   a start takes one pair of periods, a tilt and a ratio of moments
 //             (bodies_with_periods.hpp), a phase of the polhode; of `tries` attitudes the one that
 //             fits best; then fit_light in a few iterations. Of each pair of periods the best and
-//             those that differ most are fitted to the end, whatever the other pairs reach. What
-//             comes to one state, up to half turns about the axes of the ellipsoid, is one
-//             solution. Each that is within is started from its images, too: turned by pi about the
-//             normal of the plane of Sun and observer, about their bisector, and about the
-//             difference of their directions (see LightImage).
+//             those that differ most are fitted to the end, whatever the other pairs reach. Pairs
+//             near the limit get more starts, 100 to 300, until no solution within it was found by
+//             one start alone (Good 1953, Biometrika 40, 237). What comes to one state, up to half
+//             turns about the axes of the ellipsoid, is one solution. Each that is within is
+//             started from its images, too: turned by pi about the normal of the plane of Sun and
+//             observer, about their bisector, and about the difference of their directions (see
+//             LightImage). Moments and a law that are unknown are freed at the end, from what was
+//             found without them: first the law, then both.
 // Corrections none.
 // Units       as fit_light.
 // Domain      periods as the labels of a scan list them (`labelled_periods`). An ellipsoid fits an
@@ -44,8 +47,9 @@ enum class LightImage { none, normal, bisector, difference };
 BrightEllipsoid image_of(const BrightEllipsoid& body, LightImage image, const Vec3& to_sun,
                          const Vec3& to_observer);
 
-// Whether two states are one up to half turns about the axes of the ellipsoid, and if so, the
-// second as it is next to the first.
+// The second state as it is nearest to the first: up to half turns about the axes of the
+// ellipsoid, and up to any exchange of axes where moments are not those of an even filling, so that
+// nothing says which axis comes first.
 BrightEllipsoid nearest_of_same(const BrightEllipsoid& about, const BrightEllipsoid& body);
 
 struct LabelChoice {
@@ -62,7 +66,7 @@ std::vector<TumblerPeriods> labelled_periods(std::span<const ScanMinimum> minima
 struct LightSearch {
   std::vector<LightCurve> curves;
   std::vector<TumblerPeriods> periods;
-  std::size_t starts = 1000;  // in all, taken by the pairs of periods in turn
+  std::size_t starts = 1000;  // at first, in all, taken by the pairs of periods in turn
   std::size_t tries = 30;
   int short_iterations = 8;
   std::size_t finalists = 4;  // of each pair of periods
@@ -80,7 +84,8 @@ struct LightSearch {
 struct FoundLight {
   LightSolution solution;
   std::size_t periods = 0;  // the place of those that it was started from
-  std::size_t starts = 0;   // finalists that came to it
+  // Fits that came to it; where law or moments are unknown, fits with all unknowns alone.
+  std::size_t starts = 0;
   // What it is beside the first solution that it resembles: its place, and in which way.
   enum class Beside { first, image, alias, other_mode, other_pole };
   Beside beside = Beside::first;
@@ -92,9 +97,11 @@ struct FoundLight {
 struct LightSearchResult {
   // By chi-square, within the limit alone; all converged.
   std::vector<FoundLight> solutions;
-  // The lowest chi-square that each pair of periods came to, infinite where no body has them.
+  // The lowest chi-square that each pair of periods came to, infinite where nothing converged. It
+  // is a bound from above, of few fits where a pair is far beyond the limit.
   std::vector<double> chi_square_of_periods;
   // The best body of each pair of periods, also beyond the limit: from where fit_convex goes on.
+  // Without unknown law or moments, where fits with them did not converge.
   std::vector<std::optional<LightSolution>> best_of_periods;
   std::size_t starts = 0;     // that had a body
   std::size_t finalists = 0;  // fitted to the end, images included

@@ -17,6 +17,9 @@ bool are_alike(const BrightEllipsoid& a, const BrightEllipsoid& b);
 // Within the errors of the first.
 bool are_same(const LightSolution& a, const LightSolution& b, const LightUnknowns& unknowns);
 
+// How many starts came to each solution or to one of its images. They have been described.
+std::vector<std::size_t> starts_of_images(const std::vector<FoundLight>& solutions);
+
 // Says of each solution what it is beside those before it.
 void describe_relations(std::vector<FoundLight>& solutions, const LightGeometry& geometry);
 

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// What a search of light curves makes of the many states that its fits end at: which are one, whose
+// images they are, which of them few starts find, and where unknowns that come last lead.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "bright_night.hpp"
+#include "budgets.hpp"
+#include "polhode/fit/light_search.hpp"
+
+namespace {
+using namespace polhode;
+using namespace polhode::test;
+using Beside = FoundLight::Beside;
+
+// The same body with its axes in another order, x y z becoming y z x.
+BrightEllipsoid in_next_axes(const BrightEllipsoid& body) {
+  BrightEllipsoid found = body;
+  const Vec3& w = body.spin.w_F;
+  found.spin.w_F = {w.y, w.z, w.x};
+  // v_old = r v_new r*, a third of a turn about 1, 1, 1
+  found.spin.q = body.spin.q * Quaternion{0.5, 0.5, 0.5, 0.5};
+  const Mat3& T = body.spin.inertia_F;
+  found.spin.inertia_F(0, 0) = T(1, 1) / T(0, 0);
+  found.spin.inertia_F(1, 1) = T(2, 2) / T(0, 0);
+  const Ellipsoid& s = body.shape;
+  found.shape = {1.0, s.c / s.b, s.a / s.b};
+  return found;
+}
+
+TEST(LightImages, ABodyIsTheSameInAnyOrderOfItsAxes) {
+  BrightEllipsoid body = in_long_axis_mode;
+  body.spin.inertia_F(0, 0) *= 1.05;  // nothing says which axis is which
+  const BrightEllipsoid other = in_next_axes(body);
+  const std::vector<LightCurve> curves{night(body, 2.0, 20, 0.02, 3)};
+  const auto here = model_fluxes(body, curves).front(), there = model_fluxes(other, curves).front();
+  for (std::size_t k = 0; k < here.size(); ++k)
+    EXPECT_NEAR(there[k] / here[k], 1.0, budget::fit_exact);
+
+  const BrightEllipsoid back = nearest_of_same(body, other);
+  EXPECT_LT(norm(attitude_residual(body.spin.q, back.spin.q)), budget::fit_exact);
+  EXPECT_LT(norm(back.spin.w_F - body.spin.w_F), budget::fit_exact);
+  EXPECT_NEAR(back.shape.b, body.shape.b, budget::fit_exact);
+  EXPECT_NEAR(back.shape.c, body.shape.c, budget::fit_exact);
+  for (int i = 0; i < 2; ++i)
+    EXPECT_NEAR(back.spin.inertia_F(i, i), body.spin.inertia_F(i, i), budget::fit_exact);
+}
+
+FoundLight found_with(const BrightEllipsoid& body) {
+  FoundLight f;
+  f.solution.body = body;
+  f.solution.periods = {Regime::long_axis, 12.0, 20.0};
+  return f;
+}
+
+// Two solutions 0.15 rad apart have images that are as near to each other.
+TEST(LightImages, AreThoseOfTheNearest) {
+  const std::vector<LightCurve> curves{night(in_long_axis_mode, 2.0, 20, 0.02, 3)};
+  const Vec3 sun = curves[0].points[0].to_sun, observer = curves[0].points[0].to_observer;
+  BrightEllipsoid beside = in_long_axis_mode;
+  beside.spin.q = normalized(Quaternion{1.0, 0.075, 0.0, 0.0}) * beside.spin.q;
+  for (const LightImage i : {LightImage::normal, LightImage::bisector, LightImage::difference}) {
+    std::vector<FoundLight> all{found_with(in_long_axis_mode), found_with(beside),
+                                found_with(image_of(beside, i, sun, observer)),
+                                found_with(image_of(in_long_axis_mode, i, sun, observer))};
+    describe_solutions(all, curves);
+    EXPECT_EQ(all[1].beside, Beside::other_pole);
+    for (const std::size_t k : {2u, 3u}) {
+      EXPECT_EQ(all[k].beside, Beside::image);
+      EXPECT_EQ(all[k].image, i);
+      EXPECT_EQ(all[k].of, k == 2 ? 1u : 0u);
+    }
+  }
+}
+
+}  // namespace
