@@ -14,7 +14,7 @@ namespace detail {
 
 struct LightTrial {
   BrightEllipsoid body;
-  double chi_square;
+  double cost;  // the sum that was minimised
 };
 
 // Midway between the first and the last time.

@@ -3,14 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <numeric>
+#include <optional>
+#include <utility>
 
+#include "fit/detail/light_finds.hpp"
 #include "fit/detail/light_relations.hpp"
 #include "fit/detail/light_starts.hpp"
 #include "math/number_text.hpp"
 #include "polhode/ensemble/cells.hpp"
 #include "polhode/error.hpp"
-#include "polhode/fit/likely_periods.hpp"
 #include "polhode/light/light_curve_checks.hpp"
 
 namespace polhode {
@@ -18,8 +20,6 @@ inline namespace v0 {
 namespace {
 
 using detail::LightTrial;
-
-constexpr double same_periods = 1e-3;
 
 void check(const LightSearch& s) {
   const std::string who = "search_light: ";
@@ -46,50 +46,97 @@ void check(const LightSearch& s) {
     throw DomainError(who + "within = " + detail::number_text(s.within) + " must be 1 or more");
 }
 
+// Starts of a round for each pair of periods.
+constexpr std::size_t starts_of_round = 50;
+// Of the iterations before it, where a fit that is not at its end goes on, and a start of a round.
+constexpr int more_iterations = 4, more_short_iterations = 3;
+
+// Where a fit begins, and for which pair of periods.
 struct Finalist {
   BrightEllipsoid start;
   std::size_t periods;
 };
 
+// Fewer unknowns first, up to those that are asked for: each begins where the one before it ended,
+// so that none ends higher.
+std::vector<LightUnknowns> models_of(const LightUnknowns& unknowns) {
+  LightUnknowns model = unknowns;
+  if (model.moments == MomentSource::fit) model.moments = MomentSource::shape;
+  model.multiple = false;
+  std::vector<LightUnknowns> models{model};
+  if (unknowns.multiple) {
+    model.multiple = true;
+    models.push_back(model);
+  }
+  if (unknowns.moments == MomentSource::fit) models.push_back(unknowns);
+  return models;
+}
+
 class Search {
  public:
   explicit Search(const LightSearch& search)
-      : search_(search), geometry_(detail::geometry_of(search.curves)) {
-    result_.chi_square_of_periods.assign(search.periods.size(),
-                                         std::numeric_limits<double>::infinity());
-    result_.best_of_periods.resize(search.periods.size());
-  }
+      : search_(search), geometry_(detail::geometry_of(search.curves)), finds_(search) {}
 
   LightSearchResult found() {
-    fit(finalists());
-    sort_and_limit();
+    const std::vector<LightUnknowns> models = models_of(search_.unknowns);
+    begin(models.front());
+    add_finalists();
+    add_rounds();
+    const std::size_t seldom = finds_.seldom();
     fit(images());
-    sort_and_limit();
-    detail::describe_relations(result_.solutions, geometry_);
-    add_notes();
+    for (std::size_t m = 1; m < models.size(); ++m) {
+      const std::vector<Finalist> starts = ends();
+      begin(models[m]);
+      fit(starts);
+    }
+    finds_.move_to(result_);
+    add_notes(seldom);
     return std::move(result_);
   }
 
  private:
-  // Of each pair of periods the best, and after it the next best that is unlike those taken.
-  std::vector<Finalist> finalists() {
-    std::vector<std::vector<LightTrial>> trials(search_.periods.size());
+  using Trials = std::vector<std::vector<LightTrial>>;
+
+  void begin(const LightUnknowns& model) {
+    model_ = model;
+    finds_.begin(model);
+  }
+
+  // Short fits of the starts with these numbers, by pair of periods.
+  Trials trials(const std::vector<std::uint64_t>& numbers, int iterations) {
+    const LightSearch how = [&] {
+      LightSearch s = search_;
+      s.unknowns = model_;
+      s.short_iterations = iterations;
+      return s;
+    }();
+    Trials found(search_.periods.size());
+    tried_ += numbers.size();
     run_cells(
-        0, static_cast<std::int64_t>(search_.starts), search_.threads,
+        0, std::ssize(numbers), search_.threads,
         [&](std::int64_t k) {
           if (search_.between) search_.between();
-          return detail::light_trial(search_, static_cast<std::uint64_t>(k));
+          return detail::light_trial(how, numbers[static_cast<std::size_t>(k)]);
         },
         [&](std::int64_t k, const std::optional<LightTrial>& trial) {
           if (!trial) return;
           ++result_.starts;
-          trials[static_cast<std::size_t>(k) % search_.periods.size()].push_back(*trial);
+          const std::uint64_t number = numbers[static_cast<std::size_t>(k)];
+          found[static_cast<std::size_t>(number % search_.periods.size())].push_back(*trial);
         });
+    return found;
+  }
+
+  // Of each pair of periods the best, and after it the next best that is unlike those taken.
+  void add_finalists() {
+    std::vector<std::uint64_t> numbers(search_.starts);
+    std::iota(numbers.begin(), numbers.end(), std::uint64_t{0});
+    Trials all = trials(numbers, search_.short_iterations);
     std::vector<Finalist> found;
-    for (std::size_t p = 0; p < trials.size(); ++p) {
-      std::ranges::stable_sort(trials[p], {}, &LightTrial::chi_square);
+    for (std::size_t p = 0; p < all.size(); ++p) {
+      std::ranges::stable_sort(all[p], {}, &LightTrial::cost);
       std::vector<const LightTrial*> taken;
-      for (const LightTrial& t : trials[p]) {
+      for (const LightTrial& t : all[p]) {
         if (taken.size() == search_.finalists) break;
         const bool is_known = std::ranges::any_of(
             taken, [&](const LightTrial* known) { return detail::are_alike(known->body, t.body); });
@@ -98,12 +145,37 @@ class Search {
         found.push_back({t.body, p});
       }
     }
-    return found;
+    fit(found);
+  }
+
+  // More starts of the pairs of periods near the limit, until no solution within it was found by
+  // one start alone: what is still unseen would then be found by few starts (Good 1953).
+  void add_rounds() {
+    const std::size_t pairs = search_.periods.size();
+    std::vector<std::uint64_t> next(pairs);
+    for (std::size_t p = 0; p < pairs; ++p)
+      next[p] = p + (search_.starts + pairs - 1 - p) / pairs * pairs;
+    for (int round = 0; round < detail::LightFinds::most_rounds; ++round) {
+      const std::vector<std::size_t> open = finds_.open_pairs(round);
+      if (open.empty()) return;
+      std::vector<std::uint64_t> numbers;
+      for (std::size_t k = 0; k < starts_of_round; ++k)
+        for (const std::size_t p : open) {
+          numbers.push_back(next[p]);
+          next[p] += pairs;
+        }
+      const Trials all = trials(numbers, more_short_iterations * search_.short_iterations);
+      std::vector<Finalist> found;
+      for (const std::size_t p : open)
+        for (const LightTrial& t : all[p])
+          if (finds_.is_near(t.cost)) found.push_back({t.body, p});
+      fit(found);
+    }
   }
 
   std::vector<Finalist> images() const {
     std::vector<Finalist> found;
-    for (const FoundLight& f : result_.solutions) {
+    for (const FoundLight& f : finds_.within_limit()) {
       for (const LightImage i : {LightImage::normal, LightImage::bisector, LightImage::difference})
         found.push_back(
             {image_of(f.solution.body, i, geometry_.to_sun, geometry_.to_observer), f.periods});
@@ -111,91 +183,85 @@ class Search {
     return found;
   }
 
+  // What a model with more unknowns begins with: the best of each pair of periods, and all
+  // solutions near the limit.
+  std::vector<Finalist> ends() const {
+    std::vector<Finalist> found;
+    for (std::size_t p = 0; p < search_.periods.size(); ++p)
+      if (const auto& best = finds_.best_of(p)) found.push_back({best->body, p});
+    for (const FoundLight& f : finds_.all()) {
+      const double cost = f.solution.result.cost;
+      if (finds_.is_near(cost) && cost > finds_.best_of(f.periods)->result.cost)
+        found.push_back({f.solution.body, f.periods});
+    }
+    return found;
+  }
+
+  // What has not come to its end goes on where it is near the limit, or the lowest of its pair of
+  // periods.
   void fit(const std::vector<Finalist>& finalists) {
-    result_.finalists += finalists.size();
+    fit(finalists, search_.most_iterations, true);
+    std::ranges::stable_sort(unfinished_, {}, [](const auto& u) { return u.first; });
+    std::vector<bool> has_one(search_.periods.size());
+    std::vector<Finalist> longer;
+    for (const auto& [cost, finalist] : unfinished_) {
+      const std::optional<LightSolution>& best = finds_.best_of(finalist.periods);
+      const bool is_lowest = !has_one[finalist.periods] && (!best || cost < best->result.cost);
+      if (!is_lowest && !finds_.is_near(cost)) continue;
+      has_one[finalist.periods] = true;
+      longer.push_back(finalist);
+    }
+    unfinished_.clear();
+    fit(longer, more_iterations * search_.most_iterations, false);
+  }
+
+  // Keeps what has not come to its end where `goes_on`.
+  void fit(const std::vector<Finalist>& finalists, int most_iterations, bool goes_on) {
+    if (goes_on) result_.finalists += finalists.size();
     run_cells(
         0, std::ssize(finalists), search_.threads,
         [&](std::int64_t k) {
           if (search_.between) search_.between();
           const Finalist& f = finalists[static_cast<std::size_t>(k)];
-          LightFit fit{search_.curves, f.start, search_.unknowns, search_.loss,
-                       search_.most_iterations};
-          return fit_light(fit);
+          return fit_light({search_.curves, f.start, model_, search_.loss, most_iterations});
         },
         [&](std::int64_t k, const LightSolution& s) {
-          if (s.is_found()) add(s, finalists[static_cast<std::size_t>(k)].periods);
+          const std::size_t periods = finalists[static_cast<std::size_t>(k)].periods;
+          if (s.is_found())
+            finds_.add(s, periods);
+          else if (goes_on && s.result.end == LeastSquaresResult::End::iteration_limit)
+            unfinished_.push_back({s.result.cost, {s.body, periods}});
         });
   }
 
-  void add(const LightSolution& s, std::size_t periods) {
-    ++result_.converged;
-    double& least = result_.chi_square_of_periods[periods];
-    if (s.result.chi_square < least) {
-      least = s.result.chi_square;
-      result_.best_of_periods[periods] = s;
-    }
-    for (FoundLight& f : result_.solutions) {
-      if (!detail::are_same(f.solution, s, search_.unknowns)) continue;
-      ++f.starts;
-      if (s.result.cost < f.solution.result.cost) f.solution = s;
-      return;
-    }
-    FoundLight f;
-    f.solution = s;
-    f.periods = periods;
-    f.starts = 1;
-    result_.solutions.push_back(f);
-  }
-
-  void sort_and_limit() {
-    std::vector<FoundLight>& all = result_.solutions;
-    std::ranges::stable_sort(all, {}, [](const FoundLight& f) { return f.solution.result.cost; });
-    if (all.empty()) return;
-    const double limit = search_.within * all.front().solution.result.cost;
-    std::erase_if(all, [&](const FoundLight& f) { return f.solution.result.cost > limit; });
-  }
-
-  void add_notes() {
+  void add_notes(std::size_t seldom) {
     if (result_.starts == 0)
       result_.notes.push_back(
           "no body has any of these periods with an ellipsoid that is not thinner than 1 : 6.7");
     else if (result_.solutions.empty())
       result_.notes.push_back("no fit converged: more starts, more iterations, or other periods");
-    const std::size_t without = search_.starts - result_.starts;
+    if (seldom > 0)
+      result_.notes.push_back((seldom == 1 ? "a solution within the limit, but for its images, was"
+                                           : std::to_string(seldom) +
+                                                 " solutions within the limit, but for their "
+                                                 "images, were") +
+                              std::string(" found by one start alone: other starts may find more"));
+    const std::size_t without = tried_ - result_.starts;
     if (without > 0 && result_.starts > 0)
-      result_.notes.push_back(std::to_string(without) + " of " + std::to_string(search_.starts) +
+      result_.notes.push_back(std::to_string(without) + " of " + std::to_string(tried_) +
                               " starts had no body with their periods, or no value");
   }
 
   const LightSearch& search_;
   detail::LightGeometry geometry_;
+  detail::LightFinds finds_;
+  LightUnknowns model_;
+  std::size_t tried_ = 0;
+  std::vector<std::pair<double, Finalist>> unfinished_;  // with their costs
   LightSearchResult result_;
 };
 
 }  // namespace
-
-std::vector<TumblerPeriods> labelled_periods(std::span<const ScanMinimum> minima,
-                                             const LabelChoice& choice) {
-  std::vector<TumblerPeriods> found;
-  const auto is_known = [&](const TumblerPeriods& l) {
-    return std::ranges::any_of(found, [&](const TumblerPeriods& p) {
-      return p.mode == l.mode &&
-             std::abs(p.precession_period / l.precession_period - 1.0) < same_periods &&
-             std::abs(p.rotation_period / l.rotation_period - 1.0) < same_periods;
-    });
-  };
-  std::size_t pairs = 0;
-  for (const ScanMinimum& m : minima) {
-    if (!m.resolved || !m.refined.converged || m.at_edge) continue;
-    if (pairs++ == choice.pairs) break;
-    std::size_t taken = 0;
-    for (const LikelyPeriods& l : likely_periods(m.refined.fit)) {
-      if (taken++ == choice.labels) break;
-      if (!is_known(l.periods)) found.push_back(l.periods);
-    }
-  }
-  return found;
-}
 
 LightSearchResult search_light(const LightSearch& search) {
   check(search);

@@ -76,4 +76,59 @@ TEST(LightImages, AreThoseOfTheNearest) {
   }
 }
 
+LightSearch search_of(const DrawnTumbler& t) {
+  LightSearch search;
+  search.curves = {t.curve};
+  // off by what a scan may be
+  search.periods = {
+      {t.mode, 1.0 / (t.f_phi + 0.03 / t.time_base), 1.0 / (t.f_psi - 0.03 / t.time_base)}};
+  search.starts = 20;
+  search.threads = 2;
+  return search;
+}
+
+// Another shape fits this night nearly as well; one start in twelve comes to it.
+TEST(LightSearch, FindsWhatFewStartsComeTo) {
+  LightSearch search = search_of(drawn_tumbler(29, 100, 0.02, 5));
+  for (const std::uint64_t seed : {1u, 2u, 3u}) {
+    search.seed = seed;
+    const LightSearchResult found = search_light(search);
+    ASSERT_EQ(found.solutions.size(), 8u) << "seed " << seed;
+    EXPECT_EQ(std::ranges::count(found.solutions, Beside::image, &FoundLight::beside), 6);
+    EXPECT_EQ(std::ranges::count(found.solutions, Beside::other_pole, &FoundLight::beside), 1);
+  }
+}
+
+// Light of a body with moments of its own and some of Lambert's law.
+TEST(LightSearch, EndsNoHigherWithMoreUnknowns) {
+  DrawnTumbler t = drawn_tumbler(10, 120, 0.02, 5);
+  t.body.law = {1.0, 0.3};
+  t.body.spin.inertia_F(0, 0) *= 1.03;
+  const auto fluxes = model_fluxes(t.body, std::vector<LightCurve>{t.curve}).front();
+  const CounterRandom random(5, key_of("noise"));
+  for (std::size_t k = 0; k < fluxes.size(); ++k) {
+    LightPoint& p = t.curve.points[k];
+    p.flux = fluxes[k] * (1.0 + 0.02 * random.normal(k, 0));
+    p.sigma = 0.02 * fluxes[k];
+  }
+  LightSearch search = search_of(t);
+  double least = 1e300;
+  for (const LightUnknowns& unknowns :
+       {LightUnknowns{}, LightUnknowns{.multiple = true},
+        LightUnknowns{.moments = MomentSource::fit, .multiple = true}}) {
+    search.unknowns = unknowns;
+    const LightSearchResult found = search_light(search);
+    ASSERT_FALSE(found.solutions.empty());
+    const double cost = found.solutions.front().solution.result.cost;
+    EXPECT_LE(cost, least);
+    least = cost;
+    ASSERT_TRUE(found.best_of_periods[0].has_value());
+    EXPECT_LE(found.best_of_periods[0]->result.cost, cost);
+  }
+  // as low as from the truth
+  const LightSolution at = fit_light({{t.curve}, t.body, search.unknowns, {}, 200});
+  ASSERT_TRUE(at.is_found());
+  EXPECT_NEAR(least / at.result.cost, 1.0, 1e-6);
+}
+
 }  // namespace
