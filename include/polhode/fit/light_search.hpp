@@ -14,7 +14,7 @@
 // Units       as fit_light.
 // Domain      periods as the labels of a scan list them (`labelled_periods`). An ellipsoid fits an
 //             alias as well as the truth at times: solutions are all that there are, the lowest
-//             chi-square is no proof.
+//             chi-square or loss is no proof.
 // Accuracy    the bits do not depend on threads: a start is drawn by its number.
 // Errors      DomainError as fit_light; no periods, periods that are not positive, fewer than one
 //             start, try, iteration, finalist or thread, `within` below 1.
@@ -66,7 +66,8 @@ struct LightSearch {
   std::size_t tries = 30;
   int short_iterations = 8;
   std::size_t finalists = 4;  // of each pair of periods
-  double within = 1.5;        // chi-square over the lowest, up to which solutions are reported
+  double within = 1.5;        // chi-square, or the sum under a robust loss, over the lowest, up to
+                              // which solutions are reported
   LightUnknowns unknowns;
   Scattering law;
   Loss loss;
@@ -90,9 +91,11 @@ struct FoundLight {
 };
 
 struct LightSearchResult {
-  // By chi-square, within the limit alone; all converged.
+  // By what was minimised, chi-square or the sum under a robust loss; within the limit alone; all
+  // converged.
   std::vector<FoundLight> solutions;
-  // The lowest chi-square that each pair of periods came to, infinite where no body has them.
+  // The lowest sum that each pair of periods came to, chi-square or what was minimised under a
+  // robust loss; infinite where no body has them.
   std::vector<double> chi_square_of_periods;
   // The best body of each pair of periods, also beyond the limit: from where fit_convex goes on.
   std::vector<std::optional<LightSolution>> best_of_periods;
@@ -105,8 +108,9 @@ struct LightSearchResult {
 LightSearchResult search_light(const LightSearch& search);
 
 // What each solution is beside those before it: `beside`, `image`, `of` and `sentence`, as
-// search_light says it of its own.
-void describe_solutions(std::vector<FoundLight>& solutions, std::span<const LightCurve> curves);
+// search_light says it of its own. The loss is that which was minimised.
+void describe_solutions(std::vector<FoundLight>& solutions, std::span<const LightCurve> curves,
+                        const Loss& loss = {});
 
 }  // namespace v0
 }  // namespace polhode

@@ -18,7 +18,8 @@ bool are_alike(const BrightEllipsoid& a, const BrightEllipsoid& b);
 bool are_same(const LightSolution& a, const LightSolution& b, const LightUnknowns& unknowns);
 
 // Says of each solution what it is beside those before it.
-void describe_relations(std::vector<FoundLight>& solutions, const LightGeometry& geometry);
+void describe_relations(std::vector<FoundLight>& solutions, const LightGeometry& geometry,
+                        const Loss& loss);
 
 }  // namespace detail
 }  // namespace v0

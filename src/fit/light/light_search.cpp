@@ -65,7 +65,7 @@ class Search {
     sort_and_limit();
     fit(images());
     sort_and_limit();
-    detail::describe_relations(result_.solutions, geometry_);
+    detail::describe_relations(result_.solutions, geometry_, search_.loss);
     add_notes();
     return std::move(result_);
   }
@@ -87,7 +87,7 @@ class Search {
         });
     std::vector<Finalist> found;
     for (std::size_t p = 0; p < trials.size(); ++p) {
-      std::ranges::stable_sort(trials[p], {}, &LightTrial::chi_square);
+      std::ranges::stable_sort(trials[p], {}, &LightTrial::cost);
       std::vector<const LightTrial*> taken;
       for (const LightTrial& t : trials[p]) {
         if (taken.size() == search_.finalists) break;
@@ -130,8 +130,8 @@ class Search {
   void add(const LightSolution& s, std::size_t periods) {
     ++result_.converged;
     double& least = result_.chi_square_of_periods[periods];
-    if (s.result.chi_square < least) {
-      least = s.result.chi_square;
+    if (s.result.cost < least) {
+      least = s.result.cost;
       result_.best_of_periods[periods] = s;
     }
     for (FoundLight& f : result_.solutions) {

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: MIT
+// Factors of sessions under robust losses: against bisection in 50 digits, and derivatives of the
+// least sum against differences of light in double-double.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <cmath>
+#include <vector>
+
+#include "bright_night.hpp"
+#include "budgets.hpp"
+#include "fit/detail/light_residuals.hpp"
+#include "fit/detail/robust_factor.hpp"
+#include "polhode/ensemble/counter_random.hpp"
+#include "polhode/fit/light_search.hpp"
+#include "polhode/fit/residual_function.hpp"
+#include "wide_light.hpp"
+#include "worst.hpp"
+
+namespace {
+using namespace polhode;
+using namespace polhode::test;
+using detail::FactorPoint;
+using detail::Rows;
+using Digits = boost::multiprecision::cpp_bin_float_50;
+using Kind = Loss::Kind;
+
+constexpr Kind robust_kinds[] = {Kind::huber, Kind::soft_l1, Kind::cauchy};
+
+struct WidePoint {
+  Digits u, v;
+};
+
+// scale^2 rho, and half its derivative by the residual.
+Digits cost_of(const Loss& loss, const Digits& r) {
+  const Digits s = loss.scale, z = r * r / (s * s);
+  if (loss.kind == Kind::huber) return s * s * (z <= 1 ? z : Digits(2 * sqrt(z) - 1));
+  if (loss.kind == Kind::soft_l1) return s * s * 2 * (sqrt(1 + z) - 1);
+  return s * s * log(1 + z);
+}
+Digits pull_of(const Loss& loss, const Digits& r) {
+  const Digits s = loss.scale, z = r * r / (s * s);
+  if (loss.kind == Kind::huber) return z <= 1 ? r : Digits(r > 0 ? s : -s);
+  if (loss.kind == Kind::soft_l1) return r / sqrt(1 + z);
+  return r / (1 + z);
+}
+
+Digits fall_at(const Loss& loss, const std::vector<WidePoint>& points, const Digits& f) {
+  Digits sum = 0;
+  for (const WidePoint& p : points) sum += p.v * pull_of(loss, p.u - f * p.v);
+  return sum;
+}
+
+// The first zero of the slope downhill from the weighted median: steps of a hundredth of what
+// changes a usual residual by the scale, then bisection.
+Digits least_factor(const Loss& loss, const std::vector<WidePoint>& points) {
+  std::vector<WidePoint> seen = points;
+  std::erase_if(seen, [](const WidePoint& p) { return p.v == 0; });
+  std::ranges::sort(seen, [](const auto& a, const auto& b) { return a.u / a.v < b.u / b.v; });
+  Digits all = 0, below = 0, squares = 0;
+  for (const WidePoint& p : seen) all += p.v;
+  for (const WidePoint& p : seen) squares += p.v * p.v;
+  std::size_t k = 0;
+  while (2 * (below + seen[k].v) < all) below += seen[k++].v;
+  Digits from = seen[k].u / seen[k].v;
+  const bool up = fall_at(loss, points, from) > 0;
+  const Digits step =
+      (up ? 1 : -1) * loss.scale / sqrt(squares / Digits(double(points.size()))) / 100;
+  Digits to = from;
+  while (fall_at(loss, points, to) != 0 && (fall_at(loss, points, to) > 0) == up) {
+    from = to;
+    to += step;
+  }
+  for (int i = 0; i < 150; ++i) {
+    const Digits middle = (from + to) / 2;
+    ((fall_at(loss, points, middle) > 0) == up ? from : to) = middle;
+  }
+  return to;
+}
+
+std::vector<WidePoint> wide(const std::vector<FactorPoint>& points) {
+  std::vector<WidePoint> found;
+  for (const FactorPoint& p : points) found.push_back({p.u, p.v});
+  return found;
+}
+
+// Brightness of 0.2 to 1 and flux of 2.5 times it in errors of 1 / accuracy; a part of the points
+// is three times too bright.
+std::vector<FactorPoint> drawn_points(std::uint64_t number, std::size_t count, double accuracy,
+                                      double bad) {
+  const CounterRandom random(5, key_of("factors"));
+  std::vector<FactorPoint> points;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double B = 0.2 + 0.8 * random.uniform(number, 8 * i);
+    const double flux = 2.5 * B + random.normal(number, 8 * i + 4) / accuracy;
+    const double times = random.uniform(number, 8 * i + 1) < bad ? 3.0 : 1.0;
+    points.push_back({accuracy * times * flux, accuracy * B});
+  }
+  return points;
+}
+
+TEST(RobustFactor, IsTheLeastOfTheSum) {
+  Worst<> worst;
+  for (const Kind kind : robust_kinds)
+    for (const double scale : {0.3, 1.345, 5.0, 1e3})
+      for (std::uint64_t k = 0; k < 12; ++k) {
+        const Loss loss{kind, scale};
+        std::vector<FactorPoint> points =
+            drawn_points(k, k < 3 ? 1 + k : 40, k % 2 == 0 ? 50.0 : 0.7, k % 3 == 0 ? 0.0 : 0.15);
+        if (k > 6) points.push_back({0.4, 0.0});  // unlit
+        const Digits least = least_factor(loss, wide(points));
+        const double found = detail::robust_factor(loss, points);
+        EXPECT_NEAR(found, double(least), budget::robust_factor * std::abs(double(least)))
+            << int(kind) << ' ' << scale << ' ' << k;
+        worst.add(std::abs(double((Digits(found) - least) / least)));
+      }
+  RecordProperty("worst", std::to_string(worst.value()));
+}
+
+// Of a model that is far from the light: no residual is within the scale.
+TEST(RobustFactor, IsTheLeastWhereNothingFits) {
+  const CounterRandom random(6, key_of("misfits"));
+  for (const Kind kind : robust_kinds)
+    for (std::uint64_t k = 0; k < 12; ++k) {
+      std::vector<FactorPoint> points;
+      for (std::size_t i = 0; i < 60; ++i)
+        points.push_back({300.0 * random.uniform(k, 2 * i), 90.0 * random.uniform(k, 2 * i + 1)});
+      const Loss loss{kind, 1.0};
+      const double least = double(least_factor(loss, wide(points)));
+      EXPECT_NEAR(detail::robust_factor(loss, points), least, budget::robust_factor * least)
+          << int(kind) << ' ' << k;
+    }
+}
+
+TEST(RobustFactor, HasNoValueWhereNothingIsSeen) {
+  const Loss huber{Kind::huber, 1.0};
+  const double infinite = std::numeric_limits<double>::infinity();
+  EXPECT_TRUE(std::isnan(detail::robust_factor(huber, {})));
+  for (const FactorPoint& p :
+       {FactorPoint{1.0, 0.0}, {1.0, std::nan("")}, {infinite, 1.0}, {1.0, infinite}})
+    EXPECT_TRUE(std::isnan(detail::robust_factor(huber, std::vector{p})));
+  EXPECT_EQ(detail::robust_factor(huber, std::vector{FactorPoint{0.0, 2.0}}), 0.0);
+}
+
+// With 15 points of a hundred three times too bright the factor of squares is off by many errors.
+TEST(RobustFactor, IsThatOfTheGoodPoints) {
+  for (std::uint64_t k = 0; k < 5; ++k) {
+    std::vector<FactorPoint> points = drawn_points(k, 100, 50.0, 0.0);
+    const auto of_squares = [](const std::vector<FactorPoint>& all) {
+      double up = 0.0, down = 0.0;
+      for (const FactorPoint& p : all) up += p.u * p.v;
+      for (const FactorPoint& p : all) down += p.v * p.v;
+      return std::pair(up / down, 1.0 / std::sqrt(down));
+    };
+    const auto [clean, error] = of_squares(points);
+    for (std::size_t i = 3; i < 100; i += 7) points[i].u *= 3.0;
+    EXPECT_GT(std::abs(of_squares(points).first - clean), 50.0 * error);
+    EXPECT_LT(std::abs(detail::robust_factor({Kind::cauchy, 3.0}, points) - clean), error);
+    // huber's pull stays: that of 15 points at the scale, on the others
+    const double pull = 15.0 / 85.0 * 1.345 * std::sqrt(100.0);
+    EXPECT_LT(std::abs(detail::robust_factor({Kind::huber, 1.345}, points) - clean),
+              1.5 * pull * error);
+  }
+}
+
+// A night with noise, and some points three times too bright.
+LightCurve bad_night(const BrightEllipsoid& b) {
+  LightCurve curve = night(b, 3.0, 40, 0.02, 3);
+  for (const std::size_t i : {4u, 15u, 29u}) curve.points[i].flux *= 3.0;
+  return curve;
+}
+
+// Residuals with the best factor under the loss, at x + h e_k.
+std::vector<Digits> wide_residuals(const BrightEllipsoid& b, const LightCurve& curve,
+                                   const Loss& loss, std::size_t k, const DoubleDouble& h) {
+  const std::vector<DoubleDouble> B = wide_brightness(b, curve, k, h);
+  std::vector<WidePoint> points;
+  for (std::size_t i = 0; i < B.size(); ++i) {
+    const LightPoint& p = curve.points[i];
+    points.push_back({Digits(p.flux) / p.sigma, (Digits(B[i].hi) + Digits(B[i].lo)) / p.sigma});
+  }
+  const Digits f = least_factor(loss, points);
+  std::vector<Digits> r;
+  for (const WidePoint& p : points) r.push_back(p.u - f * p.v);
+  return r;
+}
+
+TEST(RobustLight, DerivativesAreThoseOfDifferencesInDoubleDouble) {
+  const DoubleDouble h(0x1p-30);
+  for (const Kind kind : robust_kinds) {
+    const BrightEllipsoid& b = kind == Kind::soft_l1 ? in_long_axis_mode : in_short_axis_mode;
+    const Loss loss{kind, 1.5};
+    const LightCurve curve = bad_night(b);
+    const LightFit fit{{curve}, b, {}, loss, 10};
+    const ResidualFunction under_loss(least_squares_of(fit));
+    const detail::LightResiduals exact(fit.curves, {}, b, loss),
+        held(fit.curves, {}, b, loss, Rows::held);
+    const std::vector<double> x = light_unknowns_at({}, b, b);
+    const std::size_t n = x.size(), count = curve.points.size();
+    std::vector<double> numbers(count), jacobian(count * n), rows(count * n), lossy(count),
+        lossy_rows(count * n);
+    ASSERT_TRUE(exact.at(x, numbers, jacobian));
+    ASSERT_TRUE(held.at(x, numbers, rows));
+    ASSERT_TRUE(under_loss.at(x, lossy, lossy_rows));
+    for (std::size_t k = 0; k < n; ++k) {
+      const auto above = wide_residuals(b, curve, loss, k, h);
+      const auto below = wide_residuals(b, curve, loss, k, -h);
+      const Digits width = 2 * Digits(h.hi);
+      double largest = 0.0, size = 0.0, half_gradient = 0.0, of_held = 0.0;
+      Worst<> worst;
+      Digits sum = 0;
+      for (std::size_t i = 0; i < count; ++i) {
+        const double slope = double((above[i] - below[i]) / width);
+        largest = larger(largest, std::abs(slope));
+        worst.add(std::abs(jacobian[i * n + k] - slope));
+        sum += (cost_of(loss, above[i]) - cost_of(loss, below[i])) / width;
+        half_gradient += lossy[i] * lossy_rows[i * n + k];
+        size += std::abs(lossy[i] * lossy_rows[i * n + k]);
+        const double weight = value(loss, numbers[i] * numbers[i] / (1.5 * 1.5)).weight;
+        of_held += weight * numbers[i] * rows[i * n + k];
+      }
+      EXPECT_LE(worst.value(), budget::light_derivatives * largest) << int(kind) << ' ' << k;
+      EXPECT_NEAR(2.0 * half_gradient, double(sum), budget::light_derivatives * size);
+      EXPECT_NEAR(2.0 * of_held, double(sum), budget::light_derivatives * size);
+      EXPECT_GT(std::abs(double(sum)), 1e3 * budget::light_derivatives * size);
+    }
+  }
+}
+
+}  // namespace
