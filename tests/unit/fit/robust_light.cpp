@@ -13,7 +13,9 @@
 #include "fit/detail/light_residuals.hpp"
 #include "fit/detail/robust_factor.hpp"
 #include "polhode/ensemble/counter_random.hpp"
+#include "polhode/fit/convex_fit.hpp"
 #include "polhode/fit/light_search.hpp"
+#include "polhode/fit/mesh_fit.hpp"
 #include "polhode/fit/residual_function.hpp"
 #include "wide_light.hpp"
 #include "worst.hpp"
@@ -40,6 +42,7 @@ Digits cost_of(const Loss& loss, const Digits& r) {
   return s * s * log(1 + z);
 }
 Digits pull_of(const Loss& loss, const Digits& r) {
+  if (loss.kind == Kind::squared) return r;
   const Digits s = loss.scale, z = r * r / (s * s);
   if (loss.kind == Kind::huber) return z <= 1 ? r : Digits(r > 0 ? s : -s);
   if (loss.kind == Kind::soft_l1) return r / sqrt(1 + z);
@@ -226,6 +229,132 @@ TEST(RobustLight, DerivativesAreThoseOfDifferencesInDoubleDouble) {
       EXPECT_GT(std::abs(double(sum)), 1e3 * budget::light_derivatives * size);
     }
   }
+}
+
+// The factor of a fit is the least of what it minimises: sum psi(r) m / sigma = 0, m the model.
+template <class Found>
+double slope_by_factor(const Found& found, const LightCurve& curve, const Loss& loss) {
+  double sum = 0.0, size = 0.0;
+  for (std::size_t i = 0; i < curve.points.size(); ++i) {
+    const LightPoint& p = curve.points[i];
+    const double r = found.result.numbers[i];
+    const double one = double(pull_of(loss, r)) * (p.flux - r * p.sigma) / p.sigma;
+    sum += one;
+    size += std::abs(one);
+  }
+  return std::abs(sum) / size;
+}
+
+TEST(RobustLight, FactorsOfAllFitsAreTheLeastOfWhatTheyMinimise) {
+  const BrightEllipsoid& b = in_short_axis_mode;
+  const std::vector<LightCurve> curves{bad_night(b)};
+  for (const Kind kind : robust_kinds) {
+    const Loss loss{kind, 1.5};
+    const LightSolution light = fit_light({curves, b, {}, loss, 3});
+    EXPECT_LE(slope_by_factor(light, curves[0], loss), budget::light_derivatives);
+    EXPECT_GT(slope_by_factor(light, curves[0], {}), 0.01);
+    const double factor =
+        (curves[0].points[7].flux - light.result.numbers[7] * curves[0].points[7].sigma) /
+        model_fluxes(light.body, curves, loss)[0][7];
+    EXPECT_NEAR(factor, 1.0, budget::light_derivatives);
+    ConvexFit convex;
+    convex.curves = curves;
+    convex.start = b;
+    convex.degree = 2;
+    convex.rows = 3;
+    convex.loss = loss;
+    convex.most_iterations = 3;
+    const ConvexSolution body = fit_convex(convex);
+    EXPECT_LE(slope_by_factor(body, curves[0], loss), budget::light_derivatives);
+    const MeshFit mesh{.curves = curves,
+                       .start = {b.spin, ShadedMesh(body.body.mesh()), b.law},
+                       .loss = loss,
+                       .most_iterations = 3};
+    EXPECT_LE(slope_by_factor(fit_mesh(mesh), curves[0], loss), budget::light_derivatives);
+  }
+}
+
+// Errors are those of a fit that has the factor as one more unknown.
+TEST(RobustLight, ErrorsAreThoseThatAFactorAmongTheUnknownsLeaves) {
+  const std::vector<LightCurve> curves{bad_night(in_short_axis_mode)};
+  for (const Kind kind : robust_kinds) {
+    const LightFit fit{curves, in_short_axis_mode, {}, {kind, 1.5}, 100};
+    const LightSolution found = fit_light(fit);
+    ASSERT_TRUE(found.is_found()) << found.result.sentence;
+    const detail::LightResiduals about(curves, {}, found.body);
+    const auto light = [&](const std::vector<double>& x) {
+      std::vector<detail::MotionPoint> motion;
+      std::vector<double> B(about.points());
+      const BrightEllipsoid body = about.body_at(x);
+      EXPECT_TRUE(detail::free_motion(body.spin, about.curves().times(), {}, motion));
+      EXPECT_TRUE(about.brightness_of(body, motion, B));
+      return B;
+    };
+    const std::vector<double> x = light_unknowns_at({}, found.body, found.body);
+    const std::size_t n = x.size(), count = about.points();
+    const std::vector<double> B = light(x);
+    const double f = found.factors.at(0), h = 1e-5;
+    std::vector<double> rows(count * (n + 1)), numbers(count);
+    for (std::size_t k = 0; k < n; ++k) {
+      std::vector<double> above = x, below = x;
+      above[k] += h;
+      below[k] -= h;
+      const std::vector<double> a = light(above), b = light(below);
+      for (std::size_t i = 0; i < count; ++i)
+        rows[i * (n + 1) + k] = -about.curves()[i].weight * f * (a[i] - b[i]) / (2.0 * h);
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      const detail::WeighedPoint& p = about.curves()[i];
+      numbers[i] = p.weight * (p.flux - f * B[i]);
+      rows[i * (n + 1) + n] = -p.weight * B[i];
+    }
+    LeastSquares problem;
+    LeastSquaresResult at;
+    at.x = x;
+    at.x.push_back(f);
+    for (std::size_t k = 0; k <= n; ++k) problem.unknowns.push_back({.name = std::to_string(k)});
+    problem.loss = fit.loss;
+    problem.residuals.data = count;
+    problem.residuals.at = [&](std::span<const double>, std::span<double> r, std::span<double> J) {
+      std::ranges::copy(numbers, r.begin());
+      if (!J.empty()) std::ranges::copy(rows, J.begin());
+      return true;
+    };
+    const UnknownsCovariance whole = covariance(problem, at);
+    for (std::size_t k = 0; k < n; ++k)
+      EXPECT_NEAR(found.covariance.error(k) / whole.error(k), 1.0, budget::projected_errors)
+          << int(kind) << ' ' << k;
+  }
+}
+
+// Ranked and limited by what was minimised, and so it says.
+TEST(RobustLight, SearchesRankByWhatTheyMinimise) {
+  const FreeRotation motion = motion_of(in_short_axis_mode);
+  LightSearch search;
+  search.curves = {bad_night(in_short_axis_mode)};
+  search.periods = {{motion.regime(), 2.0 * pi<double>() / motion.precession_rate_long(),
+                     motion.polhode_period()}};
+  search.starts = 24;
+  search.within = 3.0;
+  search.loss = {Kind::cauchy, 2.0};
+  const LightSearchResult found = search_light(search);
+  ASSERT_FALSE(found.solutions.empty());
+  const LightSolution& best = found.solutions[0].solution;
+  EXPECT_EQ(found.chi_square_of_periods[0], best.result.cost);
+  EXPECT_LT(best.result.cost, 0.1 * best.result.chi_square);
+  EXPECT_TRUE(found.solutions[0].sentence.ends_with(": the lowest loss"));
+  for (std::size_t i = 1; i < found.solutions.size(); ++i) {
+    const double cost = found.solutions[i].solution.result.cost;
+    EXPECT_GE(cost, found.solutions[i - 1].solution.result.cost);
+    EXPECT_LE(cost, search.within * best.result.cost);
+  }
+  const BrightEllipsoid truth = at_time(in_short_axis_mode, best.body.spin.t0);
+  EXPECT_TRUE(std::ranges::any_of(found.solutions, [&](const FoundLight& f) {
+    const BrightEllipsoid& b = f.solution.body;
+    return mahalanobis(f.solution.covariance, light_unknowns_at({}, b, b),
+                       light_unknowns_at({}, b, nearest_of_same(b, truth))) <
+           budget::light_distance;
+  }));
 }
 
 }  // namespace
