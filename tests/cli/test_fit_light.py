@@ -192,6 +192,21 @@ def test_a_search_finds_the_images_whatever_the_threads(run, night, fit_file):
     assert "image (normal) of 1" in text
 
 
+def test_a_search_under_a_robust_loss_says_what_it_minimised(run, night, fit_file):
+    path = fit_file(NIGHT, FREE, SEARCH + '[fit.scan]\norder = 2\n', head=TUMBLER,
+                    name="robust.toml")
+    huber = ["--set", 'fit.loss="huber"', "--set", "fit.starts=20"]
+    found = fitted(run, path, *huber)
+    costs = [s["cost"] for s in found["solutions"]]
+    assert costs == sorted(costs) and costs[-1] <= 1.5 * costs[0] < found["solutions"][0][
+        "chi_square"] * 1.5
+    assert found["periods"][0]["cost"] == costs[0]
+    assert found["solutions"][0]["sentence"].endswith(": the lowest loss")
+    text = run("fit", path, *huber).stdout
+    assert "pairs of periods by the loss that an ellipsoid comes to\n        loss" in text
+    assert f"   1{costs[0]:>12.5g}" in text and "        loss  mode" in text
+
+
 def test_pairs_beyond_the_limit_are_told(run, night, fit_file):
     """Their own best ellipsoid: its periods, which it left, its pole and the mirror pole."""
     other = SEARCH + '[[fit.periods]]\nmode = "LAM"\nprecession_period = 12\nrotation_period = 11\n'
@@ -368,7 +383,12 @@ def test_points_far_out_are_named_spared_and_left_out(run, night, tmp_path):
     text = run("fit", night, *huber).stdout
     assert "which was minimised: huber from 1 standard errors on" in text
     assert f"of chi-square; lines {at + 1}\n" in text
-    spared = fitted(run, night, *huber)["solutions"][0]
+    out = tmp_path / "r.csv"
+    spared = fitted(run, night, *huber, "--residuals", out)["solutions"][0]
+    r = numpy.abs(rows(out)["r"])  # of the model with the factor that huber has
+    cost = numpy.where(r <= 1, r**2, 2 * r - 1).sum()
+    assert cost == pytest.approx(spared["cost"], rel=budgets.cli_carried)
+    assert clean["cost"] == clean["chi_square"]
     one = spared["pole"]
     assert one["scaled_error_major"] < 1.5 * one["error_major"] and spared["chi_square"] > 250
     without = fitted(run, night, "--set", f"observation[0].leave_out=[{at + 1}]")["solutions"][0]

@@ -17,7 +17,7 @@ inline namespace v0 {
 namespace detail {
 namespace {
 
-// Of periods and chi-squares of fits that came to one.
+// Of periods and costs of fits that came to one.
 constexpr double same_part = 1e-4;
 
 }  // namespace
@@ -69,6 +69,14 @@ const char* loss_word(const Loss& loss) {
          : loss.kind == soft_l1 ? "soft-l1"
          : loss.kind == cauchy  ? "cauchy"
                                 : "squared";
+}
+
+const char* rank_word(const Loss& loss) {
+  return loss.kind == Loss::Kind::squared ? "chi-square" : "loss";
+}
+
+double rank_number(const Loss& loss, double chi_square, double cost) {
+  return loss.kind == Loss::Kind::squared ? chi_square : cost;
 }
 
 double spread_of(const Scenario& scenario, const LightReport& report, const LightOutcome& found) {
@@ -159,8 +167,8 @@ std::vector<PairGroup> groups_of_pairs(const LightReport& report) {
     if (report.pairs[i].ellipsoid) order.push_back(i);
   const auto rank = [&](std::size_t i) {
     const PairFound& pair = report.pairs[i];
-    const double ellipsoid = pair.ellipsoid->result.chi_square;
-    return std::pair(pair.surface ? pair.surface->chi_square : ellipsoid, ellipsoid);
+    const double ellipsoid = pair.ellipsoid->result.cost;
+    return std::pair(pair.surface ? pair.surface->cost : ellipsoid, ellipsoid);
   };
   std::ranges::stable_sort(order, {}, rank);
   std::vector<PairGroup> groups;
@@ -172,7 +180,7 @@ std::vector<PairGroup> groups_of_pairs(const LightReport& report) {
       const auto are_near = [](double x, double y) { return std::fabs(x - y) <= same_part * y; };
       return a.mode == b.mode && are_near(a.precession_period, b.precession_period) &&
              are_near(a.rotation_period, b.rotation_period) &&
-             are_near(of.result.chi_square, s.result.chi_square);
+             are_near(of.result.cost, s.result.cost);
     });
     if (same == groups.end())
       groups.push_back({i, {i}});
@@ -182,12 +190,14 @@ std::vector<PairGroup> groups_of_pairs(const LightReport& report) {
   return groups;
 }
 
-std::vector<std::vector<double>> fluxes_of(const LightReport& report, std::size_t solution) {
+std::vector<std::vector<double>> fluxes_of(const Scenario& scenario, const LightReport& report,
+                                           std::size_t solution) {
+  const Loss& loss = require_fit(scenario).loss;
   const BrightEllipsoid& body = report.solutions.at(solution).solution.body;
   const std::vector<LightCurve>& curves = report.observed.curves;
-  if (!report.convex.empty()) return model_fluxes(report.convex.at(solution), curves);
-  if (report.mesh) return model_fluxes(BrightMesh{body.spin, *report.mesh, body.law}, curves);
-  return model_fluxes(body, curves);
+  if (!report.convex.empty()) return model_fluxes(report.convex.at(solution), curves, loss);
+  if (report.mesh) return model_fluxes(BrightMesh{body.spin, *report.mesh, body.law}, curves, loss);
+  return model_fluxes(body, curves, loss);
 }
 
 }  // namespace detail
