@@ -161,6 +161,7 @@ class LightSolution(FitSolution):
     precession_period, rotation_period : of the long axis about the momentum, and about the long
         axis; 0 where the regime has none.
     pole : (3,), direction of the angular momentum, inertial.
+    loss : (kind, scale) of that which was minimised; factors are the best ones under it.
     """
 
     body: BrightEllipsoid | BrightConvex | BrightMesh
@@ -169,10 +170,18 @@ class LightSolution(FitSolution):
     precession_period: float
     rotation_period: float
     pole: Array
+    loss: tuple[str, float]
 
     def model(self, curves: LightCurve | Iterable[LightCurve]) -> list[Array]:
-        """Fluxes of the model at the points of each session; see model_fluxes."""
-        return model_fluxes(self.body, curves)
+        """Fluxes of the model at the points of each session, under the loss of the fit; see
+        model_fluxes."""
+        return model_fluxes(self.body, curves, self.loss)
+
+    def _rank(self) -> str:
+        """What solutions are ranked by."""
+        if self.loss[0] == "squared":
+            return f"chi-square {self.chi_square:.5g}"
+        return f"loss {self.cost:.5g}"
 
     def _head(self) -> str:
         periods = f"{self.mode}, P_phi {self.precession_period:.6g}, "
@@ -203,8 +212,9 @@ class LightSearchResult:
 
     Attributes
     ----------
-    solutions : FoundLight by chi-square; all converged.
-    periods : what was looked for. chi_square_of_periods : the lowest that each pair came to.
+    solutions : FoundLight by what was minimised: chi-square, or the sum under a robust loss; all
+        converged.
+    periods : what was looked for. chi_square_of_periods : the lowest of it that each pair came to.
     starts, finalists, converged : how many had a body, were fitted to the end, and converged.
     notes : what to know of it.
     """
@@ -219,7 +229,7 @@ class LightSearchResult:
 
     def __repr__(self) -> str:
         lines = [
-            f"  {k}: chi-square {s.chi_square:.5g}, {s.mode}, P_phi {s.precession_period:.6g}, "
+            f"  {k}: {s._rank()}, {s.mode}, P_phi {s.precession_period:.6g}, "
             f"P_psi {s.rotation_period:.6g}" + (f"; {s.relation}" if s.relation else "")
             for k, s in enumerate(self.solutions)
         ]
@@ -227,19 +237,21 @@ class LightSearchResult:
         return "\n".join([head, *lines]) + ">"
 
 
-def light_parts(found: Mapping[str, Any], body: Any = None) -> dict[str, Any]:
+def light_parts(
+    found: Mapping[str, Any], loss: tuple[str, float], body: Any = None
+) -> dict[str, Any]:
     mode, precession, rotation = found["periods"]
     return {
         **common_parts(found), "body": body or BrightEllipsoid._of(found["body"]),
         "factors": found["factors"], "mode": mode, "precession_period": precession,
-        "rotation_period": rotation, "pole": found["pole"],
+        "rotation_period": rotation, "pole": found["pole"], "loss": loss,
     }  # fmt: skip
 
 
-def found_light(found: Mapping[str, Any], body: Any = None) -> FoundLight:
+def found_light(found: Mapping[str, Any], loss: tuple[str, float], body: Any = None) -> FoundLight:
     return FoundLight(
-        **light_parts(found, body), starts=found["starts"], beside=found["beside"], of=found["of"],
-        relation=found["relation"],
+        **light_parts(found, loss, body), starts=found["starts"], beside=found["beside"],
+        of=found["of"], relation=found["relation"],
     )  # fmt: skip
 
 
@@ -287,15 +299,15 @@ def fit_light(
     points than unknowns. Exact derivatives. Releases the GIL.
     """
     problem = _light_problem(start, curves, shape, moments, multiple, loss, most_iterations)
-    return LightSolution(**light_parts(problem.fit()))
+    return LightSolution(**light_parts(problem.fit(), loss_of(loss)))
 
 
 class LightResiduals(ResidualFunction):
     """Residuals of light curves as a function of the unknowns of a tumbling ellipsoid.
 
     Parameters as of fit_light: start, curves, shape, moments, multiple, loss. Factors of sessions
-    are the best ones at every x, and the derivatives know it (variable projection): the likelihood
-    is the profile over factors.
+    are the best ones under the loss at every x, and the derivatives know it (variable projection):
+    the likelihood is the profile over factors.
     """
 
     def __init__(
@@ -323,9 +335,12 @@ class LightResiduals(ResidualFunction):
 
 
 def model_fluxes(
-    body: BrightEllipsoid | BrightConvex | BrightMesh, curves: LightCurve | Iterable[LightCurve]
+    body: BrightEllipsoid | BrightConvex | BrightMesh,
+    curves: LightCurve | Iterable[LightCurve],
+    loss: Loss = "squared",
 ) -> list[Array]:
-    """Fluxes of a body at the points of each light curve, with the best factor of each session."""
+    """Fluxes of a body at the points of each light curve, with the best factor of each session
+    under a loss, as in fit_spin."""
     from polhode.surface_fits import BrightConvex, BrightMesh
 
     models: dict[type, Any] = {
@@ -334,7 +349,7 @@ def model_fluxes(
     }  # fmt: skip
     for kind, fluxes in models.items():
         if isinstance(body, kind):
-            return fluxes(body._parts(), curve_parts(curves))
+            return fluxes(body._parts(), curve_parts(curves), *loss_of(loss))
     raise TypeError(
         f"model_fluxes: got {body!r}; expected BrightEllipsoid, BrightConvex or BrightMesh"
     )
@@ -365,7 +380,8 @@ def search_light(
     curves : LightCurve, one or several, with vectors.
     periods : (mode, P_phi, P_psi), mode "SAM" or "LAM": FourierScan.periods lists them.
     starts : in all, taken by the pairs of periods in turn.
-    within : chi-square over the lowest, up to which solutions are reported.
+    within : chi-square, or the sum under a robust loss, over the lowest, up to which solutions are
+        reported.
     threads : the bits of the result do not depend on it.
     seed : of starts.
     tries : attitudes of a start, of which the best is taken. short_iterations : of each start.
@@ -375,7 +391,8 @@ def search_light(
     Returns
     -------
     LightSearchResult
-        The lowest chi-square is no proof: images, aliases and the other mode are listed beside it.
+        The lowest chi-square or loss is no proof: images, aliases and the other mode are listed
+        beside it.
 
     DomainError (a ValueError) as fit_light, and without periods. Some milliseconds a start. Ctrl-C
     ends it between two starts. Releases the GIL.
@@ -394,7 +411,7 @@ def search_light(
         whole(most_iterations, "most_iterations"), whole(seed, "seed", 0),
         whole(threads, "threads"),
     )  # fmt: skip
-    solutions = [found_light(one) for one in found["solutions"]]
+    solutions = [found_light(one, (kind, scale)) for one in found["solutions"]]
     return LightSearchResult(
         solutions, wanted, found["chi_square_of_periods"], found["starts"], found["finalists"],
         found["converged"], found["notes"],

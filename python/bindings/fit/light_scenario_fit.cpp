@@ -96,6 +96,7 @@ void bind_light_scenario_fit(nb::module_& m) {
       .def("surface", surface_of)
       .def("residuals", light_rows)
       .def("raw", [](const F& f, std::size_t k) { return found_dict(f.report.solutions.at(k)); })
+      .def_prop_ro("loss", [](const F& f) { return loss_parts(require_fit(f.scenario).loss); })
       .def("problem", light_problem_at);
   m.def("_fit_light_scenario", light_fit_of, "scenario"_a, "threads"_a, "progress"_a.none());
   m.def("_observes_light", observes_light);
