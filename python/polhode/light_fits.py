@@ -237,9 +237,7 @@ class LightSearchResult:
         return "\n".join([head, *lines]) + ">"
 
 
-def light_parts(
-    found: Mapping[str, Any], loss: tuple[str, float], body: Any = None
-) -> dict[str, Any]:
+def light_parts(found: Mapping[str, Any], loss: Any, body: Any = None) -> dict[str, Any]:
     mode, precession, rotation = found["periods"]
     return {
         **common_parts(found), "body": body or BrightEllipsoid._of(found["body"]),
@@ -248,7 +246,7 @@ def light_parts(
     }  # fmt: skip
 
 
-def found_light(found: Mapping[str, Any], loss: tuple[str, float], body: Any = None) -> FoundLight:
+def found_light(found: Mapping[str, Any], loss: Any, body: Any = None) -> FoundLight:
     return FoundLight(
         **light_parts(found, loss, body), starts=found["starts"], beside=found["beside"],
         of=found["of"], relation=found["relation"],
