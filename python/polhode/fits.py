@@ -240,7 +240,7 @@ class LightScenarioSolution(ScenarioSolution):
         compiled = self._results._compiled
         parts = compiled.surface(self._place)
         surface = None if parts is None else surface_of(parts)
-        return found_light(compiled.raw(self._place), compiled.loss, surface)
+        return found_light(compiled.raw(self._place), surface)
 
     @property
     def body(self) -> BrightEllipsoid | BrightConvex | BrightMesh:

@@ -26,6 +26,8 @@ if TYPE_CHECKING:
 # (mode, P_phi, P_psi)
 Periods = tuple[str, float, float]
 MOMENTS = ("shape", "start", "fit")
+# A standard deviation over the median of sizes: 1 / Phi^-1(3/4).
+_OF_NORMAL = 1.482602218505602
 
 
 class LightCurve:
@@ -162,6 +164,7 @@ class LightSolution(FitSolution):
         axis; 0 where the regime has none.
     pole : (3,), direction of the angular momentum, inertial.
     loss : (kind, scale) of that which was minimised; factors are the best ones under it.
+    points : of all light curves; residuals begin with theirs.
     """
 
     body: BrightEllipsoid | BrightConvex | BrightMesh
@@ -171,6 +174,18 @@ class LightSolution(FitSolution):
     rotation_period: float
     pole: Array
     loss: tuple[str, float]
+    points: int
+
+    @property
+    def error_scale(self) -> float:
+        """By which errors would be as large as residuals: as that of every fit, and under a robust
+        loss by the median of their sizes; NaN where the data leave no degrees of freedom."""
+        by_squares = super().error_scale
+        if self.loss[0] == "squared" or not np.isfinite(by_squares):
+            return by_squares
+        sizes = np.sort(np.abs(self.residuals[: self.points]))
+        spread = _OF_NORMAL * sizes[self.points // 2]
+        return float(spread * np.sqrt(self.points / self.degrees_of_freedom))
 
     def model(self, curves: LightCurve | Iterable[LightCurve]) -> list[Array]:
         """Fluxes of the model at the points of each session, under the loss of the fit; see
@@ -237,19 +252,20 @@ class LightSearchResult:
         return "\n".join([head, *lines]) + ">"
 
 
-def light_parts(found: Mapping[str, Any], loss: Any, body: Any = None) -> dict[str, Any]:
+def light_parts(found: Mapping[str, Any], body: Any = None) -> dict[str, Any]:
     mode, precession, rotation = found["periods"]
     return {
         **common_parts(found), "body": body or BrightEllipsoid._of(found["body"]),
         "factors": found["factors"], "mode": mode, "precession_period": precession,
-        "rotation_period": rotation, "pole": found["pole"], "loss": loss,
+        "rotation_period": rotation, "pole": found["pole"], "loss": found["loss"],
+        "points": found["points"],
     }  # fmt: skip
 
 
-def found_light(found: Mapping[str, Any], loss: Any, body: Any = None) -> FoundLight:
+def found_light(found: Mapping[str, Any], body: Any = None) -> FoundLight:
     return FoundLight(
-        **light_parts(found, loss, body), starts=found["starts"], beside=found["beside"],
-        of=found["of"], relation=found["relation"],
+        **light_parts(found, body), starts=found["starts"], beside=found["beside"], of=found["of"],
+        relation=found["relation"],
     )  # fmt: skip
 
 
@@ -297,7 +313,7 @@ def fit_light(
     points than unknowns. Exact derivatives. Releases the GIL.
     """
     problem = _light_problem(start, curves, shape, moments, multiple, loss, most_iterations)
-    return LightSolution(**light_parts(problem.fit(), loss_of(loss)))
+    return LightSolution(**light_parts(problem.fit()))
 
 
 class LightResiduals(ResidualFunction):
@@ -409,7 +425,7 @@ def search_light(
         whole(most_iterations, "most_iterations"), whole(seed, "seed", 0),
         whole(threads, "threads"),
     )  # fmt: skip
-    solutions = [found_light(one, (kind, scale)) for one in found["solutions"]]
+    solutions = [found_light(one) for one in found["solutions"]]
     return LightSearchResult(
         solutions, wanted, found["chi_square_of_periods"], found["starts"], found["finalists"],
         found["converged"], found["notes"],

@@ -194,7 +194,7 @@ def fit_convex(
         one_of(moments, "moments", MOMENTS), bool(multiple), errors, kind, scale,
         whole(most_iterations, "most_iterations"),
     )  # fmt: skip
-    return LightSolution(**light_parts(found, (kind, scale), BrightConvex._of(found["body"])))
+    return LightSolution(**light_parts(found, BrightConvex._of(found["body"])))
 
 
 def fit_mesh(
@@ -234,4 +234,4 @@ def fit_mesh(
         curve_parts(curves), start._parts(), one_of(moments, "moments", ("start", "fit")),
         bool(multiple), kind, scale, whole(most_iterations, "most_iterations"),
     )  # fmt: skip
-    return LightSolution(**light_parts(found, (kind, scale), BrightMesh._of(found["body"])))
+    return LightSolution(**light_parts(found, BrightMesh._of(found["body"])))

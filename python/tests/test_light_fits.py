@@ -62,6 +62,8 @@ def test_a_robust_fit_has_the_factors_of_its_loss():
     clean, found = polhode.fit_light(BODY, CURVE), polhode.fit_light(BODY, bad, loss=loss)
     assert found.converged and found.loss == loss and clean.loss == ("squared", 1.0)
     assert_allclose(clean.cost, clean.chi_square, rtol=budgets.python_optimum)
+    # the bad points are all of chi-square, and do not scale errors
+    assert found.chi_square > 100 * found.degrees_of_freedom and found.error_scale < 1.5
     (model,) = found.model(bad)
     r2 = ((bad.flux - model) / bad.sigma) ** 2
     assert_allclose(np.sum(9.0 * np.log1p(r2 / 9.0)), found.cost, rtol=budgets.python_optimum)

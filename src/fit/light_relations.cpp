@@ -71,7 +71,7 @@ std::string motion_text(const LightSolution& s) {
   return text;
 }
 
-std::string beside_text(const FoundLight& f, const Loss& loss) {
+std::string beside_text(const FoundLight& f) {
   const std::string of = "solution " + std::to_string(f.of + 1);
   switch (f.beside) {
     case FoundLight::Beside::image:
@@ -83,7 +83,8 @@ std::string beside_text(const FoundLight& f, const Loss& loss) {
     case FoundLight::Beside::other_pole:
       return "the periods of " + of + " with another attitude or shape";
     default:
-      return loss.kind == Loss::Kind::squared ? "the lowest chi-square" : "the lowest loss";
+      return f.solution.loss.kind == Loss::Kind::squared ? "the lowest chi-square"
+                                                         : "the lowest loss";
   }
 }
 
@@ -128,8 +129,7 @@ bool are_same(const LightSolution& a, const LightSolution& b, const LightUnknown
   return true;
 }
 
-void describe_relations(std::vector<FoundLight>& solutions, const LightGeometry& geometry,
-                        const Loss& loss) {
+void describe_relations(std::vector<FoundLight>& solutions, const LightGeometry& geometry) {
   using Beside = FoundLight::Beside;
   for (std::size_t j = 0; j < solutions.size(); ++j) {
     FoundLight& f = solutions[j];
@@ -150,15 +150,14 @@ void describe_relations(std::vector<FoundLight>& solutions, const LightGeometry&
       const bool same = solutions[0].solution.periods.mode == f.solution.periods.mode;
       f.beside = same ? Beside::alias : Beside::other_mode;
     }
-    f.sentence = motion_text(f.solution) + ": " + beside_text(f, loss);
+    f.sentence = motion_text(f.solution) + ": " + beside_text(f);
   }
 }
 
 }  // namespace detail
 
-void describe_solutions(std::vector<FoundLight>& solutions, std::span<const LightCurve> curves,
-                        const Loss& loss) {
-  detail::describe_relations(solutions, detail::geometry_of(curves), loss);
+void describe_solutions(std::vector<FoundLight>& solutions, std::span<const LightCurve> curves) {
+  detail::describe_relations(solutions, detail::geometry_of(curves));
 }
 
 }  // namespace v0

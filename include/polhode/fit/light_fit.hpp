@@ -74,9 +74,15 @@ struct LightOutcome {
   Vec3 pole;  // direction of the momentum, along I
   std::vector<std::string> notes;
 
-  // By which all errors of fluxes, and so those of the unknowns, would be as large as residuals;
-  // NaN where the data leave no degrees of freedom, fewer than 0.5.
+  Loss loss;               // that was minimised
+  std::size_t points = 0;  // numbers of data, with which those of the result begin
+
+  // By which all errors of fluxes, and so those of the unknowns, would be as large as residuals: by
+  // chi-square, or under a robust loss by the spread, as chi-square is that of the points it
+  // spared. NaN where the data leave no degrees of freedom, fewer than 0.5.
   double error_factor() const;
+  // The standard deviation of the residuals, in their errors, by the median of their sizes.
+  double spread() const;
   // Nothing that did not converge counts as found.
   bool is_found() const { return result.is_converged(); }
 };

@@ -108,9 +108,8 @@ struct LightSearchResult {
 LightSearchResult search_light(const LightSearch& search);
 
 // What each solution is beside those before it: `beside`, `image`, `of` and `sentence`, as
-// search_light says it of its own. The loss is that which was minimised.
-void describe_solutions(std::vector<FoundLight>& solutions, std::span<const LightCurve> curves,
-                        const Loss& loss = {});
+// search_light says it of its own.
+void describe_solutions(std::vector<FoundLight>& solutions, std::span<const LightCurve> curves);
 
 }  // namespace v0
 }  // namespace polhode

@@ -102,10 +102,8 @@ LightReport fit_light_scenario(const Scenario& scenario, const LightFitOptions& 
 std::vector<FitNumber> light_numbers(const Scenario& scenario, const LightReport& report,
                                      std::size_t solution);
 
-// By which errors of a solution are scaled: by chi-square, or by the median of residuals where the
-// loss is robust; NaN without degrees of freedom.
-double light_error_factor(const Scenario& scenario, const LightReport& report,
-                          const LightOutcome& found);
+// By which errors of a solution are scaled, its error_factor(); NaN where that is none or 0.
+double light_error_factor(const LightOutcome& found);
 
 std::string light_text(const Scenario& scenario, const LightReport& report);
 std::string light_json(const Scenario& scenario, const LightReport& report);

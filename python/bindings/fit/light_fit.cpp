@@ -154,6 +154,8 @@ nb::dict light_dict(const LightSolution& found) {
   d["factors"] = array_of(std::span<const double>(found.factors));
   d["periods"] = period_parts(found.periods);
   d["pole"] = array_of(found.pole);
+  d["loss"] = loss_parts(found.loss);
+  d["points"] = found.points;
   return d;
 }
 

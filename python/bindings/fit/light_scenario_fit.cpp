@@ -61,7 +61,7 @@ LightFit light_problem_at(const LightScenarioFit& fit, std::size_t solution, boo
   const LightSolution& from = fit.report.solutions.at(solution).solution;
   LightFit problem{fit.report.observed.curves, from.body, fit.report.unknowns,
                    require_fit(fit.scenario).loss};
-  const double factor = light_error_factor(fit.scenario, fit.report, from);
+  const double factor = light_error_factor(from);
   if (scaled && factor > 0.0)
     for (LightCurve& curve : problem.curves)
       for (LightPoint& point : curve.points) point.sigma *= factor;
@@ -96,7 +96,6 @@ void bind_light_scenario_fit(nb::module_& m) {
       .def("surface", surface_of)
       .def("residuals", light_rows)
       .def("raw", [](const F& f, std::size_t k) { return found_dict(f.report.solutions.at(k)); })
-      .def_prop_ro("loss", [](const F& f) { return loss_parts(require_fit(f.scenario).loss); })
       .def("problem", light_problem_at);
   m.def("_fit_light_scenario", light_fit_of, "scenario"_a, "threads"_a, "progress"_a.none());
   m.def("_observes_light", observes_light);

@@ -18,8 +18,7 @@ bool are_alike(const BrightEllipsoid& a, const BrightEllipsoid& b);
 bool are_same(const LightSolution& a, const LightSolution& b, const LightUnknowns& unknowns);
 
 // Says of each solution what it is beside those before it.
-void describe_relations(std::vector<FoundLight>& solutions, const LightGeometry& geometry,
-                        const Loss& loss);
+void describe_relations(std::vector<FoundLight>& solutions, const LightGeometry& geometry);
 
 }  // namespace detail
 }  // namespace v0

@@ -65,7 +65,7 @@ class Search {
     sort_and_limit();
     fit(images());
     sort_and_limit();
-    detail::describe_relations(result_.solutions, geometry_, search_.loss);
+    detail::describe_relations(result_.solutions, geometry_);
     add_notes();
     return std::move(result_);
   }

@@ -21,10 +21,6 @@ const char* loss_word(const Loss& loss);  // as fit.loss has it
 const char* rank_word(const Loss& loss);
 double rank_number(const Loss& loss, double chi_square, double cost);
 
-// The robust standard deviation of residuals in standard errors, by the median of their sizes; NaN
-// of the squared loss.
-double spread_of(const Scenario& scenario, const LightReport& report, const LightOutcome& found);
-
 // Of a loss that is not squared: what was minimised, and the points that it spared.
 void add_loss(std::string& text, const Scenario& scenario, const LightReport& report,
               const LightSolution& s);
@@ -64,8 +60,7 @@ struct PairGroup {
 std::vector<PairGroup> groups_of_pairs(const LightReport& report);
 
 // Fluxes of a solution at all points, session by session.
-std::vector<std::vector<double>> fluxes_of(const Scenario& scenario, const LightReport& report,
-                                           std::size_t solution);
+std::vector<std::vector<double>> fluxes_of(const LightReport& report, std::size_t solution);
 
 }  // namespace detail
 }  // namespace v0

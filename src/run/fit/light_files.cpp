@@ -34,7 +34,7 @@ void write_landscape(const Scenario& scenario, const LightReport& report, const 
 void write_light_residuals(const Scenario& scenario, const LightReport& report,
                            std::size_t solution, const std::string& path) {
   const std::vector<LightCurve>& curves = report.observed.curves;
-  const std::vector<std::vector<double>> model = detail::fluxes_of(scenario, report, solution);
+  const std::vector<std::vector<double>> model = detail::fluxes_of(report, solution);
   std::vector<double> rows;
   std::vector<std::string> notes;
   for (std::size_t c = 0; c < curves.size(); ++c) {

@@ -155,7 +155,7 @@ void add_solution(JsonWriter& json, const Scenario& scenario, const LightReport&
   json.key("sentence").value(one.sentence.empty() ? s.result.sentence : one.sentence);
   json.key("chi_square").value(s.result.chi_square).key("cost").value(s.result.cost);
   json.key("degrees_of_freedom").value(s.degrees_of_freedom);
-  if (const double scale = light_error_factor(scenario, report, s); std::isfinite(scale))
+  if (const double scale = light_error_factor(s); std::isfinite(scale))
     json.key("error_factor").value(scale);
   json.key("starts").value(whole(one.starts));
   json.key("iterations").value(static_cast<std::int64_t>(s.result.iterations));

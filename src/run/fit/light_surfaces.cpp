@@ -176,7 +176,7 @@ class Surfaces {
   void finish() {
     report_.solutions.clear();
     for (Kept& one : kept_) keep(std::move(one.found), one.periods, one.starts, report_);
-    describe_solutions(report_.solutions, report_.observed.curves, plan_.loss);
+    describe_solutions(report_.solutions, report_.observed.curves);
     if (!report_.solutions.empty()) return;
     report_.failure = report_.surfaces == 0
                           ? "no ellipsoid to begin with, or the mesh has none of these periods"

@@ -247,7 +247,7 @@ void add_solution(std::string& text, const Scenario& scenario, const LightReport
                fmt::format("{:.5g} on {:.4g} degrees of freedom", s.result.chi_square,
                            s.degrees_of_freedom));
   detail::add_loss(text, scenario, report, s);
-  if (const double scale = light_error_factor(scenario, report, s); std::isfinite(scale))
+  if (const double scale = light_error_factor(s); std::isfinite(scale))
     add_fit_line(text, "errors scaled by", fmt::format("{:.4g}", scale));
   add_fit_line(text, "mode", detail::mode_word(s.periods.mode));
   if (s.periods.precession_period > 0.0) {

@@ -79,25 +79,13 @@ double rank_number(const Loss& loss, double chi_square, double cost) {
   return loss.kind == Loss::Kind::squared ? chi_square : cost;
 }
 
-double spread_of(const Scenario& scenario, const LightReport& report, const LightOutcome& found) {
-  constexpr double of_normal = 1.482602218505602;  // 1 / Phi^-1(3/4)
-  const std::size_t n = std::min(report.points(), found.result.numbers.size());
-  if (require_fit(scenario).loss.kind == Loss::Kind::squared || n == 0)
-    return std::numeric_limits<double>::quiet_NaN();
-  std::vector<double> sizes(n);
-  for (std::size_t i = 0; i < n; ++i) sizes[i] = std::fabs(found.result.numbers[i]);
-  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(n / 2);
-  std::ranges::nth_element(sizes, middle);
-  return of_normal * *middle;
-}
-
 void add_loss(std::string& text, const Scenario& scenario, const LightReport& report,
               const LightSolution& s) {
   constexpr double far = 4.0;
   constexpr std::size_t most_far = 10;
-  const Loss& loss = require_fit(scenario).loss;
-  const double spread = spread_of(scenario, report, s);
-  if (!std::isfinite(spread)) return;
+  const Loss& loss = s.loss;
+  if (loss.kind == Loss::Kind::squared) return;
+  const double spread = s.spread();
   add_fit_line(text, "loss",
                fmt::format("{:.5g}, which was minimised: {} from {:g} standard errors on",
                            s.result.cost, loss_word(loss), loss.scale));
@@ -141,7 +129,7 @@ LightFigures light_figures(const Scenario& scenario, const LightReport& report,
                            std::size_t solution) {
   const LightSolution& s = report.solutions.at(solution).solution;
   const SpinFigures f = spin_figures(s, report.unknowns);
-  const double scale = light_error_factor(scenario, report, s);
+  const double scale = light_error_factor(s);
   const Units& units = scenario.units();
   const auto with = [&](double value, double error, Dimension d) {
     return WithErrors{units.from_core(value, d), units.from_core(error, d),
@@ -190,9 +178,8 @@ std::vector<PairGroup> groups_of_pairs(const LightReport& report) {
   return groups;
 }
 
-std::vector<std::vector<double>> fluxes_of(const Scenario& scenario, const LightReport& report,
-                                           std::size_t solution) {
-  const Loss& loss = require_fit(scenario).loss;
+std::vector<std::vector<double>> fluxes_of(const LightReport& report, std::size_t solution) {
+  const Loss& loss = report.solutions.at(solution).solution.loss;
   const BrightEllipsoid& body = report.solutions.at(solution).solution.body;
   const std::vector<LightCurve>& curves = report.observed.curves;
   if (!report.convex.empty()) return model_fluxes(report.convex.at(solution), curves, loss);
@@ -202,13 +189,9 @@ std::vector<std::vector<double>> fluxes_of(const Scenario& scenario, const Light
 
 }  // namespace detail
 
-double light_error_factor(const Scenario& scenario, const LightReport& report,
-                          const LightOutcome& found) {
-  const double by_chi_square = found.error_factor();
-  if (!(by_chi_square > 0.0)) return std::numeric_limits<double>::quiet_NaN();
-  const double spread = detail::spread_of(scenario, report, found);
-  if (!std::isfinite(spread)) return by_chi_square;
-  return spread * std::sqrt(static_cast<double>(report.points()) / found.degrees_of_freedom);
+double light_error_factor(const LightOutcome& found) {
+  const double factor = found.error_factor();
+  return factor > 0.0 ? factor : std::numeric_limits<double>::quiet_NaN();
 }
 
 std::vector<FitNumber> light_numbers(const Scenario& scenario, const LightReport& report,
@@ -226,7 +209,7 @@ std::vector<FitNumber> light_numbers(const Scenario& scenario, const LightReport
   }
   std::fill_n(start.begin(), 3, 0.0);  // not what rounding leaves
   if (!report.start) std::fill_n(value.begin(), 3, 0.0);
-  const double scale = light_error_factor(scenario, report, found);
+  const double scale = light_error_factor(found);
   std::vector<FitNumber> numbers;
   for (std::size_t i = 0; i < value.size(); ++i) {
     const std::string& name = found.covariance.names.at(i);

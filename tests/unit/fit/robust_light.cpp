@@ -348,6 +348,10 @@ TEST(RobustLight, SearchesRankByWhatTheyMinimise) {
     EXPECT_GE(cost, found.solutions[i - 1].solution.result.cost);
     EXPECT_LE(cost, search.within * best.result.cost);
   }
+  // chi-square is that of the bad points: errors that it scaled would make images one
+  EXPECT_GT(std::sqrt(best.result.chi_square / best.degrees_of_freedom), 20.0);
+  EXPECT_LT(best.error_factor(), budget::light_noise);
+  EXPECT_EQ(std::ranges::count(found.solutions, FoundLight::Beside::image, &FoundLight::beside), 3);
   const BrightEllipsoid truth = at_time(in_short_axis_mode, best.body.spin.t0);
   EXPECT_TRUE(std::ranges::any_of(found.solutions, [&](const FoundLight& f) {
     const BrightEllipsoid& b = f.solution.body;
