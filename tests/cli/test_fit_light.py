@@ -207,6 +207,29 @@ def test_a_search_under_a_robust_loss_says_what_it_minimised(run, night, fit_fil
     assert f"   1{costs[0]:>12.5g}" in text and "        loss  mode" in text
 
 
+@pytest.mark.parametrize("loss", ["huber", "soft-l1", "cauchy"])
+def test_points_three_times_too_bright_hide_nothing(run, night, fit_file, tmp_path, loss):
+    """One in twelve: the true periods come before the alias, the pole among the images."""
+    table = tmp_path / "night.csv"
+    comments = [x for x in table.read_text().splitlines() if x.startswith("#")]
+    header, *lines = [x for x in table.read_text().splitlines() if not x.startswith("#")]
+    column = header.split(",").index("flux")
+    for at in range(4, len(lines), 12):
+        part = lines[at].split(",")
+        part[column] = str(3 * float(part[column]))
+        lines[at] = ",".join(part)
+    table.write_text("\n".join([*comments, header, *lines]) + "\n")
+    other = SEARCH + '[[fit.periods]]\nmode = "LAM"\nprecession_period = 12\nrotation_period = 11\n'
+    path = fit_file(NIGHT, FREE, other, head=TUMBLER, name="bad.toml")
+    found = fitted(run, path, "--set", f'fit.loss="{loss}"')
+    first = found["solutions"][0]
+    assert abs(first["rotation_period"]["value"] - 20) < 4 * first["rotation_period"]["error"]
+    assert first["error_factor"] < 1.5 and first["chi_square"] > 1e4
+    assert min(numpy.hypot((s["pole"]["longitude"] - 50) * numpy.cos(numpy.radians(40)),
+                           s["pole"]["latitude"] - 40) / s["pole"]["error_major"]
+               for s in found["solutions"]) < 4
+
+
 def test_pairs_beyond_the_limit_are_told(run, night, fit_file):
     """Their own best ellipsoid: its periods, which it left, its pole and the mirror pole."""
     other = SEARCH + '[[fit.periods]]\nmode = "LAM"\nprecession_period = 12\nrotation_period = 11\n'
