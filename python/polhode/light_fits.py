@@ -26,6 +26,8 @@ if TYPE_CHECKING:
 # (mode, P_phi, P_psi)
 Periods = tuple[str, float, float]
 MOMENTS = ("shape", "start", "fit")
+# A standard deviation over the median of sizes: 1 / Phi^-1(3/4).
+_OF_NORMAL = 1.482602218505602
 
 
 class LightCurve:
@@ -161,6 +163,8 @@ class LightSolution(FitSolution):
     precession_period, rotation_period : of the long axis about the momentum, and about the long
         axis; 0 where the regime has none.
     pole : (3,), direction of the angular momentum, inertial.
+    loss : (kind, scale) of that which was minimised; factors are the best ones under it.
+    points : of all light curves; residuals begin with theirs.
     """
 
     body: BrightEllipsoid | BrightConvex | BrightMesh
@@ -169,10 +173,30 @@ class LightSolution(FitSolution):
     precession_period: float
     rotation_period: float
     pole: Array
+    loss: tuple[str, float]
+    points: int
+
+    @property
+    def error_scale(self) -> float:
+        """By which errors would be as large as residuals: as that of every fit, and under a robust
+        loss by the median of their sizes; NaN where the data leave no degrees of freedom."""
+        by_squares = super().error_scale
+        if self.loss[0] == "squared" or not np.isfinite(by_squares):
+            return by_squares
+        sizes = np.sort(np.abs(self.residuals[: self.points]))
+        spread = _OF_NORMAL * sizes[self.points // 2]
+        return float(spread * np.sqrt(self.points / self.degrees_of_freedom))
 
     def model(self, curves: LightCurve | Iterable[LightCurve]) -> list[Array]:
-        """Fluxes of the model at the points of each session; see model_fluxes."""
-        return model_fluxes(self.body, curves)
+        """Fluxes of the model at the points of each session, under the loss of the fit; see
+        model_fluxes."""
+        return model_fluxes(self.body, curves, self.loss)
+
+    def _rank(self) -> str:
+        """What solutions are ranked by."""
+        if self.loss[0] == "squared":
+            return f"chi-square {self.chi_square:.5g}"
+        return f"loss {self.cost:.5g}"
 
     def _head(self) -> str:
         periods = f"{self.mode}, P_phi {self.precession_period:.6g}, "
@@ -203,8 +227,9 @@ class LightSearchResult:
 
     Attributes
     ----------
-    solutions : FoundLight by chi-square; all converged.
-    periods : what was looked for. chi_square_of_periods : the lowest that each pair came to.
+    solutions : FoundLight by what was minimised: chi-square, or the sum under a robust loss; all
+        converged.
+    periods : what was looked for. chi_square_of_periods : the lowest of it that each pair came to.
     starts, finalists, converged : how many had a body, were fitted to the end, and converged.
     notes : what to know of it.
     """
@@ -219,7 +244,7 @@ class LightSearchResult:
 
     def __repr__(self) -> str:
         lines = [
-            f"  {k}: chi-square {s.chi_square:.5g}, {s.mode}, P_phi {s.precession_period:.6g}, "
+            f"  {k}: {s._rank()}, {s.mode}, P_phi {s.precession_period:.6g}, "
             f"P_psi {s.rotation_period:.6g}" + (f"; {s.relation}" if s.relation else "")
             for k, s in enumerate(self.solutions)
         ]
@@ -232,7 +257,8 @@ def light_parts(found: Mapping[str, Any], body: Any = None) -> dict[str, Any]:
     return {
         **common_parts(found), "body": body or BrightEllipsoid._of(found["body"]),
         "factors": found["factors"], "mode": mode, "precession_period": precession,
-        "rotation_period": rotation, "pole": found["pole"],
+        "rotation_period": rotation, "pole": found["pole"], "loss": found["loss"],
+        "points": found["points"],
     }  # fmt: skip
 
 
@@ -294,8 +320,8 @@ class LightResiduals(ResidualFunction):
     """Residuals of light curves as a function of the unknowns of a tumbling ellipsoid.
 
     Parameters as of fit_light: start, curves, shape, moments, multiple, loss. Factors of sessions
-    are the best ones at every x, and the derivatives know it (variable projection): the likelihood
-    is the profile over factors.
+    are the best ones under the loss at every x, and the derivatives know it (variable projection):
+    the likelihood is the profile over factors.
     """
 
     def __init__(
@@ -323,9 +349,12 @@ class LightResiduals(ResidualFunction):
 
 
 def model_fluxes(
-    body: BrightEllipsoid | BrightConvex | BrightMesh, curves: LightCurve | Iterable[LightCurve]
+    body: BrightEllipsoid | BrightConvex | BrightMesh,
+    curves: LightCurve | Iterable[LightCurve],
+    loss: Loss = "squared",
 ) -> list[Array]:
-    """Fluxes of a body at the points of each light curve, with the best factor of each session."""
+    """Fluxes of a body at the points of each light curve, with the best factor of each session
+    under a loss, as in fit_spin."""
     from polhode.surface_fits import BrightConvex, BrightMesh
 
     models: dict[type, Any] = {
@@ -334,7 +363,7 @@ def model_fluxes(
     }  # fmt: skip
     for kind, fluxes in models.items():
         if isinstance(body, kind):
-            return fluxes(body._parts(), curve_parts(curves))
+            return fluxes(body._parts(), curve_parts(curves), *loss_of(loss))
     raise TypeError(
         f"model_fluxes: got {body!r}; expected BrightEllipsoid, BrightConvex or BrightMesh"
     )
@@ -365,7 +394,8 @@ def search_light(
     curves : LightCurve, one or several, with vectors.
     periods : (mode, P_phi, P_psi), mode "SAM" or "LAM": FourierScan.periods lists them.
     starts : in all, taken by the pairs of periods in turn.
-    within : chi-square over the lowest, up to which solutions are reported.
+    within : chi-square, or the sum under a robust loss, over the lowest, up to which solutions are
+        reported.
     threads : the bits of the result do not depend on it.
     seed : of starts.
     tries : attitudes of a start, of which the best is taken. short_iterations : of each start.
@@ -375,7 +405,8 @@ def search_light(
     Returns
     -------
     LightSearchResult
-        The lowest chi-square is no proof: images, aliases and the other mode are listed beside it.
+        The lowest chi-square or loss is no proof: images, aliases and the other mode are listed
+        beside it.
 
     DomainError (a ValueError) as fit_light, and without periods. Some milliseconds a start. Ctrl-C
     ends it between two starts. Releases the GIL.

@@ -197,6 +197,7 @@ class FitSolution:
     covariance : (P, P), of errors of data as they were given, or as the fit scaled them.
     residuals : of data and priors, in standard errors as given.
     chi_square, degrees_of_freedom : of the data.
+    cost : the sum that was minimised: of the data under the loss, and of priors.
     converged : whether this is a solution; `sentence` says what happened.
     bound : unknowns that are on a bound.
     notes : combinations that the data do not determine, observations that come twice.
@@ -208,6 +209,7 @@ class FitSolution:
     residuals: Array
     chi_square: float
     degrees_of_freedom: float
+    cost: float
     converged: bool
     sentence: str
     iterations: int
@@ -252,8 +254,8 @@ def common_parts(found: Mapping[str, Any]) -> dict[str, Any]:
     n = len(found["names"])
     return {
         **{key: found[key] for key in ("names", "values", "residuals", "chi_square",
-                                       "degrees_of_freedom", "sentence", "iterations", "bound",
-                                       "notes")},
+                                       "degrees_of_freedom", "cost", "sentence", "iterations",
+                                       "bound", "notes")},
         "covariance": np.asarray(found["covariance"]).reshape(n, n),
         "converged": found["end"] == "converged",
     }  # fmt: skip

@@ -54,11 +54,37 @@ def test_one_start_finds_the_body_near_it():
     assert "P_phi" in repr(found) and "90 points, relative" in repr(CURVE)
 
 
+def test_a_robust_fit_has_the_factors_of_its_loss():
+    flux = CURVE.flux.copy()
+    flux[[7, 30, 55]] *= 3.0
+    bad = LightCurve(CURVE.t, flux, CURVE.sigma, CURVE.to_sun, CURVE.to_observer)
+    loss = ("cauchy", 3.0)
+    clean, found = polhode.fit_light(BODY, CURVE), polhode.fit_light(BODY, bad, loss=loss)
+    assert found.converged and found.loss == loss and clean.loss == ("squared", 1.0)
+    assert_allclose(clean.cost, clean.chi_square, rtol=budgets.python_optimum)
+    # the bad points are all of chi-square, and do not scale errors
+    assert found.chi_square > 100 * found.degrees_of_freedom and found.error_scale < 1.5
+    (model,) = found.model(bad)
+    r2 = ((bad.flux - model) / bad.sigma) ** 2
+    assert_allclose(np.sum(9.0 * np.log1p(r2 / 9.0)), found.cost, rtol=budgets.python_optimum)
+    (same,) = polhode.model_fluxes(found.body, bad, loss)
+    assert same.tobytes() == model.tobytes()
+    # the factor of the true body, over that of the clean curve, in its error
+    (true,) = polhode.model_fluxes(BODY, CURVE)
+    (robust,), (squares,) = (polhode.model_fluxes(BODY, bad, kind) for kind in (loss, "squared"))
+    error = 1.0 / np.sqrt(np.sum((true / CURVE.sigma) ** 2))
+    assert abs(robust[0] / true[0] - 1.0) < error
+    assert squares[0] / true[0] - 1.0 > 30.0 * error
+    search = polhode.search_light(bad, [periods_of(BODY)], starts=6, finalists=1, loss=loss)
+    assert f"0: loss {search.solutions[0].cost:.5g}, " in repr(search)
+
+
 @pytest.mark.parametrize(
     "keys, budget",
     [
         ({}, budgets.python_residual_difference),
         ({"moments": "fit"}, budgets.python_residual_difference),
+        ({"loss": ("soft_l1", 0.7)}, budgets.python_residual_difference),
         # Lambert's law and its gradient are quadratures, each with its own error
         ({"moments": "fit", "multiple": True}, budgets.python_lambert),
     ],

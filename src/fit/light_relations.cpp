@@ -107,7 +107,8 @@ std::string beside_text(const FoundLight& f) {
     case FoundLight::Beside::other_pole:
       return "about the periods of " + of + " with another attitude or shape";
     default:
-      return "the lowest chi-square";
+      return f.solution.loss.kind == Loss::Kind::squared ? "the lowest chi-square"
+                                                         : "the lowest loss";
   }
 }
 

@@ -63,6 +63,10 @@ inline constexpr double periods_of_body = 8.0, moments_of_body = 1e-12;
 
 // --- residuals of light curves: derivatives against differences in double-double, of a column ---
 inline constexpr double light_derivatives = 1e-12;
+// --- factors under robust losses, against bisection in 50 digits ---
+inline constexpr double robust_factor = 2e-15;
+// errors against those of a problem with the factor among its unknowns, by differences
+inline constexpr double projected_errors = 1e-6;
 // Mahalanobis' distance squared of the truth, 8 unknowns: 1 in 1000 is beyond, over fixed seeds
 inline constexpr double light_distance = 26.1;
 // beyond this the nearest solution is another one; of drawn tumblers, in how many it is the truth

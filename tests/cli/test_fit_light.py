@@ -10,7 +10,7 @@ import time
 import budgets
 import numpy
 import pytest
-from closeness import assert_allclose
+from closeness import assert_allclose, smallest
 from fit_files import ORBITS, TUMBLER, fitted, refused, rows
 
 FREE = """
@@ -192,6 +192,45 @@ def test_a_search_finds_the_images_whatever_the_threads(run, night, fit_file):
     assert "image (normal) of 1" in text
 
 
+def test_a_search_under_a_robust_loss_says_what_it_minimised(run, night, fit_file):
+    path = fit_file(NIGHT, FREE, SEARCH + '[fit.scan]\norder = 2\n', head=TUMBLER,
+                    name="robust.toml")
+    huber = ["--set", 'fit.loss="huber"', "--set", "fit.starts=20"]
+    found = fitted(run, path, *huber)
+    costs = [s["cost"] for s in found["solutions"]]
+    assert costs == sorted(costs) and costs[-1] <= 1.5 * costs[0] < found["solutions"][0][
+        "chi_square"] * 1.5
+    assert found["periods"][0]["cost"] == costs[0]
+    assert found["solutions"][0]["sentence"].endswith(": the lowest loss")
+    text = run("fit", path, *huber).stdout
+    assert "pairs of periods by the loss that an ellipsoid comes to\n        loss" in text
+    assert f"   1{costs[0]:>12.5g}" in text and "        loss  mode" in text
+
+
+@pytest.mark.parametrize("loss", ["huber", "soft-l1", "cauchy"])
+def test_points_three_times_too_bright_hide_nothing(run, night, fit_file, tmp_path, loss):
+    """One in twelve: the true periods come before the alias, the pole among the images."""
+    table = tmp_path / "night.csv"
+    comments = [x for x in table.read_text().splitlines() if x.startswith("#")]
+    header, *lines = [x for x in table.read_text().splitlines() if not x.startswith("#")]
+    column = header.split(",").index("flux")
+    for at in range(4, len(lines), 12):
+        part = lines[at].split(",")
+        part[column] = str(3 * float(part[column]))
+        lines[at] = ",".join(part)
+    table.write_text("\n".join([*comments, header, *lines]) + "\n")
+    other = SEARCH + '[[fit.periods]]\nmode = "LAM"\nprecession_period = 12\nrotation_period = 11\n'
+    path = fit_file(NIGHT, FREE, other, head=TUMBLER, name="bad.toml")
+    found = fitted(run, path, "--set", f'fit.loss="{loss}"')
+    first = found["solutions"][0]
+    assert abs(first["rotation_period"]["value"] - 20) < 4 * first["rotation_period"]["error"]
+    assert first["error_factor"] < 1.5 and first["chi_square"] > 1e4
+    off = [numpy.hypot((s["pole"]["longitude"] - 50) * numpy.cos(numpy.radians(40)),
+                       s["pole"]["latitude"] - 40) / s["pole"]["error_major"]
+           for s in found["solutions"]]
+    assert smallest(off) < 4
+
+
 def test_pairs_beyond_the_limit_are_told(run, night, fit_file):
     """Their own best ellipsoid: its periods, which it left, its pole and the mirror pole."""
     other = SEARCH + '[[fit.periods]]\nmode = "LAM"\nprecession_period = 12\nrotation_period = 11\n'
@@ -368,7 +407,12 @@ def test_points_far_out_are_named_spared_and_left_out(run, night, tmp_path):
     text = run("fit", night, *huber).stdout
     assert "which was minimised: huber from 1 standard errors on" in text
     assert f"of chi-square; lines {at + 1}\n" in text
-    spared = fitted(run, night, *huber)["solutions"][0]
+    out = tmp_path / "r.csv"
+    spared = fitted(run, night, *huber, "--residuals", out)["solutions"][0]
+    r = numpy.abs(rows(out)["r"])  # of the model with the factor that huber has
+    cost = numpy.where(r <= 1, r**2, 2 * r - 1).sum()
+    assert cost == pytest.approx(spared["cost"], rel=budgets.cli_carried)
+    assert clean["cost"] == clean["chi_square"]
     one = spared["pole"]
     assert one["scaled_error_major"] < 1.5 * one["error_major"] and spared["chi_square"] > 250
     without = fitted(run, night, "--set", f"observation[0].leave_out=[{at + 1}]")["solutions"][0]

@@ -73,20 +73,21 @@ struct ConvexSolution : LightOutcome {
 
 ConvexSolution fit_convex(const ConvexFit& fit);
 
-// Fluxes of the model at all points, session by session, with the best factor of each.
+// Fluxes of the model at all points, session by session, with the best factor of each under a loss.
 std::vector<std::vector<double>> model_fluxes(const BrightConvex& body,
-                                              std::span<const LightCurve> curves);
+                                              std::span<const LightCurve> curves,
+                                              const Loss& loss = {});
 
-// From the best ellipsoid of each pair of periods, be its chi-square what it may: the ellipsoid is
+// From the best ellipsoid of each pair of periods, be its cost what it may: the ellipsoid is
 // wrong about real bodies, and an alias can suit it better; and from what the search reports
 // besides, images and other poles. `how` without its start.
 struct FoundConvex {
   std::size_t periods = 0;  // the place of those of the search
   ConvexSolution solution;
 };
-// By chi-square; those that did not converge last. `most` pairs of periods, those with the lowest
-// chi-squares of ellipsoids. `between` is called before each fit, in any of the threads; what it
-// throws ends the fits.
+// By what was minimised (LeastSquaresResult::cost); those that did not converge last. `most` pairs
+// of periods, those with the lowest costs of ellipsoids. `between` is called before each fit, in
+// any of the threads; what it throws ends the fits.
 std::vector<FoundConvex> fit_convex_of_periods(
     const LightSearchResult& found, const ConvexFit& how, int threads = 1,
     std::size_t most = std::numeric_limits<std::size_t>::max(),

@@ -3,8 +3,10 @@
 //
 // Equations   flux = f B(shape, law; q* s q, q* o q) in free rotation (polhode/free/), B of
 //             light/lambert.hpp. f is one factor for each relative session and one for all
-//             calibrated ones, the least-squares one at every trial: f = sum(w F B) / sum(w B^2)
-//             (variable projection), whose change is part of the derivatives. Motion by dual
+//             calibrated ones, the best one at every trial (variable projection), whose change is
+//             part of the derivatives: f = sum(w F B) / sum(w B^2), and under a robust loss the f
+//             of the least sum of losses; of several minima that cauchy may have, the one that
+//             descent meets from the weighted median of F / B. Motion by dual
 //             numbers as fit_spin has it; brightness by brightness_gradient. Unknowns: the attitude
 //             at t0 as a rotation vector, w_F, b/a and c/b, and what LightUnknowns names.
 // Corrections none.
@@ -72,9 +74,15 @@ struct LightOutcome {
   Vec3 pole;  // direction of the momentum, along I
   std::vector<std::string> notes;
 
-  // By which all errors of fluxes, and so those of the unknowns, would be as large as residuals;
-  // NaN where the data leave no degrees of freedom, fewer than 0.5.
+  Loss loss;               // that was minimised
+  std::size_t points = 0;  // numbers of data, with which those of the result begin
+
+  // By which all errors of fluxes, and so those of the unknowns, would be as large as residuals: by
+  // chi-square, or under a robust loss by the spread, as chi-square is that of the points it
+  // spared. NaN where the data leave no degrees of freedom, fewer than 0.5.
   double error_factor() const;
+  // The standard deviation of the residuals, in their errors, by the median of their sizes.
+  double spread() const;
   // Nothing that did not converge counts as found.
   bool is_found() const { return result.is_converged(); }
 };
@@ -86,8 +94,8 @@ struct LightSolution : LightOutcome {
 LightSolution fit_light(const LightFit& fit);
 
 // The problem that it solves, for another optimiser or a sampler (residual_function.hpp): turns are
-// about the attitude of the start, factors of sessions the best ones. And the body at some values
-// of the unknowns.
+// about the attitude of the start, factors of sessions the best ones under the loss of the fit. And
+// the body at some values of the unknowns.
 LeastSquares least_squares_of(const LightFit& fit);
 BrightEllipsoid body_at(const LightFit& fit, std::span<const double> x);
 
@@ -95,9 +103,10 @@ BrightEllipsoid body_at(const LightFit& fit, std::span<const double> x);
 std::vector<double> light_unknowns_at(const LightUnknowns& unknowns, const BrightEllipsoid& about,
                                       const BrightEllipsoid& body);
 
-// Fluxes of the model at all points, session by session, with the best factor of each.
+// Fluxes of the model at all points, session by session, with the best factor of each under a loss.
 std::vector<std::vector<double>> model_fluxes(const BrightEllipsoid& body,
-                                              std::span<const LightCurve> curves);
+                                              std::span<const LightCurve> curves,
+                                              const Loss& loss = {});
 
 }  // namespace v0
 }  // namespace polhode

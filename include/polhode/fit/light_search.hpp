@@ -17,7 +17,7 @@
 // Units       as fit_light.
 // Domain      periods as the labels of a scan list them (`labelled_periods`). An ellipsoid fits an
 //             alias as well as the truth at times: solutions are all that there are, the lowest
-//             chi-square is no proof.
+//             chi-square or loss is no proof.
 // Accuracy    the bits do not depend on threads: a start is drawn by its number.
 // Errors      DomainError as fit_light; no periods, periods that are not positive, fewer than one
 //             start, try, iteration, finalist or thread, `within` below 1.
@@ -70,7 +70,8 @@ struct LightSearch {
   std::size_t tries = 30;
   int short_iterations = 8;
   std::size_t finalists = 4;  // of each pair of periods
-  double within = 1.5;        // chi-square over the lowest, up to which solutions are reported
+  double within = 1.5;        // chi-square, or the sum under a robust loss, over the lowest, up to
+                              // which solutions are reported
   LightUnknowns unknowns;
   Scattering law;
   Loss loss;
@@ -95,10 +96,12 @@ struct FoundLight {
 };
 
 struct LightSearchResult {
-  // By chi-square, within the limit alone; all converged.
+  // By what was minimised, chi-square or the sum under a robust loss; within the limit alone; all
+  // converged.
   std::vector<FoundLight> solutions;
-  // The lowest chi-square that each pair of periods came to, infinite where nothing converged. It
-  // is a bound from above, of few fits where a pair is far beyond the limit.
+  // The lowest sum that each pair of periods came to, chi-square or what was minimised under a
+  // robust loss; infinite where nothing converged. It is a bound from above, of few fits where a
+  // pair is far beyond the limit.
   std::vector<double> chi_square_of_periods;
   // The best body of each pair of periods, also beyond the limit: from where fit_convex goes on.
   // Without unknown law or moments, where fits with them did not converge.

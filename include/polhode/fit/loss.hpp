@@ -30,6 +30,8 @@ struct LossValue {
   double slope = 0.0;  // of the ratio, d(rho / z)/dz
   // rho'(z): the weight that the residual keeps in the normal equations.
   double weight = 1.0;
+  // rho' + 2 z rho'': the derivative of weight times residual by the residual, for one number
+  double curvature = 1.0;
 };
 
 LossValue value(const Loss& loss, double z);

@@ -55,9 +55,10 @@ struct MeshSolution : LightOutcome {
 
 MeshSolution fit_mesh(const MeshFit& fit);
 
-// Fluxes of the model at all points, session by session, with the best factor of each.
+// Fluxes of the model at all points, session by session, with the best factor of each under a loss.
 std::vector<std::vector<double>> model_fluxes(const BrightMesh& body,
-                                              std::span<const LightCurve> curves);
+                                              std::span<const LightCurve> curves,
+                                              const Loss& loss = {});
 
 }  // namespace v0
 }  // namespace polhode

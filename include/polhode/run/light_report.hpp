@@ -5,8 +5,8 @@
 //
 // Equations   those of scan_pairs, labelled_periods, search_light and fit_light (polhode/fit/). A
 //             convex body (fit_convex) and a given mesh (fit_mesh) follow the ellipsoid: of a
-//             search they start from the best ellipsoid of every pair of periods, whatever its
-//             chi-square, and of what comes within the limit again from its images. A mesh takes
+//             search they start from the best ellipsoid of every pair of periods, whatever it
+//             came to, and of what comes within the limit again from its images. A mesh takes
 //             the periods, pole and phases of the ellipsoid, in four half turns.
 //             chi-square of a scan is the same for f1 and f2 exchanged: half of it is computed.
 // Units       core units; texts and files in the units of the scenario.
@@ -49,7 +49,7 @@ struct LightScan {
 struct SurfaceOfPeriods {
   TumblerPeriods periods{};
   Vec3 pole;
-  double chi_square = 0.0;
+  double chi_square = 0.0, cost = 0.0;  // of the data; what was minimised, priors included
   bool is_converged = false;
   std::string sentence;
 };
@@ -57,7 +57,7 @@ struct SurfaceOfPeriods {
 // A pair of periods that a search began with.
 struct PairFound {
   TumblerPeriods from{};
-  // The best ellipsoid that its starts came to, be its chi-square what it may; its periods may be
+  // The best ellipsoid that its starts came to, be its cost what it may; its periods may be
   // others. None where nothing converged.
   std::optional<LightSolution> ellipsoid;
   std::optional<SurfaceOfPeriods> surface;
@@ -71,7 +71,7 @@ struct LightReport {
   std::optional<BrightEllipsoid> ellipsoid;  // that its convex body began with
   std::optional<LightScan> scan;
   std::vector<PairFound> pairs;
-  // By chi-square. Where the shape is no ellipsoid `body` has the spin and the law, and the
+  // By what was minimised. Where the shape is no ellipsoid `body` has the spin and the law, and the
   // ellipsoid of the same moments of inertia as the shape filled evenly.
   std::vector<FoundLight> solutions;
   std::vector<BrightConvex> convex;  // of each solution, where the shape is convex
@@ -102,10 +102,8 @@ LightReport fit_light_scenario(const Scenario& scenario, const LightFitOptions& 
 std::vector<FitNumber> light_numbers(const Scenario& scenario, const LightReport& report,
                                      std::size_t solution);
 
-// By which errors of a solution are scaled: by chi-square, or by the median of residuals where the
-// loss is robust; NaN without degrees of freedom.
-double light_error_factor(const Scenario& scenario, const LightReport& report,
-                          const LightOutcome& found);
+// By which errors of a solution are scaled, its error_factor(); NaN where that is none or 0.
+double light_error_factor(const LightOutcome& found);
 
 std::string light_text(const Scenario& scenario, const LightReport& report);
 std::string light_json(const Scenario& scenario, const LightReport& report);

@@ -157,17 +157,25 @@ PythonResiduals residuals_of(const SpinProblem& problem) {
           }};
 }
 
-}  // namespace
-
-Loss loss_of(const std::string& kind, double scale) {
-  static const std::pair<const char*, Loss::Kind> kinds[] = {{"squared", Loss::Kind::squared},
+constexpr std::pair<const char*, Loss::Kind> loss_kinds[] = {{"squared", Loss::Kind::squared},
                                                              {"huber", Loss::Kind::huber},
                                                              {"soft_l1", Loss::Kind::soft_l1},
                                                              {"cauchy", Loss::Kind::cauchy}};
-  for (const auto& [name, value] : kinds)
+
+}  // namespace
+
+Loss loss_of(const std::string& kind, double scale) {
+  for (const auto& [name, value] : loss_kinds)
     if (kind == name) return {value, scale};
   throw nb::value_error(
       ("loss: got '" + kind + "'; expected one of squared huber soft_l1 cauchy").c_str());
+}
+
+nb::tuple loss_parts(const Loss& loss) {
+  const char* word = "";
+  for (const auto& [name, kind] : loss_kinds)
+    if (kind == loss.kind) word = name;
+  return nb::make_tuple(word, loss.scale);
 }
 
 SpinState spin_of(const nb::tuple& parts) {

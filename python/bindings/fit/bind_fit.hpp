@@ -45,6 +45,7 @@ std::vector<Row> rows_of_table(nb::handle table, const char* name, std::size_t w
 inline Vec3 vector_at(const double* x) { return {x[0], x[1], x[2]}; }
 
 Loss loss_of(const std::string& kind, double scale);
+nb::tuple loss_parts(const Loss& loss);  // (kind, scale)
 // (t0, q, w, inertia)
 SpinState spin_of(const nb::tuple& parts);
 nb::tuple spin_parts(const SpinState& state);

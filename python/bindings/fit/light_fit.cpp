@@ -70,9 +70,11 @@ PythonResiduals light_residuals_of(const LightFit& fit) {
           [fit](std::span<const double> x) -> nb::object { return body_parts(body_at(fit, x)); }};
 }
 
-nb::list model_of(const nb::tuple& body, const nb::list& curves) {
+nb::list model_of(const nb::tuple& body, const nb::list& curves, const std::string& loss,
+                  double scale) {
   nb::list list;
-  for (const std::vector<double>& flux : model_fluxes(ellipsoid_of(body), light_curves_of(curves)))
+  for (const std::vector<double>& flux :
+       model_fluxes(ellipsoid_of(body), light_curves_of(curves), loss_of(loss, scale)))
     list.append(array_of(std::span<const double>(flux)));
   return list;
 }
@@ -152,6 +154,8 @@ nb::dict light_dict(const LightSolution& found) {
   d["factors"] = array_of(std::span<const double>(found.factors));
   d["periods"] = period_parts(found.periods);
   d["pole"] = array_of(found.pole);
+  d["loss"] = loss_parts(found.loss);
+  d["points"] = found.points;
   return d;
 }
 

@@ -61,7 +61,7 @@ LightFit light_problem_at(const LightScenarioFit& fit, std::size_t solution, boo
   const LightSolution& from = fit.report.solutions.at(solution).solution;
   LightFit problem{fit.report.observed.curves, from.body, fit.report.unknowns,
                    require_fit(fit.scenario).loss};
-  const double factor = light_error_factor(fit.scenario, fit.report, from);
+  const double factor = light_error_factor(from);
   if (scaled && factor > 0.0)
     for (LightCurve& curve : problem.curves)
       for (LightPoint& point : curve.points) point.sigma *= factor;

@@ -86,9 +86,11 @@ nb::dict fitted_mesh(const nb::list& curves, const nb::tuple& start, const std::
 }
 
 template <class Body>
-nb::list fluxes_of(const Body& body, const nb::list& curves) {
+nb::list fluxes_of(const Body& body, const nb::list& curves, const std::string& loss,
+                   double scale) {
   nb::list list;
-  for (const std::vector<double>& flux : model_fluxes(body, light_curves_of(curves)))
+  for (const std::vector<double>& flux :
+       model_fluxes(body, light_curves_of(curves), loss_of(loss, scale)))
     list.append(array_of(std::span<const double>(flux)));
   return list;
 }
@@ -130,12 +132,12 @@ nb::tuple convex_parts(const BrightConvex& body) {
 void bind_surface_fit(nb::module_& m) {
   m.def("_fit_convex", fitted_convex);
   m.def("_fit_mesh", fitted_mesh);
-  m.def("_convex_fluxes", [](const nb::tuple& body, const nb::list& curves) {
-    return fluxes_of(convex_of(body), curves);
-  });
-  m.def("_mesh_fluxes", [](const nb::tuple& body, const nb::list& curves) {
-    return fluxes_of(mesh_of(body), curves);
-  });
+  m.def("_convex_fluxes",
+        [](const nb::tuple& body, const nb::list& curves, const std::string& loss, double scale) {
+          return fluxes_of(convex_of(body), curves, loss, scale);
+        });
+  m.def("_mesh_fluxes", [](const nb::tuple& body, const nb::list& curves, const std::string& loss,
+                           double scale) { return fluxes_of(mesh_of(body), curves, loss, scale); });
   m.def("_convex_facets", facets_of);
   m.def("_convex_mesh", [](const nb::tuple& body) { return convex_of(body).mesh(); });
   m.def("_homogeneous_inertia",

@@ -49,14 +49,18 @@ def light_curve_fit(
     Returns
     -------
     An array (sessions, 2) of Axes. Fluxes are over the mean of the session. The curve of the model
-    goes between the points, with the Sun and the observer where they were at the nearest one.
+    goes between the points, with the Sun and the observer where they were at the nearest one;
+    factors of sessions are those of the fit, and of a body those of least squares.
 
     TypeError for what is no light curve."""
     sessions = [curves] if isinstance(curves, LightCurve) else list(curves)
-    body = model.body if isinstance(model, (LightSolution, LightScenarioSolution)) else model
+    found = model.light if isinstance(model, LightScenarioSolution) else model
+    body, loss = (found, "squared")
+    if isinstance(found, LightSolution):
+        body, loss = found.body, found.loss
     scale = float(_number(scale, "scale"))
     axes = _axes(ax, len(sessions))
-    for (above, below), curve, at_points in zip(axes, sessions, model_fluxes(body, sessions)):
+    for (above, below), curve, at_points in zip(axes, sessions, model_fluxes(body, sessions, loss)):
         mean = float(np.mean(curve.flux))
         t, line = _line(curve, body, at_points)
         point, drawn = series(0), series(1)

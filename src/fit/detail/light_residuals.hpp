@@ -30,7 +30,7 @@ std::vector<Unknown> light_unknowns(const LightUnknowns& unknowns, const BrightE
 class LightResiduals {
  public:
   LightResiduals(std::span<const LightCurve> curves, const LightUnknowns& unknowns,
-                 const BrightEllipsoid& start);
+                 const BrightEllipsoid& start, const Loss& loss = {}, Rows rows = Rows::exact);
 
   std::size_t points() const { return curves_.size(); }
   std::size_t groups() const { return curves_.groups(); }
@@ -53,11 +53,12 @@ class LightResiduals {
   BrightEllipsoid start_;
   LightPlaces places_;
   WeighedCurves curves_;
+  Rows rows_;
 };
 
-// A problem of least squares about a start.
+// A problem of least squares about a start, under the loss of the residuals.
 LeastSquares light_problem(const LightResiduals& residuals, const LightUnknowns& unknowns,
-                           const BrightEllipsoid& start, const Loss& loss, int most_iterations);
+                           const BrightEllipsoid& start, int most_iterations);
 
 }  // namespace detail
 }  // namespace v0

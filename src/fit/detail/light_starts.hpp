@@ -14,7 +14,7 @@ namespace detail {
 
 struct LightTrial {
   BrightEllipsoid body;
-  double cost;  // the sum that was minimised
+  double cost;  // what was minimised
 };
 
 // Midway between the first and the last time.

@@ -58,13 +58,14 @@ class SurfaceResiduals {
  public:
   SurfaceResiduals(std::span<const LightCurve> curves, const SurfaceUnknowns& unknowns,
                    const SpinState& start, const Scattering& law, Surface surface,
-                   FollowedMoments followed = {})
-      : curves_(curves),
+                   FollowedMoments followed = {}, const Loss& loss = {}, Rows rows = Rows::exact)
+      : curves_(curves, loss),
         unknowns_(unknowns),
         start_(start),
         law_(law),
         surface_(std::move(surface)),
-        followed_(std::move(followed)) {}
+        followed_(std::move(followed)),
+        rows_(rows) {}
 
   const WeighedCurves& curves() const { return curves_; }
   std::size_t unknowns() const { return unknowns_.own_at() + surface_.own(); }
@@ -116,7 +117,7 @@ class SurfaceResiduals {
       B[i] = derivatives ? row_at(shape, law, turn, motion[i], s, o, jacobian.subspan(i * n, n))
                          : surface_.brightness(shape, law, s, o);
     }
-    if (!curves_.residuals(B, n, numbers, jacobian.subspan(0, derivatives ? count * n : 0)))
+    if (!curves_.residuals(B, n, numbers, jacobian.subspan(0, derivatives ? count * n : 0), rows_))
       return false;
     std::vector<double> rows(derivatives ? priors() * surface_.own() : 0);
     surface_.prior_numbers(shape, own_of(x), numbers.subspan(count, priors()),
@@ -181,6 +182,7 @@ class SurfaceResiduals {
   Scattering law_;
   Surface surface_;
   FollowedMoments followed_;
+  Rows rows_;
 };
 
 // Unknowns that every surface has, from a start.

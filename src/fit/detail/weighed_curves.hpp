@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Points of light curves as fits take them, and the factors of their sessions, which follow from
-// the model at every trial.
+// the model at every trial: those that minimise the sum under the loss.
 #pragma once
 
 #include <cstddef>
 #include <span>
 #include <vector>
 
+#include "polhode/fit/loss.hpp"
 #include "polhode/light/light_curve.hpp"
 
 namespace polhode {
@@ -20,18 +21,26 @@ struct WeighedPoint {
   std::size_t group;
 };
 
+// What derivatives of the numbers know of how a factor follows under a robust loss. exact: all.
+// held: what reweighted least squares does, whose weights stay. The sum has the same gradient with
+// both, as it does not change with the factor at its least. The rows that are held, under the
+// weights, leave the covariance that factors as unknowns would. Of squares both are one.
+enum class Rows { exact, held };
+
 class WeighedCurves {
  public:
-  explicit WeighedCurves(std::span<const LightCurve> curves);
+  explicit WeighedCurves(std::span<const LightCurve> curves, const Loss& loss = {});
 
   std::size_t size() const { return points_.size(); }
-  std::size_t groups() const { return groups_; }
+  std::size_t groups() const { return of_group_.size(); }
   const WeighedPoint& operator[](std::size_t i) const { return points_[i]; }
   const std::vector<double>& times() const { return times_; }
+  const Loss& loss() const { return loss_; }
 
-  // Best factors of the groups for a brightness at each point, and chi-square with them.
+  // Best factors of the groups for a brightness at each point (robust_factor.hpp where the loss is
+  // not squared), and the least sum, of the numbers under the loss.
   std::vector<double> factors(std::span<const double> brightness) const;
-  double chi_square(std::span<const double> brightness) const;
+  double cost(std::span<const double> brightness) const;
   // The best factor of each session.
   std::vector<double> session_factors(std::span<const double> brightness) const;
   // Fluxes with them, session by session.
@@ -40,13 +49,19 @@ class WeighedCurves {
   // (flux - f B) / sigma of each point; and where `jacobian` is not empty, n derivatives of B a row
   // become those of the numbers, factors included. False where a number has no value.
   bool residuals(std::span<const double> brightness, std::size_t n, std::span<double> numbers,
-                 std::span<double> jacobian) const;
+                 std::span<double> jacobian, Rows rows) const;
 
  private:
+  LossValue loss_at(double number) const;
+  std::vector<bool> groups_held(std::span<const double> numbers, std::span<const double> brightness,
+                                Rows rows) const;
+  std::vector<double> squares_factors(std::span<const double> brightness) const;
+
+  Loss loss_;
   std::vector<double> times_;
   std::vector<WeighedPoint> points_;
-  std::vector<std::size_t> sessions_;  // points of each
-  std::size_t groups_ = 0;
+  std::vector<std::size_t> sessions_;               // points of each
+  std::vector<std::vector<std::size_t>> of_group_;  // its points
 };
 
 }  // namespace detail

@@ -89,7 +89,8 @@ class ConvexFitter {
   std::shared_ptr<const ConvexResiduals> residuals() const {
     const BrightConvex& b = found_.body;
     return std::make_shared<const ConvexResiduals>(fit_.curves, unknowns_, b.spin, b.law,
-                                                   ConvexSurface(b.image, usual_, fit_), followed_);
+                                                   ConvexSurface(b.image, usual_, fit_), followed_,
+                                                   fit_.loss, detail::Rows::held);
   }
 
   ConvexMoments moments_of(const std::vector<double>& coefficients) {
@@ -215,10 +216,11 @@ ConvexSolution fit_convex(const ConvexFit& fit) {
 }
 
 std::vector<std::vector<double>> model_fluxes(const BrightConvex& body,
-                                              std::span<const LightCurve> curves) {
+                                              std::span<const LightCurve> curves,
+                                              const Loss& loss) {
   require_sound(curves, {.vectors = true});
   const ConvexResiduals residuals(curves, {}, body.spin, body.law,
-                                  ConvexSurface(body.image, body.coefficients, {}));
+                                  ConvexSurface(body.image, body.coefficients, {}), {}, loss);
   const Vec3& w = body.spin.w_F;
   std::vector<double> x{0.0, 0.0, 0.0, w.x, w.y, w.z};
   x.insert(x.end(), body.coefficients.begin() + 1, body.coefficients.end());
@@ -233,8 +235,8 @@ std::vector<FoundConvex> fit_convex_of_periods(const LightSearchResult& found, c
   std::vector<std::size_t> pairs;
   for (std::size_t p = 0; p < found.best_of_periods.size(); ++p)
     if (found.best_of_periods[p]) pairs.push_back(p);
-  std::ranges::stable_sort(
-      pairs, {}, [&](std::size_t p) { return found.best_of_periods[p]->result.chi_square; });
+  std::ranges::stable_sort(pairs, {},
+                           [&](std::size_t p) { return found.best_of_periods[p]->result.cost; });
   pairs.resize(std::min(most, pairs.size()));
   struct Start {
     std::size_t periods;
@@ -261,7 +263,7 @@ std::vector<FoundConvex> fit_convex_of_periods(const LightSearchResult& found, c
       },
       [&](std::int64_t, const FoundConvex& f) { all.push_back(f); });
   std::ranges::stable_sort(all, {}, [](const FoundConvex& f) {
-    return std::pair(!f.solution.is_found(), f.solution.result.chi_square);
+    return std::pair(!f.solution.is_found(), f.solution.result.cost);
   });
   return all;
 }

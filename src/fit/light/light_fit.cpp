@@ -54,14 +54,14 @@ LightSolution fit_light(const LightFit& fit) {
   LightSolution found;
   found.body = fit.start;
   const auto residuals_about = [&](const BrightEllipsoid& body) {
-    return detail::LightResiduals(fit.curves, fit.unknowns, body);
+    return detail::LightResiduals(fit.curves, fit.unknowns, body, fit.loss, detail::Rows::held);
   };
   const detail::LightResiduals first = residuals_about(fit.start);
   detail::require_points(who, first.points(), first.places().count, first.groups());
   const detail::TurningFit turning{
       [&](int most_iterations) {
         return detail::light_problem(residuals_about(found.body), fit.unknowns, found.body,
-                                     fit.loss, most_iterations);
+                                     most_iterations);
       },
       [&](const std::vector<double>& x) { found.body = residuals_about(found.body).body_at(x); }};
   detail::settle(turning, fit.most_iterations, first.groups(), found);
@@ -74,9 +74,9 @@ LightSolution fit_light(const LightFit& fit) {
 LeastSquares least_squares_of(const LightFit& fit) {
   require_sound(fit.curves, {.vectors = true});
   require_start(fit);
-  const detail::LightResiduals residuals(fit.curves, fit.unknowns, fit.start);
+  const detail::LightResiduals residuals(fit.curves, fit.unknowns, fit.start, fit.loss);
   detail::require_points(who, residuals.points(), residuals.places().count, residuals.groups());
-  return detail::light_problem(residuals, fit.unknowns, fit.start, fit.loss, fit.most_iterations);
+  return detail::light_problem(residuals, fit.unknowns, fit.start, fit.most_iterations);
 }
 
 BrightEllipsoid body_at(const LightFit& fit, std::span<const double> x) {
@@ -102,12 +102,13 @@ std::vector<double> light_unknowns_at(const LightUnknowns& unknowns, const Brigh
 }
 
 std::vector<std::vector<double>> model_fluxes(const BrightEllipsoid& body,
-                                              std::span<const LightCurve> curves) {
+                                              std::span<const LightCurve> curves,
+                                              const Loss& loss) {
   require_sound(curves, {.vectors = true});
   require_shape(body);
   detail::require_law(who, body.law, false);
   const detail::LightResiduals residuals(curves, {.shape = false, .moments = MomentSource::start},
-                                         body);
+                                         body, loss);
   return residuals.curves().fluxes(brightness_at(residuals, body));
 }
 

@@ -16,7 +16,19 @@ inline namespace v0 {
 double LightOutcome::error_factor() const {
   constexpr double least_freedom = 0.5;
   if (!(degrees_of_freedom >= least_freedom)) return std::numeric_limits<double>::quiet_NaN();
-  return std::sqrt(result.chi_square / degrees_of_freedom);
+  if (loss.kind == Loss::Kind::squared) return std::sqrt(result.chi_square / degrees_of_freedom);
+  return spread() * std::sqrt(static_cast<double>(points) / degrees_of_freedom);
+}
+
+double LightOutcome::spread() const {
+  constexpr double of_normal = 1.482602218505602;  // 1 / Phi^-1(3/4)
+  const std::size_t n = std::min(points, result.numbers.size());
+  if (n == 0) return std::numeric_limits<double>::quiet_NaN();
+  std::vector<double> sizes(n);
+  for (std::size_t i = 0; i < n; ++i) sizes[i] = std::fabs(result.numbers[i]);
+  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(n / 2);
+  std::ranges::nth_element(sizes, middle);
+  return of_normal * *middle;
 }
 
 namespace detail {
@@ -95,6 +107,8 @@ void settle(const TurningFit& fit, int most_iterations, std::size_t groups, Ligh
   // The same numbers with turns about what was found.
   std::fill_n(found.result.x.begin(), 3, 0.0);
   const LeastSquares problem = fit.problem(most_iterations);
+  found.loss = problem.loss;
+  found.points = problem.residuals.data;
   found.covariance = covariance(problem, found.result);
   found.degrees_of_freedom =
       degrees_of_freedom(problem, found.result) - static_cast<double>(groups);

@@ -65,8 +65,8 @@ std::vector<Unknown> light_unknowns(const LightUnknowns& unknowns, const BrightE
 }
 
 LightResiduals::LightResiduals(std::span<const LightCurve> curves, const LightUnknowns& unknowns,
-                               const BrightEllipsoid& start)
-    : unknowns_(unknowns), start_(start), places_(unknowns), curves_(curves) {}
+                               const BrightEllipsoid& start, const Loss& loss, Rows rows)
+    : unknowns_(unknowns), start_(start), places_(unknowns), curves_(curves, loss), rows_(rows) {}
 
 BrightEllipsoid LightResiduals::body_at(std::span<const double> x) const {
   BrightEllipsoid body = start_;
@@ -153,11 +153,11 @@ bool LightResiduals::at(std::span<const double> x, std::span<double> numbers,
   } else if (!brightness_of(body, motion, B)) {
     return false;
   }
-  return curves_.residuals(B, n, numbers, jacobian);
+  return curves_.residuals(B, n, numbers, jacobian, rows_);
 }
 
 LeastSquares light_problem(const LightResiduals& residuals, const LightUnknowns& unknowns,
-                           const BrightEllipsoid& start, const Loss& loss, int most_iterations) {
+                           const BrightEllipsoid& start, int most_iterations) {
   LeastSquares p;
   p.unknowns = light_unknowns(unknowns, start);
   if (residuals.places().moments != LightPlaces::none)
@@ -169,7 +169,7 @@ LeastSquares light_problem(const LightResiduals& residuals, const LightUnknowns&
                             std::span<double> jacobian) {
     return shared->at(x, numbers, jacobian);
   };
-  p.loss = loss;
+  p.loss = residuals.curves().loss();
   p.most_iterations = most_iterations;
   return p;
 }

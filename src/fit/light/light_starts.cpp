@@ -87,7 +87,7 @@ std::optional<LightTrial> light_trial(const LightSearch& search, std::uint64_t n
   std::optional<BrightEllipsoid> body = drawn_body(search, periods, draws);
   if (!body) return std::nullopt;
   // One motion, turned as a whole: q_IB(t) = q p(t).
-  const LightResiduals looked_at(search.curves, search.unknowns, *body);
+  const LightResiduals looked_at(search.curves, search.unknowns, *body, search.loss);
   std::vector<MotionPoint> motion, turned;
   if (!free_motion(body->spin, looked_at.curves().times(), {}, motion)) return std::nullopt;
   turned = motion;
@@ -97,14 +97,14 @@ std::optional<LightTrial> light_trial(const LightSearch& search, std::uint64_t n
     const Quaternion q = draws.attitude();
     for (std::size_t i = 0; i < motion.size(); ++i) turned[i].q = q * motion[i].q;
     if (!looked_at.brightness_of(*body, turned, B)) continue;
-    const double chi_square = looked_at.curves().chi_square(B);
-    if (!(chi_square < least)) continue;
-    least = chi_square;
+    const double cost = looked_at.curves().cost(B);
+    if (!(cost < least)) continue;
+    least = cost;
     body->spin.q = q;
   }
-  const LightResiduals residuals(search.curves, search.unknowns, *body);
+  const LightResiduals residuals(search.curves, search.unknowns, *body, search.loss, Rows::held);
   const LeastSquaresResult result =
-      solve(light_problem(residuals, search.unknowns, *body, search.loss, search.short_iterations));
+      solve(light_problem(residuals, search.unknowns, *body, search.short_iterations));
   if (result.end == LeastSquaresResult::End::no_value) return std::nullopt;
   return LightTrial{residuals.body_at(result.x), result.cost};
 }

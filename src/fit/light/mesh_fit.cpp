@@ -100,8 +100,9 @@ MeshSolution fit_mesh(const MeshFit& fit) {
   const MeshSurface surface(fit.start.shape);
   MeshSolution found{{}, fit.start};
   const auto residuals_about = [&](const BrightMesh& body) {
-    return std::make_shared<const MeshResiduals>(fit.curves, unknowns, body.spin, body.law,
-                                                 surface);
+    return std::make_shared<const MeshResiduals>(fit.curves, unknowns, body.spin, body.law, surface,
+                                                 detail::FollowedMoments{}, fit.loss,
+                                                 detail::Rows::held);
   };
   const auto first = residuals_about(fit.start);
   detail::require_points(who, first->curves().size(), first->unknowns(), first->curves().groups());
@@ -135,9 +136,10 @@ MeshSolution fit_mesh(const MeshFit& fit) {
 }
 
 std::vector<std::vector<double>> model_fluxes(const BrightMesh& body,
-                                              std::span<const LightCurve> curves) {
+                                              std::span<const LightCurve> curves,
+                                              const Loss& loss) {
   require_sound(curves, {.vectors = true});
-  const MeshResiduals residuals(curves, {}, body.spin, body.law, MeshSurface(body.shape));
+  const MeshResiduals residuals(curves, {}, body.spin, body.law, MeshSurface(body.shape), {}, loss);
   const Vec3& w = body.spin.w_F;
   const std::vector<double> B =
       residuals.brightness_at(std::vector<double>{0.0, 0.0, 0.0, w.x, w.y, w.z});

@@ -4,42 +4,66 @@
 #include <cmath>
 #include <optional>
 
+#include "fit/detail/robust_factor.hpp"
+
 namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-WeighedCurves::WeighedCurves(std::span<const LightCurve> curves) {
+WeighedCurves::WeighedCurves(std::span<const LightCurve> curves, const Loss& loss) : loss_(loss) {
+  check(loss);
   std::optional<std::size_t> calibrated;
   for (const LightCurve& curve : curves) {
-    const std::size_t group = curve.is_calibrated && calibrated ? *calibrated : groups_++;
+    const std::size_t group = curve.is_calibrated && calibrated ? *calibrated : of_group_.size();
+    if (group == of_group_.size()) of_group_.emplace_back();
     if (curve.is_calibrated) calibrated = group;
     sessions_.push_back(curve.points.size());
     for (const LightPoint& p : curve.points) {
+      of_group_[group].push_back(points_.size());
       times_.push_back(p.t);
       points_.push_back({p.flux, 1.0 / p.sigma, p.to_sun, p.to_observer, group});
     }
   }
 }
 
-std::vector<double> WeighedCurves::factors(std::span<const double> brightness) const {
-  std::vector<double> up(groups_, 0.0), down(groups_, 0.0);
+std::vector<double> WeighedCurves::squares_factors(std::span<const double> brightness) const {
+  std::vector<double> up(groups(), 0.0), down(groups(), 0.0);
   for (std::size_t i = 0; i < points_.size(); ++i) {
     const WeighedPoint& p = points_[i];
     const double m = p.weight * brightness[i];
     up[p.group] += p.weight * p.flux * m;
     down[p.group] += m * m;
   }
-  for (std::size_t g = 0; g < groups_; ++g) up[g] /= down[g];
+  for (std::size_t g = 0; g < groups(); ++g) up[g] /= down[g];
   return up;
 }
 
-double WeighedCurves::chi_square(std::span<const double> brightness) const {
+std::vector<double> WeighedCurves::factors(std::span<const double> brightness) const {
+  if (loss_.kind == Loss::Kind::squared) return squares_factors(brightness);
+  std::vector<double> found;
+  std::vector<FactorPoint> scaled;
+  for (const std::vector<std::size_t>& group : of_group_) {
+    scaled.clear();
+    for (const std::size_t i : group) {
+      const WeighedPoint& p = points_[i];
+      scaled.push_back({p.weight * p.flux, p.weight * brightness[i]});
+    }
+    found.push_back(robust_factor(loss_, scaled));
+  }
+  return found;
+}
+
+LossValue WeighedCurves::loss_at(double number) const {
+  return value(loss_, number * number / (loss_.scale * loss_.scale));
+}
+
+double WeighedCurves::cost(std::span<const double> brightness) const {
   const std::vector<double> f = factors(brightness);
   double sum = 0.0;
   for (std::size_t i = 0; i < points_.size(); ++i) {
     const WeighedPoint& p = points_[i];
     const double r = p.weight * (p.flux - f[p.group] * brightness[i]);
-    sum += r * r;
+    sum += r * r * loss_at(r).ratio;
   }
   return sum;
 }
@@ -67,8 +91,23 @@ std::vector<std::vector<double>> WeighedCurves::fluxes(std::span<const double> b
   return found;
 }
 
+std::vector<bool> WeighedCurves::groups_held(std::span<const double> numbers,
+                                             std::span<const double> brightness, Rows rows) const {
+  if (rows == Rows::held || loss_.kind == Loss::Kind::squared)
+    return std::vector<bool>(groups(), true);
+  std::vector<double> bends(groups(), 0.0);
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const double m = points_[i].weight * brightness[i];
+    bends[points_[i].group] += loss_at(numbers[i]).curvature * m * m;
+  }
+  std::vector<bool> held;
+  for (const double bend : bends) held.push_back(!(bend > 0.0));
+  return held;
+}
+
 bool WeighedCurves::residuals(std::span<const double> brightness, std::size_t n,
-                              std::span<double> numbers, std::span<double> jacobian) const {
+                              std::span<double> numbers, std::span<double> jacobian,
+                              Rows rows) const {
   const std::size_t count = points_.size();
   const std::vector<double> f = factors(brightness);
   bool is_sound = true;
@@ -78,13 +117,19 @@ bool WeighedCurves::residuals(std::span<const double> brightness, std::size_t n,
     is_sound = is_sound && std::isfinite(numbers[i]);
   }
   if (jacobian.empty() || !is_sound) return is_sound;
-  // df = sum(w^2 (F - 2 f B) dB) / sum(w^2 B^2)
-  std::vector<double> by(groups_ * n, 0.0), squares(groups_, 0.0);
+  // df = sum(w^2 (W F - (W + c) f B) dB) / sum(c w^2 B^2), W the weight that the loss leaves, c W
+  // where it is held and the curvature of the loss where it follows, which has to be positive in
+  // all, as at a least it is but for a flat bottom; both are 1 of squares
+  std::vector<double> by(groups() * n, 0.0), squares(groups(), 0.0);
+  const std::vector<bool> is_held = groups_held(numbers, brightness, rows);
   for (std::size_t i = 0; i < count; ++i) {
     const WeighedPoint& p = points_[i];
+    const LossValue loss = loss_at(numbers[i]);
+    const double c = is_held[p.group] ? loss.weight : loss.curvature;
     const double w2 = p.weight * p.weight;
-    squares[p.group] += w2 * brightness[i] * brightness[i];
-    const double k = w2 * (p.flux - 2.0 * f[p.group] * brightness[i]);
+    squares[p.group] += c * w2 * brightness[i] * brightness[i];
+    double k = loss.weight * w2 * (p.flux - 2.0 * f[p.group] * brightness[i]);
+    if (c != loss.weight) k += (loss.weight - c) * w2 * f[p.group] * brightness[i];
     for (std::size_t j = 0; j < n; ++j) by[p.group * n + j] += k * jacobian[i * n + j];
   }
   for (std::size_t i = 0; i < count; ++i) {

@@ -16,9 +16,10 @@ const char* beside_word(const FoundLight& found);
 const char* image_word(LightImage image);
 const char* loss_word(const Loss& loss);  // as fit.loss has it
 
-// The robust standard deviation of residuals in standard errors, by the median of their sizes; NaN
-// of the squared loss.
-double spread_of(const Scenario& scenario, const LightReport& report, const LightOutcome& found);
+// What solutions are ranked by, as tables have it: "chi-square", of the data; of a robust loss
+// "loss", the sum that was minimised.
+const char* rank_word(const Loss& loss);
+double rank_number(const Loss& loss, double chi_square, double cost);
 
 // Of a loss that is not squared: what was minimised, and the points that it spared.
 void add_loss(std::string& text, const Scenario& scenario, const LightReport& report,
@@ -49,8 +50,7 @@ LightFigures light_figures(const Scenario& scenario, const LightReport& report,
 
 const char* shape_word(LightPlan::Shape shape);  // "ellipsoid", "convex", "mesh"
 
-// Pairs of periods that came to one: the same mode and periods, and an ellipsoid of the same
-// chi-square.
+// Pairs of periods that came to one: the same mode and periods, and an ellipsoid of the same cost.
 struct PairGroup {
   std::size_t best;                // of the report's pairs
   std::vector<std::size_t> pairs;  // all of them, `best` first

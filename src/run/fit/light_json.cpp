@@ -76,6 +76,7 @@ void add_periods(JsonWriter& json, const Scenario& scenario, const LightReport& 
     json.begin_object();
     add(pair.from);
     json.key("chi_square").value(pair.ellipsoid ? pair.ellipsoid->result.chi_square : none);
+    json.key("cost").value(pair.ellipsoid ? pair.ellipsoid->result.cost : none);
     if (pair.ellipsoid) {
       const LightSolution& s = *pair.ellipsoid;
       json.key("found").begin_object();
@@ -87,6 +88,7 @@ void add_periods(JsonWriter& json, const Scenario& scenario, const LightReport& 
     if (pair.surface) {
       json.key(detail::shape_word(report.shape)).begin_object();
       json.key("chi_square").value(pair.surface->chi_square);
+      json.key("cost").value(pair.surface->cost);
       json.key("converged").value(pair.surface->is_converged);
       add(pair.surface->periods);
       add_poles(pair.surface->pole);
@@ -151,9 +153,9 @@ void add_solution(JsonWriter& json, const Scenario& scenario, const LightReport&
   json.key("beside").value(detail::beside_word(one)).key("of").value(whole(one.of + 1));
   json.key("image").value(detail::image_word(one.image));
   json.key("sentence").value(one.sentence.empty() ? s.result.sentence : one.sentence);
-  json.key("chi_square").value(s.result.chi_square);
+  json.key("chi_square").value(s.result.chi_square).key("cost").value(s.result.cost);
   json.key("degrees_of_freedom").value(s.degrees_of_freedom);
-  if (const double scale = light_error_factor(scenario, report, s); std::isfinite(scale))
+  if (const double scale = light_error_factor(s); std::isfinite(scale))
     json.key("error_factor").value(scale);
   json.key("starts").value(whole(one.starts));
   json.key("iterations").value(static_cast<std::int64_t>(s.result.iterations));

@@ -93,8 +93,8 @@ class Surfaces {
     std::vector<std::size_t> pairs;
     for (std::size_t p = 0; p < found_.best_of_periods.size(); ++p)
       if (found_.best_of_periods[p]) pairs.push_back(p);
-    std::ranges::stable_sort(
-        pairs, {}, [&](std::size_t p) { return found_.best_of_periods[p]->result.chi_square; });
+    std::ranges::stable_sort(pairs, {},
+                             [&](std::size_t p) { return found_.best_of_periods[p]->result.cost; });
     pairs.resize(std::min(pairs.size(), plan_.light.convex.pairs));
     std::vector<Start> starts;
     const auto known = [&](const LightSolution& s) {
@@ -155,14 +155,14 @@ class Surfaces {
   // What the pairs of this start came to: the best that converged, or else the best.
   void tell(const Start& start, const std::vector<SurfaceFound>& all) {
     const auto rank = [](const SurfaceFound& one) {
-      return std::pair(!one.solution.is_found(), one.solution.result.chi_square);
+      return std::pair(!one.solution.is_found(), one.solution.result.cost);
     };
     const auto best = std::ranges::min_element(all, {}, rank);
     if (best == all.end()) return;
     const LightSolution& s = best->solution;
     for (const std::size_t p : start.pairs)
-      report_.pairs.at(p).surface =
-          SurfaceOfPeriods{s.periods, s.pole, s.result.chi_square, s.is_found(), s.result.sentence};
+      report_.pairs.at(p).surface = SurfaceOfPeriods{
+          s.periods, s.pole, s.result.chi_square, s.result.cost, s.is_found(), s.result.sentence};
   }
 
   void limit() {

@@ -95,20 +95,23 @@ void add_scan(std::string& text, const Scenario& scenario, const LightScan& scan
   }
 }
 
-std::string surface_chi_square(const PairFound& pair) {
+std::string surface_rank(const Loss& loss, const PairFound& pair) {
   if (!pair.surface) return "-";
-  return fmt::format("{:.5g}", pair.surface->chi_square);
+  return fmt::format("{:.5g}",
+                     detail::rank_number(loss, pair.surface->chi_square, pair.surface->cost));
 }
 
 // A row for each ellipsoid that pairs of periods came to, with the periods that it has.
 void add_pair_rows(std::string& text, const Scenario& scenario, const LightReport& report) {
   const std::string& time = scenario.units().time();
+  const Loss& loss = require_fit(scenario).loss;
+  const char* what = loss.kind == Loss::Kind::squared ? "what" : "the loss that";
   const bool has_surface = report.shape != LightPlan::Shape::ellipsoid;
-  text += has_surface ? fmt::format("\npairs of periods by what a {} comes to\n{:>12}{:>12}",
+  text += has_surface ? fmt::format("\npairs of periods by {} a {} comes to\n{:>12}{:>12}", what,
                                     report.mesh ? "mesh" : "convex body", "ellipsoid",
                                     detail::shape_word(report.shape))
-                      : fmt::format("\npairs of periods by what an ellipsoid comes to\n{:>12}",
-                                    "chi-square");
+                      : fmt::format("\npairs of periods by {} an ellipsoid comes to\n{:>12}", what,
+                                    detail::rank_word(loss));
   text += fmt::format("{:>6}{:>13}{:>13}{:>9}{:>8}{:>9}{:>8}{:>10}\n", "mode", "P_phi " + time,
                       "P_psi " + time, "pole", "", "mirror", "", "readings");
   const std::vector<detail::PairGroup> groups = detail::groups_of_pairs(report);
@@ -119,8 +122,8 @@ void add_pair_rows(std::string& text, const Scenario& scenario, const LightRepor
     const auto period = [&](double t) {
       return t > 0.0 ? fmt::format("{:.6g}", scenario.units().from_core(t, Dimension::time)) : "-";
     };
-    text += fmt::format("{:>12.5g}", s.result.chi_square);
-    if (has_surface) text += fmt::format("{:>12}", surface_chi_square(pair));
+    text += fmt::format("{:>12.5g}", detail::rank_number(loss, s.result.chi_square, s.result.cost));
+    if (has_surface) text += fmt::format("{:>12}", surface_rank(loss, pair));
     text += fmt::format("{:>6}{:>13}{:>13}", detail::mode_word(p.mode), period(p.precession_period),
                         period(p.rotation_period));
     const Vec3 pole = pair.surface ? pair.surface->pole : s.pole;
@@ -158,11 +161,12 @@ std::string pole_words(const Scenario& scenario) {
 
 void add_overview(std::string& text, const Scenario& scenario, const LightReport& report) {
   const std::string& time = scenario.units().time();
+  const Loss& loss = require_fit(scenario).loss;
   text += fmt::format(
       "\nsolutions; pole: {} in {}\n{:>4}{:>12}{:>6}{:>13}{:>13}{:>9}{:>8}{:>8}{:>8}"
       "  {}\n",
-      pole_words(scenario), scenario.units().angle(), "", "chi-square", "mode", "P_phi " + time,
-      "P_psi " + time, "pole", "", "b/a", "c/b", "what it is");
+      pole_words(scenario), scenario.units().angle(), "", detail::rank_word(loss), "mode",
+      "P_phi " + time, "P_psi " + time, "pole", "", "b/a", "c/b", "what it is");
   for (std::size_t i = 0; i < report.solutions.size(); ++i) {
     const FoundLight& one = report.solutions[i];
     const BrightEllipsoid& body = one.solution.body;
@@ -173,9 +177,10 @@ void add_overview(std::string& text, const Scenario& scenario, const LightReport
     if (one.beside != FoundLight::Beside::first) what += fmt::format(" of {}", one.of + 1);
     text += fmt::format(
         "{:>4}{:>12.5g}{:>6}{:>13}{:>13}{:>9.1f}{:>8.1f}{:>8.3f}{:>8.3f}  {}\n", i + 1,
-        one.solution.result.chi_square, detail::mode_word(one.solution.periods.mode),
-        period_text(f.precession_period), period_text(f.rotation_period), f.pole.longitude,
-        f.pole.latitude, body.shape.b / body.shape.a, body.shape.c / body.shape.b, what);
+        detail::rank_number(loss, one.solution.result.chi_square, one.solution.result.cost),
+        detail::mode_word(one.solution.periods.mode), period_text(f.precession_period),
+        period_text(f.rotation_period), f.pole.longitude, f.pole.latitude,
+        body.shape.b / body.shape.a, body.shape.c / body.shape.b, what);
   }
 }
 
@@ -242,7 +247,7 @@ void add_solution(std::string& text, const Scenario& scenario, const LightReport
                fmt::format("{:.5g} on {:.4g} degrees of freedom", s.result.chi_square,
                            s.degrees_of_freedom));
   detail::add_loss(text, scenario, report, s);
-  if (const double scale = light_error_factor(scenario, report, s); std::isfinite(scale))
+  if (const double scale = light_error_factor(s); std::isfinite(scale))
     add_fit_line(text, "errors scaled by", fmt::format("{:.4g}", scale));
   add_fit_line(text, "mode", detail::mode_word(s.periods.mode));
   if (s.periods.precession_period > 0.0) {

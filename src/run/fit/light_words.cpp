@@ -17,7 +17,7 @@ inline namespace v0 {
 namespace detail {
 namespace {
 
-// Of periods and chi-squares of fits that came to one.
+// Of periods and costs of fits that came to one.
 constexpr double same_part = 1e-4;
 
 }  // namespace
@@ -71,25 +71,21 @@ const char* loss_word(const Loss& loss) {
                                 : "squared";
 }
 
-double spread_of(const Scenario& scenario, const LightReport& report, const LightOutcome& found) {
-  constexpr double of_normal = 1.482602218505602;  // 1 / Phi^-1(3/4)
-  const std::size_t n = std::min(report.points(), found.result.numbers.size());
-  if (require_fit(scenario).loss.kind == Loss::Kind::squared || n == 0)
-    return std::numeric_limits<double>::quiet_NaN();
-  std::vector<double> sizes(n);
-  for (std::size_t i = 0; i < n; ++i) sizes[i] = std::fabs(found.result.numbers[i]);
-  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(n / 2);
-  std::ranges::nth_element(sizes, middle);
-  return of_normal * *middle;
+const char* rank_word(const Loss& loss) {
+  return loss.kind == Loss::Kind::squared ? "chi-square" : "loss";
+}
+
+double rank_number(const Loss& loss, double chi_square, double cost) {
+  return loss.kind == Loss::Kind::squared ? chi_square : cost;
 }
 
 void add_loss(std::string& text, const Scenario& scenario, const LightReport& report,
               const LightSolution& s) {
   constexpr double far = 4.0;
   constexpr std::size_t most_far = 10;
-  const Loss& loss = require_fit(scenario).loss;
-  const double spread = spread_of(scenario, report, s);
-  if (!std::isfinite(spread)) return;
+  const Loss& loss = s.loss;
+  if (loss.kind == Loss::Kind::squared) return;
+  const double spread = s.spread();
   add_fit_line(text, "loss",
                fmt::format("{:.5g}, which was minimised: {} from {:g} standard errors on",
                            s.result.cost, loss_word(loss), loss.scale));
@@ -133,7 +129,7 @@ LightFigures light_figures(const Scenario& scenario, const LightReport& report,
                            std::size_t solution) {
   const LightSolution& s = report.solutions.at(solution).solution;
   const SpinFigures f = spin_figures(s, report.unknowns);
-  const double scale = light_error_factor(scenario, report, s);
+  const double scale = light_error_factor(s);
   const Units& units = scenario.units();
   const auto with = [&](double value, double error, Dimension d) {
     return WithErrors{units.from_core(value, d), units.from_core(error, d),
@@ -159,8 +155,8 @@ std::vector<PairGroup> groups_of_pairs(const LightReport& report) {
     if (report.pairs[i].ellipsoid) order.push_back(i);
   const auto rank = [&](std::size_t i) {
     const PairFound& pair = report.pairs[i];
-    const double ellipsoid = pair.ellipsoid->result.chi_square;
-    return std::pair(pair.surface ? pair.surface->chi_square : ellipsoid, ellipsoid);
+    const double ellipsoid = pair.ellipsoid->result.cost;
+    return std::pair(pair.surface ? pair.surface->cost : ellipsoid, ellipsoid);
   };
   std::ranges::stable_sort(order, {}, rank);
   std::vector<PairGroup> groups;
@@ -172,7 +168,7 @@ std::vector<PairGroup> groups_of_pairs(const LightReport& report) {
       const auto are_near = [](double x, double y) { return std::fabs(x - y) <= same_part * y; };
       return a.mode == b.mode && are_near(a.precession_period, b.precession_period) &&
              are_near(a.rotation_period, b.rotation_period) &&
-             are_near(of.result.chi_square, s.result.chi_square);
+             are_near(of.result.cost, s.result.cost);
     });
     if (same == groups.end())
       groups.push_back({i, {i}});
@@ -183,22 +179,19 @@ std::vector<PairGroup> groups_of_pairs(const LightReport& report) {
 }
 
 std::vector<std::vector<double>> fluxes_of(const LightReport& report, std::size_t solution) {
+  const Loss& loss = report.solutions.at(solution).solution.loss;
   const BrightEllipsoid& body = report.solutions.at(solution).solution.body;
   const std::vector<LightCurve>& curves = report.observed.curves;
-  if (!report.convex.empty()) return model_fluxes(report.convex.at(solution), curves);
-  if (report.mesh) return model_fluxes(BrightMesh{body.spin, *report.mesh, body.law}, curves);
-  return model_fluxes(body, curves);
+  if (!report.convex.empty()) return model_fluxes(report.convex.at(solution), curves, loss);
+  if (report.mesh) return model_fluxes(BrightMesh{body.spin, *report.mesh, body.law}, curves, loss);
+  return model_fluxes(body, curves, loss);
 }
 
 }  // namespace detail
 
-double light_error_factor(const Scenario& scenario, const LightReport& report,
-                          const LightOutcome& found) {
-  const double by_chi_square = found.error_factor();
-  if (!(by_chi_square > 0.0)) return std::numeric_limits<double>::quiet_NaN();
-  const double spread = detail::spread_of(scenario, report, found);
-  if (!std::isfinite(spread)) return by_chi_square;
-  return spread * std::sqrt(static_cast<double>(report.points()) / found.degrees_of_freedom);
+double light_error_factor(const LightOutcome& found) {
+  const double factor = found.error_factor();
+  return factor > 0.0 ? factor : std::numeric_limits<double>::quiet_NaN();
 }
 
 std::vector<FitNumber> light_numbers(const Scenario& scenario, const LightReport& report,
@@ -216,7 +209,7 @@ std::vector<FitNumber> light_numbers(const Scenario& scenario, const LightReport
   }
   std::fill_n(start.begin(), 3, 0.0);  // not what rounding leaves
   if (!report.start) std::fill_n(value.begin(), 3, 0.0);
-  const double scale = light_error_factor(scenario, report, found);
+  const double scale = light_error_factor(found);
   std::vector<FitNumber> numbers;
   for (std::size_t i = 0; i < value.size(); ++i) {
     const std::string& name = found.covariance.names.at(i);

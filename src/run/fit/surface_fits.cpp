@@ -139,7 +139,7 @@ std::vector<SurfaceFound> SurfaceFits::from(const BrightEllipsoid& ellipsoid) co
     return one.solution.result.end == LeastSquaresResult::End::no_value;
   });
   std::ranges::stable_sort(tried, {},
-                           [](const SurfaceFound& one) { return one.solution.result.chi_square; });
+                           [](const SurfaceFound& one) { return one.solution.result.cost; });
   for (std::size_t k = 0; k < std::min(tried.size(), mesh_finalists); ++k)
     found.push_back(mesh_from(tried[k].solution.body.spin, ellipsoid, most_iterations_));
   return found;

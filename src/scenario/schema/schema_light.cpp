@@ -72,9 +72,8 @@ constexpr Key keys[] = {
     {.path = "light.convex.pairs",
      .type = integer,
      .example = "40",
-     .help =
-         "How many pairs of periods of a search go on to a convex body, those of the lowest "
-         "chi-squares of ellipsoids; left out, all, since the truth may fit an ellipsoid badly."},
+     .help = "How many pairs of periods of a search go on to a convex body, those of the best "
+             "ellipsoids; left out, all, since the truth may fit an ellipsoid badly."},
     {.path = "light.law",
      .type = choice,
      .allowed = "lommel-seeliger|lambert|mixed",
@@ -99,8 +98,8 @@ constexpr Key keys[] = {
      .type = number,
      .fallback = "2",
      .example = "2",
-     .help = "Solutions of light curves are reported up to so many times the least chi-square, 1 "
-             "or more.",
+     .help = "Solutions of light curves are reported up to so many times the least chi-square, or "
+             "the least loss where `fit.loss` is robust; 1 or more.",
      .range = Range::positive},
     {.path = "fit.scan",
      .fallback = "{}",

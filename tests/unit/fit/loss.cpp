@@ -40,6 +40,13 @@ TEST(Loss, IsWhatItsNameSays) {
       const Digits weight = (rho(kind, at + step) - rho(kind, at - step)) / (2 * step);
       EXPECT_NEAR(found.ratio, double(ratio(at)), budget::loss * double(ratio(at)));
       EXPECT_NEAR(found.weight, double(weight), budget::loss * double(weight));
+      const auto pull = [&](const Digits& r) {  // rho'(r^2) r
+        const Digits y = r * r, by = y * Digits("1e-30");
+        return Digits(r * (rho(kind, y + by) - rho(kind, y - by)) / (2 * by));
+      };
+      const Digits r = sqrt(at), off = r * Digits("1e-20");
+      const Digits curvature = (pull(r + off) - pull(r - off)) / (2 * off);
+      EXPECT_NEAR(found.curvature, double(curvature), budget::loss * double(weight));
       // The slope acts multiplied by z.
       EXPECT_NEAR(z * found.slope, double(at * slope), budget::loss * double(ratio(at)));
     }
