@@ -120,9 +120,11 @@ void write_light_covariance(const Scenario& scenario, const LightReport& report,
                             std::size_t solution, const std::string& path);
 // As solution_text: a scenario of kind "fit" that begins at the solution, with the ellipsoid or the
 // mesh, so that it can be simulated and fitted again as well as run; `mesh` is the file of a convex
-// body, as the scenario names it.
+// body, as the scenario names it, and `folder` where its paths start; left out, where those of this
+// one do.
 std::string light_solution_text(const Scenario& scenario, const LightReport& report,
-                                std::size_t solution, const std::string& mesh = "seen.obj");
+                                std::size_t solution, const std::string& mesh = "seen.obj",
+                                const std::optional<std::string>& folder = std::nullopt);
 // The file, and beside PATH.toml the mesh of a convex body, PATH-seen.obj; DomainError for areas
 // that are those of no body. Nothing is written then.
 void write_light_solution(const Scenario& scenario, const LightReport& report, std::size_t solution,
