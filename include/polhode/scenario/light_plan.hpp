@@ -27,6 +27,10 @@ struct Scenario;
 struct ScanPlan {
   std::size_t order = 3;
   std::optional<double> shortest = std::nullopt, longest = std::nullopt;  // periods
+  // One grid over all of their time, or session by session first (scan_sessions).
+  enum class Sessions { joined, separate };
+  Sessions sessions = Sessions::joined;
+  std::size_t windows = 20;  // of separate sessions
   std::size_t minima = 20;
   LabelChoice labels;
 };

@@ -39,6 +39,12 @@ void add_scan(JsonWriter& json, const Scenario& scenario, const LightScan& scan)
   json.key("frequencies").value(whole(g.count));
   json.key("least").value(g.at(0) / time).key("most").value(g.at(g.count - 1) / time);
   json.key("step").value(g.step / time);
+  json.key("sessions").value(scan.separate ? "separate" : "joined");
+  if (scan.separate) {
+    json.key("separate_sessions").value(whole(scan.separate->sessions));
+    json.key("windows").value(whole(scan.separate->windows));
+    json.key("pairs_in_windows").value(whole(scan.separate->pairs));
+  }
   json.key("minima").begin_array();
   for (const ScanMinimum& m : scan.minima) {
     const RefinedPair& r = m.refined;

@@ -71,9 +71,17 @@ void add_scan(std::string& text, const Scenario& scenario, const LightScan& scan
   const FrequencyGrid& g = all.first;
   add_fit_line(
       text, "scan",
-      fmt::format("order {}, {} by {} frequencies, periods of {:.4g} to {:.4g} {}",
-                  all.orders.second, g.count, g.count, period_of(scenario, g.at(g.count - 1)),
+      fmt::format("order {}, {}{} by {} frequencies, periods of {:.4g} to {:.4g} {}",
+                  all.orders.second,
+                  scan.separate ? counted(scan.separate->sessions, "session", "sessions") + " of "
+                                : std::string(),
+                  g.count, g.count, period_of(scenario, g.at(g.count - 1)),
                   period_of(scenario, g.at(0)), time));
+  if (scan.separate)
+    add_fit_line(
+        text, "all sessions",
+        fmt::format("{} pairs of frequencies in {} about the lowest minima of their sum",
+                    scan.separate->pairs, counted(scan.separate->windows, "window", "windows")));
   text += fmt::format(
       "\nlowest minima of the scan: lines at sums and multiples of 1/P1 and 1/P2{}\n"
       "{:>4}{:>12}{:>16}{:>11}{:>16}{:>11}\n",
@@ -134,7 +142,8 @@ void add_pair_rows(std::string& text, const Scenario& scenario, const LightRepor
                         pair.surface && !pair.surface->is_converged ? "  not converged" : "");
   }
   if (groups.size() > most_pairs)
-    text += fmt::format("{:>12}\n", fmt::format("and {} more", groups.size() - most_pairs));
+    text += fmt::format(" and {} more; --json has all {} readings\n", groups.size() - most_pairs,
+                        report.pairs.size());
 }
 
 void add_pairs(std::string& text, const Scenario& scenario, const LightReport& report) {

@@ -110,6 +110,11 @@ ScanPlan scan_of(const FitContext& at) {
   scan.longest = period("fit.scan.longest");
   if (scan.shortest && scan.longest && !(*scan.shortest < *scan.longest))
     refuse(at, "fit.scan.longest", "expected a period longer than fit.scan.shortest");
+  if (word(at.values, "fit.scan.sessions") == "separate")
+    scan.sessions = ScanPlan::Sessions::separate;
+  else if (is_explicit(at.values, "fit.scan.windows"))
+    refuse(at, "fit.scan.windows", "expected fit.scan.sessions = \"separate\" as well");
+  scan.windows = whole_in(at, "fit.scan.windows", most_minima);
   scan.minima = whole_in(at, "fit.scan.minima", most_minima);
   scan.labels.pairs = whole_in(at, "fit.scan.pairs", most_minima);
   scan.labels.labels = whole_in(at, "fit.scan.labels", most_labels);
