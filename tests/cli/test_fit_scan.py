@@ -5,8 +5,9 @@ by themselves, and scenarios of solutions in other folders."""
 import json
 
 import budgets
+import numpy
 import pytest
-from fit_files import TUMBLER, fitted, refused
+from fit_files import TUMBLER, fitted, refused, rows
 
 FREE = """
 [free]
@@ -168,3 +169,66 @@ def test_a_solution_in_another_folder_is_fitted_again(run, fit_file, tmp_path):
     root.write_text(path.read_text().replace('"night.csv"', f'"{tmp_path}/night.csv"'))
     fitted(run, root, "--solution", there)
     assert f'file = "{tmp_path}/night.csv"\n' in there.read_text()
+
+
+def chi_square_of_series(light, pair, order):
+    """By least squares of numpy: 2 pi (j / P1 + k / P2) t for half of the plane of j and k, and a
+    constant of each session, in parts of its mean flux, whose errors are 2 %."""
+    t = light["t"]
+    sessions = [light["session"] == n for n in sorted(set(light["session"]))]
+    values = light["flux"] / sum(light["flux"][one].mean() * one for one in sessions)
+    columns = list(sessions)
+    for j in range(order + 1):
+        for k in range(-order, order + 1):
+            if j > 0 or k > 0:
+                angle = 2 * numpy.pi * (j / pair[0] + k / pair[1]) * t
+                columns += [numpy.cos(angle), numpy.sin(angle)]
+    matrix = numpy.array(columns).T
+    found, _, rank, _ = numpy.linalg.lstsq(matrix, values, rcond=None)
+    return ((values - matrix @ found)**2).sum() / 0.02**2, len(t) - rank
+
+
+def test_chosen_pairs_have_the_chi_square_of_their_series(run, nights, tmp_path):
+    """At published periods, whatever a scan finds: order of its own, without a scan as well."""
+    at = ["--set", "fit.scan.at=[11.97, 19.9, 31, 17.3]"]
+    light = rows(tmp_path / "night.csv")
+    own = ["--set", "fit.from=start", "--set", "fit.starts=", "--set", "fit.scan.at_order=3"]
+    for order, more in ((2, []), (3, own)):
+        found = fitted(run, nights, *at, *more)
+        assert ("scan" in found) == (order == 2)
+        chosen = found["chosen_pairs"]
+        assert [one["order"] for one in chosen] == [order, order]
+        for one, pair in zip(chosen, ((11.97, 19.9), (31, 17.3)), strict=True):
+            chi_square, freedom = chi_square_of_series(light, pair, order)
+            assert (one["period_1"], one["period_2"]) == pytest.approx(
+                pair, rel=budgets.cli_rounding)
+            assert one["chi_square"] == pytest.approx(chi_square, rel=budgets.cli_series)
+            assert one["degrees_of_freedom"] == freedom
+            assert one["minimum"]["chi_square"] < one["chi_square"]
+    text = run("fit", nights, *at).stdout
+    assert "pairs of fit.scan.at, order 2, and the minimum next to each" in text
+    assert f"{chi_square_of_series(light, (31, 17.3), 2)[0]:.5g} (" in text
+
+
+def test_the_minimum_next_to_a_chosen_pair_is_that_of_the_scan(run, nights):
+    """From periods that a scan found, rounded."""
+    best = fitted(run, nights)["scan"]["minima"][0]
+    pair = f"[{best['period_1']:.5g}, {best['period_2']:.5g}]"
+    one, = fitted(run, nights, "--set", f"fit.scan.at={pair}")["chosen_pairs"]
+    assert one["minimum"]["chi_square"] == pytest.approx(best["chi_square"],
+                                                         rel=budgets.cli_fit_starts)
+    assert one["minimum"]["converged"] and one["minimum"]["resolved"]
+
+
+@pytest.mark.parametrize(("change", "expected"), [
+    ("at = [12, 20, 7]", "fit.scan.at: got [12, 20, 7]; expected pairs of periods"),
+    ("at = [12, -20]", "fit.scan.at: got [12, -20]; expected a positive time"),
+    ("at_order = 2", "fit.scan.at_order: got 2; expected fit.scan.at as well"),
+    ("at = [12, 20]\nat_order = 10", "fit.scan.at_order: got 10; expected a whole number from 1"),
+    ("at = [12, 20]\nat_order = 9", "fit.scan.at: got [12, 20]; "),
+])
+def test_bad_chosen_pairs_are_refused(run, nights, change, expected):
+    path = nights.with_name("bad.toml")
+    path.write_text(nights.read_text().replace("pairs = 1\n", "pairs = 1\n" + change + "\n"))
+    message = refused(run, path)
+    assert expected in message, message

@@ -52,6 +52,12 @@ struct LightScan {
   std::optional<SeparateSessions> separate;
 };
 
+// The series at a pair of periods of fit.scan.at, and at the minimum next to it.
+struct ChosenPair {
+  FourierFit fit;
+  RefinedPair refined;
+};
+
 // What a convex body or a mesh came to from the best ellipsoid of a pair of periods.
 struct SurfaceOfPeriods {
   TumblerPeriods periods{};
@@ -77,6 +83,7 @@ struct LightReport {
   std::optional<BrightEllipsoid> start;      // of a fit that has one
   std::optional<BrightEllipsoid> ellipsoid;  // that its convex body began with
   std::optional<LightScan> scan;
+  std::vector<ChosenPair> chosen;
   std::vector<PairFound> pairs;
   // By chi-square. Where the shape is no ellipsoid `body` has the spin and the law, and the
   // ellipsoid of the same moments of inertia as the shape filled evenly.

@@ -33,6 +33,11 @@ struct ScanPlan {
   std::size_t windows = 20;  // of separate sessions
   std::size_t minima = 20;
   LabelChoice labels;
+  struct Pair {
+    double first, second;  // periods
+  };
+  std::vector<Pair> at;  // chosen by hand
+  std::size_t at_order = 3;
 };
 
 // Of a convex body: facets, and what keeps them smooth (polhode/fit/convex_fit.hpp).

@@ -209,6 +209,7 @@ LightReport fit_light_scenario(const Scenario& scenario, const LightFitOptions& 
   const std::vector<LightCurve>& curves = report.observed.curves;
   require_sound(curves, {.vectors = true});
   detail::begin_surfaces(scenario, report);
+  report.chosen = detail::chosen_pairs(scenario, curves);
   detail::built(scenario.document.checked->values, "free.unknowns", scenario.document.path, [&] {
     if (plan.light.searches)
       search(scenario, plan, options, report);

@@ -137,5 +137,23 @@ LightScan detail::light_scan(const Scenario& scenario, std::span<const LightCurv
   return Scan(scenario, curves, options).made();
 }
 
+std::vector<ChosenPair> detail::chosen_pairs(const Scenario& scenario,
+                                             std::span<const LightCurve> curves) {
+  const ScanPlan& plan = require_fit(scenario).light.scan;
+  std::vector<ChosenPair> chosen;
+  if (plan.at.empty()) return chosen;
+  const Document& file = scenario.document;
+  detail::built(file.checked->values, "fit.scan.at", file.path, [&] {
+    const ScanPoints points(curves);
+    const double reach = scan_advice(curves, plan.at_order).step;
+    const FourierOrders orders = FourierOrders::pair(plan.at_order);
+    for (const ScanPlan::Pair& pair : plan.at)
+      chosen.push_back({fourier_fit(points, 1.0 / pair.first, 1.0 / pair.second, orders),
+                        refined_pair(points, 1.0 / pair.first, 1.0 / pair.second, orders, reach)});
+    return 0;
+  });
+  return chosen;
+}
+
 }  // namespace v0
 }  // namespace polhode

@@ -103,6 +103,30 @@ void add_scan(std::string& text, const Scenario& scenario, const LightScan& scan
   }
 }
 
+void add_chosen(std::string& text, const Scenario& scenario, const LightReport& report) {
+  const std::string& time = scenario.units().time();
+  const auto chi_square = [](const FourierFit& fit) {
+    return fmt::format("{:.5g} ({})", fit.chi_square, fit.degrees_of_freedom);
+  };
+  text += fmt::format(
+      "\npairs of fit.scan.at, order {}, and the minimum next to each; in brackets degrees of "
+      "freedom\n{:>16}{:>14}{:>14}{:>20}{:>16}{:>16}\n",
+      require_fit(scenario).light.scan.at_order, "chi-square", "P1 " + time, "P2 " + time,
+      "chi-square", "P1 " + time, "P2 " + time);
+  for (const ChosenPair& one : report.chosen) {
+    const RefinedPair& r = one.refined;
+    const auto minimum = [&](double f, double sigma) {
+      const double error = scenario.units().from_core(r.scale * sigma / (f * f), Dimension::time);
+      return number_text(period_of(scenario, f), error);
+    };
+    text += fmt::format("{:>16}{:>14.7g}{:>14.7g}{:>20}{:>16}{:>16}{}{}\n", chi_square(one.fit),
+                        period_of(scenario, one.fit.f1), period_of(scenario, one.fit.f2),
+                        chi_square(r.fit), minimum(r.fit.f1, r.sigma_f1),
+                        minimum(r.fit.f2, r.sigma_f2), is_resolved(r.fit) ? "" : "  not resolved",
+                        r.converged ? "" : "  not converged");
+  }
+}
+
 std::string surface_chi_square(const PairFound& pair) {
   if (!pair.surface) return "-";
   return fmt::format("{:.5g}", pair.surface->chi_square);
@@ -280,8 +304,9 @@ std::string light_text(const Scenario& scenario, const LightReport& report) {
   if (!scenario.document.title.empty()) text += scenario.document.title + "\n";
   add_observed(text, report);
   if (report.scan) add_scan(text, scenario, *report.scan);
+  if (!report.chosen.empty()) add_chosen(text, scenario, report);
   if (!report.pairs.empty()) {
-    if (report.scan) text += "\n";
+    if (report.scan || !report.chosen.empty()) text += "\n";
     add_pairs(text, scenario, report);
   }
   if (!report.start && report.is_found()) add_overview(text, scenario, report);
