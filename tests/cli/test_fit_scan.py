@@ -126,6 +126,10 @@ def test_too_many_pairs_are_told_with_the_key_to_take(run, nights, fit_file):
 @pytest.mark.parametrize(("change", "expected"), [
     ("windows = 5", 'fit.scan.windows: got 5; expected fit.scan.sessions = "separate" as well'),
     ('sessions = "separate"\nwindows = 0', "expected a whole number from 1 to 10000"),
+    ("order = 7", "fit.scan.order: got 7; expected a lower one: 162 points do not determine 226"),
+    ('order = 5\nsessions = "separate"',
+     "fit.scan.order: got 5; expected a lower one: 81 points of the longest session do not "
+     "determine 121 coefficients"),
     ('sessions = "split"', 'expected "joined" or "separate"'),
     ('sessions = "separate"\nshortest = 150',
      "shortest is below the longest; the data give 6 min to 120 min"),
@@ -134,6 +138,7 @@ def test_bad_scans_of_sessions_are_refused(run, nights, change, expected):
     path = nights.with_name("bad.toml")
     limits = "" if "shortest" in change else "shortest = 8\n"
     path.write_text(nights.read_text().replace("shortest = 8\nlongest = 40\n", limits).replace(
+        "order = 2\n", "" if "order" in change else "order = 2\n").replace(
         "pairs = 1\n", "pairs = 1\n" + change + "\n"))
     message = refused(run, path)
     assert expected in message, message

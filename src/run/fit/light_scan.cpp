@@ -35,7 +35,11 @@ class Scan {
                  text_of(1.0 / advice_.most) + " to " + text_of(1.0 / longest_usual()));
   }
 
-  LightScan made() { return plan_.sessions == ScanPlan::Sessions::joined ? joined() : separate(); }
+  LightScan made() {
+    const bool is_joined = plan_.sessions == ScanPlan::Sessions::joined;
+    require_points(is_joined);
+    return is_joined ? joined() : separate();
+  }
 
  private:
   // One turn in all of the time; of sessions by themselves in the longest of them.
@@ -45,6 +49,22 @@ class Scan {
     for (const SessionTimes& one : advice_.sessions)
       longest = std::max(longest, one.last - one.first);
     return longest > 0.0 ? 1.0 / longest : advice_.least;
+  }
+
+  // More than a series has coefficients: in all sessions, each with a constant, or in one of them.
+  void require_points(bool is_joined) const {
+    std::size_t points = 0, constants = 0, calibrated = 0;
+    for (const LightCurve& one : curves_) {
+      points = is_joined ? points + one.points.size() : std::max(points, one.points.size());
+      (one.is_calibrated ? calibrated : constants) += 1;
+    }
+    constants = is_joined ? constants + std::min(calibrated, std::size_t{1}) : 1;
+    const std::size_t all = 2 * FourierOrders::pair(plan_.order).harmonics() + constants;
+    if (points <= all)
+      refuse("fit.scan.order",
+             fmt::format("expected a lower one: {} points{} do not determine {} "
+                         "coefficients",
+                         points, is_joined ? "" : " of the longest session", all));
   }
 
   LightScan joined() {

@@ -143,7 +143,8 @@ constexpr Key keys[] = {
      .type = integer,
      .fallback = "20",
      .example = "20",
-     .help = "How many minima of the landscape are refined and listed."},
+     .help = "How many minima of the landscape are refined. With P1 and P2 exchanged each is there "
+             "twice, and listed once."},
     {.path = "fit.scan.pairs",
      .type = integer,
      .fallback = "5",
