@@ -151,16 +151,15 @@ void fit_light_curves(const FitCommand& options, const Scenario& scenario) {
   const StopSignals signals;
   how.stop = [] { return StopSignals::came() != 0; };
   std::optional<ProgressLine> progress;
-  std::string shown;
-  how.progress = [&](const std::string& stage, double part) {
-    constexpr double whole = 100.0;
-    if (stage != shown) {
-      progress.reset();
-      progress.emplace(static_cast<std::int64_t>(whole), "hundredths of the " + stage, 0);
-      shown = stage;
-    }
-    const double done = whole * part;
-    (*progress)(done);
+  how.begins = [&](const std::string& stage, const std::string& work) {
+    progress.reset();
+    progress.emplace(stage != "surfaces"                    ? stage
+                     : plan.shape == LightPlan::Shape::mesh ? std::string("fits of the mesh")
+                                                            : std::string("convex bodies"),
+                     work);
+  };
+  how.progress = [&](const std::string&, double part) {
+    if (progress) (*progress)(part);
   };
   LightReport report;
   try {
@@ -171,6 +170,9 @@ void fit_light_curves(const FitCommand& options, const Scenario& scenario) {
   }
   progress.reset();
   for (const std::string& path : options.landscape) write_landscape(scenario, report, path);
+  if (!report.is_found() && !report.start && report.pairs.empty())
+    throw std::runtime_error(
+        fmt::format("{}: no solution: {}", scenario.document.name, report.failure));
   if (!report.is_found())
     fail(scenario,
          report.start ? std::string("its start") : fmt::format("each of {} starts", report.starts),

@@ -58,7 +58,13 @@ ProgressLine::ProgressLine(double start, double stop, std::string unit, double f
 
 ProgressLine::ProgressLine(std::int64_t count, std::string things, std::int64_t from)
     : ProgressLine(0.0, static_cast<double>(count), std::move(things), static_cast<double>(from)) {
-  counts_ = true;
+  form_ = Form::count;
+}
+
+ProgressLine::ProgressLine(std::string stage, std::string work)
+    : ProgressLine(0.0, 1.0, std::move(stage), 0.0) {
+  work_ = std::move(work);
+  form_ = Form::part;
 }
 
 ProgressLine::~ProgressLine() {
@@ -66,7 +72,7 @@ ProgressLine::~ProgressLine() {
 }
 
 void ProgressLine::operator()(double t) {
-  if (counts_ || ++steps_ % stride == 0) look(t);
+  if (form_ != Form::time || ++steps_ % stride == 0) look(t);
 }
 
 void ProgressLine::look(double t) {
@@ -80,11 +86,22 @@ void ProgressLine::show(double t, double seconds) {
   const double span = stop_ - start_;
   const auto part = [&](double x) { return span == 0.0 ? 0.0 : std::clamp(x / span, 0.0, 1.0); };
   const double done = part(t - start_), made = part(t - from_);
-  const double rate = std::abs(t - from_) / seconds;
-  const std::string reached = counts_ ? fmt::format("{:.0f} of {:.0f} {}", t, stop_, unit_)
-                                      : fmt::format("t = {:.6g} {}", t, unit_);
-  std::string text = fmt::format("{:3.0f} %, {}, {:.3g} {} per second", std::floor(100.0 * done),
-                                 reached, rate, unit_);
+  const double rate = std::abs(t - from_) / seconds, percent = std::floor(100.0 * done);
+  if (!work_.empty() && made > 0.0) {
+    const std::string all = duration_text(seconds / made);
+    const std::string said = fmt::format("{}: {}, about {}", unit_, work_, all);
+    std::fputs((terminal_ ? "\r" + said + "\033[K\n" : said + "\n").c_str(), stderr);
+    work_.clear();
+  }
+  std::string text;
+  if (form_ == Form::part) {
+    text = fmt::format("{}: {:.0f} %", unit_, percent);
+  } else {
+    const std::string reached = form_ == Form::count
+                                    ? fmt::format("{:.0f} of {:.0f} {}", t, stop_, unit_)
+                                    : fmt::format("t = {:.6g} {}", t, unit_);
+    text = fmt::format("{:3.0f} %, {}, {:.3g} {} per second", percent, reached, rate, unit_);
+  }
   if (made > 0.0) text += ", " + duration_text((1.0 - done) * seconds / made) + " left";
   if (terminal_) text = on_line(text, done, columns());
   shown_ = true;

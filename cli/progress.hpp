@@ -16,6 +16,8 @@ class ProgressLine {
   ProgressLine(double start, double stop, std::string unit, double from);
   // So many "members", of which `from` are done.
   ProgressLine(std::int64_t count, std::string things, std::int64_t from);
+  // Parts, up to 1, of a "scan". Where it takes seconds its work is said first, with an estimate.
+  ProgressLine(std::string stage, std::string work);
   // Leaves a terminal clean.
   ~ProgressLine();
   ProgressLine(const ProgressLine&) = delete;
@@ -33,7 +35,9 @@ class ProgressLine {
   double stop_;
   double from_;
   std::string unit_;
-  bool counts_ = false;
+  std::string work_;
+  enum class Form { time, count, part };
+  Form form_ = Form::time;
   bool terminal_;
   bool shown_ = false;
   std::int64_t steps_ = 0;

@@ -58,7 +58,7 @@ class FourierScan:
     Attributes
     ----------
     f1, f2 : (M,), (N,), turns per unit of time.
-    chi_square : (M, N).
+    chi_square : (M, N); of a file with fit.scan.sessions = "separate" the sum over sessions.
     minima : ScanMinimum by chi-square, the lowest first.
     order : of the series. points : how many there are.
     """

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -116,6 +117,7 @@ Landscape scanned(const std::string& who, const ScanPoints& points, Landscape of
   detail::check_orders(who, points, of.orders);
   of.chi_square.resize(of.first.count * of.second.count);
   const Scan scan(points, of, options.set);
+  std::size_t done = 0;
   run_cells(
       0, scan.blocks(), options.threads,
       [&](std::int64_t k) {
@@ -123,12 +125,33 @@ Landscape scanned(const std::string& who, const ScanPoints& points, Landscape of
         return scan.block(static_cast<std::size_t>(k));
       },
       [&](std::int64_t, const BlockResult& r) {
+        done += r.chi_square.size();
         for (std::size_t i = 0; i < r.rows; ++i)
           std::copy_n(r.chi_square.data() + i * r.columns, r.columns,
                       of.chi_square.data() + (r.row + i) * of.second.count + r.column);
         of.again += r.again;
+        if (options.progress)
+          options.progress(static_cast<double>(done) / static_cast<double>(of.chi_square.size()));
       });
   return of;
+}
+
+// Rows of a grid that are computed at a time.
+constexpr std::size_t rows_at_a_time = 64;
+
+// The first rows of each of these, so that the first few are spread over all: ranks of the
+// fractional parts of multiples of the golden ratio.
+std::vector<std::size_t> spread_rows(std::size_t count) {
+  constexpr double golden = 0.6180339887498949;
+  std::vector<std::size_t> places((count + rows_at_a_time - 1) / rows_at_a_time);
+  std::iota(places.begin(), places.end(), std::size_t{0});
+  std::ranges::sort(places, {}, [](std::size_t k) {
+    const double turns = golden * static_cast<double>(k + 1);
+    return turns - std::floor(turns);
+  });
+  std::vector<std::size_t> rows(places.size());
+  for (std::size_t i = 0; i < places.size(); ++i) rows[places[i]] = i * rows_at_a_time;
+  return rows;
 }
 
 }  // namespace
@@ -149,6 +172,37 @@ Landscape scan_pairs(const ScanPoints& points, const FrequencyGrid& first,
                      const FrequencyGrid& second, const ScanOptions& options) {
   return scanned("scan_pairs", points, {first, second, FourierOrders::pair(options.order), {}, 0},
                  options);
+}
+
+Landscape scan_pairs(const ScanPoints& points, const FrequencyGrid& both,
+                     const ScanOptions& options) {
+  const std::size_t n = both.count;
+  check("scan_pairs", both);
+  Landscape all{both, both, FourierOrders::pair(options.order), std::vector<double>(n * n), 0};
+  std::size_t done = 0;
+  const std::vector<std::size_t> order = spread_rows(n);
+  std::size_t of = 0;
+  for (const std::size_t row : order) of += std::min(rows_at_a_time, n - row) * (n - row);
+  for (const std::size_t row : order) {
+    const std::size_t rows = std::min(rows_at_a_time, n - row), columns = n - row;
+    ScanOptions how = options;
+    how.progress = [&](double part) {
+      const double own = part * static_cast<double>(rows * columns);
+      if (options.progress)
+        options.progress((static_cast<double>(done) + own) / static_cast<double>(of));
+    };
+    const Landscape part = scan_pairs(points, {both.at(row), both.step, rows},
+                                      {both.at(row), both.step, columns}, how);
+    done += rows * columns;
+    all.again += part.again;
+    for (std::size_t i = 0; i < rows; ++i)
+      for (std::size_t j = 0; j < columns; ++j)
+        all.chi_square[(row + i) * n + row + j] = part.at(i, j);
+    for (std::size_t i = 0; i < rows; ++i)
+      for (std::size_t j = rows; j < columns; ++j)
+        all.chi_square[(row + j) * n + row + i] = part.at(i, j);
+  }
+  return all;
 }
 
 Landscape scan_periods(const ScanPoints& points, const FrequencyGrid& grid,

@@ -80,9 +80,7 @@ std::vector<ScanMinimum> scan_minima(const ScanPoints& points, const Landscape& 
         });
         if (known) return;
         const bool edge = at_end(r, of.first) || at_end(c, of.second);
-        const bool resolved =
-            refined.fit.rank == refined.fit.unknowns && refined.fit.condition <= resolved_condition;
-        found.push_back({r, c, of.at(r, c), edge, resolved, refined});
+        found.push_back({r, c, of.at(r, c), edge, is_resolved(refined.fit), refined});
       });
   std::stable_sort(found.begin(), found.end(), [](const ScanMinimum& a, const ScanMinimum& b) {
     return a.refined.fit.chi_square < b.refined.fit.chi_square;

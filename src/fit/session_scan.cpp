@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -32,6 +33,27 @@ bool is_known(std::span<const ScanMinimum> found, const ScanMinimum& m, double s
   });
 }
 
+const std::string who = "scan_sessions: ";
+
+// Sessions that have more points than a series has unknowns.
+std::vector<LightCurve> with_enough_points(std::span<const LightCurve> sessions,
+                                           std::size_t order) {
+  std::vector<LightCurve> enough;
+  for (const LightCurve& one : sessions)
+    if (one.points.size() > unknowns_of(order)) enough.push_back(one);
+  if (enough.empty())
+    throw DomainError(who + "no session has more than " + std::to_string(unknowns_of(order)) +
+                      " points, the unknowns of a series of order " + std::to_string(order));
+  return enough;
+}
+
+// Of a grid as fine as the longest of them asks for.
+double coarse_step(std::span<const LightCurve> sessions, std::size_t order) {
+  double step = std::numeric_limits<double>::infinity();
+  for (const LightCurve& one : sessions) step = std::min(step, scan_advice({&one, 1}, order).step);
+  return step;
+}
+
 class SessionScanner {
  public:
   SessionScanner(std::span<const LightCurve> sessions, const SessionScanOptions& options)
@@ -40,45 +62,51 @@ class SessionScanner {
   }
 
   SessionScan found(double least, double most) {
-    coarse(least, most);
+    const SessionScanSize size = session_scan_size(sessions_, least, most, options_.scan.order);
+    // half of the coarse pairs are computed
+    const double coarse_work = 0.5 * static_cast<double>(size.sessions) * size.coarse;
+    work_ = coarse_work + static_cast<double>(options_.windows) * size.fine;
+    coarse(FrequencyGrid::between(least, most, size.coarse_step));
     const ScanPoints points(sessions_, options_.quantity);
     const double step = scan_advice(sessions_, options_.scan.order).step;
-    for (const auto& [row, column] : detail::minimum_cells(result_->coarse, options_.windows))
+    std::size_t windows = 0;
+    // each minimum off the diagonal is there twice
+    for (const auto& [row, column] : detail::minimum_cells(result_->coarse, 2 * options_.windows)) {
+      if (row > column || windows == options_.windows) continue;
+      ++windows;
       look_into(points, row, column, step);
+    }
     std::ranges::stable_sort(result_->minima, {},
                              [](const ScanMinimum& m) { return m.refined.fit.chi_square; });
     return std::move(*result_);
   }
 
  private:
-  inline static const std::string who = "scan_sessions: ";
+  // The same with the progress of a part of all work.
+  ScanOptions with_progress(double own) {
+    ScanOptions how = options_.scan;
+    if (options_.scan.progress)
+      how.progress = [this, own](double part) {
+        options_.scan.progress(std::min((done_ + part * own) / work_, 1.0));
+      };
+    return how;
+  }
 
-  // Sums of the landscapes of sessions that have enough points, on the grid of the longest.
-  void coarse(double least, double most) {
-    std::vector<LightCurve> enough;
-    double step = 0.0;
-    const std::size_t unknowns = unknowns_of(options_.scan.order);
-    for (const LightCurve& one : sessions_) {
-      if (one.points.size() <= unknowns) continue;
-      enough.push_back(one);
-      const double own = scan_advice({&one, 1}, options_.scan.order).step;
-      step = step > 0.0 ? std::min(step, own) : own;
-    }
-    if (enough.empty())
-      throw DomainError(who + "no session has more than " + std::to_string(unknowns) +
-                        " points, the unknowns of a series of order " +
-                        std::to_string(options_.scan.order));
-    const auto grid = FrequencyGrid::between(least, most, step);
-    for (const LightCurve& one : enough) {
-      const Landscape own =
-          scan_pairs(ScanPoints({&one, 1}, options_.quantity), grid, grid, options_.scan);
+  // Sums of the landscapes of sessions that have enough points.
+  void coarse(const FrequencyGrid& grid) {
+    const double own = 0.5 * static_cast<double>(grid.count) * static_cast<double>(grid.count);
+    for (const LightCurve& one : with_enough_points(sessions_, options_.scan.order)) {
+      const Landscape of =
+          scan_pairs(ScanPoints({&one, 1}, options_.quantity), grid, with_progress(own));
+      done_ += own;
       if (!result_) {
-        result_ = SessionScan{own, enough.size(), 0, {}};
+        result_ = SessionScan{of, 1, 0, {}};
         continue;
       }
-      result_->coarse.again += own.again;
-      for (std::size_t i = 0; i < own.chi_square.size(); ++i)
-        result_->coarse.chi_square[i] += own.chi_square[i];
+      ++result_->sessions;
+      result_->coarse.again += of.again;
+      for (std::size_t i = 0; i < of.chi_square.size(); ++i)
+        result_->coarse.chi_square[i] += of.chi_square[i];
     }
   }
 
@@ -86,8 +114,10 @@ class SessionScanner {
   // another one, or to none.
   void look_into(const ScanPoints& points, std::size_t row, std::size_t column, double step) {
     const FrequencyGrid& grid = result_->coarse.first;
-    const Landscape fine =
-        scan_pairs(points, window(grid, row, step), window(grid, column, step), options_.scan);
+    const FrequencyGrid first = window(grid, row, step), second = window(grid, column, step);
+    const double own = static_cast<double>(first.count) * static_cast<double>(second.count);
+    const Landscape fine = scan_pairs(points, first, second, with_progress(own));
+    done_ += own;
     result_->pairs += fine.chi_square.size();
     const std::vector<ScanMinimum> all = scan_minima(points, fine,
                                                      {.most = options_.most,
@@ -106,9 +136,19 @@ class SessionScanner {
   std::span<const LightCurve> sessions_;
   const SessionScanOptions& options_;
   std::optional<SessionScan> result_;
+  double work_ = 1.0, done_ = 0.0;  // in pairs that are computed
 };
 
 }  // namespace
+
+SessionScanSize session_scan_size(std::span<const LightCurve> sessions, double least, double most,
+                                  std::size_t order) {
+  const std::vector<LightCurve> enough = with_enough_points(sessions, order);
+  const double step = coarse_step(enough, order);
+  const auto count = static_cast<double>(FrequencyGrid::between(least, most, step).count);
+  const double width = 2.0 * reach * step / scan_advice(sessions, order).step + 1.0;
+  return {enough.size(), step, count * count, width * width};
+}
 
 SessionScan scan_sessions(std::span<const LightCurve> sessions, double least, double most,
                           const SessionScanOptions& options) {

@@ -25,6 +25,10 @@ inline constexpr double cli_half_period_ulps = 2.0;
 inline constexpr double cli_half_period = 1e-14;
 // Chi-square of a fit from two starts, relative: each stops within 1e-3 standard errors.
 inline constexpr double cli_fit_starts = 1e-6;
+// Periods of the lowest minimum of one scan and of another grid, each refined.
+inline constexpr double cli_scan_periods = 1e-6;
+// Chi-square of a Fourier series against numpy's least squares.
+inline constexpr double cli_series = 1e-12;
 // the light of the facets of a fit and of the mesh that is written of them, which closes; and
 // chi-square of a fit of this mesh, of that of the facets
 inline constexpr double cli_convex_mesh = 0.01, cli_convex_again = 0.1;

@@ -56,6 +56,8 @@ inline constexpr double scan_times = 1e-9, window_peak = 0.1;
 
 // --- nights far apart: lines of the best pair, in turns over the whole time base ---
 inline constexpr double session_turns = 0.05;
+// pairs in windows, of which some end at the edge of the grid, of those that were foretold
+inline constexpr double session_progress = 0.1;
 
 // --- periods of bodies made for them, in eps; their moments, angles and periods of labels against
 // those put in ---

@@ -156,6 +156,21 @@ def test_a_given_mesh_is_fitted(run, night, fit_file, tmp_path):
     assert "224 facets" in text and "within one standard error of the least" in text
 
 
+def test_a_solution_in_another_folder_has_its_mesh(run, night, fit_file, tmp_path):
+    """A given mesh is named from there; that of a convex body lies beside it."""
+    there = tmp_path / "there" / "found.toml"
+    there.parent.mkdir()
+    first, = fitted(run, night, "--solution", there)["solutions"]
+    text = there.read_text()
+    assert 'mesh = "../seen.obj"' in text and 'file = "../night.csv"' in text
+    again, = fitted(run, there)["solutions"]
+    assert again["chi_square"] == pytest.approx(first["chi_square"], rel=budgets.cli_fit_starts)
+    fitted(run, fit_file(CONVEX, FREE, head=HEAD, name="convex.toml"), "--solution", there)
+    text = there.read_text()
+    assert 'mesh = "found-seen.obj"' in text and 'file = "../night.csv"' in text
+    assert there.with_name("found-seen.obj").exists() and run("fit", there).returncode == 0
+
+
 def test_a_mesh_is_looked_for_with_the_periods_of_ellipsoids(run, night, fit_file):
     """The pole of the truth is among what is reported, and so is a mirror pole; a pair of periods
     that no ellipsoid fits well is told."""

@@ -138,6 +138,20 @@ def test_a_torque_is_found_and_goes_on(run, fit_file, tmp_path):
     assert "perturbation[0].torque[2]  N m" in table
 
 
+def test_a_solution_in_another_folder_finds_the_tables_of_torques(run, fit_file, tmp_path):
+    (tmp_path / "burn.csv").write_text("t,x,y,z\n0,0,0,0\n40,0,0,0.01\n120,0,0,0\n")
+    path = fit_file('[[perturbation]]\nkind = "torque-table"\nfile = "burn.csv"\n')
+    assert run("simulate", path, "--into", tmp_path).returncode == 0
+    there = tmp_path / "there" / "found.toml"
+    there.parent.mkdir()
+    fitted(run, path, "--solution", there)
+    assert 'file = "../burn.csv"\n' in there.read_text() and "seen.csv" not in there.read_text()
+    here = tmp_path / "found.toml"
+    fitted(run, path, "--solution", here)
+    assert 'file = "burn.csv"\n' in here.read_text()
+    assert run("run", there).stdout.splitlines()[-1] == run("run", here).stdout.splitlines()[-1]
+
+
 def test_known_torques_need_no_unknown(run, fit_file, tmp_path):
     path = fit_file(TORQUE)
     assert run("simulate", path, "--into", tmp_path).returncode == 0

@@ -8,6 +8,7 @@ import select
 import subprocess
 
 import pytest
+from fit_files import TUMBLER
 from slowdown import SLOWDOWN
 
 SECONDS = 30 * SLOWDOWN
@@ -83,3 +84,25 @@ def test_on_a_terminal_it_is_written_over(polhode, endless, tmp_path):
 def test_a_short_run_says_nothing(run, scenario, tmp_path):
     done = run("run", scenario(columns='"q"'), "--out", tmp_path / "rows.csv")
     assert (done.returncode, done.stderr) == (0, "")
+
+
+PART = re.compile(r"scan: \d+ %, \S+ (s|min|h|d) left")
+WORK = re.compile(r"scan: 14630625 pairs of frequencies, about \S+ (s|min|h|d)")
+
+
+def test_a_scan_says_how_long_it_takes(polhode, run, fit_file, tmp_path):
+    """First its size with an estimate, then percent and the time left."""
+    path = fit_file(
+        '[[observation]]\nkind = "light-curve"\nfile = "night.csv"\ntimes = "at-body"\n'
+        "to_sun = [1, 0.2, 0.3]\nto_observer = [0.8, 0.6, 0.1]\nsigma = 0.02\n"
+        '[free]\nunknowns = ["attitude", "rate", "shape"]\n[fit]\nfrom = "search"\n'
+        "[fit.scan]\norder = 4\nshortest = 0.5\nlongest = 120\n", head=TUMBLER)
+    assert run("simulate", path, "--into", tmp_path, "--set", "time.count=201").returncode == 0
+    process = subprocess.Popen([polhode, "fit", path], stderr=subprocess.PIPE, text=True)
+    try:
+        work, part = process.stderr.readline(), process.stderr.readline()
+    finally:
+        process.kill()
+        process.communicate()
+    assert WORK.fullmatch(work.rstrip("\n")), work
+    assert PART.fullmatch(part.rstrip("\n")), part

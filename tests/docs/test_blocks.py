@@ -26,7 +26,9 @@ SECONDS = 300
 
 # A language, or a directive of the site with its arguments: ```{toctree}
 FENCE = re.compile(r"^(`{3,}|~{3,})\s*([\w+-]*|\{[\w:-]+\}.*)\s*$")
-PROGRESS = re.compile(r"^ *\d+ %, .* per second.*\n", re.MULTILINE)
+# How far it is, in members or times a second, or the parts of a fit with their size before.
+PROGRESS = re.compile(r"^( *\d+ %, .* per second.*|[a-z ]+: \d+ %(, .* left)?"
+                      r"|[a-z ]+: \d.*, about [\d.]+ (s|min|h|d))\n", re.MULTILINE)
 DIRECTIVE = re.compile(r"^<!--\s*(file|skip|exit):\s*(.*?)\s*-->$")
 NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
 

@@ -64,10 +64,18 @@ struct ScanOptions {
   InstructionSet set = widest_instruction_set();
   // Called before each block of pairs, in any of the threads; what it throws ends the scan.
   std::function<void()> between = {};
+  // Which part of the pairs is done, after each block; one call after the other.
+  std::function<void(double part)> progress = {};
 };
 
 Landscape scan_pairs(const ScanPoints& points, const FrequencyGrid& first,
                      const FrequencyGrid& second, const ScanOptions& options = {});
+
+// Both frequencies on one grid: chi-square is the same for f1 and f2 exchanged, and half of it is
+// computed. Its rows come in an order that makes the first ones a sample of all, so that `progress`
+// tells how long it takes.
+Landscape scan_pairs(const ScanPoints& points, const FrequencyGrid& both,
+                     const ScanOptions& options = {});
 
 // One period: a landscape of one row, whose f1 is not looked at.
 Landscape scan_periods(const ScanPoints& points, const FrequencyGrid& grid,

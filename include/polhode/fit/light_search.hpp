@@ -80,6 +80,9 @@ struct LightSearch {
   int threads = 1;
   // Called before each start and each fit, in any of the threads; what it throws ends the search.
   std::function<void()> between = {};
+  // Called with the part that is done, rising to 1, in one thread at a time. How many more starts
+  // there will be is not known before, so that it may leap.
+  std::function<void(double part)> progress = {};
 };
 
 struct FoundLight {

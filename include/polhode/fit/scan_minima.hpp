@@ -24,6 +24,9 @@ namespace polhode {
 inline namespace v0 {
 
 inline constexpr double resolved_condition = 100.0;
+inline bool is_resolved(const FourierFit& fit) {
+  return fit.rank == fit.unknowns && fit.condition <= resolved_condition;
+}
 
 struct ScanMinimum {
   std::size_t row, column;  // the cell it was found in

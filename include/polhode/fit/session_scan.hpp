@@ -6,6 +6,7 @@
 //             phases, which needs a grid as fine as the longest session alone: the sum of their
 //             chi-squares is a landscape without the relation between nights. Around its lowest
 //             minima, 1.5 of its steps to all sides, pairs are scanned on the whole time base.
+//             f1 and f2 exchanged are one minimum.
 // Corrections none.
 // Units       frequencies in turns per unit of time.
 // Domain      sessions with more points than a series has unknowns count in the coarse landscape,
@@ -16,7 +17,7 @@
 // Errors      DomainError as scan_pairs and ScanPoints; no session with enough points; fewer than
 //             one window.
 // Cost        windows x (3 T / T_s)^2 pairs, T the whole time base, T_s that of the longest
-//             session, beside the coarse ones of each session.
+//             session, beside the coarse ones of each session: session_scan_size says how many.
 #pragma once
 
 #include <cstddef>
@@ -30,7 +31,7 @@ namespace polhode {
 inline namespace v0 {
 
 struct SessionScanOptions {
-  ScanOptions scan;
+  ScanOptions scan;  // its progress is that of all pairs
   ScanQuantity quantity = ScanQuantity::flux;
   std::size_t windows = 20;  // minima of the coarse landscape that are looked into
   std::size_t most = 5;      // minima of each that are refined
@@ -43,6 +44,19 @@ struct SessionScan {
   // On the whole time base, the lowest first; row and column are those of the coarse landscape.
   std::vector<ScanMinimum> minima;
 };
+
+// What scan_sessions computes, before it does.
+struct SessionScanSize {
+  std::size_t sessions;  // with enough points
+  double coarse_step;    // of the grid of each of them
+  double coarse;         // its pairs
+  double fine;           // pairs of each window
+  double pairs(std::size_t windows) const {
+    return static_cast<double>(sessions) * coarse + static_cast<double>(windows) * fine;
+  }
+};
+SessionScanSize session_scan_size(std::span<const LightCurve> sessions, double least, double most,
+                                  std::size_t order = 3);
 
 // Both frequencies from `least` to `most`.
 SessionScan scan_sessions(std::span<const LightCurve> sessions, double least, double most,

@@ -102,9 +102,11 @@ void write_covariance(const Scenario& scenario, const FitReport& report, std::si
 
 // A scenario of kind "rotation" that begins at the solution: the file without what was observed,
 // with the torques of the solution. After jumps its state is that of the motion after the last one.
-// Where it has no [time], rows go from the first observation to the last.
-std::string solution_text(const Scenario& scenario, const FitReport& report, std::size_t solution);
-// Writes it as PATH.part and gives it its name.
+// Where it has no [time], rows go from the first observation to the last. Paths in it start in
+// `folder`; left out, where those of this scenario do.
+std::string solution_text(const Scenario& scenario, const FitReport& report, std::size_t solution,
+                          const std::optional<std::string>& folder = std::nullopt);
+// Writes it as PATH.part and gives it its name; its paths start in the folder of PATH.
 void write_solution(const Scenario& scenario, const FitReport& report, std::size_t solution,
                     const std::string& path);
 

@@ -16,9 +16,9 @@
 //             counted, and is no solution.
 // Accuracy    that of the fits. The same bits for any number of threads.
 // Errors      ScenarioError at the place of what a fit does not take: more unknowns than data, a
-//             scan of more than most_scan_pairs; as read_observations
-//             (polhode/scenario/observation.hpp). Files: OutputError. What `stop` says yes to ends
-//             it with FitStopped.
+//             scan of more than most_scan_pairs, with the keys that make it smaller; as
+//             read_observations (polhode/scenario/observation.hpp). Files: OutputError. What `stop`
+//             says yes to ends it with FitStopped.
 // Cost        benchmarks/fit_light_curves.cpp, fit_fourier_scan.cpp; minutes for a night.
 #pragma once
 
@@ -39,10 +39,23 @@ inline namespace v0 {
 
 inline constexpr double most_scan_pairs = 1e8;
 
+// Of a scan session by session (scan_sessions).
+struct SeparateSessions {
+  std::size_t sessions;  // with enough points
+  std::size_t windows;
+  std::size_t pairs;  // in the windows
+};
 struct LightScan {
   ScanAdvice advice;
-  Landscape landscape;
-  std::vector<ScanMinimum> minima;
+  Landscape landscape;              // of separate sessions the sum of theirs
+  std::vector<ScanMinimum> minima;  // on all of the time
+  std::optional<SeparateSessions> separate;
+};
+
+// The series at a pair of periods of fit.scan.at, and at the minimum next to it.
+struct ChosenPair {
+  FourierFit fit;
+  RefinedPair refined;
 };
 
 // What a convex body or a mesh came to from the best ellipsoid of a pair of periods.
@@ -70,6 +83,7 @@ struct LightReport {
   std::optional<BrightEllipsoid> start;      // of a fit that has one
   std::optional<BrightEllipsoid> ellipsoid;  // that its convex body began with
   std::optional<LightScan> scan;
+  std::vector<ChosenPair> chosen;
   std::vector<PairFound> pairs;
   // By what was minimised. Where the shape is no ellipsoid `body` has the spin and the law, and the
   // ellipsoid of the same moments of inertia as the shape filled evenly.
@@ -88,10 +102,12 @@ struct LightReport {
 // Whether light curves are what the scenario observed.
 bool observes_light(const Scenario& scenario);
 
-// What goes on meanwhile, for people: "scan", "search", "surfaces"; one call after the other.
-// `stop` is asked in any of the threads.
+// What goes on meanwhile, for people: "scan", "search", "surfaces"; one call after the other. Each
+// `begins` with how much work it is: "44521 pairs of frequencies". `stop` is asked in any of the
+// threads.
 struct LightFitOptions {
   int threads = 1;
+  std::function<void(const std::string& stage, const std::string& work)> begins = {};
   std::function<void(const std::string& stage, double part)> progress = {};
   std::function<bool()> stop = {};
 };
@@ -118,9 +134,11 @@ void write_light_covariance(const Scenario& scenario, const LightReport& report,
                             std::size_t solution, const std::string& path);
 // As solution_text: a scenario of kind "fit" that begins at the solution, with the ellipsoid or the
 // mesh, so that it can be simulated and fitted again as well as run; `mesh` is the file of a convex
-// body, as the scenario names it.
+// body, as the scenario names it, and `folder` where its paths start; left out, where those of this
+// one do.
 std::string light_solution_text(const Scenario& scenario, const LightReport& report,
-                                std::size_t solution, const std::string& mesh = "seen.obj");
+                                std::size_t solution, const std::string& mesh = "seen.obj",
+                                const std::optional<std::string>& folder = std::nullopt);
 // The file, and beside PATH.toml the mesh of a convex body, PATH-seen.obj; DomainError for areas
 // that are those of no body. Nothing is written then.
 void write_light_solution(const Scenario& scenario, const LightReport& report, std::size_t solution,

@@ -27,8 +27,17 @@ struct Scenario;
 struct ScanPlan {
   std::size_t order = 3;
   std::optional<double> shortest = std::nullopt, longest = std::nullopt;  // periods
+  // One grid over all of their time, or session by session first (scan_sessions).
+  enum class Sessions { joined, separate };
+  Sessions sessions = Sessions::joined;
+  std::size_t windows = 20;  // of separate sessions
   std::size_t minima = 20;
   LabelChoice labels;
+  struct Pair {
+    double first, second;  // periods
+  };
+  std::vector<Pair> at;  // chosen by hand
+  std::size_t at_order = 3;
 };
 
 // Of a convex body: facets, and what keeps them smooth (polhode/fit/convex_fit.hpp).

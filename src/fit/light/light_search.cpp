@@ -51,6 +51,9 @@ constexpr std::size_t starts_of_round = 50;
 // Of the iterations before it, where a fit that is not at its end goes on, and a start of a round.
 constexpr int more_iterations = 4, more_short_iterations = 3;
 
+// What is done, as far as can be told before, after the starts, their finalists and all rounds.
+constexpr double done_at_starts = 0.3, done_at_finalists = 0.6, done_at_rounds = 0.9;
+
 // Where a fit begins, and for which pair of periods.
 struct Finalist {
   BrightEllipsoid start;
@@ -83,12 +86,15 @@ class Search {
     add_finalists();
     add_rounds();
     const std::size_t seldom = finds_.seldom();
+    until_ = done_at_rounds + 0.5 * (1.0 - done_at_rounds);
     fit(images());
     for (std::size_t m = 1; m < models.size(); ++m) {
       const std::vector<Finalist> starts = ends();
       begin(models[m]);
+      until_ = 0.5 * (1.0 + until_);
       fit(starts);
     }
+    if (search_.progress) search_.progress(1.0);
     finds_.move_to(result_);
     add_notes(seldom);
     return std::move(result_);
@@ -96,6 +102,13 @@ class Search {
 
  private:
   using Trials = std::vector<std::vector<LightTrial>>;
+
+  // The next of `count` pieces of the present step is done.
+  void tell(std::int64_t k, std::size_t count) {
+    const double part = static_cast<double>(k + 1) / static_cast<double>(count);
+    if (search_.progress) search_.progress(done_ + part * (until_ - done_));
+    if (part == 1.0) done_ = until_;
+  }
 
   void begin(const LightUnknowns& model) {
     model_ = model;
@@ -119,6 +132,7 @@ class Search {
           return detail::light_trial(how, numbers[static_cast<std::size_t>(k)]);
         },
         [&](std::int64_t k, const std::optional<LightTrial>& trial) {
+          tell(k, numbers.size());
           if (!trial) return;
           ++result_.starts;
           const std::uint64_t number = numbers[static_cast<std::size_t>(k)];
@@ -131,6 +145,7 @@ class Search {
   void add_finalists() {
     std::vector<std::uint64_t> numbers(search_.starts);
     std::iota(numbers.begin(), numbers.end(), std::uint64_t{0});
+    until_ = done_at_starts;
     Trials all = trials(numbers, search_.short_iterations);
     std::vector<Finalist> found;
     for (std::size_t p = 0; p < all.size(); ++p) {
@@ -145,6 +160,7 @@ class Search {
         found.push_back({t.body, p});
       }
     }
+    until_ = done_at_finalists;
     fit(found);
   }
 
@@ -164,6 +180,7 @@ class Search {
           numbers.push_back(next[p]);
           next[p] += pairs;
         }
+      until_ = done_ + 0.5 * (done_at_rounds - done_);
       const Trials all = trials(numbers, more_short_iterations * search_.short_iterations);
       std::vector<Finalist> found;
       for (const std::size_t p : open)
@@ -226,6 +243,7 @@ class Search {
           return fit_light({search_.curves, f.start, model_, search_.loss, most_iterations});
         },
         [&](std::int64_t k, const LightSolution& s) {
+          tell(k, finalists.size());
           const std::size_t periods = finalists[static_cast<std::size_t>(k)].periods;
           if (s.is_found())
             finds_.add(s, periods);
@@ -257,6 +275,7 @@ class Search {
   detail::LightFinds finds_;
   LightUnknowns model_;
   std::size_t tried_ = 0;
+  double done_ = 0.0, until_ = 0.0;  // of the whole, before and after the present step
   std::vector<std::pair<double, Finalist>> unfinished_;  // with their costs
   LightSearchResult result_;
 };

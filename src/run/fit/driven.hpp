@@ -43,9 +43,10 @@ ShownUnit unit_of(const Scenario& scenario, const std::string& unknown);
 SpinState last_state(const FitReport& report, const SpinSolution& solution);
 void add_torques(const Scenario& scenario, const FitReport& report, const SpinSolution& solution,
                  std::vector<ScenarioChange>& changes);
-// The scenario of a solution, from a state at its beginning.
+// The scenario of a solution, from a state at its beginning, for a file in `folder`.
 std::string text_from_state(const Scenario& scenario, const FitReport& report,
-                            const SpinSolution& solution, const SpinState& state);
+                            const SpinSolution& solution, const SpinState& state,
+                            const std::string& folder);
 // What of the file says that: a comment, or nothing.
 std::string jump_comment(const Scenario& scenario, const FitReport& report);
 

@@ -8,6 +8,7 @@
 
 #include "polhode/run/fit.hpp"
 #include "run/detail/fit_tables.hpp"
+#include "run/detail/moved_files.hpp"
 #include "run/fit/driven.hpp"
 #include "text/printable.hpp"
 
@@ -123,8 +124,11 @@ void write_covariance(const Scenario& scenario, const FitReport& report, std::si
 }
 
 std::string detail::text_from_state(const Scenario& scenario, const FitReport& report,
-                                    const SpinSolution& raw, const SpinState& state) {
-  std::vector<ScenarioChange> changes = detail::without_observations(scenario);
+                                    const SpinSolution& raw, const SpinState& state,
+                                    const std::string& folder) {
+  std::vector<ScenarioChange> changes = moved_files(scenario.document, folder);
+  const std::vector<ScenarioChange> none_seen = without_observations(scenario);
+  changes.insert(changes.end(), none_seen.begin(), none_seen.end());
   add_body(scenario, report, state, changes);
   changes.push_back({"state." + scenario.rotation().chart, ""});
   changes.push_back(detail::state_change(scenario, state.q, state.w_F));
@@ -133,18 +137,21 @@ std::string detail::text_from_state(const Scenario& scenario, const FitReport& r
   return changed_text(scenario.document.text, changes);
 }
 
-std::string solution_text(const Scenario& scenario, const FitReport& report, std::size_t solution) {
+std::string solution_text(const Scenario& scenario, const FitReport& report, std::size_t solution,
+                          const std::optional<std::string>& folder) {
   const SpinSolution& raw = report.solutions.at(solution).raw;
   return "# Solution " + std::to_string(solution + 1) + " of " +
          std::to_string(report.solutions.size()) + " of a fit of " +
          detail::printable(scenario.document.name, 200) + "\n" +
          detail::jump_comment(scenario, report) +
-         detail::text_from_state(scenario, report, raw, detail::last_state(report, raw));
+         detail::text_from_state(scenario, report, raw, detail::last_state(report, raw),
+                                 folder.value_or(scenario.document.folder));
 }
 
 void write_solution(const Scenario& scenario, const FitReport& report, std::size_t solution,
                     const std::string& path) {
-  detail::write_fit_text(scenario, solution_text(scenario, report, solution), path);
+  const std::string folder = detail::folder_of(scenario.document, path);
+  detail::write_fit_text(scenario, solution_text(scenario, report, solution, folder), path);
 }
 
 }  // namespace v0

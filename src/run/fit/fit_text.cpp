@@ -46,9 +46,9 @@ constexpr std::string_view shown_lines[] = {"mode", "precession_period", "rotati
 std::vector<SummaryLine> state_lines(const Scenario& scenario, const FitReport& report,
                                      std::size_t solution) {
   const SpinSolution& raw = report.solutions[solution].raw;
-  const Scenario made =
-      scenario_from_text(detail::text_from_state(scenario, report, raw, raw.state),
-                         scenario.document.path, *scenario.document.kinds);
+  const Scenario made = scenario_from_text(
+      detail::text_from_state(scenario, report, raw, raw.state, scenario.document.folder),
+      scenario.document.path, *scenario.document.kinds);
   std::vector<SummaryLine> lines = summary(made);
   std::erase_if(lines, [](const SummaryLine& line) {
     return std::find(std::begin(shown_lines), std::end(shown_lines), line.key) ==

@@ -27,7 +27,10 @@ void write_landscape(const Scenario& scenario, const LightReport& report, const 
       {{"f1", {{"f1", unit}}}, {"f2", {{"f2", unit}}}, {"chi_square", {{"chi_square", "1"}}}}, rows,
       {"scan of order " + std::to_string(all.orders.second) + ": " +
        std::to_string(all.first.count) + " by " + std::to_string(all.second.count) +
-       " frequencies, f2 changes first"},
+       " frequencies, f2 changes first" +
+       (report.scan->separate ? "; the sum of " + std::to_string(report.scan->separate->sessions) +
+                                    " sessions with series of their own"
+                              : std::string())},
       path);
 }
 

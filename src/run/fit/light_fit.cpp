@@ -4,14 +4,15 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <mutex>
 #include <utility>
 
 #include "polhode/error.hpp"
 #include "polhode/light/light_curve_checks.hpp"
 #include "polhode/rotor/attitude.hpp"
 #include "polhode/run/light_report.hpp"
+#include "run/detail/fit_tables.hpp"
 #include "run/detail/free_fit.hpp"
+#include "run/detail/light_scan.hpp"
 #include "run/detail/light_surfaces.hpp"
 #include "scenario/value_access.hpp"
 #include "scenario/value_reader.hpp"
@@ -24,8 +25,6 @@ namespace {
 constexpr double speed_of_light = 299792458.0;  // m/s
 // Starts of each pair of periods where the file does not say how many there are.
 constexpr std::size_t starts_of_periods = 20;
-// Rows of the landscape that are computed at a time.
-constexpr std::size_t rows_at_a_time = 64;
 
 [[noreturn]] void refuse(const Scenario& scenario, const std::string& path,
                          const std::string& text) {
@@ -70,79 +69,6 @@ BrightEllipsoid start_of(const Scenario& scenario, const LightPlan& plan) {
   return start;
 }
 
-class Scan {
- public:
-  Scan(const Scenario& scenario, const ScanPlan& plan, std::span<const LightCurve> curves,
-       const LightFitOptions& options)
-      : scenario_(scenario),
-        plan_(plan),
-        points_(curves),
-        options_(options),
-        advice_(scan_advice(curves, plan.order)) {}
-
-  LightScan made() {
-    const double least = plan_.longest ? 1.0 / *plan_.longest : advice_.least;
-    const double most = plan_.shortest ? 1.0 / *plan_.shortest : advice_.most;
-    if (!(least < most))
-      refuse(scenario_, "fit.scan.longest",
-             "expected periods of which the shortest is below the longest; the data give " +
-                 text_of(1.0 / advice_.most) + " to " + text_of(1.0 / advice_.least));
-    const FrequencyGrid grid = FrequencyGrid::between(least, most, advice_.step);
-    const double pairs = static_cast<double>(grid.count) * static_cast<double>(grid.count);
-    if (pairs > most_scan_pairs)
-      refuse(scenario_, "fit.scan.shortest",
-             "expected at most 1e8 pairs of frequencies; periods of " + text_of(1.0 / most) +
-                 " to " + text_of(1.0 / least) + " in data that cover " +
-                 text_of(advice_.time_base) + " are " + number(pairs) +
-                 ": set fit.scan.shortest and fit.scan.longest nearer to each other, or fit fewer "
-                 "sessions");
-    Landscape landscape = landscape_of(grid);
-    const MinimaOptions minima{.most = plan_.minima, .threads = options_.threads};
-    std::vector<ScanMinimum> found = scan_minima(points_, landscape, minima);
-    return {std::move(advice_), std::move(landscape), std::move(found)};
-  }
-
- private:
-  static std::string number(double x) { return detail::rounded_text(x); }
-  std::string text_of(double period) const {
-    return number(scenario_.units().from_core(period, Dimension::time)) + " " +
-           scenario_.units().time();
-  }
-
-  // Rows by columns from the diagonal on; the rest is the same.
-  Landscape landscape_of(const FrequencyGrid& grid) const {
-    const std::size_t n = grid.count;
-    Landscape all{grid, grid, FourierOrders::pair(plan_.order), std::vector<double>(n * n), 0};
-    ScanOptions how{.order = plan_.order, .threads = options_.threads};
-    how.between = [this] {
-      if (options_.stop && options_.stop())
-        throw FitStopped(scenario_.document.name + ": stopped in the scan");
-    };
-    for (std::size_t row = 0; row < n; row += rows_at_a_time) {
-      const std::size_t rows = std::min(rows_at_a_time, n - row);
-      const FrequencyGrid first{grid.at(row), grid.step, rows},
-          second{grid.at(row), grid.step, n - row};
-      const Landscape part = scan_pairs(points_, first, second, how);
-      all.again += part.again;
-      for (std::size_t i = 0; i < rows; ++i)
-        for (std::size_t j = 0; j < n - row; ++j)
-          all.chi_square[(row + i) * n + row + j] = part.at(i, j);
-      for (std::size_t i = 0; i < rows; ++i)
-        for (std::size_t j = rows; j < n - row; ++j)
-          all.chi_square[(row + j) * n + row + i] = part.at(i, j);
-      const double left = static_cast<double>(n - row - rows) / static_cast<double>(n);
-      if (options_.progress) options_.progress("scan", 1.0 - left * left);
-    }
-    return all;
-  }
-
-  const Scenario& scenario_;
-  const ScanPlan& plan_;
-  ScanPoints points_;
-  const LightFitOptions& options_;
-  ScanAdvice advice_;
-};
-
 // A mesh from the file; a convex body from the ellipsoid that is found first.
 void fit_from_start(const Scenario& scenario, const FitPlan& plan, LightReport& report) {
   if (report.mesh) {
@@ -182,7 +108,7 @@ void search(const Scenario& scenario, const FitPlan& plan, const LightFitOptions
   LightSearch how;
   how.periods = plan.light.periods;
   if (how.periods.empty()) {
-    report.scan = Scan(scenario, plan.light.scan, report.observed.curves, options).made();
+    report.scan = detail::light_scan(scenario, report.observed.curves, options);
     how.periods = labelled_periods(report.scan->minima, plan.light.scan.labels);
   }
   if (how.periods.empty()) {
@@ -190,7 +116,6 @@ void search(const Scenario& scenario, const FitPlan& plan, const LightFitOptions
         "no minimum of the scan is resolved and inside of its grid: other limits, or fit.periods";
     return;
   }
-  if (options.progress) options.progress("search", 0.0);
   how.curves = report.observed.curves;
   how.starts = plan.light.starts.value_or(starts_of_periods * how.periods.size());
   how.within = plan.light.within_factor;
@@ -200,20 +125,19 @@ void search(const Scenario& scenario, const FitPlan& plan, const LightFitOptions
   how.most_iterations = plan.light.most_iterations.value_or(how.most_iterations);
   how.seed = plan.seed;
   how.threads = options.threads;
-  std::mutex mutex;
-  std::size_t begun = 0;
-  const std::size_t fits = std::min(how.starts, how.finalists * how.periods.size());
-  const auto of = static_cast<double>(how.starts + fits);
+  if (options.begins)
+    options.begins("search",
+                   detail::counted(how.starts, "start", "starts") + " of " +
+                       detail::counted(how.periods.size(), "pair of periods", "pairs of periods"));
+  if (options.progress) options.progress("search", 0.0);
   how.between = [&] {
     if (options.stop && options.stop())
       throw FitStopped(scenario.document.name + ": stopped in the search");
-    const std::lock_guard<std::mutex> lock(mutex);
-    const double part = static_cast<double>(begun++) / of;  // and images after them
-    if (options.progress) options.progress("search", std::min(part, 1.0));
   };
+  if (options.progress) how.progress = [&](double part) { options.progress("search", part); };
   LightSearchResult found = search_light(how);
   if (options.progress) options.progress("search", 1.0);
-  report.starts = how.starts;
+  report.starts = found.starts;
   report.finalists = found.finalists;
   report.converged = found.converged;
   for (std::size_t p = 0; p < how.periods.size(); ++p)
@@ -278,6 +202,7 @@ LightReport fit_light_scenario(const Scenario& scenario, const LightFitOptions& 
   const std::vector<LightCurve>& curves = report.observed.curves;
   require_sound(curves, {.vectors = true});
   detail::begin_surfaces(scenario, report);
+  report.chosen = detail::chosen_pairs(scenario, curves);
   detail::built(scenario.document.checked->values, "free.unknowns", scenario.document.path, [&] {
     if (plan.light.searches)
       search(scenario, plan, options, report);

@@ -39,6 +39,12 @@ void add_scan(JsonWriter& json, const Scenario& scenario, const LightScan& scan)
   json.key("frequencies").value(whole(g.count));
   json.key("least").value(g.at(0) / time).key("most").value(g.at(g.count - 1) / time);
   json.key("step").value(g.step / time);
+  json.key("sessions").value(scan.separate ? "separate" : "joined");
+  if (scan.separate) {
+    json.key("separate_sessions").value(whole(scan.separate->sessions));
+    json.key("windows").value(whole(scan.separate->windows));
+    json.key("pairs_in_windows").value(whole(scan.separate->pairs));
+  }
   json.key("minima").begin_array();
   for (const ScanMinimum& m : scan.minima) {
     const RefinedPair& r = m.refined;
@@ -53,6 +59,30 @@ void add_scan(JsonWriter& json, const Scenario& scenario, const LightScan& scan)
     json.end_object();
   }
   json.end_array().end_object();
+}
+
+void add_chosen(JsonWriter& json, const Scenario& scenario, const LightReport& report) {
+  const double time = scenario.units().from_core(1.0, Dimension::time);
+  const auto add = [&](const FourierFit& fit) {
+    json.key("period_1").value(time / fit.f1).key("period_2").value(time / fit.f2);
+    json.key("chi_square").value(fit.chi_square);
+    json.key("degrees_of_freedom").value(whole(fit.degrees_of_freedom));
+    json.key("resolved").value(is_resolved(fit));
+  };
+  json.key("chosen_pairs").begin_array();
+  for (const ChosenPair& one : report.chosen) {
+    const RefinedPair& r = one.refined;
+    json.begin_object();
+    json.key("order").value(whole(require_fit(scenario).light.scan.at_order));
+    add(one.fit);
+    json.key("minimum").begin_object();
+    add(r.fit);
+    json.key("f1").value(r.fit.f1 / time).key("f2").value(r.fit.f2 / time);
+    json.key("sigma_f1").value(r.sigma_f1 / time).key("sigma_f2").value(r.sigma_f2 / time);
+    json.key("scale").value(r.scale).key("converged").value(r.converged);
+    json.end_object().end_object();
+  }
+  json.end_array();
 }
 
 void add_periods(JsonWriter& json, const Scenario& scenario, const LightReport& report) {
@@ -202,6 +232,7 @@ std::string light_json(const Scenario& scenario, const LightReport& report) {
   json.key("units").begin_object().key("time").value(scenario.units().time());
   json.key("angle").value(scenario.units().angle()).end_object();
   if (report.scan) add_scan(json, scenario, *report.scan);
+  if (!report.chosen.empty()) add_chosen(json, scenario, report);
   add_periods(json, scenario, report);
   json.key("starts").value(whole(report.starts)).key("finalists").value(whole(report.finalists));
   json.key("converged").value(whole(report.converged));

@@ -10,6 +10,7 @@
 #include "polhode/tables/obj.hpp"
 #include "run/detail/fit_tables.hpp"
 #include "run/detail/light_words.hpp"
+#include "run/detail/moved_files.hpp"
 #include "run/detail/own_files.hpp"
 #include "text/number_text.hpp"
 #include "text/printable.hpp"
@@ -56,22 +57,12 @@ void add_state(const Scenario& scenario, const SpinState& state, Changes& change
   changes.push_back(detail::state_change(scenario, state.q, state.w_F));
 }
 
-// "found.obj" as a text of TOML.
-std::string quoted(const std::string& path) {
-  std::string text = "\"";
-  for (const char c : path) {
-    if (c == '"' || c == '\\') text += '\\';
-    text += c;
-  }
-  return text + "\"";
-}
-
 // The rest of [fit] looked for what is found: its loss alone stays.
 void add_fit(const Scenario& scenario, Changes& changes) {
   for (const char* const key : {"fit", "map", "ensemble"}) changes.push_back({key, ""});
   const Loss& loss = require_fit(scenario).loss;
   if (loss.kind == Loss::Kind::squared) return;
-  changes.push_back({"fit.loss", quoted(detail::loss_word(loss))});
+  changes.push_back({"fit.loss", detail::quoted_path(detail::loss_word(loss))});
   changes.push_back({"fit.loss_scale", number_text(loss.scale)});
 }
 
@@ -83,14 +74,16 @@ void add_mixed_law(double multiple, Changes& changes) {
 // A fit of the mesh that begins at the solution: what was observed stays, so that it can be
 // simulated and fitted again.
 Changes mesh_changes(const Scenario& scenario, const LightReport& report, const FoundLight& found,
-                     const std::string& mesh) {
+                     const std::string& mesh, const std::string& folder) {
   const bool is_convex = !report.convex.empty();
   const SpinState state = at_zero(found.solution.body.spin);
   Changes changes;
   add_fit(scenario, changes);
   if (is_convex || report.unknowns.moments == MomentSource::fit) {
     if (!is_convex && require_fit(scenario).light.mesh.empty())
-      changes.push_back({"light.mesh", quoted(scenario.rotation().shape->file)});
+      changes.push_back(
+          {"light.mesh", detail::quoted_path(detail::moved_path(
+                             scenario.document, scenario.rotation().shape->file, folder))});
     add_moments(scenario, state.inertia_F, changes);
   }
   add_state(scenario, state, changes);
@@ -98,7 +91,7 @@ Changes mesh_changes(const Scenario& scenario, const LightReport& report, const 
     changes.push_back({std::string("light.") + key, ""});
   if (is_convex) {
     changes.push_back({"light.shape", "\"mesh\""});
-    changes.push_back({"light.mesh", quoted(mesh)});
+    changes.push_back({"light.mesh", detail::quoted_path(mesh)});
   }
   if (report.unknowns.multiple) add_mixed_law(found.solution.body.law.multiple, changes);
   changes.push_back({"free.unknowns", "[\"attitude\", \"rate\"]"});
@@ -135,23 +128,29 @@ std::string comment_of(const LightReport& report, const FoundLight& found) {
 }  // namespace
 
 std::string light_solution_text(const Scenario& scenario, const LightReport& report,
-                                std::size_t solution, const std::string& mesh) {
+                                std::size_t solution, const std::string& mesh,
+                                const std::optional<std::string>& folder) {
   const FoundLight& found = report.solutions.at(solution);
-  const bool is_surface = report.shape != LightPlan::Shape::ellipsoid;
+  const std::string there = folder.value_or(scenario.document.folder);
+  Changes changes = detail::moved_files(scenario.document, there);
+  const Changes own = report.shape != LightPlan::Shape::ellipsoid
+                          ? mesh_changes(scenario, report, found, mesh, there)
+                          : ellipsoid_changes(scenario, report, found);
+  changes.insert(changes.end(), own.begin(), own.end());
   return "# Solution " + std::to_string(solution + 1) + " of " +
          std::to_string(report.solutions.size()) + " of a fit of " +
          detail::printable(scenario.document.name, 200) + ":\n# " +
          (found.sentence.empty() ? found.solution.result.sentence : found.sentence) +
-         comment_of(report, found) +
-         changed_text(scenario.document.text, is_surface
-                                                  ? mesh_changes(scenario, report, found, mesh)
-                                                  : ellipsoid_changes(scenario, report, found));
+         comment_of(report, found) + changed_text(scenario.document.text, changes);
 }
 
 void write_light_solution(const Scenario& scenario, const LightReport& report, std::size_t solution,
                           const std::string& path) {
   if (report.convex.empty()) {
-    detail::write_fit_text(scenario, light_solution_text(scenario, report, solution), path);
+    detail::write_fit_text(scenario,
+                           light_solution_text(scenario, report, solution, {},
+                                               detail::folder_of(scenario.document, path)),
+                           path);
     return;
   }
   const std::filesystem::path toml(path);
@@ -162,7 +161,8 @@ void write_light_solution(const Scenario& scenario, const LightReport& report, s
   const std::string files[] = {path, (toml.parent_path() / mesh).string()};
   detail::require_own_files(scenario.document, files);
   // both before the first is written
-  const std::string text = light_solution_text(scenario, report, solution, mesh);
+  const std::string text = light_solution_text(scenario, report, solution, mesh,
+                                               detail::folder_of(scenario.document, path));
   const std::string obj = obj_text(report.convex.at(solution).mesh());
   detail::write_fit_text(scenario, obj, files[1]);
   detail::write_fit_text(scenario, text, files[0]);

@@ -8,6 +8,7 @@
 
 #include "polhode/ensemble/cells.hpp"
 #include "polhode/error.hpp"
+#include "run/detail/fit_tables.hpp"
 #include "scenario/value_access.hpp"
 #include "scenario/value_reader.hpp"
 
@@ -57,6 +58,9 @@ class Surfaces {
 
   void run() {
     const std::vector<Start> starts = starts_of();
+    if (options_.begins)
+      options_.begins("surfaces", counted(starts.size(), "ellipsoid", "ellipsoids") +
+                                      " to begin with, and images of the best");
     fit(
         starts.size(), 0.0, first_part,
         [&](std::size_t k) { return fits_.from(starts[k].ellipsoid.body); },

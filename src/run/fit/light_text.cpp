@@ -71,9 +71,17 @@ void add_scan(std::string& text, const Scenario& scenario, const LightScan& scan
   const FrequencyGrid& g = all.first;
   add_fit_line(
       text, "scan",
-      fmt::format("order {}, {} by {} frequencies, periods of {:.4g} to {:.4g} {}",
-                  all.orders.second, g.count, g.count, period_of(scenario, g.at(g.count - 1)),
+      fmt::format("order {}, {}{} by {} frequencies, periods of {:.4g} to {:.4g} {}",
+                  all.orders.second,
+                  scan.separate ? counted(scan.separate->sessions, "session", "sessions") + " of "
+                                : std::string(),
+                  g.count, g.count, period_of(scenario, g.at(g.count - 1)),
                   period_of(scenario, g.at(0)), time));
+  if (scan.separate)
+    add_fit_line(
+        text, "all sessions",
+        fmt::format("{} pairs of frequencies in {} about the lowest minima of their sum",
+                    scan.separate->pairs, counted(scan.separate->windows, "window", "windows")));
   text += fmt::format(
       "\nlowest minima of the scan: lines at sums and multiples of 1/P1 and 1/P2{}\n"
       "{:>4}{:>12}{:>16}{:>11}{:>16}{:>11}\n",
@@ -92,6 +100,30 @@ void add_scan(std::string& text, const Scenario& scenario, const LightScan& scan
                         number_text(period_of(scenario, r.fit.f1), e1), error_text(e1),
                         number_text(period_of(scenario, r.fit.f2), e2), error_text(e2),
                         minimum_notes(m));
+  }
+}
+
+void add_chosen(std::string& text, const Scenario& scenario, const LightReport& report) {
+  const std::string& time = scenario.units().time();
+  const auto chi_square = [](const FourierFit& fit) {
+    return fmt::format("{:.5g} ({})", fit.chi_square, fit.degrees_of_freedom);
+  };
+  text += fmt::format(
+      "\npairs of fit.scan.at, order {}, and the minimum next to each; in brackets degrees of "
+      "freedom\n{:>16}{:>14}{:>14}{:>20}{:>16}{:>16}\n",
+      require_fit(scenario).light.scan.at_order, "chi-square", "P1 " + time, "P2 " + time,
+      "chi-square", "P1 " + time, "P2 " + time);
+  for (const ChosenPair& one : report.chosen) {
+    const RefinedPair& r = one.refined;
+    const auto minimum = [&](double f, double sigma) {
+      const double error = scenario.units().from_core(r.scale * sigma / (f * f), Dimension::time);
+      return number_text(period_of(scenario, f), error);
+    };
+    text += fmt::format("{:>16}{:>14.7g}{:>14.7g}{:>20}{:>16}{:>16}{}{}\n", chi_square(one.fit),
+                        period_of(scenario, one.fit.f1), period_of(scenario, one.fit.f2),
+                        chi_square(r.fit), minimum(r.fit.f1, r.sigma_f1),
+                        minimum(r.fit.f2, r.sigma_f2), is_resolved(r.fit) ? "" : "  not resolved",
+                        r.converged ? "" : "  not converged");
   }
 }
 
@@ -137,7 +169,8 @@ void add_pair_rows(std::string& text, const Scenario& scenario, const LightRepor
                         pair.surface && !pair.surface->is_converged ? "  not converged" : "");
   }
   if (groups.size() > most_pairs)
-    text += fmt::format("{:>12}\n", fmt::format("and {} more", groups.size() - most_pairs));
+    text += fmt::format(" and {} more; --json has all {} readings\n", groups.size() - most_pairs,
+                        report.pairs.size());
 }
 
 void add_pairs(std::string& text, const Scenario& scenario, const LightReport& report) {
@@ -276,8 +309,9 @@ std::string light_text(const Scenario& scenario, const LightReport& report) {
   if (!scenario.document.title.empty()) text += scenario.document.title + "\n";
   add_observed(text, report);
   if (report.scan) add_scan(text, scenario, *report.scan);
+  if (!report.chosen.empty()) add_chosen(text, scenario, report);
   if (!report.pairs.empty()) {
-    if (report.scan) text += "\n";
+    if (report.scan || !report.chosen.empty()) text += "\n";
     add_pairs(text, scenario, report);
   }
   if (!report.start && report.is_found()) add_overview(text, scenario, report);

@@ -98,6 +98,19 @@ void require_mesh_fit(const FitContext& at, LightPlan& plan) {
   if (plan.unknowns.moments == MomentSource::shape) plan.unknowns.moments = MomentSource::start;
 }
 
+std::vector<ScanPlan::Pair> pairs_at(const FitContext& at) {
+  const std::string path = "fit.scan.at";
+  if (!has(at.values, path)) return {};
+  require_range(at.values, path, at.name);
+  const std::vector<double>& periods = value_at(at.values, path).numbers;
+  if (periods.size() % 2 != 0)
+    refuse(at, path, "expected pairs of periods, P1 and P2 one after the other");
+  std::vector<ScanPlan::Pair> pairs;
+  for (std::size_t i = 0; i + 1 < periods.size(); i += 2)
+    pairs.push_back({periods[i], periods[i + 1]});
+  return pairs;
+}
+
 ScanPlan scan_of(const FitContext& at) {
   ScanPlan scan;
   scan.order = whole_in(at, "fit.scan.order", 9);
@@ -110,9 +123,19 @@ ScanPlan scan_of(const FitContext& at) {
   scan.longest = period("fit.scan.longest");
   if (scan.shortest && scan.longest && !(*scan.shortest < *scan.longest))
     refuse(at, "fit.scan.longest", "expected a period longer than fit.scan.shortest");
+  if (word(at.values, "fit.scan.sessions") == "separate")
+    scan.sessions = ScanPlan::Sessions::separate;
+  else if (is_explicit(at.values, "fit.scan.windows"))
+    refuse(at, "fit.scan.windows", "expected fit.scan.sessions = \"separate\" as well");
+  scan.windows = whole_in(at, "fit.scan.windows", most_minima);
   scan.minima = whole_in(at, "fit.scan.minima", most_minima);
   scan.labels.pairs = whole_in(at, "fit.scan.pairs", most_minima);
   scan.labels.labels = whole_in(at, "fit.scan.labels", most_labels);
+  scan.at = pairs_at(at);
+  const bool has_order = has(at.values, "fit.scan.at_order");
+  if (has_order && scan.at.empty())
+    refuse(at, "fit.scan.at_order", "expected fit.scan.at as well, pairs of periods");
+  scan.at_order = has_order ? whole_in(at, "fit.scan.at_order", 9) : scan.order;
   return scan;
 }
 

@@ -114,6 +114,7 @@ constexpr std::string_view planet_table = "planet";
 constexpr std::string_view surface_table = "surface[]";
 constexpr std::string_view free_table = "free";
 constexpr std::string_view fit_table = "fit";
+constexpr std::string_view scan_table = "fit.scan";
 constexpr std::string_view light_table = "light";
 constexpr std::string_view of_light = "light-curve";
 constexpr std::string_view motion_tables[] = {"frame",     "orbit",  "perturbation[]",
@@ -141,7 +142,8 @@ bool is_shown(const Schema& schema, const Key& key, std::string_view kind) {
   const bool may_be_left_out =
       key.presence == Presence::optional && !is_required(key, kind) && !key.in_template;
   return stands(schema, key, kind) &&
-         !((is_of_kinds(path) || path == "body" || path == planet_table || path == light_table) &&
+         !((is_of_kinds(path) || path == "body" || path == planet_table || path == light_table ||
+            path == scan_table) &&
            may_be_left_out);
 }
 
@@ -278,6 +280,11 @@ std::string title_of(std::string_view sentence) {
   return in_quotes(text);
 }
 
+const Key& key_at(const Schema& schema, std::string_view path) {
+  return *std::find_if(schema.keys.begin(), schema.keys.end(),
+                       [&](const Key& key) { return key.path == path; });
+}
+
 // Whether a table has lines of its own in the template of this subject.
 bool is_section(const Schema& schema, const Key& key, const TemplateSubject& subject) {
   if (key.type != KeyType::table) return false;
@@ -330,9 +337,22 @@ constexpr KeyExample over_ages[] = {
     {"time.at", "[0.0, -1.0, -10.0]"},
     {"output.columns", "[\"obliquity\", \"precession\", \"climatic_precession\"]"}};
 
+// A night of four hours.
 constexpr KeyExample of_light_curves[] = {{"units.time", "\"min\""},
+                                          {"units.length", "\"au\""},
+                                          {"state.axes", "\"ecliptic-J2000\""},
+                                          {"time.stop", "240"},
+                                          {"time.step", "2"},
+                                          {"time.count", "121"},
+                                          {"observation[].name", "\"first-night\""},
+                                          {"observation[].file", "\"night.csv\""},
+                                          {"observation[].orbit", "\"body\""},
                                           {"free.unknowns", "[\"attitude\", \"rate\", \"shape\"]"},
                                           {"fit.from", "\"search\""}};
+constexpr std::string_view how_to_begin =
+    "Light curves: say your file and its columns in [[observation]], how the vectors to Sun and "
+    "observer are found there, and in [fit.scan] which periods are looked at. All else may stay: "
+    "a search does not look at the numbers of [body], [state.attitude-rate] and [time].";
 
 // The value of a key in this template.
 std::string value_in(const Schema& schema, const Key& key, const TemplateSubject& subject) {
@@ -345,6 +365,8 @@ std::string value_in(const Schema& schema, const Key& key, const TemplateSubject
   if (subject.observation == of_light)
     for (const KeyExample& one : of_light_curves)
       if (one.path == key.path) return std::string(one.value);
+  if (key.path == "observation[].file" && !subject.observation.empty())
+    return in_quotes(std::string(subject.observation) + "s.csv");
   if (key.path == "units.time" && !is_rotation(subject))
     return in_quotes(time_unit(schema, subject.experiment));
   if (key.path == "units.angle" && !is_rotation(subject))
@@ -430,11 +452,14 @@ std::string detail::template_text(const TemplateSubject& subject, const Schema& 
   std::string page =
       "# A scenario for " + std::string(program) + ". Every key: " +
       (is_ours ? "docs/reference/scenario.md" : std::string(program) + " schema keys") + "\n";
+  if (subject.observation == of_light) append_comment(page, how_to_begin);
   append_example(page, schema, nullptr, subject);
   for (const Key& key : schema.keys) {
     if (!is_section(schema, key, subject)) continue;
     if (key.path != orbit_table) {
       append_example(page, schema, &key, subject);
+      if (key.path == fit_table && subject.observation == of_light)
+        append_example(page, schema, &key_at(schema, scan_table), subject);
       continue;
     }
     for (const std::string& orbit : example_orbits(schema, subject))

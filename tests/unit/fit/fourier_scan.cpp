@@ -163,6 +163,27 @@ TEST(FourierScan, HasTheBitsOfOneThreadOfAnyProcessorAndOfAnyGrid) {
     }
 }
 
+// Half of the pairs are computed, far from the diagonal the others are those.
+TEST(FourierScan, OfOneGridIsTheSameWithFrequenciesExchanged) {
+  const ScanPoints points(light_curves(2, 150, false));
+  const FrequencyGrid grid{0.3, 0.0517, 150};
+  const Landscape whole = scan_pairs(points, grid, grid, {.order = 2});
+  std::vector<double> parts;
+  ScanOptions options{.order = 2};
+  options.progress = [&](double part) { parts.push_back(part); };
+  const Landscape half = scan_pairs(points, grid, options);
+  EXPECT_EQ(half.first.count, grid.count);
+  EXPECT_EQ(half.second.count, grid.count);
+  for (std::size_t i = 0; i < grid.count; ++i)
+    for (std::size_t j = 0; j < grid.count; ++j)
+      EXPECT_NEAR(half.at(i, j), whole.at(i, j), budget::fourier_scan * points.total());
+  EXPECT_EQ(half.at(10, 140), half.at(140, 10));
+  ASSERT_GT(parts.size(), 10U);
+  EXPECT_TRUE(std::ranges::is_sorted(parts));
+  EXPECT_GT(parts.front(), 0.0);
+  EXPECT_DOUBLE_EQ(parts.back(), 1.0);
+}
+
 TEST(FourierScan, DoesNotKnowWhenTimeBeginsNorTheUnits) {
   auto curves = light_curves(1, 150, false);
   const FrequencyGrid grid{0.4, 0.5, 6};

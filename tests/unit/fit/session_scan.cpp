@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -60,7 +61,18 @@ TEST(SessionScan, FindsThePeriodsOfNightsFarApart) {
   const std::vector<LightCurve> curves = nights(b, 1.0 / f_phi);
   SessionScanOptions options{.scan = {.order = 2, .threads = 2}, .windows = 8, .most = 3};
   int calls = 0;
+  std::vector<double> parts;
+  options.scan.progress = [&](double part) { parts.push_back(part); };
   const SessionScan scan = scan_sessions(curves, 0.5 * f_phi, 2.2 * f_phi, options);
+  EXPECT_TRUE(std::ranges::is_sorted(parts));
+  EXPECT_GT(parts.front(), 0.0);
+  EXPECT_NEAR(parts.back(), 1.0, budget::session_progress);
+  const SessionScanSize size = session_scan_size(curves, 0.5 * f_phi, 2.2 * f_phi, 2);
+  EXPECT_EQ(size.sessions, 3u);
+  EXPECT_EQ(size.coarse, static_cast<double>(scan.coarse.chi_square.size()));
+  EXPECT_NEAR(8.0 * size.fine / static_cast<double>(scan.pairs), 1.0, budget::session_progress);
+  // f1 and f2 exchanged are no window of their own
+  for (const ScanMinimum& m : scan.minima) EXPECT_LE(m.row, m.column);
   EXPECT_EQ(scan.sessions, 3u);
   ASSERT_FALSE(scan.minima.empty());
   const double T = scan_advice(curves, 2).time_base;

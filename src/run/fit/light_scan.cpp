@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+// The scan of light curves: on one grid over all of their time, or session by session.
+#include "run/detail/light_scan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "polhode/fit/session_scan.hpp"
+#include "run/detail/fit_tables.hpp"
+#include "scenario/value_access.hpp"
+#include "scenario/value_reader.hpp"
+#include "text/number_text.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace {
+
+class Scan {
+ public:
+  Scan(const Scenario& scenario, std::span<const LightCurve> curves, const LightFitOptions& options)
+      : scenario_(scenario),
+        plan_(require_fit(scenario).light.scan),
+        curves_(curves),
+        options_(options),
+        advice_(scan_advice(curves, plan_.order)),
+        least_(plan_.longest ? 1.0 / *plan_.longest : longest_usual()),
+        most_(plan_.shortest ? 1.0 / *plan_.shortest : advice_.most) {
+    if (!(least_ < most_))
+      refuse("fit.scan.longest",
+             "expected periods of which the shortest is below the longest; the data give " +
+                 text_of(1.0 / advice_.most) + " to " + text_of(1.0 / longest_usual()));
+  }
+
+  LightScan made() {
+    const bool is_joined = plan_.sessions == ScanPlan::Sessions::joined;
+    require_points(is_joined);
+    return is_joined ? joined() : separate();
+  }
+
+ private:
+  // One turn in all of the time; of sessions by themselves in the longest of them.
+  double longest_usual() const {
+    if (plan_.sessions == ScanPlan::Sessions::joined) return advice_.least;
+    double longest = 0.0;
+    for (const SessionTimes& one : advice_.sessions)
+      longest = std::max(longest, one.last - one.first);
+    return longest > 0.0 ? 1.0 / longest : advice_.least;
+  }
+
+  // More than a series has coefficients: in all sessions, each with a constant, or in one of them.
+  void require_points(bool is_joined) const {
+    std::size_t points = 0, constants = 0, calibrated = 0;
+    for (const LightCurve& one : curves_) {
+      points = is_joined ? points + one.points.size() : std::max(points, one.points.size());
+      (one.is_calibrated ? calibrated : constants) += 1;
+    }
+    constants = is_joined ? constants + std::min(calibrated, std::size_t{1}) : 1;
+    const std::size_t all = 2 * FourierOrders::pair(plan_.order).harmonics() + constants;
+    if (points <= all)
+      refuse("fit.scan.order",
+             fmt::format("expected a lower one: {} points{} do not determine {} "
+                         "coefficients",
+                         points, is_joined ? "" : " of the longest session", all));
+  }
+
+  LightScan joined() {
+    const double count = std::floor((most_ - least_) / advice_.step) + 1.0, pairs = count * count;
+    if (pairs > most_scan_pairs)
+      refuse("fit.scan.shortest", "expected at most 1e8 pairs of frequencies; periods of " +
+                                      text_of(1.0 / most_) + " to " + text_of(1.0 / least_) +
+                                      " in data that cover " + text_of(advice_.time_base) +
+                                      " are " + number(pairs) + ": " + way_out());
+    const FrequencyGrid grid = FrequencyGrid::between(least_, most_, advice_.step);
+    begin(fmt::format("{} pairs of frequencies", grid.count * grid.count) +
+          (curves_.size() > 1 ? fmt::format(" over {} sessions", curves_.size()) : std::string()));
+    const ScanPoints points(curves_);
+    LightScan scan{std::move(advice_), scan_pairs(points, grid, how()), {}, std::nullopt};
+    scan.minima =
+        scan_minima(points, scan.landscape, {.most = plan_.minima, .threads = options_.threads});
+    return scan;
+  }
+
+  LightScan separate() {
+    const SessionScanSize size = session_scan_size(curves_, least_, most_, plan_.order);
+    const double pairs = size.pairs(plan_.windows);
+    if (pairs > most_scan_pairs)
+      refuse("fit.scan.windows",
+             "expected at most 1e8 pairs of frequencies; " + words_of(size) + " are " +
+                 number(pairs) +
+                 ": set fit.scan.windows to fewer, fit.scan.shortest and fit.scan.longest nearer "
+                 "to each other, or fit fewer sessions");
+    begin(words_of(size));
+    SessionScan found = scan_sessions(
+        curves_, least_, most_, {.scan = how(), .windows = plan_.windows, .most = plan_.minima});
+    if (found.minima.size() > plan_.minima) found.minima.resize(plan_.minima);
+    return {std::move(advice_), std::move(found.coarse), std::move(found.minima),
+            SeparateSessions{found.sessions, plan_.windows, found.pairs}};
+  }
+
+  // What to do about too many pairs.
+  std::string way_out() const {
+    const std::string nearer =
+        "set fit.scan.shortest and fit.scan.longest nearer to each other, or fit fewer sessions";
+    if (curves_.size() > 1)
+      return "set fit.scan.sessions = \"separate\", which scans session by session first; or " +
+             nearer;
+    return nearer +
+           "; where the data are of several nights, say so by session_column or a table "
+           "[[observation]] for each, and set fit.scan.sessions = \"separate\"";
+  }
+
+  std::string words_of(const SessionScanSize& size) const {
+    return fmt::format("{} of {:.0f} pairs of frequencies each, and {} of {:.0f} on all of them",
+                       detail::counted(size.sessions, "session", "sessions"), size.coarse,
+                       detail::counted(plan_.windows, "window", "windows"), size.fine);
+  }
+
+  void begin(const std::string& work) const {
+    if (options_.begins) options_.begins("scan", work);
+  }
+
+  ScanOptions how() const {
+    ScanOptions how{.order = plan_.order, .threads = options_.threads};
+    how.between = [this] {
+      if (options_.stop && options_.stop())
+        throw FitStopped(scenario_.document.name + ": stopped in the scan");
+    };
+    if (options_.progress) how.progress = [this](double part) { options_.progress("scan", part); };
+    return how;
+  }
+
+  [[noreturn]] void refuse(const std::string& path, const std::string& text) const {
+    detail::refuse(scenario_.document.checked->values, path, scenario_.document.path, text);
+  }
+  static std::string number(double x) { return detail::rounded_text(x); }
+  std::string text_of(double period) const {
+    return fmt::format("{:.5g} {}", scenario_.units().from_core(period, Dimension::time),
+                       scenario_.units().time());
+  }
+
+  const Scenario& scenario_;
+  const ScanPlan& plan_;
+  std::span<const LightCurve> curves_;
+  const LightFitOptions& options_;
+  ScanAdvice advice_;
+  double least_, most_;
+};
+
+}  // namespace
+
+LightScan detail::light_scan(const Scenario& scenario, std::span<const LightCurve> curves,
+                             const LightFitOptions& options) {
+  return Scan(scenario, curves, options).made();
+}
+
+std::vector<ChosenPair> detail::chosen_pairs(const Scenario& scenario,
+                                             std::span<const LightCurve> curves) {
+  const ScanPlan& plan = require_fit(scenario).light.scan;
+  std::vector<ChosenPair> chosen;
+  if (plan.at.empty()) return chosen;
+  const Document& file = scenario.document;
+  detail::built(file.checked->values, "fit.scan.at", file.path, [&] {
+    const ScanPoints points(curves);
+    const double reach = scan_advice(curves, plan.at_order).step;
+    const FourierOrders orders = FourierOrders::pair(plan.at_order);
+    for (const ScanPlan::Pair& pair : plan.at)
+      chosen.push_back({fourier_fit(points, 1.0 / pair.first, 1.0 / pair.second, orders),
+                        refined_pair(points, 1.0 / pair.first, 1.0 / pair.second, orders, reach)});
+    return 0;
+  });
+  return chosen;
+}
+
+}  // namespace v0
+}  // namespace polhode
