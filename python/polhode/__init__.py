@@ -66,7 +66,14 @@ from polhode.spin_fits import (
     SpinState,
     fit_spin,
 )
-from polhode.surface_fits import BrightConvex, BrightMesh, fit_convex, fit_mesh
+from polhode.surface_fits import (
+    BrightConvex,
+    BrightMesh,
+    ConvexResiduals,
+    MeshResiduals,
+    fit_convex,
+    fit_mesh,
+)
 
 __all__ = [
     "ArgumentFit",
@@ -74,6 +81,7 @@ __all__ = [
     "BrightEllipsoid",
     "BrightMesh",
     "Citation",
+    "ConvexResiduals",
     "EnsembleHistogram",
     "EnsembleResults",
     "FirstTimes",
@@ -93,6 +101,7 @@ __all__ = [
     "LightSolution",
     "LikelyPeriods",
     "MapResults",
+    "MeshResiduals",
     "PeriodLabel",
     "Posterior",
     "ResidualFunction",

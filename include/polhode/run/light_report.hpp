@@ -74,8 +74,9 @@ struct LightReport {
   // By chi-square. Where the shape is no ellipsoid `body` has the spin and the law, and the
   // ellipsoid of the same moments of inertia as the shape filled evenly.
   std::vector<FoundLight> solutions;
-  std::vector<BrightConvex> convex;  // of each solution, where the shape is convex
-  std::optional<ShadedMesh> mesh;    // of all, where it is a mesh
+  std::vector<BrightConvex> convex;    // of each solution, where the shape is convex
+  std::vector<BrightEllipsoid> begun;  // and the ellipsoid that it was fitted from
+  std::optional<ShadedMesh> mesh;      // of all, where it is a mesh
   std::size_t starts = 1, finalists = 1, converged = 0;  // of ellipsoids
   std::size_t surfaces = 0, surfaces_converged = 0;      // fits of convex bodies, or of the mesh
   std::vector<std::string> notes;
@@ -106,6 +107,12 @@ std::vector<FitNumber> light_numbers(const Scenario& scenario, const LightReport
 // loss is robust; NaN without degrees of freedom.
 double light_error_factor(const Scenario& scenario, const LightReport& report,
                           const LightOutcome& found);
+
+// The fit that a solution is of, from that solution on; DomainError where its shape is another.
+LightFit ellipsoid_fit_at(const Scenario& scenario, const LightReport& report,
+                          std::size_t solution);
+ConvexFit convex_fit_at(const Scenario& scenario, const LightReport& report, std::size_t solution);
+MeshFit mesh_fit_at(const Scenario& scenario, const LightReport& report, std::size_t solution);
 
 std::string light_text(const Scenario& scenario, const LightReport& report);
 std::string light_json(const Scenario& scenario, const LightReport& report);

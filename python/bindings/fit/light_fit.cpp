@@ -65,11 +65,6 @@ nb::dict fitted_light(const LightFit& fit) {
   return light_dict(found);
 }
 
-PythonResiduals light_residuals_of(const LightFit& fit) {
-  return {ResidualFunction(least_squares_of(fit)),
-          [fit](std::span<const double> x) -> nb::object { return body_parts(body_at(fit, x)); }};
-}
-
 nb::list model_of(const nb::tuple& body, const nb::list& curves) {
   nb::list list;
   for (const std::vector<double>& flux : model_fluxes(ellipsoid_of(body), light_curves_of(curves)))
@@ -139,6 +134,11 @@ nb::dict searched(const nb::list& curves, const Periods& periods, std::size_t st
 }
 
 }  // namespace
+
+PythonResiduals light_residuals_of(const LightFit& fit) {
+  return {ResidualFunction(least_squares_of(fit)),
+          [fit](std::span<const double> x) -> nb::object { return body_parts(body_at(fit, x)); }};
+}
 
 BrightEllipsoid ellipsoid_of(const nb::tuple& parts) {
   const Vec3 axes = vec3(parts[1], "axes");

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "bindings.hpp"
+#include "fit/bind_fit.hpp"
 #include "polhode/fit/convex_fit.hpp"
 #include "polhode/fit/light_search.hpp"
 #include "polhode/fit/mesh_fit.hpp"
@@ -13,6 +14,12 @@ namespace polhode::python {
 BrightEllipsoid ellipsoid_of(const nb::tuple& parts);
 // (spin, degree, rows, coefficients, (single, multiple))
 nb::tuple convex_parts(const BrightConvex& body);
+
+// Residuals of fits, as functions of the unknowns.
+PythonResiduals light_residuals_of(const LightFit& fit);
+PythonResiduals convex_residuals_of(const ConvexFit& fit);
+PythonResiduals mesh_residuals_of(const MeshFit& fit);
+
 nb::dict light_dict(const LightSolution& found);
 nb::dict found_dict(const FoundLight& found);
 

@@ -66,6 +66,14 @@ class SurfaceResiduals {
         surface_(std::move(surface)),
         followed_(std::move(followed)) {}
 
+  // The same with other moments that follow.
+  SurfaceResiduals with(FollowedMoments followed) const {
+    SurfaceResiduals other = *this;
+    other.followed_ = std::move(followed);
+    return other;
+  }
+
+  const FollowedMoments& followed() const { return followed_; }
   const WeighedCurves& curves() const { return curves_; }
   std::size_t unknowns() const { return unknowns_.own_at() + surface_.own(); }
   std::size_t priors() const { return surface_.priors(); }

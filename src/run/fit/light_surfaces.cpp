@@ -40,6 +40,7 @@ void keep(SurfaceFound&& one, std::size_t periods, std::size_t starts, LightRepo
   if (one.convex) {
     add_shape(*one.convex, f.solution);
     report.convex.push_back(std::move(*one.convex));
+    report.begun.push_back(one.start);
   }
   report.solutions.push_back(std::move(f));
 }
