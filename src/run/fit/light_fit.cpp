@@ -97,7 +97,8 @@ class Scan {
                  ": set fit.scan.shortest and fit.scan.longest nearer to each other, or fit fewer "
                  "sessions");
     Landscape landscape = landscape_of(grid);
-    const MinimaOptions minima{.most = plan_.minima, .threads = options_.threads};
+    const MinimaOptions minima{
+        .most = plan_.minima, .threads = options_.threads, .between = [this] { end_if_asked(); }};
     std::vector<ScanMinimum> found = scan_minima(points_, landscape, minima);
     return {std::move(advice_), std::move(landscape), std::move(found)};
   }
@@ -109,20 +110,24 @@ class Scan {
            scenario_.units().time();
   }
 
+  void end_if_asked() const {
+    if (options_.stop && options_.stop())
+      throw FitStopped(scenario_.document.name + ": stopped in the scan");
+  }
+
   // Rows by columns from the diagonal on; the rest is the same.
   Landscape landscape_of(const FrequencyGrid& grid) const {
     const std::size_t n = grid.count;
-    Landscape all{grid, grid, FourierOrders::pair(plan_.order), std::vector<double>(n * n), 0};
+    Landscape all{grid, grid, FourierOrders::pair(plan_.order), {}, 0};
     ScanOptions how{.order = plan_.order, .threads = options_.threads};
-    how.between = [this] {
-      if (options_.stop && options_.stop())
-        throw FitStopped(scenario_.document.name + ": stopped in the scan");
-    };
+    how.between = [this] { end_if_asked(); };
     for (std::size_t row = 0; row < n; row += rows_at_a_time) {
       const std::size_t rows = std::min(rows_at_a_time, n - row);
       const FrequencyGrid first{grid.at(row), grid.step, rows},
           second{grid.at(row), grid.step, n - row};
       const Landscape part = scan_pairs(points_, first, second, how);
+      // not before the first rows, which refuse orders that the points do not determine
+      all.chi_square.resize(n * n);
       all.again += part.again;
       for (std::size_t i = 0; i < rows; ++i)
         for (std::size_t j = 0; j < n - row; ++j)
