@@ -73,6 +73,7 @@ from polhode.surface_fits import (
     MeshResiduals,
     fit_convex,
     fit_mesh,
+    search_mesh,
 )
 
 __all__ = [
@@ -132,6 +133,7 @@ __all__ = [
     "posterior",
     "scan_advice",
     "search_light",
+    "search_mesh",
     "simulate",
     "to_scipy",
     "vary",

@@ -16,9 +16,12 @@ from polhode.light_fits import (
     MOMENTS,
     BrightEllipsoid,
     LightCurve,
+    LightSearchResult,
     LightSolution,
     curve_parts,
     light_parts,
+    search_result,
+    wanted_periods,
 )
 from polhode.residual_functions import ResidualFunction
 from polhode.spin_fits import SpinState
@@ -27,6 +30,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
     from polhode._observed import Loss
+    from polhode.light_fits import Periods
 
     Array = NDArray[np.float64]
 
@@ -307,6 +311,66 @@ def fit_mesh(
     """
     found = _mesh_problem(start, curves, moments, multiple, loss, most_iterations).fit()
     return LightSolution(**light_parts(found, BrightMesh._of(found["body"])))
+
+
+def search_mesh(
+    body: BrightMesh,
+    curves: LightCurve | Iterable[LightCurve],
+    periods: Iterable[Periods],
+    *,
+    starts: int = 1000,
+    within: float = 1.5,
+    threads: int = 1,
+    seed: int = 0,
+    tries: int = 60,
+    short_iterations: int = 6,
+    finalists: int = 4,
+    moments: str = "start",
+    multiple: bool = False,
+    loss: Loss = "squared",
+    most_iterations: int = 60,
+) -> LightSearchResult:
+    """All spin states of a tumbling body of known shape that light curves allow, from many starts.
+
+    Parameters
+    ----------
+    body : BrightMesh whose shape, law and inertia are known; its attitude, rate and t0 are not
+        looked at. With its moments a pair of periods leaves a phase of the polhode and an attitude
+        to be found, on either side of the axis of circulation.
+    curves : LightCurve, one or several, with vectors.
+    periods : (mode, P_phi, P_psi), mode "SAM" or "LAM": FourierScan.periods lists them. Those that
+        the body cannot have are left out, and a note says how many.
+    starts : in all, taken by the pairs of periods in turn.
+    within : chi-square over the lowest, up to which solutions are reported.
+    threads : the bits of the result do not depend on it.
+    seed : of starts.
+    tries : attitudes of a start, of which the best is taken, by 60 points. short_iterations : of
+        each start.
+    finalists : of each pair of periods that are fitted to the end, with most_iterations.
+    moments : "start", as they are, or "fit", of finalists. multiple, loss : as in fit_mesh.
+
+    Returns
+    -------
+    LightSearchResult
+        Bodies of solutions are BrightMesh. Seen and lit from fixed directions, a body has the same
+        light after a half turn about the bisector of Sun and observer: two poles, where an
+        ellipsoid has four.
+
+    DomainError (a ValueError) as fit_mesh, and without periods. Ctrl-C ends it between two starts.
+    Releases the GIL.
+    """
+    if not isinstance(body, BrightMesh):
+        raise TypeError(f"search_mesh: got {body!r}; expected BrightMesh")
+    wanted = wanted_periods(periods)
+    kind, scale = loss_of(loss)
+    found = _core._search_mesh(
+        curve_parts(curves), body._parts(), wanted, whole(starts, "starts"), whole(tries, "tries"),
+        whole(short_iterations, "short_iterations"), whole(finalists, "finalists"),
+        float(_number(within, "within")), one_of(moments, "moments", ("start", "fit")),
+        bool(multiple), kind, scale, whole(most_iterations, "most_iterations"),
+        whole(seed, "seed", 0), whole(threads, "threads"),
+    )  # fmt: skip
+    return search_result(found, wanted, [BrightMesh._of(parts) for parts in found["bodies"]])
 
 
 class MeshResiduals(ResidualFunction):

@@ -109,6 +109,10 @@ def of_fits():
         "search_light": (
             polhode.search_light, search, {"curves": CURVE, "periods": [("SAM", 10.0, 25.0)]},
         ),
+        "search_mesh": (
+            polhode.search_mesh, {k: x for k, x in search.items() if k != "lambert"},
+            {"body": MESH, "curves": CURVE, "periods": [("SAM", 10.0, 25.0)]},
+        ),
         "FourierScan.periods": (scan.periods, {"pairs": 1, "labels": 1}, {}),
         "scan_advice": (polhode.scan_advice, {"order": 2}, {"curves": CURVE}),
         "fourier_scan": (

@@ -78,6 +78,9 @@ inline constexpr double convex_followed = 1e-11;
 inline constexpr double convex_moments = 1e-5, convex_axes = 0.3, convex_ratio = 0.3;
 inline constexpr double light_image_cost = 1e-6;  // of images, from fixed directions
 inline constexpr double mesh_exact = 1e-4, mesh_gain = 0.25;
+// searches with a mesh: how far the truth is, in the errors of one unknown; chi-square of what has
+// the same light, where facets bend it
+inline constexpr double mesh_off = 5.0, mesh_image = 0.02, mesh_found = 0.1;  // rad
 // of drawn tumblers, in how many the true periods are reported; are among the first 20 labels
 inline constexpr double light_reported = 0.95, light_labelled = 0.75;
 // with Lambert's quadrature, whose points follow directions; unknowns from exact light

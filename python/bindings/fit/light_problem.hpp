@@ -2,6 +2,10 @@
 // What a fit of light curves found, as Python is given it.
 #pragma once
 
+#include <string>
+#include <tuple>
+#include <vector>
+
 #include "bindings.hpp"
 #include "fit/bind_fit.hpp"
 #include "polhode/fit/convex_fit.hpp"
@@ -22,5 +26,10 @@ PythonResiduals mesh_residuals_of(const MeshFit& fit);
 
 nb::dict light_dict(const LightSolution& found);
 nb::dict found_dict(const FoundLight& found);
+nb::dict search_dict(const LightSearchResult& result);
+
+// (mode, P_phi, P_psi) of each pair
+using PeriodParts = std::vector<std::tuple<std::string, double, double>>;
+std::vector<TumblerPeriods> periods_of_parts(const PeriodParts& parts);
 
 }  // namespace polhode::python

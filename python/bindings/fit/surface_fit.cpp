@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Fits of convex bodies and of given meshes, and likely periods.
 #include <algorithm>
+#include <cstdint>
+#include <stdexcept>
 #include <utility>
 
 #include "fit/bind_fit.hpp"
 #include "fit/light_curves.hpp"
 #include "fit/light_problem.hpp"
+#include "io/work_loop.hpp"
+#include "motion/samples.hpp"
 #include "polhode/fit/likely_periods.hpp"
+#include "polhode/fit/mesh_search.hpp"
 #include "polhode/fit/scan_points.hpp"
 
 namespace polhode::python {
@@ -115,6 +120,43 @@ PythonResiduals mesh_residuals(const MeshProblem& problem) {
   return mesh_residuals_of(problem.fit);
 }
 
+// `bodies` are those of the solutions, with the mesh that was given.
+nb::dict mesh_search(const nb::list& curves, const nb::tuple& body, const PeriodParts& periods,
+                     std::size_t starts, std::size_t tries, int short_iterations,
+                     std::size_t finalists, double within, const std::string& moments,
+                     bool multiple, const std::string& loss, double scale, int most_iterations,
+                     std::uint64_t seed, int threads) {
+  MeshSearch search{.curves = light_curves_of(curves),
+                    .body = mesh_of(body),
+                    .periods = periods_of_parts(periods)};
+  search.starts = starts;
+  search.tries = tries;
+  search.short_iterations = short_iterations;
+  search.finalists = finalists;
+  search.within = within;
+  search.moments = moments_of(moments);
+  search.multiple = multiple;
+  search.loss = loss_of(loss, scale);
+  search.most_iterations = most_iterations;
+  search.seed = seed;
+  search.threads = checked_threads(threads);
+  WorkLoop loop("the search was stopped", nb::none());
+  search.between = [&loop] {
+    if (loop.is_stopped()) throw std::runtime_error("the search was stopped");
+  };
+  LightSearchResult found;
+  loop.do_work(0, [&] { found = search_mesh(search); });
+  nb::dict d = search_dict(found);
+  nb::list bodies;
+  for (const FoundLight& f : found.solutions) {
+    const BrightEllipsoid& one = f.solution.body;
+    bodies.append(nb::make_tuple(spin_parts(one.spin), body[1],
+                                 nb::make_tuple(one.law.single, one.law.multiple)));
+  }
+  d["bodies"] = bodies;
+  return d;
+}
+
 template <class Body>
 nb::list fluxes_of(const Body& body, const nb::list& curves) {
   nb::list list;
@@ -179,6 +221,7 @@ void bind_surface_fit(nb::module_& m) {
       .def("residuals", mesh_residuals);
   m.def("_convex_problem", convex_problem);
   m.def("_mesh_problem", mesh_problem);
+  m.def("_search_mesh", mesh_search);
   m.def("_convex_fluxes", [](const nb::tuple& body, const nb::list& curves) {
     return fluxes_of(convex_of(body), curves);
   });
