@@ -6,8 +6,9 @@
 // Equations   those of scan_pairs, labelled_periods, search_light and fit_light (polhode/fit/). A
 //             convex body (fit_convex) and a given mesh (fit_mesh) follow the ellipsoid: of a
 //             search they start from the best ellipsoid of every pair of periods, whatever its
-//             chi-square, and of what comes within the limit again from its images. A mesh takes
-//             the periods, pole and phases of the ellipsoid, in four half turns.
+//             chi-square, and of what comes within the limit again from its images. A mesh is
+//             looked for by periods (search_mesh), and takes those, pole and phases of the
+//             ellipsoid, too, in four half turns.
 //             chi-square of a scan is the same for f1 and f2 exchanged: half of it is computed.
 // Units       core units; texts and files in the units of the scenario.
 // Domain      free rotation relative to inertial axes. Axes of solutions are the principal ones in

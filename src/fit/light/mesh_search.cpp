@@ -27,8 +27,8 @@ inline namespace v0 {
 namespace {
 
 const std::string who = "search_mesh: ";
-// Points that an attitude is tried on.
-constexpr std::size_t most_looked_at = 60;
+// Points that an attitude is tried on, about, and the least of a session.
+constexpr std::size_t most_looked_at = 60, least_of_session = 10;
 // States this near are alike, in rad and of the rate: fits from both would most likely meet.
 constexpr double alike_turn = 0.25, alike_rate = 0.03;
 // What two fits to one least differ by at most: in standard errors, as facets bend the light, or
@@ -61,18 +61,19 @@ void check(const MeshSearch& s) {
     throw DomainError(who + "within = " + detail::number_text(s.within) + " must be 1 or more");
 }
 
-// Every n-th point, so that there are not many.
+// Evenly spread points of each session, so that there are not many; but as many as say something of
+// a session whose factor is its own.
 std::vector<LightCurve> thinned(const std::vector<LightCurve>& curves) {
   std::size_t count = 0;
   for (const LightCurve& curve : curves) count += curve.points.size();
-  const std::size_t every = (count + most_looked_at - 1) / most_looked_at;
   std::vector<LightCurve> few;
-  std::size_t next = 0;
   for (const LightCurve& curve : curves) {
+    const std::size_t size = curve.points.size();
+    const std::size_t share = (most_looked_at * size + count - 1) / count;
+    const std::size_t taken = std::min(size, std::max(share, least_of_session));
     LightCurve kept{curve.name, curve.is_calibrated, {}};
-    for (const LightPoint& p : curve.points)
-      if (next++ % every == 0) kept.points.push_back(p);
-    if (!kept.points.empty()) few.push_back(std::move(kept));
+    for (std::size_t i = 0; i < taken; ++i) kept.points.push_back(curve.points[i * size / taken]);
+    few.push_back(std::move(kept));
   }
   return few;
 }
