@@ -67,9 +67,9 @@ class SurfaceResiduals {
         followed_(std::move(followed)) {}
 
   // The same with other moments that follow.
-  SurfaceResiduals with(FollowedMoments followed) const {
+  SurfaceResiduals with(const FollowedMoments& followed) const {
     SurfaceResiduals other = *this;
-    other.followed_ = std::move(followed);
+    other.followed_ = followed;
     return other;
   }
 

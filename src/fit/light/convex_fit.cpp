@@ -63,7 +63,8 @@ std::vector<double> coefficients_of(const GaussianImage& image, const Ellipsoid&
   return image.coefficients(Ellipsoid{e.a / e.b, 1.0, e.c / e.b});
 }
 
-SpinState in_units_of_Izz(SpinState s) {
+// Moments in units of Izz.
+SpinState normalized_spin(SpinState s) {
   const double unit = s.inertia_F(2, 2);
   for (Vec3& row : s.inertia_F.row) row = (1.0 / unit) * row;
   return s;
@@ -71,13 +72,13 @@ SpinState in_units_of_Izz(SpinState s) {
 
 // The body that a fit begins with.
 BrightConvex first_body(const ConvexFit& fit) {
-  const SpinState spin = in_units_of_Izz(fit.start.spin);
+  const SpinState spin = normalized_spin(fit.start.spin);
   if (!fit.from) {
     const GaussianImage image(fit.degree, fit.rows);
     return {spin, fit.start.law, image, coefficients_of(image, fit.start.shape)};
   }
   BrightConvex body = *fit.from;
-  body.spin = in_units_of_Izz(body.spin);
+  body.spin = normalized_spin(body.spin);
   if (fit.moments == MomentSource::start) body.spin.inertia_F = spin.inertia_F;
   return body;
 }
@@ -183,7 +184,7 @@ class ConvexFitter {
 
  private:
   std::shared_ptr<const ConvexResiduals> checked_residuals() const {
-    const auto found = residuals();
+    auto found = residuals();
     detail::require_points(who, found->curves().size() + found->priors(), found->unknowns(),
                            found->curves().groups());
     return found;
