@@ -50,7 +50,8 @@ struct MeshSearch {
   int most_iterations = 60;  // of a finalist
   std::uint64_t seed = 0;
   int threads = 1;
-  // Called before each start and each fit, in any of the threads; what it throws ends the search.
+  // Called before each attitude that is tried and each fit, in any of the threads; what it throws
+  // ends the search.
   std::function<void()> between = {};
 };
 

@@ -181,6 +181,7 @@ class Search {
     std::vector<double> B(points.size());
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < search_.tries; ++k) {
+      if (search_.between) search_.between();
       const double u0 = uniform(), u1 = uniform(), u2 = uniform();
       const Quaternion q = UniformAttitude().from_uniform(u0, u1, u2);
       for (std::size_t i = 0; i < points.size(); ++i) {
@@ -214,10 +215,7 @@ class Search {
     std::vector<std::vector<Start>> all(search_.periods.size());
     run_cells(
         0, static_cast<std::int64_t>(search_.starts), search_.threads,
-        [&](std::int64_t k) {
-          if (search_.between) search_.between();
-          return start(static_cast<std::uint64_t>(k));
-        },
+        [&](std::int64_t k) { return start(static_cast<std::uint64_t>(k)); },
         [&](std::int64_t, const std::optional<Start>& one) {
           if (!one) return;
           ++result_.starts;

@@ -4,6 +4,7 @@
 #include "run/detail/light_surfaces.hpp"
 
 #include <algorithm>
+#include <mutex>
 #include <utility>
 
 #include "polhode/ensemble/cells.hpp"
@@ -168,7 +169,15 @@ class Surfaces {
     how.most_iterations = plan_.light.most_iterations.value_or(how.most_iterations);
     how.seed = plan_.seed;
     how.threads = options_.threads;
-    how.between = [this] { end_if_asked(); };
+    std::mutex mutex;
+    std::size_t begun = 0;
+    const std::size_t tried = how.starts * how.tries, fits = how.finalists * how.periods.size();
+    how.between = [&] {
+      end_if_asked();
+      const std::lock_guard<std::mutex> lock(mutex);
+      const double part = static_cast<double>(++begun) / static_cast<double>(tried + fits);
+      if (options_.progress) options_.progress("surfaces", search_part * std::min(part, 1.0));
+    };
     const LightSearchResult found = search_mesh(how);
     report_.surfaces += found.finalists;
     report_.surfaces_converged += found.converged;
