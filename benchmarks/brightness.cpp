@@ -10,6 +10,7 @@
 
 #include "polhode/light/gaussian_image.hpp"
 #include "polhode/light/lambert.hpp"
+#include "polhode/light/patch_brightness.hpp"
 #include "polhode/light/shaded_mesh.hpp"
 #include "polhode/math/double_double.hpp"
 #include "polhode/math/dual.hpp"
@@ -79,6 +80,20 @@ void facets_with_gradient(benchmark::State& state) {
   state.counters["facets"] = static_cast<double>(A.size());
 }
 
+// The same of facets that stand for patches, as fits have them.
+void patches_with_gradient(benchmark::State& state) {
+  const GaussianImage image(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
+  const std::vector<double> A = image.areas(image.coefficients(body));
+  const Scattering law = Scattering::mixed(0.1);
+  const auto gradient = [&](const Vec3& o) {
+    return patch_gradient(image.normals(), image.widths(), A, law, sun, o);
+  };
+  each_point(state, [&](const Vec3& o) { return image.by_coefficients(gradient(o).by_areas, A); });
+  const Vec3 o = observer(7);
+  state.counters["error"] = std::fabs(gradient(o).value / brightness<64>(body, law, sun, o) - 1.0);
+  state.counters["facets"] = static_cast<double>(A.size());
+}
+
 FacetShape mesh(int rows, double bumps) {
   return test::globe(rows, [bumps](const Vec3& n) {
     const double r = 1.0 + bumps * std::sin(6.0 * n.x) * std::cos(5.0 * n.y);
@@ -113,5 +128,6 @@ BENCHMARK(lambert_value<16>);
 BENCHMARK(lambert_value<32>);
 BENCHMARK(lambert_with_gradient<16>);
 BENCHMARK(facets_with_gradient)->Args({6, 12})->Unit(benchmark::kMicrosecond);
+BENCHMARK(patches_with_gradient)->Args({6, 8})->Args({6, 12})->Unit(benchmark::kMicrosecond);
 BENCHMARK(mesh_value)->ArgsProduct({{24}, {0, 10}})->Unit(benchmark::kMicrosecond);
 BENCHMARK(mesh_made)->Arg(24)->Unit(benchmark::kMillisecond);

@@ -66,7 +66,15 @@ from polhode.spin_fits import (
     SpinState,
     fit_spin,
 )
-from polhode.surface_fits import BrightConvex, BrightMesh, fit_convex, fit_mesh
+from polhode.surface_fits import (
+    BrightConvex,
+    BrightMesh,
+    ConvexResiduals,
+    MeshResiduals,
+    fit_convex,
+    fit_mesh,
+    search_mesh,
+)
 
 __all__ = [
     "ArgumentFit",
@@ -74,6 +82,7 @@ __all__ = [
     "BrightEllipsoid",
     "BrightMesh",
     "Citation",
+    "ConvexResiduals",
     "EnsembleHistogram",
     "EnsembleResults",
     "FirstTimes",
@@ -93,6 +102,7 @@ __all__ = [
     "LightSolution",
     "LikelyPeriods",
     "MapResults",
+    "MeshResiduals",
     "PeriodLabel",
     "Posterior",
     "ResidualFunction",
@@ -123,6 +133,7 @@ __all__ = [
     "posterior",
     "scan_advice",
     "search_light",
+    "search_mesh",
     "simulate",
     "to_scipy",
     "vary",

@@ -24,7 +24,13 @@ from polhode.light_fits import (
 )
 from polhode.scans import FourierScan, scan_of
 from polhode.spin_fits import SpinResiduals, SpinState
-from polhode.surface_fits import BrightConvex, BrightMesh, surface_of
+from polhode.surface_fits import (
+    BrightConvex,
+    BrightMesh,
+    ConvexResiduals,
+    MeshResiduals,
+    surface_of,
+)
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -183,7 +189,7 @@ class ScenarioSolution:
 
     def residual_function(
         self, scaled: bool = False, epoch: float | None = None
-    ) -> SpinResiduals | LightResiduals:
+    ) -> SpinResiduals | LightResiduals | ConvexResiduals | MeshResiduals:
         """Residuals as a function of the unknowns, from this solution on, for other optimisers: in
         radians and the scenario's unit of time, turns about the attitude that was found.
 
@@ -297,20 +303,22 @@ class LightScenarioSolution(ScenarioSolution):
 
     def residual_function(
         self, scaled: bool = False, epoch: object = None
-    ) -> LightResiduals:
+    ) -> LightResiduals | ConvexResiduals | MeshResiduals:
         """Residuals as a function of the unknowns, from this solution on, for other optimisers: in
         radians and the scenario's unit of time, turns about the attitude that was found.
 
         scaled : with errors that make chi-square per degree of freedom 1.
         epoch : None; it is the middle of the light curves.
 
-        ValueError for a convex body or a mesh."""
+        Of a convex body or a mesh ConvexResiduals or MeshResiduals, which say what residuals and
+        derivatives are."""
         if epoch is not None:
             raise ValueError(
                 f"epoch: got {epoch!r}; expected None: it is the middle of the light curves"
             )
-        problem = self._results._compiled.problem(self._place, bool(scaled))
-        made = LightResiduals._of(problem.residuals())
+        kinds: dict[str, Any] = {"convex": ConvexResiduals, "mesh": MeshResiduals}
+        compiled = self._results._compiled.residuals_from(self._place, bool(scaled))
+        made = kinds.get(self._results._report["model"], LightResiduals)._of(compiled)
         made._inputs = (_light_residuals, (self, bool(scaled)))
         return made
 

@@ -152,8 +152,8 @@ class BrightEllipsoid:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class LightSolution(FitSolution):
-    """A spin state and shape that light curves are of; made by fit_light, fit_convex, fit_mesh and
-    search_light.
+    """A spin state and shape that light curves are of; made by fit_light, fit_convex, fit_mesh,
+    search_light and search_mesh.
 
     Attributes
     ----------
@@ -266,6 +266,26 @@ def found_light(found: Mapping[str, Any], body: Any = None) -> FoundLight:
     return FoundLight(
         **light_parts(found, body), starts=found["starts"], beside=found["beside"], of=found["of"],
         relation=found["relation"],
+    )  # fmt: skip
+
+
+def wanted_periods(periods: Iterable[Periods]) -> list[Periods]:
+    return [
+        (one_of(mode, "periods", ("SAM", "LAM")), float(_number(phi, "periods")),
+         float(_number(psi, "periods")))
+        for mode, phi, psi in periods
+    ]  # fmt: skip
+
+
+def search_result(
+    found: Mapping[str, Any], wanted: list[Periods], bodies: Sequence[Any] | None = None
+) -> LightSearchResult:
+    solutions = found["solutions"]
+    all_bodies = bodies or [None] * len(solutions)
+    return LightSearchResult(
+        [found_light(one, body) for one, body in zip(solutions, all_bodies)], wanted,
+        found["chi_square_of_periods"], found["starts"], found["finalists"], found["converged"],
+        found["notes"],
     )  # fmt: skip
 
 
@@ -411,11 +431,7 @@ def search_light(
     DomainError (a ValueError) as fit_light, and without periods. Some milliseconds a start. Ctrl-C
     ends it between two starts. Releases the GIL.
     """
-    wanted = [
-        (one_of(mode, "periods", ("SAM", "LAM")), float(_number(phi, "periods")),
-         float(_number(psi, "periods")))
-        for mode, phi, psi in periods
-    ]  # fmt: skip
+    wanted = wanted_periods(periods)
     kind, scale = loss_of(loss)
     found = _core._search_light(
         curve_parts(curves), wanted, whole(starts, "starts"), whole(tries, "tries"),
@@ -425,8 +441,4 @@ def search_light(
         whole(most_iterations, "most_iterations"), whole(seed, "seed", 0),
         whole(threads, "threads"),
     )  # fmt: skip
-    solutions = [found_light(one) for one in found["solutions"]]
-    return LightSearchResult(
-        solutions, wanted, found["chi_square_of_periods"], found["starts"], found["finalists"],
-        found["converged"], found["notes"],
-    )  # fmt: skip
+    return search_result(found, wanted)

@@ -175,8 +175,8 @@ def posterior(
 
     Parameters
     ----------
-    of : SpinResiduals or LightResiduals, whose start is a solution; the method sample of a solution
-        makes it.
+    of : SpinResiduals, LightResiduals, ConvexResiduals or MeshResiduals, whose start is a solution;
+        the method sample of a solution makes it.
     draws : of each chain, after warm_up draws that find the length of steps.
     chains : independent ones, started from Laplace's approximation, twice as wide.
     threads : chains at a time; the draws do not depend on it.
@@ -198,7 +198,8 @@ def posterior(
     all of the unknowns: a prior makes it proper. Ctrl-C ends it.
     """
     if not isinstance(of, ResidualFunction):
-        raise TypeError(f"posterior: got {of!r}; expected SpinResiduals or LightResiduals")
+        raise TypeError(f"posterior: got {of!r}; expected SpinResiduals or another "
+                        "ResidualFunction")  # fmt: skip
     _sampler_packages()
     count, number = whole(draws, "draws", LEAST_DRAWS), whole(chains, "chains")
     target = float(_number(accept, "accept"))

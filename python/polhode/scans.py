@@ -77,6 +77,12 @@ class FourierScan:
         at the edge are left out."""
         return self._compiled.periods(whole(pairs, "pairs"), whole(labels, "labels"))
 
+    def __reduce__(self) -> tuple[Any, tuple[Any, ...]]:
+        if self._compiled is None:
+            return FourierScan, (self.f1, self.f2, self.chi_square, self.minima, self.order,
+                                 self.points)  # fmt: skip
+        return scan_of, (self._compiled, self.order, self.points)
+
     def to_xarray(self) -> Any:
         """The landscape as an xarray.DataArray along f1 and f2."""
         from polhode._tables import imported

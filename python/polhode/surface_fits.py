@@ -16,16 +16,21 @@ from polhode.light_fits import (
     MOMENTS,
     BrightEllipsoid,
     LightCurve,
+    LightSearchResult,
     LightSolution,
     curve_parts,
     light_parts,
+    search_result,
+    wanted_periods,
 )
+from polhode.residual_functions import ResidualFunction
 from polhode.spin_fits import SpinState
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
+    from numpy.typing import ArrayLike, NDArray
 
     from polhode._observed import Loss
+    from polhode.light_fits import Periods
 
     Array = NDArray[np.float64]
 
@@ -134,10 +139,28 @@ def surface_of(parts: Sequence[Any]) -> BrightConvex | BrightMesh:
     return BrightConvex._of(parts) if len(parts) == 5 else BrightMesh._of(parts)
 
 
+def _convex_problem(
+    start: Any, curves: Any, body: Any, degree: Any, rows: Any, moments: Any, multiple: Any,
+    errors: dict[str, Any], loss: Any, iterations: Any,
+) -> Any:  # fmt: skip
+    if not isinstance(start, BrightEllipsoid):
+        raise TypeError(f"fit_convex: got {start!r}; expected BrightEllipsoid")
+    if body is not None and not isinstance(body, BrightConvex):
+        raise TypeError(f"body: got {body!r}; expected BrightConvex or None")
+    kind, scale = loss_of(loss)
+    return _core._convex_problem(
+        curve_parts(curves), start._parts(), () if body is None else body._parts(),
+        whole(degree, "degree", 0), whole(rows, "rows"), one_of(moments, "moments", MOMENTS),
+        bool(multiple), [float(_number(x, name)) for name, x in errors.items()], kind, scale,
+        whole(iterations, "most_iterations"),
+    )  # fmt: skip
+
+
 def fit_convex(
     start: BrightEllipsoid,
     curves: LightCurve | Iterable[LightCurve],
     *,
+    body: BrightConvex | None = None,
     degree: int = 6,
     rows: int = 8,
     moments: str = "fit",
@@ -156,6 +179,8 @@ def fit_convex(
     start : what fit_light or search_light came to, of every pair of periods its best: the ellipsoid
         is wrong about real bodies, and an alias can suit it better.
     curves : LightCurve, one or several, with vectors.
+    body : where the unknowns begin, such as what an earlier fit came to; its degree and rows are
+        taken. None: the ellipsoid of the start. Regularisation is about the start either way.
     degree, rows : of the areas of facets, see BrightConvex; 6 and 8 suit some 350 points, 3 and 4
         some 80.
     moments : "fit", unknowns Ixx/Izz and Iyy/Izz about those of the start, to moments_error;
@@ -179,22 +204,79 @@ def fit_convex(
     more coefficients than facets, fewer points than unknowns. Releases the GIL; a second for 350
     points.
     """
-    if not isinstance(start, BrightEllipsoid):
-        raise TypeError(f"fit_convex: got {start!r}; expected BrightEllipsoid")
-    kind, scale = loss_of(loss)
-    errors = [
-        float(_number(x, name))
-        for x, name in (
-            (roughness_error, "roughness_error"), (moments_error, "moments_error"),
-            (closure_error, "closure_error"), (axes_error, "axes_error"),
-        )
-    ]  # fmt: skip
-    found = _core._fit_convex(
-        curve_parts(curves), start._parts(), whole(degree, "degree", 0), whole(rows, "rows"),
-        one_of(moments, "moments", MOMENTS), bool(multiple), errors, kind, scale,
-        whole(most_iterations, "most_iterations"),
-    )  # fmt: skip
+    errors = {
+        "roughness_error": roughness_error, "moments_error": moments_error,
+        "closure_error": closure_error, "axes_error": axes_error,
+    }  # fmt: skip
+    found = _convex_problem(
+        start, curves, body, degree, rows, moments, multiple, errors, loss, most_iterations
+    ).fit()
     return LightSolution(**light_parts(found, BrightConvex._of(found["body"])))
+
+
+class ConvexResiduals(ResidualFunction):
+    """Residuals of light curves as a function of the unknowns of a tumbling convex body.
+
+    Parameters as of fit_convex: start, curves, body, degree, rows, moments, multiple, the four
+    errors, loss. Turns are about the attitude of `body`, a solution of fit_convex, say, or of the
+    start; with body=found.body the function begins at what was found.
+
+    Regularisation is among the residuals, after those of data: three of closure, three of the
+    products of the area tensor, one of roughness for each c_l_m, and of unknown moments two about
+    those of the start. So `log_likelihood` is of the light alone, and `log_posterior` has them as
+    priors: draws are bodies as smooth as roughness_error says, no others. moments="shape": those of
+    an even filling of the body at every x, a tenth of a second each for 512 facets; residuals are
+    NaN where the areas are those of no body.
+
+    Factors of sessions are the best ones at every x, and the derivatives know it.
+    """
+
+    def __init__(
+        self,
+        start: BrightEllipsoid,
+        curves: LightCurve | Iterable[LightCurve],
+        *,
+        body: BrightConvex | None = None,
+        degree: int = 6,
+        rows: int = 8,
+        moments: str = "fit",
+        multiple: bool = False,
+        roughness_error: float = 3.0,
+        moments_error: float = 0.1,
+        closure_error: float = 1e-3,
+        axes_error: float = 1e-2,
+        loss: Loss = "squared",
+    ) -> None:
+        errors = {
+            "roughness_error": roughness_error, "moments_error": moments_error,
+            "closure_error": closure_error, "axes_error": axes_error,
+        }  # fmt: skip
+        problem = _convex_problem(
+            start, curves, body, degree, rows, moments, multiple, errors, loss, 1
+        )
+        super().__init__(problem.residuals())
+
+    @classmethod
+    def _of(cls, compiled: Any) -> ConvexResiduals:
+        made = object.__new__(cls)
+        ResidualFunction.__init__(made, compiled)
+        return made
+
+    def state(self, x: ArrayLike) -> BrightConvex:
+        """The body at x."""
+        return BrightConvex._of(self._compiled.state(x))
+
+
+def _mesh_problem(
+    start: Any, curves: Any, moments: Any, multiple: Any, loss: Any, iterations: Any
+) -> Any:
+    if not isinstance(start, BrightMesh):
+        raise TypeError(f"fit_mesh: got {start!r}; expected BrightMesh")
+    kind, scale = loss_of(loss)
+    return _core._mesh_problem(
+        curve_parts(curves), start._parts(), one_of(moments, "moments", ("start", "fit")),
+        bool(multiple), kind, scale, whole(iterations, "most_iterations"),
+    )  # fmt: skip
 
 
 def fit_mesh(
@@ -227,11 +309,101 @@ def fit_mesh(
     DomainError (a ValueError) for light curves that are not sound, a start that no body has, fewer
     points than unknowns. Releases the GIL.
     """
-    if not isinstance(start, BrightMesh):
-        raise TypeError(f"fit_mesh: got {start!r}; expected BrightMesh")
-    kind, scale = loss_of(loss)
-    found = _core._fit_mesh(
-        curve_parts(curves), start._parts(), one_of(moments, "moments", ("start", "fit")),
-        bool(multiple), kind, scale, whole(most_iterations, "most_iterations"),
-    )  # fmt: skip
+    found = _mesh_problem(start, curves, moments, multiple, loss, most_iterations).fit()
     return LightSolution(**light_parts(found, BrightMesh._of(found["body"])))
+
+
+def search_mesh(
+    body: BrightMesh,
+    curves: LightCurve | Iterable[LightCurve],
+    periods: Iterable[Periods],
+    *,
+    starts: int = 1000,
+    within: float = 1.5,
+    threads: int = 1,
+    seed: int = 0,
+    tries: int = 60,
+    short_iterations: int = 6,
+    finalists: int = 4,
+    moments: str = "start",
+    multiple: bool = False,
+    loss: Loss = "squared",
+    most_iterations: int = 60,
+) -> LightSearchResult:
+    """All spin states of a tumbling body of known shape that light curves allow, from many starts.
+
+    Parameters
+    ----------
+    body : BrightMesh whose shape, law and inertia are known; its attitude, rate and t0 are not
+        looked at. With its moments a pair of periods leaves a phase of the polhode and an attitude
+        to be found, on either side of the axis of circulation.
+    curves : LightCurve, one or several, with vectors.
+    periods : (mode, P_phi, P_psi), mode "SAM" or "LAM": FourierScan.periods lists them. Those that
+        the body cannot have are left out, and a note says how many.
+    starts : in all, taken by the pairs of periods in turn.
+    within : chi-square over the lowest, up to which solutions are reported.
+    threads : the bits of the result do not depend on it.
+    seed : of starts.
+    tries : attitudes of a start, of which the best is taken, by 60 points. short_iterations : of
+        each start.
+    finalists : of each pair of periods that are fitted to the end, with most_iterations.
+    moments : "start", as they are, or "fit", of finalists. multiple, loss : as in fit_mesh.
+
+    Returns
+    -------
+    LightSearchResult
+        Bodies of solutions are BrightMesh. Seen and lit from fixed directions, a body has the same
+        light after a half turn about the bisector of Sun and observer: two poles, where an
+        ellipsoid has four.
+
+    DomainError (a ValueError) as fit_mesh, and without periods. Ctrl-C ends it between two starts.
+    Releases the GIL.
+    """
+    if not isinstance(body, BrightMesh):
+        raise TypeError(f"search_mesh: got {body!r}; expected BrightMesh")
+    wanted = wanted_periods(periods)
+    kind, scale = loss_of(loss)
+    found = _core._search_mesh(
+        curve_parts(curves), body._parts(), wanted, whole(starts, "starts"), whole(tries, "tries"),
+        whole(short_iterations, "short_iterations"), whole(finalists, "finalists"),
+        float(_number(within, "within")), one_of(moments, "moments", ("start", "fit")),
+        bool(multiple), kind, scale, whole(most_iterations, "most_iterations"),
+        whole(seed, "seed", 0), whole(threads, "threads"),
+    )  # fmt: skip
+    return search_result(found, wanted, [BrightMesh._of(parts) for parts in found["bodies"]])
+
+
+class MeshResiduals(ResidualFunction):
+    """Residuals of light curves as a function of the spin state of a body of known shape.
+
+    Parameters as of fit_mesh: start, curves, moments, multiple, loss. Turns are about the attitude
+    of the start, which is a solution where the function goes to polhode.posterior.
+
+    Derivatives are exact between the directions at which a facet passes a terminator, where they
+    have a step, or the edge of a shadow, where the residuals have one: optimisers come to rest
+    beside the least, as fit_mesh does, and samplers refuse some more steps. Factors of sessions are
+    the best ones at every x, and the derivatives know it.
+    """
+
+    def __init__(
+        self,
+        start: BrightMesh,
+        curves: LightCurve | Iterable[LightCurve],
+        *,
+        moments: str = "start",
+        multiple: bool = False,
+        loss: Loss = "squared",
+    ) -> None:
+        super().__init__(
+            _mesh_problem(start, curves, moments, multiple, loss, 1).residuals()
+        )
+
+    @classmethod
+    def _of(cls, compiled: Any) -> MeshResiduals:
+        made = object.__new__(cls)
+        ResidualFunction.__init__(made, compiled)
+        return made
+
+    def state(self, x: ArrayLike) -> BrightMesh:
+        """The body at x."""
+        return BrightMesh._of(self._compiled.state(x))

@@ -46,6 +46,10 @@ def of_fits():
     found = polhode.fit_spin(STATE, RATES, "rate")
     f = polhode.SpinResiduals(STATE, RATES, "rate")
     light = polhode.LightResiduals(BODY, CURVE)
+    convex_numbers = {"degree": 2, "rows": 3, "roughness_error": 3.0, "moments_error": 0.1,
+                      "closure_error": 1e-3, "axes_error": 1e-2}  # fmt: skip
+    convex = polhode.ConvexResiduals(BODY, CURVE, **convex_numbers)
+    mesh = polhode.MeshResiduals(MESH, CURVE)
     scan = polhode.fourier_scan(CURVE, (0.05, 0.2, 0.01), order=1)
     (best,) = polhode.fit(TOUTATIS).solutions
     few = {"draws": 4, "chains": 1, "warm_up": 3, "seed": 1, "accept": 0.8}
@@ -60,6 +64,11 @@ def of_fits():
         **{f"ResidualFunction.{name}": (getattr(f, name), x, {}) for name in functions},
         "SpinResiduals.state": (f.state, x, {}),
         "LightResiduals.state": (light.state, {"x": light.start}, {}),
+        "ConvexResiduals.state": (convex.state, {"x": convex.start}, {}),
+        "MeshResiduals.state": (mesh.state, {"x": mesh.start}, {}),
+        "ConvexResiduals.__init__": (
+            polhode.ConvexResiduals, convex_numbers, {"start": BODY, "curves": CURVE},
+        ),
         "SpinResiduals.__init__": (polhode.SpinResiduals, {"error_factor": 1.0}, start),
         "fit_spin": (polhode.fit_spin, {"error_factor": 1.0, "most_iterations": 20}, start),
         "SpinSolution.predicted": (found.predicted, {"times": TIMES}, {}),
@@ -85,8 +94,7 @@ def of_fits():
         ),
         "fit_convex": (
             polhode.fit_convex,
-            {"degree": 2, "rows": 3, "roughness_error": 3.0, "moments_error": 0.1,
-             "closure_error": 1e-3, "axes_error": 1e-2, "most_iterations": 2},
+            {**convex_numbers, "most_iterations": 2},
             {"start": BODY, "curves": CURVE},
         ),
         "fit_mesh": (polhode.fit_mesh, {"most_iterations": 2}, {"start": MESH, "curves": CURVE}),
@@ -100,6 +108,10 @@ def of_fits():
         ),
         "search_light": (
             polhode.search_light, search, {"curves": CURVE, "periods": [("SAM", 10.0, 25.0)]},
+        ),
+        "search_mesh": (
+            polhode.search_mesh, {k: x for k, x in search.items() if k != "lambert"},
+            {"body": MESH, "curves": CURVE, "periods": [("SAM", 10.0, 25.0)]},
         ),
         "FourierScan.periods": (scan.periods, {"pairs": 1, "labels": 1}, {}),
         "scan_advice": (polhode.scan_advice, {"order": 2}, {"curves": CURVE}),

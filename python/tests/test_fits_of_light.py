@@ -2,6 +2,7 @@
 """Fits of scenarios that observed light curves in Python: what the command line says, as objects;
 the same residuals, curves and landscape as arrays; figures that take them; and Ctrl-C."""
 
+import functools
 import pathlib
 
 import budgets
@@ -134,7 +135,27 @@ def test_figures_take_them(night):
     assert len(figures.body_as_seen(found[0], [0.0, 3.0], [1, 0.2, 0.3], [0.8, 0.6, 0.1])) == 2
 
 
-@pytest.mark.parametrize("wide", [{"fit.scan.order": 5, "fit.scan.shortest": 0.5}, {}])
-def test_an_interrupt_ends_a_scan_and_a_search(wide):
-    long = polhode.load(NIGHT).replace({"fit.starts": 1_000_000, **wide})
-    assert seconds_from_signal(lambda: polhode.fit(long)) < LATEST
+# Of order 4, for which 121 points are enough: the next one is refused, and nothing goes on.
+WIDE = {"fit.scan.order": 4, "fit.scan.shortest": 0.5}
+
+
+def test_an_interrupt_ends_a_scan():
+    done = []
+    wide = polhode.load(NIGHT).replace(WIDE)
+    call = functools.partial(polhode.fit, wide, progress=lambda part, of: done.append(part))
+    assert seconds_from_signal(call) < LATEST
+    assert all(part < 500 for part in done)  # of thousandths, half are the scan's
+
+
+def test_an_interrupt_ends_a_search():
+    done = [0]
+    long = polhode.load(NIGHT).replace({"fit.starts": 1_000_000})
+    call = functools.partial(polhode.fit, long, progress=lambda part, of: done.append(part))
+    assert seconds_from_signal(call, lambda: done[-1] >= 500) < LATEST
+    assert done[-1] < 1000
+
+
+def test_an_order_that_the_points_do_not_determine_is_refused_at_once():
+    wide = polhode.load(NIGHT).replace({**WIDE, "fit.scan.order": 5})
+    with pytest.raises(polhode.ScenarioError, match="121 points do not determine 121 coefficients"):
+        polhode.fit(wide)

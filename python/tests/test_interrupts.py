@@ -4,6 +4,7 @@
 import threading
 import time
 
+import interrupts
 import pytest
 from interrupts import grows, seconds_from_signal
 
@@ -20,6 +21,27 @@ def test_a_call_is_interrupted_when_it_has_begun():
 
     assert 0 <= seconds_from_signal(late, begun.is_set) < 30
     assert begun.is_set()
+
+
+def test_work_after_the_signal_is_counted_and_waiting_has_an_end(monkeypatch):
+    def served_late(rest):
+        try:
+            end = time.perf_counter() + 60
+            while time.perf_counter() < end:
+                time.sleep(0.01)
+        except KeyboardInterrupt:
+            rest()
+            raise
+
+    def work():
+        end = time.process_time() + 0.2
+        while time.process_time() < end:
+            pass
+
+    assert seconds_from_signal(lambda: served_late(work)) >= 0.2
+    monkeypatch.setattr(interrupts, "LONGEST", 0.2)
+    with pytest.raises(AssertionError, match="s from Ctrl-C to the exception"):
+        seconds_from_signal(lambda: served_late(lambda: time.sleep(0.3)))
 
 
 @pytest.mark.parametrize("seconds", [0.0, 0.2])

@@ -66,7 +66,8 @@ class Scan {
     return static_cast<std::int64_t>(down * across_);
   }
 
-  BlockResult block(std::size_t index) const {
+  // `between` is called before each pair that is computed again: some ms each of high orders.
+  BlockResult block(std::size_t index, const std::function<void()>& between) const {
     BlockResult r{.row = index / across_ * rows_,
                   .column = index % across_ * columns_,
                   .rows = 0,
@@ -92,6 +93,7 @@ class Scan {
                set_);
     for (std::size_t i = 0; i < suspect.size(); ++i) {
       if (suspect[i] == 0) continue;
+      if (between) between();
       ++r.again;
       r.chi_square[i] =
           fourier_fit(points_, first[i / r.columns], second[i % r.columns], of_.orders).chi_square;
@@ -122,7 +124,7 @@ Landscape scanned(const std::string& who, const ScanPoints& points, Landscape of
       0, scan.blocks(), options.threads,
       [&](std::int64_t k) {
         if (options.between) options.between();
-        return scan.block(static_cast<std::size_t>(k));
+        return scan.block(static_cast<std::size_t>(k), options.between);
       },
       [&](std::int64_t, const BlockResult& r) {
         done += r.chi_square.size();

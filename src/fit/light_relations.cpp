@@ -53,8 +53,8 @@ bool same_periods(const TumblerPeriods& a, const TumblerPeriods& b, double time_
 }
 
 // How far a state is from another, in units of what is still alike.
-double distance_of(const BrightEllipsoid& a, const BrightEllipsoid& other) {
-  const BrightEllipsoid b = nearest_of_same(a, other);
+double distance_of(const BrightEllipsoid& a, const BrightEllipsoid& other, bool half_turns) {
+  const BrightEllipsoid b = half_turns ? nearest_of_same(a, other) : other;
   const double rate = norm(a.spin.w_F);
   return std::max({norm(attitude_residual(a.spin.q, b.spin.q)) / alike_turn,
                    norm(b.spin.w_F - a.spin.w_F) / (alike_rate * rate),
@@ -64,7 +64,8 @@ double distance_of(const BrightEllipsoid& a, const BrightEllipsoid& other) {
 
 // Its parent: of those before solution j the one whose image it is nearest to; one that is no image
 // itself, where there is such a one.
-void set_parent(std::vector<FoundLight>& solutions, std::size_t j, const LightGeometry& g) {
+void set_parent(std::vector<FoundLight>& solutions, std::size_t j, const LightGeometry& g,
+                bool half_turns) {
   using Beside = FoundLight::Beside;
   FoundLight& f = solutions[j];
   for (const bool of_images : {false, true}) {
@@ -75,7 +76,7 @@ void set_parent(std::vector<FoundLight>& solutions, std::size_t j, const LightGe
            {LightImage::normal, LightImage::bisector, LightImage::difference}) {
         const BrightEllipsoid image =
             image_of(solutions[k].solution.body, i, g.to_sun, g.to_observer);
-        const double off = distance_of(image, f.solution.body);
+        const double off = distance_of(image, f.solution.body, half_turns);
         if (!(off < least)) continue;
         least = off;
         f.beside = Beside::image;
@@ -130,7 +131,7 @@ LightGeometry geometry_of(std::span<const LightCurve> curves) {
 }
 
 bool are_alike(const BrightEllipsoid& a, const BrightEllipsoid& other) {
-  return distance_of(a, other) < 1.0;
+  return distance_of(a, other, true) < 1.0;
 }
 
 bool are_same(const LightSolution& a, const LightSolution& b, const LightUnknowns& unknowns) {
@@ -148,13 +149,14 @@ bool are_same(const LightSolution& a, const LightSolution& b, const LightUnknown
   return true;
 }
 
-void describe_relations(std::vector<FoundLight>& solutions, const LightGeometry& geometry) {
+void describe_relations(std::vector<FoundLight>& solutions, const LightGeometry& geometry,
+                        bool half_turns) {
   using Beside = FoundLight::Beside;
   for (std::size_t j = 0; j < solutions.size(); ++j) {
     FoundLight& f = solutions[j];
     f.beside = Beside::first;
     f.of = 0;
-    set_parent(solutions, j, geometry);
+    set_parent(solutions, j, geometry, half_turns);
     for (std::size_t k = 0; k < j && f.beside == Beside::first; ++k) {
       const TumblerPeriods &a = solutions[k].solution.periods, &b = f.solution.periods;
       if (a.mode != b.mode || !same_periods(a, b, geometry.time_base)) continue;
@@ -183,8 +185,9 @@ std::vector<std::size_t> starts_of_images(const std::vector<FoundLight>& solutio
 
 }  // namespace detail
 
-void describe_solutions(std::vector<FoundLight>& solutions, std::span<const LightCurve> curves) {
-  detail::describe_relations(solutions, detail::geometry_of(curves));
+void describe_solutions(std::vector<FoundLight>& solutions, std::span<const LightCurve> curves,
+                        bool half_turns) {
+  detail::describe_relations(solutions, detail::geometry_of(curves), half_turns);
 }
 
 }  // namespace v0

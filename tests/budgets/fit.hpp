@@ -77,9 +77,16 @@ inline constexpr double light_missed = 60.0, light_within = 0.9;
 // bends of meshes; moments that follow the shape; what a spin state of exact light is off, in rad
 // and of |w|; chi-square over that of the start, with shadows ---
 inline constexpr double surface_bend = 1e-6;
+// what residual functions begin with where a fit ended: the sum, and its slopes in standard errors
+inline constexpr double surface_cost = 1e-5, surface_fit_slope = 2e-3;
+// moments that follow the shape at every x, against those of its mesh
+inline constexpr double convex_followed = 1e-11;
 inline constexpr double convex_moments = 1e-5, convex_axes = 0.3, convex_ratio = 0.3;
 inline constexpr double light_image_cost = 1e-6;  // of images, from fixed directions
 inline constexpr double mesh_exact = 1e-4, mesh_gain = 0.25;
+// searches with a mesh: how far the truth is, in the errors of one unknown; chi-square of what has
+// the same light, where facets bend it
+inline constexpr double mesh_off = 5.0, mesh_image = 0.02, mesh_found = 0.1;  // rad
 // of drawn tumblers, in how many the true periods are reported; are among the first 20 labels
 inline constexpr double light_reported = 0.95, light_labelled = 0.75;
 // with Lambert's quadrature, whose points follow directions; unknowns from exact light

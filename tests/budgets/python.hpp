@@ -122,7 +122,9 @@ inline constexpr double python_convex_closure = 3e-3, python_convex_light = 2e-2
 inline constexpr double python_axes = 0.1;
 // --- samplers (python/tests/test_posterior.py): of errors of 300 to 600 draws ---
 inline constexpr double sampled_mean = 0.25, sampled_spread = 0.15, sampled_rhat = 0.02;
-inline constexpr double sampled_torque = 0.4;  // of errors of 100 draws
+inline constexpr double sampled_torque = 0.4;   // of errors of 100 draws
+inline constexpr double sampled_surface = 0.4;  // of errors of 250 draws
+inline constexpr double sampled_misfit = 2.0;   // chi-square over the number of points
 inline constexpr double sampled_toutatis = 0.5, sampled_rhat_few = 1.06, sampled_rhat_full = 1.03;
 inline constexpr double sampled_diverged = 0.01;  // part of the draws
 inline constexpr double unbounded_difference = 1e-8;

@@ -182,6 +182,58 @@ def test_a_mesh_is_looked_for_with_the_periods_of_ellipsoids(run, night, fit_fil
     assert abs(period["value"] - 12) < 4 * period["error"]
 
 
+def knobs(rows=7):
+    """A body of 168 facets with knobs and hollows, in shadow here and there."""
+    points, first = [], []
+    for i in range(rows + 1):
+        first.append(len(points) + 1)
+        for j in range(2 * rows if 0 < i < rows else 1):
+            theta, phi = math.pi * i / rows, math.pi * j / rows
+            x, y = math.sin(theta) * math.cos(phi), math.sin(theta) * math.sin(phi)
+            z = math.cos(theta)
+            waves = math.sin(1.2 * x - 4.8 * y - 0.6 * z) * math.cos(0.4 * x - 1.4 * y + 1.4 * z)
+            r = 1 + 0.3 * waves + 0.105 * x - 0.135 * y - 0.105 * z
+            points.append((r * x, 0.84 * r * y, 0.71 * r * z))
+
+    def at(i, j):
+        return first[i] + (0 if i in (0, rows) else j % (2 * rows))
+
+    faces = []
+    for j in range(2 * rows):
+        faces += [(at(i, j), at(i + 1, j), at(i + 1, j + 1)) for i in range(rows - 1)]
+        faces += [(at(i, j), at(i + 1, j + 1), at(i, j + 1)) for i in range(1, rows)]
+    return "".join(f"v {x} {y} {z}\n" for x, y, z in points) + "".join(
+        "f " + " ".join(map(str, face)) + "\n" for face in faces)
+
+
+def test_a_mesh_is_found_where_no_ellipsoid_leads_to_it(run, fit_file, tmp_path):
+    """By its periods alone: with the pole of the truth, or that turned by pi about the bisector of
+    Sun and observer. From the ellipsoids that fit best nothing converged."""
+    (tmp_path / "seen.obj").write_text(knobs())
+    head = HEAD
+    for given, instead in (("moments = [0.5625, 1.2025, 1.36]  # of the ellipsoid 1 : 0.6 : 0.45",
+                            'shape = "seen.obj"\ndensity = 1'),
+                           ("[units]", '[units]\nlength = "m"'), ('"LAM"', '"SAM"'),
+                           ("period = 20", "period = 97.253149"),
+                           ("longitude = 50", "longitude = 206.813"),
+                           ("latitude = 40", "latitude = -32.342"), ("phi0 = 20", "phi0 = 106.402"),
+                           ("psi0 = 70", "psi0 = 13.875"), ("stop = 120", "stop = 243.133"),
+                           ("count = 81", "count = 121"), ("sigma = 0.005", "sigma = 0.01"),
+                           ("[0.8, 0.6, 0.1]", "[0.7, 0.8, 0.1]")):
+        assert given in head
+        head = head.replace(given, instead)
+    mesh = '[light]\nshape = "mesh"\n'
+    done = run("simulate", fit_file(mesh, TURN, head=head, name="truth.toml"), "--into", tmp_path)
+    assert done.returncode == 0, done.stderr
+    periods = ('[fit]\nfrom = "search"\nstarts = 40\n[[fit.periods]]\nmode = "SAM"\n'
+               "precession_period = 11.9995\nrotation_period = 97.1\n")
+    found = fitted(run, fit_file(mesh, TURN, periods, head=head, name="search.toml"))
+    assert found["periods"][0]["mesh"]["converged"]
+    off = [pole_off(one, 206.813, -32.342) for one in found["solutions"][:2]]
+    assert smallest(*off) < 3, off
+    assert found["solutions"][0]["chi_square"] < 1.2 * found["solutions"][0]["degrees_of_freedom"]
+
+
 @pytest.mark.parametrize(("parts", "expected"), [
     ((CONVEX, TURN), "expected shape among them: a convex body is what is looked for"),
     ((MESH, FREE), 'expected no shape with light.shape = "mesh": the mesh is given'),

@@ -18,8 +18,9 @@
 //             too, linear in them within a round of iterations; the fit has converged where they
 //             are those of the body to 1e-5. A convex body that has the light of a hollow one is a
 //             model of it, no more.
-// Accuracy    derivatives: budget surface_bend in tests/budgets/fit.hpp; errors: covariance.hpp,
-//             under this regularisation alone.
+// Accuracy    derivatives: budget light_derivatives in tests/budgets/fit.hpp, of moments that
+//             follow the shape convex_moments_by_areas; errors: covariance.hpp, under this
+//             regularisation alone.
 // Errors      DomainError as fit_light and GaussianImage; regularisation errors that are not above
 //             0.
 // Cost        facets (degree + 1)^2 flops a point and iteration: benchmarks/fit_light_curves.cpp;
@@ -30,6 +31,7 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -65,6 +67,9 @@ struct ConvexFit {
   double moments_error = 0.1;  // infinity: nothing is known of moments
   Loss loss;
   int most_iterations = 100;
+  // Where the unknowns begin, if not at the ellipsoid of the start: degree and rows are its. Priors
+  // stay those about the start, so that a fit of few iterations is gone on with.
+  std::optional<BrightConvex> from = std::nullopt;
 };
 
 struct ConvexSolution : LightOutcome {
@@ -72,6 +77,13 @@ struct ConvexSolution : LightOutcome {
 };
 
 ConvexSolution fit_convex(const ConvexFit& fit);
+
+// The problem that it solves, for another optimiser or a sampler (residual_function.hpp), about the
+// body that the fit begins with; regularisation is among its residuals, as priors. Moments of
+// MomentSource::shape are those of the body at every x, one convex_moments each: no value where the
+// areas close none. And the body at some values of the unknowns.
+LeastSquares least_squares_of(const ConvexFit& fit);
+BrightConvex body_at(const ConvexFit& fit, std::span<const double> x);
 
 // Fluxes of the model at all points, session by session, with the best factor of each under a loss.
 std::vector<std::vector<double>> model_fluxes(const BrightConvex& body,

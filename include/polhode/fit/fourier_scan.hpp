@@ -62,7 +62,8 @@ struct ScanOptions {
   std::size_t order = 3;
   int threads = 1;
   InstructionSet set = widest_instruction_set();
-  // Called before each block of pairs, in any of the threads; what it throws ends the scan.
+  // Called before each block of pairs, and before each pair that is computed again, in any of the
+  // threads; what it throws ends the scan.
   std::function<void()> between = {};
   // Which part of the pairs is done, after each block; one call after the other.
   std::function<void(double part)> progress = {};

@@ -118,8 +118,10 @@ struct LightSearchResult {
 LightSearchResult search_light(const LightSearch& search);
 
 // What each solution is beside those before it: `beside`, `image`, `of` and `sentence`, as
-// search_light says it of its own.
-void describe_solutions(std::vector<FoundLight>& solutions, std::span<const LightCurve> curves);
+// search_light says it of its own. `half_turns`: bodies are the same after half turns about their
+// axes, as ellipsoids are, and facets that a fit may move; a given mesh is not.
+void describe_solutions(std::vector<FoundLight>& solutions, std::span<const LightCurve> curves,
+                        bool half_turns = true);
 
 }  // namespace v0
 }  // namespace polhode

@@ -12,9 +12,9 @@
 // Domain      axes F are those of the mesh; inertia_F is any tensor along them
 //             (homogeneous_inertia has that of an even filling), diagonal where moments are
 //             unknown.
-// Accuracy    derivatives: budget surface_bend in tests/budgets/fit.hpp. The facets are those of
-//             the body, which bend its light where they pass a terminator, so that a fit comes to
-//             rest beside the least: converged is nearer than one standard error, or 1 of
+// Accuracy    derivatives: budget light_derivatives in tests/budgets/fit.hpp. The facets are those
+//             of the body, which bend its light where they pass a terminator, so that a fit comes
+//             to rest beside the least: converged is nearer than one standard error, or 1 of
 //             chi-square. Shadows jump by the light of a facet: fine meshes keep that below the
 //             errors of the data, and a fit that stalls in the jumps says that it did not converge.
 // Errors      DomainError as fit_light; MomentSource::shape, as the shape does not change.
@@ -54,6 +54,12 @@ struct MeshSolution : LightOutcome {
 };
 
 MeshSolution fit_mesh(const MeshFit& fit);
+
+// The problem that it solves, for another optimiser or a sampler (residual_function.hpp): turns are
+// about the attitude of the start, factors of sessions the best ones. And the body at some values
+// of the unknowns.
+LeastSquares least_squares_of(const MeshFit& fit);
+BrightMesh body_at(const MeshFit& fit, std::span<const double> x);
 
 // Fluxes of the model at all points, session by session, with the best factor of each under a loss.
 std::vector<std::vector<double>> model_fluxes(const BrightMesh& body,

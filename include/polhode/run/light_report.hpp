@@ -6,8 +6,9 @@
 // Equations   those of scan_pairs, labelled_periods, search_light and fit_light (polhode/fit/). A
 //             convex body (fit_convex) and a given mesh (fit_mesh) follow the ellipsoid: of a
 //             search they start from the best ellipsoid of every pair of periods, whatever it
-//             came to, and of what comes within the limit again from its images. A mesh takes
-//             the periods, pole and phases of the ellipsoid, in four half turns.
+//             came to, and of what comes within the limit again from its images. A mesh is
+//             looked for by periods (search_mesh), and takes those, pole and phases of the
+//             ellipsoid, too, in four half turns.
 //             chi-square of a scan is the same for f1 and f2 exchanged: half of it is computed.
 // Units       core units; texts and files in the units of the scenario.
 // Domain      free rotation relative to inertial axes. Axes of solutions are the principal ones in
@@ -88,8 +89,9 @@ struct LightReport {
   // By what was minimised. Where the shape is no ellipsoid `body` has the spin and the law, and the
   // ellipsoid of the same moments of inertia as the shape filled evenly.
   std::vector<FoundLight> solutions;
-  std::vector<BrightConvex> convex;  // of each solution, where the shape is convex
-  std::optional<ShadedMesh> mesh;    // of all, where it is a mesh
+  std::vector<BrightConvex> convex;    // of each solution, where the shape is convex
+  std::vector<BrightEllipsoid> begun;  // and the ellipsoid that it was fitted from
+  std::optional<ShadedMesh> mesh;      // of all, where it is a mesh
   std::size_t starts = 1, finalists = 1, converged = 0;  // of ellipsoids
   std::size_t surfaces = 0, surfaces_converged = 0;      // fits of convex bodies, or of the mesh
   std::vector<std::string> notes;
@@ -120,6 +122,12 @@ std::vector<FitNumber> light_numbers(const Scenario& scenario, const LightReport
 
 // By which errors of a solution are scaled, its error_factor(); NaN where that is none or 0.
 double light_error_factor(const LightOutcome& found);
+
+// The fit that a solution is of, from that solution on; DomainError where its shape is another.
+LightFit ellipsoid_fit_at(const Scenario& scenario, const LightReport& report,
+                          std::size_t solution);
+ConvexFit convex_fit_at(const Scenario& scenario, const LightReport& report, std::size_t solution);
+MeshFit mesh_fit_at(const Scenario& scenario, const LightReport& report, std::size_t solution);
 
 std::string light_text(const Scenario& scenario, const LightReport& report);
 std::string light_json(const Scenario& scenario, const LightReport& report);

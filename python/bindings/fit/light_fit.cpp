@@ -65,11 +65,6 @@ nb::dict fitted_light(const LightFit& fit) {
   return light_dict(found);
 }
 
-PythonResiduals light_residuals_of(const LightFit& fit) {
-  return {ResidualFunction(least_squares_of(fit)),
-          [fit](std::span<const double> x) -> nb::object { return body_parts(body_at(fit, x)); }};
-}
-
 nb::list model_of(const nb::tuple& body, const nb::list& curves, const std::string& loss,
                   double scale) {
   nb::list list;
@@ -95,31 +90,14 @@ const char* beside_word(FoundLight::Beside beside) {
   return "other-pole";
 }
 
-nb::dict search_dict(const LightSearchResult& result) {
-  nb::dict d;
-  nb::list solutions;
-  for (const FoundLight& f : result.solutions) solutions.append(found_dict(f));
-  d["solutions"] = solutions;
-  d["chi_square_of_periods"] = array_of(std::span<const double>(result.chi_square_of_periods));
-  d["starts"] = result.starts;
-  d["finalists"] = result.finalists;
-  d["converged"] = result.converged;
-  d["notes"] = nb::tuple(nb::cast(result.notes));
-  return d;
-}
-
-using Periods = std::vector<std::tuple<std::string, double, double>>;
-
-nb::dict searched(const nb::list& curves, const Periods& periods, std::size_t starts,
+nb::dict searched(const nb::list& curves, const PeriodParts& periods, std::size_t starts,
                   std::size_t tries, int short_iterations, std::size_t finalists, double within,
                   bool shape, const std::string& moments, bool multiple, double single,
                   const std::string& loss, double scale, int most_iterations, std::uint64_t seed,
                   int threads) {
   LightSearch search;
   search.curves = light_curves_of(curves);
-  for (const auto& [mode, precession, rotation] : periods)
-    search.periods.push_back(
-        {mode == "SAM" ? Regime::short_axis : Regime::long_axis, precession, rotation});
+  search.periods = periods_of_parts(periods);
   search.starts = starts;
   search.tries = tries;
   search.short_iterations = short_iterations;
@@ -141,6 +119,11 @@ nb::dict searched(const nb::list& curves, const Periods& periods, std::size_t st
 }
 
 }  // namespace
+
+PythonResiduals light_residuals_of(const LightFit& fit) {
+  return {ResidualFunction(least_squares_of(fit)),
+          [fit](std::span<const double> x) -> nb::object { return body_parts(body_at(fit, x)); }};
+}
 
 BrightEllipsoid ellipsoid_of(const nb::tuple& parts) {
   const Vec3 axes = vec3(parts[1], "axes");
@@ -166,6 +149,27 @@ nb::dict found_dict(const FoundLight& found) {
   d["beside"] = beside_word(found.beside);
   d["of"] = found.of;
   d["relation"] = found.sentence;
+  return d;
+}
+
+std::vector<TumblerPeriods> periods_of_parts(const PeriodParts& parts) {
+  std::vector<TumblerPeriods> periods;
+  for (const auto& [mode, precession, rotation] : parts)
+    periods.push_back(
+        {mode == "SAM" ? Regime::short_axis : Regime::long_axis, precession, rotation});
+  return periods;
+}
+
+nb::dict search_dict(const LightSearchResult& result) {
+  nb::dict d;
+  nb::list solutions;
+  for (const FoundLight& f : result.solutions) solutions.append(found_dict(f));
+  d["solutions"] = solutions;
+  d["chi_square_of_periods"] = array_of(std::span<const double>(result.chi_square_of_periods));
+  d["starts"] = result.starts;
+  d["finalists"] = result.finalists;
+  d["converged"] = result.converged;
+  d["notes"] = nb::tuple(nb::cast(result.notes));
   return d;
 }
 

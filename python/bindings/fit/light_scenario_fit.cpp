@@ -54,18 +54,28 @@ nb::object scan_of(const LightScenarioFit& fit) {
   return nb::cast(ScanFound{fit.report.scan->landscape, fit.report.scan->minima});
 }
 
-// The fit as it begins at a solution; errors are those that it has scaled, where asked for.
-LightFit light_problem_at(const LightScenarioFit& fit, std::size_t solution, bool scaled) {
-  if (fit.report.shape != LightPlan::Shape::ellipsoid)
-    throw nb::value_error("residual_function: got a convex body or a mesh; expected an ellipsoid");
+// Errors are those that the solution has scaled, where asked for.
+template <class Fit>
+Fit with_errors(Fit problem, const LightScenarioFit& fit, std::size_t solution, bool scaled) {
   const LightSolution& from = fit.report.solutions.at(solution).solution;
-  LightFit problem{fit.report.observed.curves, from.body, fit.report.unknowns,
-                   require_fit(fit.scenario).loss};
   const double factor = light_error_factor(from);
   if (scaled && factor > 0.0)
     for (LightCurve& curve : problem.curves)
       for (LightPoint& point : curve.points) point.sigma *= factor;
   return problem;
+}
+
+// As functions of the unknowns, from a solution on.
+PythonResiduals residuals_from(const LightScenarioFit& fit, std::size_t solution, bool scaled) {
+  const LightReport& report = fit.report;
+  if (report.shape == LightPlan::Shape::convex)
+    return convex_residuals_of(
+        with_errors(convex_fit_at(fit.scenario, report, solution), fit, solution, scaled));
+  if (report.shape == LightPlan::Shape::mesh)
+    return mesh_residuals_of(
+        with_errors(mesh_fit_at(fit.scenario, report, solution), fit, solution, scaled));
+  return light_residuals_of(
+      with_errors(ellipsoid_fit_at(fit.scenario, report, solution), fit, solution, scaled));
 }
 
 // Of a solution that is no ellipsoid: (spin, degree, rows, coefficients, law) of a convex body,
@@ -96,7 +106,7 @@ void bind_light_scenario_fit(nb::module_& m) {
       .def("surface", surface_of)
       .def("residuals", light_rows)
       .def("raw", [](const F& f, std::size_t k) { return found_dict(f.report.solutions.at(k)); })
-      .def("problem", light_problem_at);
+      .def("residuals_from", residuals_from);
   m.def("_fit_light_scenario", light_fit_of, "scenario"_a, "threads"_a, "progress"_a.none());
   m.def("_observes_light", observes_light);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Fourier scans of light curves, and which periods of a tumbler their minima may be.
+#include <new>
 #include <utility>
 
 #include "fit/bind_fit.hpp"
@@ -51,7 +52,7 @@ ScanFound scanned(const nb::list& curves, const Grid& first, const Grid& second,
   ScanFound found;
   loop.do_work(0, [&] {
     found.landscape = scan_pairs(points, grid_of(first), grid_of(second), options);
-    found.minima = scan_minima(points, found.landscape, {most, threads});
+    found.minima = scan_minima(points, found.landscape, {most, threads, options.between});
   });
   return found;
 }
@@ -115,7 +116,11 @@ void bind_scan(nb::module_& m) {
       .def_prop_ro("f1", [](const ScanFound& s) { return frequencies_of(s.landscape.first); })
       .def_prop_ro("f2", [](const ScanFound& s) { return frequencies_of(s.landscape.second); })
       .def_prop_ro("minima", minima_of)
-      .def("periods", periods_of);
+      .def("periods", periods_of)
+      .def("__getstate__", scan_state)
+      .def("__setstate__", [](ScanFound& scan, const nb::tuple& state) {
+        new (&scan) ScanFound(scan_of_state(state));
+      });
   m.def("_scan_advice", advice_of);
   m.def("_fourier_scan", scanned);
   m.def("_period_labels", labels_of);

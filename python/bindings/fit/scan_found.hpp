@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "bindings.hpp"
 #include "polhode/fit/scan_minima.hpp"
 
 namespace polhode::python {
@@ -12,5 +13,9 @@ struct ScanFound {
   Landscape landscape;
   std::vector<ScanMinimum> minima;
 };
+
+// As numbers, for pickles; and again from them.
+nb::tuple scan_state(const ScanFound& scan);
+ScanFound scan_of_state(const nb::tuple& state);
 
 }  // namespace polhode::python

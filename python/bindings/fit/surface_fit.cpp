@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Fits of convex bodies and of given meshes, and likely periods.
 #include <algorithm>
+#include <cstdint>
+#include <stdexcept>
 #include <utility>
 
 #include "fit/bind_fit.hpp"
 #include "fit/light_curves.hpp"
 #include "fit/light_problem.hpp"
+#include "io/work_loop.hpp"
+#include "motion/samples.hpp"
 #include "polhode/fit/likely_periods.hpp"
+#include "polhode/fit/mesh_search.hpp"
 #include "polhode/fit/scan_points.hpp"
 
 namespace polhode::python {
@@ -46,12 +51,25 @@ nb::dict outcome_dict(const LightOutcome& found) {
   return light_dict(all);
 }
 
-nb::dict fitted_convex(const nb::list& curves, const nb::tuple& start, int degree, int rows,
-                       const std::string& moments, bool multiple, const std::vector<double>& errors,
-                       const std::string& loss, double scale, int most_iterations) {
+struct ConvexProblem {
+  ConvexFit fit;
+};
+
+// `mesh` is the shape, as Python holds it.
+struct MeshProblem {
+  MeshFit fit;
+  nb::object mesh;
+};
+
+// `from` is what convex_parts gives, or empty.
+ConvexProblem convex_problem(const nb::list& curves, const nb::tuple& start, const nb::tuple& from,
+                             int degree, int rows, const std::string& moments, bool multiple,
+                             const std::vector<double>& errors, const std::string& loss,
+                             double scale, int most_iterations) {
   ConvexFit fit;
   fit.curves = light_curves_of(curves);
   fit.start = ellipsoid_of(start);
+  if (from.size() > 0) fit.from = convex_of(from);
   fit.degree = degree;
   fit.rows = rows;
   fit.moments = moments_of(moments);
@@ -62,26 +80,80 @@ nb::dict fitted_convex(const nb::list& curves, const nb::tuple& start, int degre
   fit.axes_error = errors[3];
   fit.loss = loss_of(loss, scale);
   fit.most_iterations = most_iterations;
+  return {std::move(fit)};
+}
+
+nb::dict fitted_convex(const ConvexProblem& problem) {
   const ConvexSolution found = [&] {
     const WithoutGil released;
-    return fit_convex(fit);
+    return fit_convex(problem.fit);
   }();
   nb::dict d = outcome_dict(found);
   d["body"] = convex_parts(found.body);
   return d;
 }
 
-nb::dict fitted_mesh(const nb::list& curves, const nb::tuple& start, const std::string& moments,
-                     bool multiple, const std::string& loss, double scale, int most_iterations) {
-  const MeshFit fit{light_curves_of(curves), mesh_of(start), moments_of(moments), multiple,
-                    loss_of(loss, scale),    most_iterations};
+PythonResiduals convex_residuals(const ConvexProblem& problem) {
+  return convex_residuals_of(problem.fit);
+}
+
+MeshProblem mesh_problem(const nb::list& curves, const nb::tuple& start, const std::string& moments,
+                         bool multiple, const std::string& loss, double scale,
+                         int most_iterations) {
+  return {{light_curves_of(curves), mesh_of(start), moments_of(moments), multiple,
+           loss_of(loss, scale), most_iterations},
+          start[1]};
+}
+
+nb::dict fitted_mesh(const MeshProblem& problem) {
   const MeshSolution found = [&] {
     const WithoutGil released;
-    return fit_mesh(fit);
+    return fit_mesh(problem.fit);
   }();
   nb::dict d = outcome_dict(found);
-  d["body"] = nb::make_tuple(spin_parts(found.body.spin), start[1],
+  d["body"] = nb::make_tuple(spin_parts(found.body.spin), problem.mesh,
                              nb::make_tuple(found.body.law.single, found.body.law.multiple));
+  return d;
+}
+
+PythonResiduals mesh_residuals(const MeshProblem& problem) {
+  return mesh_residuals_of(problem.fit);
+}
+
+// `bodies` are those of the solutions, with the mesh that was given.
+nb::dict mesh_search(const nb::list& curves, const nb::tuple& body, const PeriodParts& periods,
+                     std::size_t starts, std::size_t tries, int short_iterations,
+                     std::size_t finalists, double within, const std::string& moments,
+                     bool multiple, const std::string& loss, double scale, int most_iterations,
+                     std::uint64_t seed, int threads) {
+  MeshSearch search{.curves = light_curves_of(curves),
+                    .body = mesh_of(body),
+                    .periods = periods_of_parts(periods)};
+  search.starts = starts;
+  search.tries = tries;
+  search.short_iterations = short_iterations;
+  search.finalists = finalists;
+  search.within = within;
+  search.moments = moments_of(moments);
+  search.multiple = multiple;
+  search.loss = loss_of(loss, scale);
+  search.most_iterations = most_iterations;
+  search.seed = seed;
+  search.threads = checked_threads(threads);
+  WorkLoop loop("the search was stopped", nb::none());
+  search.between = [&loop] {
+    if (loop.is_stopped()) throw std::runtime_error("the search was stopped");
+  };
+  LightSearchResult found;
+  loop.do_work(0, [&] { found = search_mesh(search); });
+  nb::dict d = search_dict(found);
+  nb::list bodies;
+  for (const FoundLight& f : found.solutions) {
+    const BrightEllipsoid& one = f.solution.body;
+    bodies.append(nb::make_tuple(spin_parts(one.spin), body[1],
+                                 nb::make_tuple(one.law.single, one.law.multiple)));
+  }
+  d["bodies"] = bodies;
   return d;
 }
 
@@ -129,9 +201,29 @@ nb::tuple convex_parts(const BrightConvex& body) {
                         nb::make_tuple(body.law.single, body.law.multiple));
 }
 
+PythonResiduals convex_residuals_of(const ConvexFit& fit) {
+  return {ResidualFunction(least_squares_of(fit)),
+          [fit](std::span<const double> x) -> nb::object { return convex_parts(body_at(fit, x)); }};
+}
+
+PythonResiduals mesh_residuals_of(const MeshFit& fit) {
+  return {ResidualFunction(least_squares_of(fit)), [fit](std::span<const double> x) -> nb::object {
+            const BrightMesh body = body_at(fit, x);
+            return nb::make_tuple(spin_parts(body.spin), body.shape.shape(),
+                                  nb::make_tuple(body.law.single, body.law.multiple));
+          }};
+}
+
 void bind_surface_fit(nb::module_& m) {
-  m.def("_fit_convex", fitted_convex);
-  m.def("_fit_mesh", fitted_mesh);
+  nb::class_<ConvexProblem>(m, "_ConvexProblem")
+      .def("fit", fitted_convex)
+      .def("residuals", convex_residuals);
+  nb::class_<MeshProblem>(m, "_MeshProblem")
+      .def("fit", fitted_mesh)
+      .def("residuals", mesh_residuals);
+  m.def("_convex_problem", convex_problem);
+  m.def("_mesh_problem", mesh_problem);
+  m.def("_search_mesh", mesh_search);
   m.def("_convex_fluxes",
         [](const nb::tuple& body, const nb::list& curves, const std::string& loss, double scale) {
           return fluxes_of(convex_of(body), curves, loss, scale);

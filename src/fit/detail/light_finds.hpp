@@ -3,7 +3,9 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "fit/light_geometry.hpp"
@@ -18,10 +20,15 @@ class LightFinds {
   // Rounds of more starts, at most.
   static constexpr int most_rounds = 6;
 
-  explicit LightFinds(const LightSearch& search);
+  // Whether the second solution is the first one again.
+  using AreSame = std::function<bool(const LightSolution&, const LightSolution&)>;
 
-  // Solutions from here on have these unknowns; the best of each pair of periods stays.
-  void begin(const LightUnknowns& model);
+  // `half_turns`: of bodies that are the same after half turns about their axes.
+  LightFinds(std::span<const LightCurve> curves, std::size_t periods, double within,
+             AreSame are_same, bool half_turns);
+
+  // Solutions from here on have other unknowns; the best of each pair of periods stays.
+  void begin(AreSame are_same);
   void add(const LightSolution& found, std::size_t periods);
 
   const std::vector<FoundLight>& all() const { return solutions_; }
@@ -43,7 +50,8 @@ class LightFinds {
 
   double within_;
   LightGeometry geometry_;
-  LightUnknowns model_;
+  AreSame are_same_;
+  bool half_turns_;
   std::size_t converged_ = 0;
   std::vector<FoundLight> solutions_;
   std::vector<std::optional<LightSolution>> best_;

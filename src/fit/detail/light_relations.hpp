@@ -20,8 +20,9 @@ bool are_same(const LightSolution& a, const LightSolution& b, const LightUnknown
 // How many starts came to each solution or to one of its images. They have been described.
 std::vector<std::size_t> starts_of_images(const std::vector<FoundLight>& solutions);
 
-// Says of each solution what it is beside those before it.
-void describe_relations(std::vector<FoundLight>& solutions, const LightGeometry& geometry);
+// Says of each solution what it is beside those before it; `half_turns` as describe_solutions.
+void describe_relations(std::vector<FoundLight>& solutions, const LightGeometry& geometry,
+                        bool half_turns);
 
 }  // namespace detail
 }  // namespace v0

@@ -67,6 +67,14 @@ class SurfaceResiduals {
         followed_(std::move(followed)),
         rows_(rows) {}
 
+  // The same with other moments that follow.
+  SurfaceResiduals with(const FollowedMoments& followed) const {
+    SurfaceResiduals other = *this;
+    other.followed_ = followed;
+    return other;
+  }
+
+  const FollowedMoments& followed() const { return followed_; }
   const WeighedCurves& curves() const { return curves_; }
   std::size_t unknowns() const { return unknowns_.own_at() + surface_.own(); }
   std::size_t priors() const { return surface_.priors(); }

@@ -47,6 +47,15 @@ void require_start(const ConvexFit& fit) {
   require_error("axes_error", fit.axes_error);
   require_error("roughness_error", fit.roughness_error);
   require_error("moments_error", fit.moments_error);
+  if (!fit.from) return;
+  const BrightConvex& from = *fit.from;
+  detail::require_spin(who, from.spin, fit.most_iterations);
+  detail::require_law(who, from.law, fit.multiple);
+  detail::require_diagonal(who, from.spin, "the axes of the body that it begins with");
+  if (from.coefficients.size() != from.image.coefficient_count())
+    throw DomainError(who + std::to_string(from.coefficients.size()) +
+                      " coefficients of the body that it begins with; expected " +
+                      std::to_string(from.image.coefficient_count()));
 }
 
 // The start's ellipsoid with b = 1.
@@ -54,18 +63,83 @@ std::vector<double> coefficients_of(const GaussianImage& image, const Ellipsoid&
   return image.coefficients(Ellipsoid{e.a / e.b, 1.0, e.c / e.b});
 }
 
+// Moments in units of Izz.
+SpinState normalized_spin(SpinState s) {
+  const double unit = s.inertia_F(2, 2);
+  for (Vec3& row : s.inertia_F.row) row = (1.0 / unit) * row;
+  return s;
+}
+
+// The body that a fit begins with.
+BrightConvex first_body(const ConvexFit& fit) {
+  const SpinState spin = normalized_spin(fit.start.spin);
+  if (!fit.from) {
+    const GaussianImage image(fit.degree, fit.rows);
+    return {spin, fit.start.law, image, coefficients_of(image, fit.start.shape)};
+  }
+  BrightConvex body = *fit.from;
+  body.spin = normalized_spin(body.spin);
+  if (fit.moments == MomentSource::start) body.spin.inertia_F = spin.inertia_F;
+  return body;
+}
+
+// From here on moments are linear about these coefficients.
+detail::FollowedMoments followed_at(const GaussianImage& image,
+                                    const std::vector<double>& coefficients,
+                                    const ConvexMoments& m) {
+  const std::vector<double> A = image.areas(coefficients);
+  const auto own = [](std::vector<double> of_all) {
+    of_all.erase(of_all.begin());
+    return of_all;
+  };
+  return {m.Ixx, m.Iyy, own(coefficients), own(image.by_coefficients(m.Ixx_by_areas, A)),
+          own(image.by_coefficients(m.Iyy_by_areas, A))};
+}
+
+// Residuals with moments that are those of the body at every x.
+class OfShape {
+ public:
+  OfShape(std::shared_ptr<const ConvexResiduals> residuals, const BrightConvex& from)
+      : residuals_(std::move(residuals)), image_(from.image), first_(from.coefficients) {
+    // of a start that is the same at every x, so that the numbers are, too
+    distances_ = convex_moments(image_.normals(), image_.areas(first_)).distances;
+  }
+
+  ConvexResiduals about(std::span<const double> x) const {
+    std::vector<double> c{first_.front()};
+    const std::span<const double> own = residuals_->own_of(x);
+    c.insert(c.end(), own.begin(), own.end());
+    return residuals_->with(
+        followed_at(image_, c, convex_moments(image_.normals(), image_.areas(c), distances_)));
+  }
+
+  bool at(std::span<const double> x, std::span<double> numbers, std::span<double> jacobian) const {
+    try {
+      return about(x).at(x, numbers, jacobian);
+    } catch (const DomainError&) {  // areas that close no body
+      return false;
+    }
+  }
+
+ private:
+  std::shared_ptr<const ConvexResiduals> residuals_;
+  GaussianImage image_;
+  std::vector<double> first_, distances_;
+};
+
 class ConvexFitter {
  public:
-  ConvexFitter(const ConvexFit& fit, ConvexSolution& found)
+  ConvexFitter(const ConvexFit& fit, ConvexSolution& found, detail::Rows rows = detail::Rows::held)
       : fit_(fit),
+        rows_(rows),
         unknowns_{fit.moments == MomentSource::fit, fit.multiple},
-        usual_(found.body.coefficients),
-        found_(found) {}
+        usual_(coefficients_of(found.body.image, fit.start.shape)),
+        found_(found) {
+    found_.body.coefficients.front() = usual_.front();  // part of the factors
+  }
 
   void run() {
-    const auto first = residuals();
-    detail::require_points(who, first->curves().size() + first->priors(), first->unknowns(),
-                           first->curves().groups());
+    const auto first = checked_residuals();
     const detail::TurningFit turning{
         [this](int most_iterations) { return problem(most_iterations); },
         [this](const std::vector<double>& x) { move(x); }};
@@ -85,12 +159,43 @@ class ConvexFitter {
     detail::describe_motion(found_.body.spin, found_);
   }
 
+  // Without rounds, for others.
+  LeastSquares whole_problem() const {
+    const auto shared = checked_residuals();
+    LeastSquares p = problem(fit_.most_iterations);
+    if (fit_.moments != MomentSource::shape) return p;
+    const auto of_shape = std::make_shared<const OfShape>(shared, found_.body);
+    p.residuals.at = [of_shape](std::span<const double> x, std::span<double> numbers,
+                                std::span<double> jacobian) {
+      return of_shape->at(x, numbers, jacobian);
+    };
+    return p;
+  }
+
+  BrightConvex body_at(std::span<const double> x) {
+    const auto shared = residuals();
+    if (x.size() != shared->unknowns())
+      throw DomainError("body_at: got " + std::to_string(x.size()) + " unknowns; expected " +
+                        std::to_string(shared->unknowns()));
+    if (fit_.moments == MomentSource::shape)
+      followed_ = OfShape(shared, found_.body).about(x).followed();
+    move(x);
+    return found_.body;
+  }
+
  private:
+  std::shared_ptr<const ConvexResiduals> checked_residuals() const {
+    auto found = residuals();
+    detail::require_points(who, found->curves().size() + found->priors(), found->unknowns(),
+                           found->curves().groups());
+    return found;
+  }
+
   std::shared_ptr<const ConvexResiduals> residuals() const {
     const BrightConvex& b = found_.body;
     return std::make_shared<const ConvexResiduals>(fit_.curves, unknowns_, b.spin, b.law,
                                                    ConvexSurface(b.image, usual_, fit_), followed_,
-                                                   fit_.loss, detail::Rows::held);
+                                                   fit_.loss, rows_);
   }
 
   ConvexMoments moments_of(const std::vector<double>& coefficients) {
@@ -100,16 +205,8 @@ class ConvexFitter {
     return m;
   }
 
-  // From here on moments are linear about these coefficients.
   void follow(const std::vector<double>& coefficients, const ConvexMoments& m) {
-    const GaussianImage& image = found_.body.image;
-    const std::vector<double> A = image.areas(coefficients);
-    const auto own = [](std::vector<double> of_all) {
-      of_all.erase(of_all.begin());
-      return of_all;
-    };
-    followed_ = {m.Ixx, m.Iyy, own(coefficients), own(image.by_coefficients(m.Ixx_by_areas, A)),
-                 own(image.by_coefficients(m.Iyy_by_areas, A))};
+    followed_ = followed_at(found_.body.image, coefficients, m);
   }
 
   LeastSquares problem(int most_iterations) const {
@@ -139,7 +236,7 @@ class ConvexFitter {
     return p;
   }
 
-  void move(const std::vector<double>& x) {
+  void move(std::span<const double> x) {
     const auto at = residuals();
     BrightConvex& b = found_.body;
     const std::span<const double> own = at->own_of(x);
@@ -189,6 +286,7 @@ class ConvexFitter {
   }
 
   const ConvexFit& fit_;
+  detail::Rows rows_;
   detail::SurfaceUnknowns unknowns_;
   std::vector<double> usual_;
   ConvexSolution& found_;
@@ -206,13 +304,22 @@ FacetShape BrightConvex::mesh() const { return convex_body(image.normals(), area
 ConvexSolution fit_convex(const ConvexFit& fit) {
   require_sound(fit.curves, {.vectors = true});
   require_start(fit);
-  const GaussianImage image(fit.degree, fit.rows);
-  SpinState spin = fit.start.spin;
-  const double unit = spin.inertia_F(2, 2);
-  for (Vec3& row : spin.inertia_F.row) row = (1.0 / unit) * row;
-  ConvexSolution found{{}, {spin, fit.start.law, image, coefficients_of(image, fit.start.shape)}};
+  ConvexSolution found{{}, first_body(fit)};
   ConvexFitter(fit, found).run();
   return found;
+}
+
+LeastSquares least_squares_of(const ConvexFit& fit) {
+  require_sound(fit.curves, {.vectors = true});
+  require_start(fit);
+  ConvexSolution begun{{}, first_body(fit)};
+  return ConvexFitter(fit, begun, detail::Rows::exact).whole_problem();
+}
+
+BrightConvex body_at(const ConvexFit& fit, std::span<const double> x) {
+  require_start(fit);
+  ConvexSolution begun{{}, first_body(fit)};
+  return ConvexFitter(fit, begun).body_at(x);
 }
 
 std::vector<std::vector<double>> model_fluxes(const BrightConvex& body,

@@ -21,14 +21,16 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-LightFinds::LightFinds(const LightSearch& search)
-    : within_(search.within),
-      geometry_(geometry_of(search.curves)),
-      model_(search.unknowns),
-      best_(search.periods.size()) {}
+LightFinds::LightFinds(std::span<const LightCurve> curves, std::size_t periods, double within,
+                       AreSame are_same, bool half_turns)
+    : within_(within),
+      geometry_(geometry_of(curves)),
+      are_same_(std::move(are_same)),
+      half_turns_(half_turns),
+      best_(periods) {}
 
-void LightFinds::begin(const LightUnknowns& model) {
-  model_ = model;
+void LightFinds::begin(AreSame are_same) {
+  are_same_ = std::move(are_same);
   solutions_.clear();
 }
 
@@ -37,7 +39,7 @@ void LightFinds::add(const LightSolution& found, std::size_t periods) {
   std::optional<LightSolution>& best = best_[periods];
   if (!best || found.result.cost < best->result.cost) best = found;
   for (FoundLight& f : solutions_) {
-    if (!are_same(f.solution, found, model_)) continue;
+    if (!are_same_(f.solution, found)) continue;
     ++f.starts;
     if (found.result.cost < f.solution.result.cost) f.solution = found;
     return;
@@ -63,7 +65,7 @@ std::vector<FoundLight> LightFinds::within_limit() const {
   for (const FoundLight& f : solutions_)
     if (f.solution.result.cost <= most) found.push_back(f);
   std::ranges::stable_sort(found, {}, [](const FoundLight& f) { return f.solution.result.cost; });
-  describe_relations(found, geometry_);
+  describe_relations(found, geometry_, half_turns_);
   return found;
 }
 

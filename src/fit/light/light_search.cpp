@@ -78,7 +78,9 @@ std::vector<LightUnknowns> models_of(const LightUnknowns& unknowns) {
 class Search {
  public:
   explicit Search(const LightSearch& search)
-      : search_(search), geometry_(detail::geometry_of(search.curves)), finds_(search) {}
+      : search_(search),
+        geometry_(detail::geometry_of(search.curves)),
+        finds_(search.curves, search.periods.size(), search.within, {}, true) {}
 
   LightSearchResult found() {
     const std::vector<LightUnknowns> models = models_of(search_.unknowns);
@@ -112,7 +114,9 @@ class Search {
 
   void begin(const LightUnknowns& model) {
     model_ = model;
-    finds_.begin(model);
+    finds_.begin([model](const LightSolution& a, const LightSolution& b) {
+      return detail::are_same(a, b, model);
+    });
   }
 
   // Short fits of the starts with these numbers, by pair of periods.

@@ -84,6 +84,39 @@ void require_start(const MeshFit& fit) {
     static_cast<void>(Body::from_tensor(fit.start.spin.inertia_F));  // says what is wrong with it
 }
 
+detail::SurfaceUnknowns unknowns_of(const MeshFit& fit) {
+  return {fit.moments == MomentSource::fit, fit.multiple};
+}
+
+// About the spin and the law of `body`.
+std::shared_ptr<const MeshResiduals> residuals_about(const MeshFit& fit, const MeshSurface& surface,
+                                                     const BrightMesh& body, detail::Rows rows) {
+  return std::make_shared<const MeshResiduals>(fit.curves, unknowns_of(fit), body.spin, body.law,
+                                               surface, detail::FollowedMoments{}, fit.loss, rows);
+}
+
+void require_points(const MeshResiduals& r) {
+  detail::require_points(who, r.curves().size(), r.unknowns(), r.curves().groups());
+}
+
+LeastSquares problem_about(const MeshFit& fit, const MeshSurface& surface, const BrightMesh& body,
+                           int most_iterations, detail::Rows rows) {
+  const auto residuals = residuals_about(fit, surface, body, rows);
+  const detail::SurfaceUnknowns unknowns = unknowns_of(fit);
+  LeastSquares p;
+  p.unknowns = detail::spin_unknowns(unknowns, body.spin, body.law);
+  if (unknowns.moments) p.triangle = {unknowns.moments_at(), unknowns.moments_at() + 1};
+  p.residuals.data = residuals->curves().size();
+  p.residuals.at = [residuals](std::span<const double> x, std::span<double> numbers,
+                               std::span<double> jacobian) {
+    return residuals->at(x, numbers, jacobian);
+  };
+  p.loss = fit.loss;
+  p.most_iterations = most_iterations;
+  p.nearness = mesh_nearness;
+  return p;
+}
+
 }  // namespace
 
 Mat3 homogeneous_inertia(const FacetShape& shape) {
@@ -96,43 +129,43 @@ Mat3 homogeneous_inertia(const FacetShape& shape) {
 MeshSolution fit_mesh(const MeshFit& fit) {
   require_sound(fit.curves, {.vectors = true});
   require_start(fit);
-  const detail::SurfaceUnknowns unknowns{fit.moments == MomentSource::fit, fit.multiple};
   const MeshSurface surface(fit.start.shape);
   MeshSolution found{{}, fit.start};
-  const auto residuals_about = [&](const BrightMesh& body) {
-    return std::make_shared<const MeshResiduals>(fit.curves, unknowns, body.spin, body.law, surface,
-                                                 detail::FollowedMoments{}, fit.loss,
-                                                 detail::Rows::held);
-  };
-  const auto first = residuals_about(fit.start);
-  detail::require_points(who, first->curves().size(), first->unknowns(), first->curves().groups());
+  const auto first = residuals_about(fit, surface, fit.start, detail::Rows::held);
+  require_points(*first);
   const detail::TurningFit turning{
       [&](int most_iterations) {
-        const auto residuals = residuals_about(found.body);
-        LeastSquares p;
-        p.unknowns = detail::spin_unknowns(unknowns, found.body.spin, found.body.law);
-        if (unknowns.moments) p.triangle = {unknowns.moments_at(), unknowns.moments_at() + 1};
-        p.residuals.data = residuals->curves().size();
-        p.residuals.at = [residuals](std::span<const double> x, std::span<double> numbers,
-                                     std::span<double> jacobian) {
-          return residuals->at(x, numbers, jacobian);
-        };
-        p.loss = fit.loss;
-        p.most_iterations = most_iterations;
-        p.nearness = mesh_nearness;
-        return p;
+        return problem_about(fit, surface, found.body, most_iterations, detail::Rows::held);
       },
       [&](const std::vector<double>& x) {
-        const auto residuals = residuals_about(found.body);
+        const auto residuals = residuals_about(fit, surface, found.body, detail::Rows::held);
         found.body.spin = residuals->spin_at(x);
         found.body.law = residuals->law_at(x);
       }};
   detail::settle(turning, fit.most_iterations, first->curves().groups(), found);
   if (found.result.end == LeastSquaresResult::End::no_value) return found;
-  found.factors =
-      first->curves().session_factors(residuals_about(found.body)->brightness_at(found.result.x));
+  const auto last = residuals_about(fit, surface, found.body, detail::Rows::held);
+  found.factors = first->curves().session_factors(last->brightness_at(found.result.x));
   detail::describe_motion(found.body.spin, found);
   return found;
+}
+
+LeastSquares least_squares_of(const MeshFit& fit) {
+  require_sound(fit.curves, {.vectors = true});
+  require_start(fit);
+  const MeshSurface surface(fit.start.shape);
+  require_points(*residuals_about(fit, surface, fit.start, detail::Rows::exact));
+  return problem_about(fit, surface, fit.start, fit.most_iterations, detail::Rows::exact);
+}
+
+BrightMesh body_at(const MeshFit& fit, std::span<const double> x) {
+  const std::size_t count = unknowns_of(fit).own_at();
+  if (x.size() != count)
+    throw DomainError("body_at: got " + std::to_string(x.size()) + " unknowns; expected " +
+                      std::to_string(count));
+  const MeshResiduals residuals({}, unknowns_of(fit), fit.start.spin, fit.start.law,
+                                MeshSurface(fit.start.shape));
+  return {residuals.spin_at(x), fit.start.shape, residuals.law_at(x)};
 }
 
 std::vector<std::vector<double>> model_fluxes(const BrightMesh& body,

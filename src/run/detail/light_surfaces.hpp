@@ -37,6 +37,8 @@ class SurfaceFits {
                                         const std::vector<BrightEllipsoid>& known) const;
   // From the state of the file.
   SurfaceFound from_file() const;
+  ConvexFit convex_fit(const BrightEllipsoid& ellipsoid) const;
+  MeshFit mesh_fit(const SpinState& spin, int most_iterations) const;
   // Of two fits whose bodies are the same, or nearly so.
   bool are_same(const LightSolution& a, const LightSolution& b) const;
 

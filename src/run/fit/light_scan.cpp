@@ -79,8 +79,9 @@ class Scan {
           (curves_.size() > 1 ? fmt::format(" over {} sessions", curves_.size()) : std::string()));
     const ScanPoints points(curves_);
     LightScan scan{std::move(advice_), scan_pairs(points, grid, how()), {}, std::nullopt};
-    scan.minima =
-        scan_minima(points, scan.landscape, {.most = plan_.minima, .threads = options_.threads});
+    scan.minima = scan_minima(
+        points, scan.landscape,
+        {.most = plan_.minima, .threads = options_.threads, .between = [this] { end_if_asked(); }});
     return scan;
   }
 
@@ -123,12 +124,14 @@ class Scan {
     if (options_.begins) options_.begins("scan", work);
   }
 
+  void end_if_asked() const {
+    if (options_.stop && options_.stop())
+      throw FitStopped(scenario_.document.name + ": stopped in the scan");
+  }
+
   ScanOptions how() const {
     ScanOptions how{.order = plan_.order, .threads = options_.threads};
-    how.between = [this] {
-      if (options_.stop && options_.stop())
-        throw FitStopped(scenario_.document.name + ": stopped in the scan");
-    };
+    how.between = [this] { end_if_asked(); };
     if (options_.progress) how.progress = [this](double part) { options_.progress("scan", part); };
     return how;
   }

@@ -4,10 +4,12 @@
 #include "run/detail/light_surfaces.hpp"
 
 #include <algorithm>
+#include <mutex>
 #include <utility>
 
 #include "polhode/ensemble/cells.hpp"
 #include "polhode/error.hpp"
+#include "polhode/fit/mesh_search.hpp"
 #include "run/detail/fit_tables.hpp"
 #include "scenario/value_access.hpp"
 #include "scenario/value_reader.hpp"
@@ -41,6 +43,7 @@ void keep(SurfaceFound&& one, std::size_t periods, std::size_t starts, LightRepo
   if (one.convex) {
     add_shape(*one.convex, f.solution);
     report.convex.push_back(std::move(*one.convex));
+    report.begun.push_back(one.start);
   }
   report.solutions.push_back(std::move(f));
 }
@@ -61,8 +64,9 @@ class Surfaces {
     if (options_.begins)
       options_.begins("surfaces", counted(starts.size(), "ellipsoid", "ellipsoids") +
                                       " to begin with, and images of the best");
+    if (report_.mesh) search_periods();
     fit(
-        starts.size(), 0.0, first_part,
+        starts.size(), report_.mesh ? search_part : 0.0, first_part,
         [&](std::size_t k) { return fits_.from(starts[k].ellipsoid.body); },
         [&](std::size_t k, const std::vector<SurfaceFound>& all) {
           add(all, starts[k].periods);
@@ -84,7 +88,7 @@ class Surfaces {
   }
 
  private:
-  static constexpr double first_part = 0.8;  // of the work, about
+  static constexpr double search_part = 0.4, first_part = 0.8;  // of the work, about
 
   struct Kept {
     SurfaceFound found;
@@ -127,9 +131,7 @@ class Surfaces {
     run_cells(
         0, static_cast<std::int64_t>(count), options_.threads,
         [&](std::int64_t k) {
-          if (options_.stop && options_.stop())
-            throw FitStopped(scenario_.document.name + ": stopped in the fits of " +
-                             (report_.mesh ? "the mesh" : "convex bodies"));
+          end_if_asked();
           return made(static_cast<std::size_t>(k));
         },
         [&](std::int64_t k, const std::vector<SurfaceFound>& all) {
@@ -156,6 +158,54 @@ class Surfaces {
     }
   }
 
+  // The mesh from the periods themselves: an ellipsoid may be far from it, and its own light tells
+  // more of its attitude.
+  void search_periods() {
+    MeshSearch how{.curves = report_.observed.curves,
+                   .body = fits_.mesh_fit(spin_state(scenario_.rotation()), 1).start,
+                   .periods = {}};
+    for (const PairFound& pair : report_.pairs) how.periods.push_back(pair.from);
+    how.starts = report_.starts;
+    how.within = plan_.light.within_factor;
+    how.moments = report_.unknowns.moments;
+    how.multiple = report_.unknowns.multiple;
+    how.loss = plan_.loss;
+    how.most_iterations = plan_.light.most_iterations.value_or(how.most_iterations);
+    how.seed = plan_.seed;
+    how.threads = options_.threads;
+    std::mutex mutex;
+    std::size_t begun = 0;
+    const std::size_t tried = how.starts * how.tries, fits = how.finalists * how.periods.size();
+    how.between = [&] {
+      end_if_asked();
+      const std::lock_guard<std::mutex> lock(mutex);
+      const double part = static_cast<double>(++begun) / static_cast<double>(tried + fits);
+      if (options_.progress) options_.progress("surfaces", search_part * std::min(part, 1.0));
+    };
+    const LightSearchResult found = search_mesh(how);
+    report_.surfaces += found.finalists;
+    report_.surfaces_converged += found.converged;
+    for (const FoundLight& f : found.solutions)
+      kept_.push_back({{f.solution, std::nullopt, f.solution.body}, f.periods, f.starts});
+    for (std::size_t p = 0; p < found.best_of_periods.size(); ++p)
+      if (found.best_of_periods[p]) tell(*found.best_of_periods[p], p);
+  }
+
+  void end_if_asked() const {
+    if (options_.stop && options_.stop())
+      throw FitStopped(scenario_.document.name + ": stopped in the fits of " +
+                       (report_.mesh ? "the mesh" : "convex bodies"));
+  }
+
+  // The best that converged, or else the best.
+  void tell(const LightSolution& s, std::size_t pair) {
+    std::optional<SurfaceOfPeriods>& told = report_.pairs.at(pair).surface;
+    const auto rank = [](bool is_found, double cost) { return std::pair(!is_found, cost); };
+    if (told && rank(told->is_converged, told->cost) <= rank(s.is_found(), s.result.cost)) return;
+    told = SurfaceOfPeriods{s.periods,     s.pole,       s.result.chi_square,
+                            s.result.cost, s.is_found(), s.result.sentence};
+  }
+
   // What the pairs of this start came to: the best that converged, or else the best.
   void tell(const Start& start, const std::vector<SurfaceFound>& all) {
     const auto rank = [](const SurfaceFound& one) {
@@ -163,10 +213,7 @@ class Surfaces {
     };
     const auto best = std::ranges::min_element(all, {}, rank);
     if (best == all.end()) return;
-    const LightSolution& s = best->solution;
-    for (const std::size_t p : start.pairs)
-      report_.pairs.at(p).surface = SurfaceOfPeriods{
-          s.periods, s.pole, s.result.chi_square, s.result.cost, s.is_found(), s.result.sentence};
+    for (const std::size_t p : start.pairs) tell(best->solution, p);
   }
 
   void limit() {
@@ -180,12 +227,13 @@ class Surfaces {
   void finish() {
     report_.solutions.clear();
     for (Kept& one : kept_) keep(std::move(one.found), one.periods, one.starts, report_);
-    describe_solutions(report_.solutions, report_.observed.curves);
+    describe_solutions(report_.solutions, report_.observed.curves, !report_.mesh);
     if (!report_.solutions.empty()) return;
-    report_.failure = report_.surfaces == 0
-                          ? "no ellipsoid to begin with, or the mesh has none of these periods"
-                          : "none of " + std::to_string(report_.surfaces) + " fits of " +
-                                (report_.mesh ? "the mesh" : "convex bodies") + " converged";
+    report_.failure =
+        report_.surfaces == 0
+            ? report_.mesh ? "the mesh has none of these periods" : "no ellipsoid to begin with"
+            : "none of " + std::to_string(report_.surfaces) + " fits of " +
+                  (report_.mesh ? "the mesh" : "convex bodies") + " converged";
   }
 
   const Scenario& scenario_;

@@ -12,6 +12,7 @@
 #include "polhode/rotor/attitude.hpp"
 #include "polhode/shape/mass_properties.hpp"
 #include "run/detail/light_surfaces.hpp"
+#include "run/detail/light_words.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -55,7 +56,7 @@ SurfaceFits::SurfaceFits(const Scenario& scenario, const LightReport& report)
       geometry_(geometry_of(report.observed.curves)),
       most_iterations_(plan_.light.most_iterations.value_or(usual_iterations)) {}
 
-SurfaceFound SurfaceFits::convex_from(const BrightEllipsoid& ellipsoid) const {
+ConvexFit SurfaceFits::convex_fit(const BrightEllipsoid& ellipsoid) const {
   const ConvexPlan& plan = plan_.light.convex;
   ConvexFit fit;
   fit.curves = report_.observed.curves;
@@ -68,22 +69,29 @@ SurfaceFound SurfaceFits::convex_from(const BrightEllipsoid& ellipsoid) const {
   fit.moments_error = plan.moments_error;
   fit.loss = plan_.loss;
   fit.most_iterations = most_iterations_;
-  ConvexSolution found = fit_convex(fit);
+  return fit;
+}
+
+SurfaceFound SurfaceFits::convex_from(const BrightEllipsoid& ellipsoid) const {
+  ConvexSolution found = fit_convex(convex_fit(ellipsoid));
   SurfaceFound one{{}, std::move(found.body), ellipsoid};
   static_cast<LightOutcome&>(one.solution) = std::move(found);
   one.solution.body = {one.convex->spin, ellipsoid.shape, one.convex->law};
   return one;
 }
 
+MeshFit SurfaceFits::mesh_fit(const SpinState& spin, int most_iterations) const {
+  return {.curves = report_.observed.curves,
+          .start = {spin, *report_.mesh, plan_.light.law},
+          .moments = report_.unknowns.moments,
+          .multiple = report_.unknowns.multiple,
+          .loss = plan_.loss,
+          .most_iterations = most_iterations};
+}
+
 SurfaceFound SurfaceFits::mesh_from(const SpinState& spin, const BrightEllipsoid& ellipsoid,
                                     int most_iterations) const {
-  MeshFit fit{.curves = report_.observed.curves,
-              .start = {spin, *report_.mesh, plan_.light.law},
-              .moments = report_.unknowns.moments,
-              .multiple = report_.unknowns.multiple,
-              .loss = plan_.loss,
-              .most_iterations = most_iterations};
-  MeshSolution found = fit_mesh(fit);
+  MeshSolution found = fit_mesh(mesh_fit(spin, most_iterations));
   SurfaceFound one{{}, std::nullopt, ellipsoid};
   one.solution.body = {found.body.spin, ellipsoid.shape, found.body.law};
   static_cast<LightOutcome&>(one.solution) = std::move(found);
@@ -191,5 +199,39 @@ bool SurfaceFits::are_same(const LightSolution& a, const LightSolution& b) const
 }
 
 }  // namespace detail
+
+namespace {
+
+void require_shape(const LightReport& report, LightPlan::Shape wanted) {
+  if (report.shape == wanted) return;
+  throw DomainError(std::string("the fit of a solution: got the shape ") +
+                    detail::shape_word(report.shape) + "; expected " + detail::shape_word(wanted));
+}
+
+}  // namespace
+
+LightFit ellipsoid_fit_at(const Scenario& scenario, const LightReport& report,
+                          std::size_t solution) {
+  require_shape(report, LightPlan::Shape::ellipsoid);
+  return {report.observed.curves, report.solutions.at(solution).solution.body, report.unknowns,
+          require_fit(scenario).loss};
+}
+
+ConvexFit convex_fit_at(const Scenario& scenario, const LightReport& report, std::size_t solution) {
+  require_shape(report, LightPlan::Shape::convex);
+  ConvexFit fit = detail::SurfaceFits(scenario, report).convex_fit(report.begun.at(solution));
+  fit.from = report.convex.at(solution);
+  return fit;
+}
+
+MeshFit mesh_fit_at(const Scenario& scenario, const LightReport& report, std::size_t solution) {
+  require_shape(report, LightPlan::Shape::mesh);
+  const BrightEllipsoid& found = report.solutions.at(solution).solution.body;
+  MeshFit fit =
+      detail::SurfaceFits(scenario, report).mesh_fit(found.spin, detail::usual_iterations);
+  fit.start.law = found.law;
+  return fit;
+}
+
 }  // namespace v0
 }  // namespace polhode

@@ -234,6 +234,17 @@ TEST(FourierScan, OfLogarithmsTakesFactorsOutExactly) {
     EXPECT_NEAR(after.chi_square[i], before.chi_square[i], budget::fourier_shift * first.total());
 }
 
+// Pairs that are computed again are the slow ones: what ends a scan is asked before each of them,
+// not before a block alone, of which there is one here.
+TEST(FourierScan, AsksBeforeEachPairThatIsComputedAgain) {
+  const ScanPoints points(light_curves(1, 60, false));
+  const FrequencyGrid grid{0.4, 0.2, 8};
+  std::size_t calls = 0;
+  const Landscape of = scan_pairs(points, grid, grid, {.order = 2, .between = [&] { ++calls; }});
+  EXPECT_GE(of.again, grid.count);  // those of one frequency twice
+  EXPECT_EQ(calls, of.again + 1);
+}
+
 TEST(FourierScan, RefusesWhatHasNoAnswer) {
   const ScanPoints points(light_curves(1, 40, false));
   const FrequencyGrid grid{0.4, 0.5, 6};

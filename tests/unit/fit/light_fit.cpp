@@ -25,7 +25,7 @@ using namespace polhode;
 using namespace polhode::test;
 using DD = DoubleDouble;
 
-// The residuals of one session in double-double, at x + h e_k.
+// The residuals of one session in double-double, at x + h e_k: of attitude to second order in h.
 std::vector<DD> wide_residuals(const BrightEllipsoid& b, const LightCurve& curve, std::size_t k,
                                const DD& h) {
   const std::vector<DD> B = wide_brightness(b, curve, k, h);
