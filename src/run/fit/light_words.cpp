@@ -154,9 +154,12 @@ std::vector<PairGroup> groups_of_pairs(const LightReport& report) {
   for (std::size_t i = 0; i < report.pairs.size(); ++i)
     if (report.pairs[i].ellipsoid) order.push_back(i);
   const auto rank = [&](std::size_t i) {
+    // by the numbers that are shown
     const PairFound& pair = report.pairs[i];
-    const double ellipsoid = pair.ellipsoid->result.cost;
-    return std::pair(pair.surface ? pair.surface->cost : ellipsoid, ellipsoid);
+    const LightSolution& s = *pair.ellipsoid;
+    const double ellipsoid = rank_number(s.loss, s.result.chi_square, s.result.cost);
+    if (!pair.surface) return std::pair(ellipsoid, ellipsoid);
+    return std::pair(rank_number(s.loss, pair.surface->chi_square, pair.surface->cost), ellipsoid);
   };
   std::ranges::stable_sort(order, {}, rank);
   std::vector<PairGroup> groups;
