@@ -177,7 +177,6 @@ def test_a_mesh_of_a_scenario_is_a_function(tmp_path):
     changes = {"light.shape": "convex", "light.convex.degree": 2, "light.convex.rows": 3}
     (one,) = polhode.fit(polhode.load(NIGHT).replace({**NEARBY, **changes}))
     one.write(tmp_path / "body.toml")
-    polhode.simulate(tmp_path / "body.toml", tmp_path)
     (again,) = polhode.fit(tmp_path / "body.toml")
     f = again.residual_function()
     assert isinstance(f, MeshResiduals) and f.names == again.names

@@ -25,6 +25,8 @@ inline constexpr double cli_half_period_ulps = 2.0;
 inline constexpr double cli_half_period = 1e-14;
 // Chi-square of a fit from two starts, relative: each stops within 1e-3 standard errors.
 inline constexpr double cli_fit_starts = 1e-6;
+// images under a Sun and an observer that do not move
+inline constexpr double cli_fit_images = 1e-6;
 // Periods of the lowest minimum of one scan and of another grid, each refined.
 inline constexpr double cli_scan_periods = 1e-6;
 // Chi-square of a Fourier series against numpy's least squares.

@@ -198,9 +198,10 @@ def test_a_search_under_a_robust_loss_says_what_it_minimised(run, night, fit_fil
     huber = ["--set", 'fit.loss="huber"', "--set", "fit.starts=20"]
     found = fitted(run, path, *huber)
     costs = [s["cost"] for s in found["solutions"]]
-    assert costs == sorted(costs) and costs[-1] <= 1.5 * costs[0] < found["solutions"][0][
-        "chi_square"] * 1.5
-    assert found["periods"][0]["cost"] == costs[0]
+    # but for images, which have one cost
+    assert_allclose(costs, sorted(costs), rtol=budgets.cli_fit_images)
+    assert costs[-1] <= 1.5 * costs[0] < 1.5 * found["solutions"][0]["chi_square"]
+    assert found["periods"][0]["cost"] == pytest.approx(costs[0], rel=budgets.cli_fit_images)
     assert found["solutions"][0]["sentence"].endswith(": the lowest loss")
     text = run("fit", path, *huber).stdout
     assert "pairs of periods by the loss that an ellipsoid comes to\n        loss" in text
