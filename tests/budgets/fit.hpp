@@ -23,6 +23,8 @@ inline constexpr double fit_difference = 1e-6;  // of residuals of some hundred
 // --- driven bodies and their derivatives, of a column, against 40 digits ---
 inline constexpr double fit_driven_motion = 2e-13, fit_driven_derivatives = 1e-11;
 inline constexpr double fit_driven_exact = 1e-8;  // from exact observations
+// Costs of one least, relative: each fit stops within 1e-3 standard errors.
+inline constexpr double light_cost = 1e-6;
 // Mahalanobis distance of what two starts come to.
 inline constexpr double fit_same = 1e-3;
 inline constexpr double fit_encounter = 0.1;  // rad, what a flyby does to a tumbler

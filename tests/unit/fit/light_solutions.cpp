@@ -128,7 +128,7 @@ TEST(LightSearch, EndsNoHigherWithMoreUnknowns) {
   // as low as from the truth
   const LightSolution at = fit_light({{t.curve}, t.body, search.unknowns, {}, 200});
   ASSERT_TRUE(at.is_found());
-  EXPECT_NEAR(least / at.result.cost, 1.0, 1e-6);
+  EXPECT_NEAR(least / at.result.cost, 1.0, budget::light_cost);
 }
 
 }  // namespace
