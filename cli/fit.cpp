@@ -170,6 +170,9 @@ void fit_light_curves(const FitCommand& options, const Scenario& scenario) {
   }
   progress.reset();
   for (const std::string& path : options.landscape) write_landscape(scenario, report, path);
+  // the minima, and pairs that were asked for, are worth reading without a solution
+  if (!report.is_found() && report.pairs.empty() && (report.scan || !report.chosen.empty()))
+    print(options.json ? light_json(scenario, report) : light_text(scenario, report));
   if (!report.is_found() && !report.start && report.pairs.empty())
     throw std::runtime_error(
         fmt::format("{}: no solution: {}", scenario.document.name, report.failure));

@@ -45,7 +45,8 @@ if TYPE_CHECKING:
 class FitNumber:
     """One unknown of a solution, in the units of the scenario: turns from the attitude of the start
     of the file, about the body axes. Scaled: with errors that make chi-square per degree of freedom
-    1, None without degrees of freedom; with priors the value moves, too."""
+    1 (of light under a robust loss: with those of the spread of residuals), None without degrees of
+    freedom; with priors the value moves, too."""
 
     unit: str
     start: float

@@ -209,7 +209,7 @@ class FoundLight(LightSolution):
 
     Attributes
     ----------
-    starts : how many of those that were fitted to the end came to it.
+    starts : how many of those that were fitted to the end, with all unknowns, came to it.
     beside : what it is beside an earlier solution that it resembles: "first" (of its kind),
         "image" (the same light by symmetry), "alias", "other-mode" or "other-pole".
     of : the place of that solution. relation : the same in words.
@@ -413,13 +413,15 @@ def search_light(
     ----------
     curves : LightCurve, one or several, with vectors.
     periods : (mode, P_phi, P_psi), mode "SAM" or "LAM": FourierScan.periods lists them.
-    starts : in all, taken by the pairs of periods in turn.
+    starts : at first, in all, taken by the pairs of periods in turn; pairs near the lowest get
+        more.
     within : chi-square, or the sum under a robust loss, over the lowest, up to which solutions are
         reported.
     threads : the bits of the result do not depend on it.
     seed : of starts.
     tries : attitudes of a start, of which the best is taken. short_iterations : of each start.
-    finalists : of each pair of periods that are fitted to the end, with most_iterations.
+    finalists : of each pair of periods that are fitted to the end, with most_iterations; near the
+        lowest they may go on for four times as many.
     shape, moments, multiple, loss : as in fit_light; lambert is the weight of Lambert's law.
 
     Returns

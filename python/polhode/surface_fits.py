@@ -341,11 +341,12 @@ def search_mesh(
     periods : (mode, P_phi, P_psi), mode "SAM" or "LAM": FourierScan.periods lists them. Those that
         the body cannot have are left out, and a note says how many.
     starts : in all, taken by the pairs of periods in turn.
-    within : chi-square over the lowest, up to which solutions are reported.
+    within : chi-square, or the sum under a robust loss, over the lowest, up to which solutions are
+        reported.
     threads : the bits of the result do not depend on it.
     seed : of starts.
-    tries : attitudes of a start, of which the best is taken, by 60 points. short_iterations : of
-        each start.
+    tries : attitudes of a start, of which the best is taken, by some 60 points.
+    short_iterations : of each start.
     finalists : of each pair of periods that are fitted to the end, with most_iterations.
     moments : "start", as they are, or "fit", of finalists. multiple, loss : as in fit_mesh.
 
@@ -356,8 +357,8 @@ def search_mesh(
         light after a half turn about the bisector of Sun and observer: two poles, where an
         ellipsoid has four.
 
-    DomainError (a ValueError) as fit_mesh, and without periods. Ctrl-C ends it between two starts.
-    Releases the GIL.
+    DomainError (a ValueError) as fit_mesh, and without periods. Ctrl-C ends it between two
+    attitudes. Releases the GIL.
     """
     if not isinstance(body, BrightMesh):
         raise TypeError(f"search_mesh: got {body!r}; expected BrightMesh")

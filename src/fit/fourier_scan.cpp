@@ -180,6 +180,8 @@ Landscape scan_pairs(const ScanPoints& points, const FrequencyGrid& both,
                      const ScanOptions& options) {
   const std::size_t n = both.count;
   check("scan_pairs", both);
+  // before memory is taken
+  detail::check_orders("scan_pairs", points, FourierOrders::pair(options.order));
   Landscape all{both, both, FourierOrders::pair(options.order), std::vector<double>(n * n), 0};
   std::size_t done = 0;
   const std::vector<std::size_t> order = spread_rows(n);

@@ -120,7 +120,7 @@ def test_too_many_pairs_are_told_with_the_key_to_take(run, nights, fit_file):
         'shortest = 0.1\nsessions = "separate"\nwindows = 30')))
     message = refused(run, many)
     assert "fit.scan.windows: got 30; expected at most 1e8 pairs of frequencies; " in message
-    assert "2 sessions of " in message and "set fit.scan.windows to fewer" in message
+    assert "2 sessions of " in message and "lower fit.scan.windows" in message
 
 
 @pytest.mark.parametrize(("change", "expected"), [
@@ -213,6 +213,13 @@ def test_chosen_pairs_have_the_chi_square_of_their_series(run, nights, tmp_path)
     text = run("fit", nights, *at).stdout
     assert "pairs of fit.scan.at, order 2, and the minimum next to each" in text
     assert f"{chi_square_of_series(light, (31, 17.3), 2)[0]:.5g} (" in text
+
+
+def test_chosen_pairs_are_told_where_a_scan_resolves_nothing(run, nights):
+    done = run("fit", nights, "--set", "fit.scan.at=[12, 20]", "--set", "fit.scan.shortest=36",
+               "--set", "fit.scan.longest=39")
+    assert done.returncode == 1 and "no solution: no minimum of the scan" in done.stderr
+    assert "lowest minima of the scan" in done.stdout and "pairs of fit.scan.at" in done.stdout
 
 
 def test_the_minimum_next_to_a_chosen_pair_is_that_of_the_scan(run, nights):

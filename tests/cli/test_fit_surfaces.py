@@ -297,3 +297,24 @@ def test_a_night_from_a_cold_start(run, night, fit_file):
     assert abs(first["rotation_period"]["value"] - 20) < 5 * first["rotation_period"]["error"]
     assert {s["image"] for s in found["solutions"]} >= {"normal", "bisector", "difference"}
     assert smallest(*(pole_off(s) for s in found["solutions"])) < 5
+
+
+def test_a_mesh_thinner_than_any_ellipsoid_of_a_start_is_found(run, fit_file, tmp_path):
+    """No ellipsoid has these periods, so that the search by periods is all there is."""
+    lines = [line.split() for line in egg().splitlines()]
+    (tmp_path / "seen.obj").write_text("".join(
+        f"v {x[1]} {0.2 * float(x[2])} {0.2 * float(x[3])}\n" if x[0] == "v"
+        else " ".join(x) + "\n" for x in lines))  # fmt: skip
+    body = TUMBLER[TUMBLER.index("[body]"):TUMBLER.index("[state.tumbler]")]
+    head = (HEAD.replace(body, '[body]\nshape = "seen.obj"\ndensity = 1\n')
+            .replace('angle = "deg"', 'angle = "deg"\nlength = "m"')
+            .replace("rotation_period = 20", "rotation_period = 0.9"))
+    one = '[fit]\nfrom = "search"\nstarts = 30\n[[fit.periods]]\nmode = "LAM"\n' \
+        "precession_period = 12\nrotation_period = 0.9\n"
+    path = fit_file('[light]\nshape = "mesh"\n', TURN, one, head=head, name="thin.toml")
+    done = run("simulate", path, "--into", tmp_path)
+    assert done.returncode == 0, done.stderr
+    found = fitted(run, path)
+    best = found["solutions"][0]
+    assert best["chi_square"] < 1.5 * best["degrees_of_freedom"]
+    assert found["starts"] == 0  # of ellipsoids

@@ -67,8 +67,8 @@ struct ConvexFit {
   double moments_error = 0.1;  // infinity: nothing is known of moments
   Loss loss;
   int most_iterations = 100;
-  // Where the unknowns begin, if not at the ellipsoid of the start: degree and rows are its. Priors
-  // stay those about the start, so that a fit of few iterations is gone on with.
+  // Where the unknowns begin, if not at the ellipsoid of the start: its degree and rows are taken.
+  // Priors stay about the start, so that a short fit can go on.
   std::optional<BrightConvex> from = std::nullopt;
 };
 
@@ -81,7 +81,8 @@ ConvexSolution fit_convex(const ConvexFit& fit);
 // The problem that it solves, for another optimiser or a sampler (residual_function.hpp), about the
 // body that the fit begins with; regularisation is among its residuals, as priors. Moments of
 // MomentSource::shape are those of the body at every x, one convex_moments each: no value where the
-// areas close none. And the body at some values of the unknowns.
+// areas close none, and DomainError where those of the start do. And the body at some values of the
+// unknowns.
 LeastSquares least_squares_of(const ConvexFit& fit);
 BrightConvex body_at(const ConvexFit& fit, std::span<const double> x);
 

@@ -6,13 +6,14 @@
 //             (bodies_with_periods.hpp), a phase of the polhode; of `tries` attitudes the one that
 //             fits best; then fit_light in a few iterations. Of each pair of periods the best and
 //             those that differ most are fitted to the end, whatever the other pairs reach. Pairs
-//             near the limit get more starts, 100 to 300, until no solution within it was found by
-//             one start alone (Good 1953, Biometrika 40, 237). What comes to one state, up to half
-//             turns about the axes of the ellipsoid, is one solution. Each that is within is
-//             started from its images, too: turned by pi about the normal of the plane of Sun and
-//             observer, about their bisector, and about the difference of their directions (see
-//             LightImage). Moments and a law that are unknown are freed at the end, from what was
-//             found without them: first the law, then both.
+//             near the limit get more starts, in rounds of 50, at most eight pairs a round: one
+//             round where nothing is within the limit, else two to six, until no solution within
+//             it was found from a single start (Good 1953, Biometrika 40, 237). What comes to one
+//             state, up to half turns about the axes of the ellipsoid, is one solution. Each that
+//             is within is started from its images, too: turned by pi about the normal of the plane
+//             of Sun and observer, about their bisector, and about the difference of their
+//             directions (see LightImage). Moments and a law that are unknown are freed at the end,
+//             from what was found without them: first the law, then both.
 // Corrections none.
 // Units       as fit_light.
 // Domain      periods as the labels of a scan list them (`labelled_periods`). An ellipsoid fits an
@@ -75,20 +76,20 @@ struct LightSearch {
   LightUnknowns unknowns;
   Scattering law;
   Loss loss;
-  int most_iterations = 60;  // of a finalist
+  int most_iterations = 60;  // of a finalist; near the limit it may go on for four times as many
   std::uint64_t seed = 0;
   int threads = 1;
   // Called before each start and each fit, in any of the threads; what it throws ends the search.
   std::function<void()> between = {};
-  // Called with the part that is done, rising to 1, in one thread at a time. How many more starts
-  // there will be is not known before, so that it may leap.
+  // Called with the part that is done, rising to 1, in one thread at a time. The number of further
+  // starts is not known in advance, so the part may jump.
   std::function<void(double part)> progress = {};
 };
 
 struct FoundLight {
   LightSolution solution;
   std::size_t periods = 0;  // the place of those that it was started from
-  // Fits that came to it; where law or moments are unknown, fits with all unknowns alone.
+  // Fits that came to it; where law or moments are unknown, only fits with all unknowns count.
   std::size_t starts = 0;
   // What it is beside the first solution that it resembles: its place, and in which way.
   enum class Beside { first, image, alias, other_mode, other_pole };
@@ -99,15 +100,15 @@ struct FoundLight {
 };
 
 struct LightSearchResult {
-  // By what was minimised, chi-square or the sum under a robust loss; within the limit alone; all
-  // converged.
+  // By what was minimised, chi-square or the sum under a robust loss; those whose sums differ by
+  // 1e-6 or less, by the height of their pole. Within the limit alone; all converged.
   std::vector<FoundLight> solutions;
   // The lowest sum that each pair of periods came to, chi-square or what was minimised under a
   // robust loss; infinite where nothing converged. It is a bound from above, of few fits where a
   // pair is far beyond the limit.
   std::vector<double> chi_square_of_periods;
   // The best body of each pair of periods, also beyond the limit: from where fit_convex goes on.
-  // Without unknown law or moments, where fits with them did not converge.
+  // Where fits with unknown law or moments did not converge, it is the one without them.
   std::vector<std::optional<LightSolution>> best_of_periods;
   std::size_t starts = 0;     // that had a body
   std::size_t finalists = 0;  // fitted to the end, images included

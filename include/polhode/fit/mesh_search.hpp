@@ -19,7 +19,8 @@
 //             that were found: no proof, as in search_light.
 // Errors      DomainError as fit_mesh; no periods, periods that are not positive, fewer than one
 //             start, try, iteration, finalist or thread, `within` below 1.
-// Cost        a start takes `tries` times 60 brightnesses of the mesh, and a few iterations of all
+// Cost        a start takes `tries` times some 60 brightnesses of the mesh (10 at least of each
+//             session), and a few iterations of all
 //             points (benchmarks/brightness.cpp).
 #pragma once
 
@@ -43,7 +44,8 @@ struct MeshSearch {
   std::size_t tries = 60;
   int short_iterations = 6;
   std::size_t finalists = 4;  // of each pair of periods
-  double within = 1.5;        // chi-square over the lowest, up to which solutions are reported
+  double within = 1.5;        // chi-square, or the sum under a robust loss, over the lowest, up to
+                              // which solutions are reported
   MomentSource moments = MomentSource::start;  // or fit, of finalists alone
   bool multiple = false;
   Loss loss = {};

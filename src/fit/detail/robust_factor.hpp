@@ -6,8 +6,8 @@
 //             u / v, which minimises sum |u - f v|; from there Newton's method, kept within what
 //             signs of the slope enclose; where the sum bends downwards, twice a step of reweighted
 //             least squares, whose sum falls (Hunter & Lange 2004).
-// Domain      huber and soft_l1 are convex: the least is one, but for a flat bottom, of which the
-//             point next to the start is taken. Under cauchy there may be several minima: the one
+// Domain      huber and soft_l1 are convex: the least is one, but for a flat bottom, of which one
+//             point is taken. Under cauchy there may be several minima: the one
 //             is taken that descent from the median meets, in steps that change no residual of
 //             usual size by more than the scale. It is a function of the points alone, with jumps
 //             where two minima change places.

@@ -21,10 +21,10 @@ struct WeighedPoint {
   std::size_t group;
 };
 
-// What derivatives of the numbers know of how a factor follows under a robust loss. exact: all.
-// held: what reweighted least squares does, whose weights stay. The sum has the same gradient with
-// both, as it does not change with the factor at its least. The rows that are held, under the
-// weights, leave the covariance that factors as unknowns would. Of squares both are one.
+// How derivatives treat the factors under a robust loss. exact: as they follow. held: as in
+// reweighted least squares, with the weights held. Both give the gradient of the sum, since at its
+// least the sum does not change with the factor. Rows that are held leave, under the weights, the
+// covariance that factors as unknowns would. For squares both are the same.
 enum class Rows { exact, held };
 
 class WeighedCurves {

@@ -366,6 +366,7 @@ std::vector<FoundConvex> fit_convex_of_periods(const LightSearchResult& found, c
         const Start& start = starts[static_cast<std::size_t>(k)];
         ConvexFit fit = how;
         fit.start = *start.body;
+        fit.from.reset();
         return FoundConvex{start.periods, fit_convex(fit)};
       },
       [&](std::int64_t, const FoundConvex& f) { all.push_back(f); });

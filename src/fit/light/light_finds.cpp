@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "fit/detail/light_relations.hpp"
+#include "fit/light_states.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -17,25 +18,7 @@ constexpr double near_limit = 2.0;
 // has at least.
 constexpr std::size_t pairs_of_round = 8;
 constexpr int least_rounds = 2;
-// Costs that differ by what fits of one least do, relatively.
-constexpr double same_cost = 1e-6;
 constexpr double infinite = std::numeric_limits<double>::infinity();
-
-// Images under a Sun and an observer that do not move have one cost but for rounding: of these the
-// one with the highest pole is first, so that the order does not depend on the starts.
-void sort_by_cost(std::vector<FoundLight>& found) {
-  const auto cost = [](const FoundLight& f) { return f.solution.result.cost; };
-  std::ranges::stable_sort(found, {}, cost);
-  for (auto first = found.begin(); first != found.end();) {
-    const double most = (1.0 + same_cost) * cost(*first);
-    const auto last =
-        std::find_if(first, found.end(), [&](const auto& f) { return cost(f) > most; });
-    std::stable_sort(first, last, [](const FoundLight& a, const FoundLight& b) {
-      return a.solution.pole.z > b.solution.pole.z;
-    });
-    first = last;
-  }
-}
 
 }  // namespace
 
@@ -82,7 +65,7 @@ std::vector<FoundLight> LightFinds::within_limit() const {
   std::vector<FoundLight> found;
   for (const FoundLight& f : solutions_)
     if (f.solution.result.cost <= most) found.push_back(f);
-  sort_by_cost(found);
+  sort_by_cost(found, [](const FoundLight& f) -> const LightSolution& { return f.solution; });
   describe_relations(found, geometry_, half_turns_);
   return found;
 }

@@ -2,7 +2,7 @@
 #include "polhode/fit/light_search.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -10,41 +10,14 @@
 #include "fit/detail/light_finds.hpp"
 #include "fit/detail/light_relations.hpp"
 #include "fit/detail/light_starts.hpp"
-#include "math/number_text.hpp"
+#include "fit/light/search_checks.hpp"
 #include "polhode/ensemble/cells.hpp"
-#include "polhode/error.hpp"
-#include "polhode/light/light_curve_checks.hpp"
 
 namespace polhode {
 inline namespace v0 {
 namespace {
 
 using detail::LightTrial;
-
-void check(const LightSearch& s) {
-  const std::string who = "search_light: ";
-  require_sound(s.curves, {.vectors = true});
-  if (s.periods.empty()) throw DomainError(who + "no periods to start from; expected one pair");
-  for (const TumblerPeriods& p : s.periods) {
-    if (p.mode != Regime::short_axis && p.mode != Regime::long_axis)
-      throw DomainError(who + "the mode must be short_axis or long_axis");
-    for (const double period : {p.precession_period, p.rotation_period})
-      if (!(period > 0.0) || !std::isfinite(period))
-        throw DomainError(who + "period " + detail::number_text(period) + " must be positive");
-  }
-  const auto at_least_one = [&](const char* name, auto value) {
-    if (value < 1)
-      throw DomainError(who + name + " = " + std::to_string(value) + " must be 1 or more");
-  };
-  at_least_one("starts", s.starts);
-  at_least_one("tries", s.tries);
-  at_least_one("short_iterations", s.short_iterations);
-  at_least_one("finalists", s.finalists);
-  at_least_one("most_iterations", s.most_iterations);
-  at_least_one("threads", s.threads);
-  if (!(s.within >= 1.0))
-    throw DomainError(who + "within = " + detail::number_text(s.within) + " must be 1 or more");
-}
 
 // Starts of a round for each pair of periods.
 constexpr std::size_t starts_of_round = 50;
@@ -53,6 +26,10 @@ constexpr int more_iterations = 4, more_short_iterations = 3;
 
 // What is done, as far as can be told before, after the starts, their finalists and all rounds.
 constexpr double done_at_starts = 0.3, done_at_finalists = 0.6, done_at_rounds = 0.9;
+
+int times(int iterations, int factor) {
+  return iterations > std::numeric_limits<int>::max() / factor ? iterations : factor * iterations;
+}
 
 // Where a fit begins, and for which pair of periods.
 struct Finalist {
@@ -185,7 +162,7 @@ class Search {
           next[p] += pairs;
         }
       until_ = done_ + 0.5 * (done_at_rounds - done_);
-      const Trials all = trials(numbers, more_short_iterations * search_.short_iterations);
+      const Trials all = trials(numbers, times(search_.short_iterations, more_short_iterations));
       std::vector<Finalist> found;
       for (const std::size_t p : open)
         for (const LightTrial& t : all[p])
@@ -233,7 +210,7 @@ class Search {
       longer.push_back(finalist);
     }
     unfinished_.clear();
-    fit(longer, more_iterations * search_.most_iterations, false);
+    fit(longer, times(search_.most_iterations, more_iterations), false);
   }
 
   // Keeps what has not come to its end where `goes_on`.
@@ -257,17 +234,21 @@ class Search {
   }
 
   void add_notes(std::size_t seldom) {
+    const bool has_best = std::ranges::any_of(result_.best_of_periods,
+                                              [](const auto& best) { return best.has_value(); });
     if (result_.starts == 0)
+      result_.notes.push_back("no ellipsoid thicker than 1 : 6.7 has any of these periods");
+    else if (result_.solutions.empty() && has_best)
       result_.notes.push_back(
-          "no body has any of these periods with an ellipsoid that is not thinner than 1 : 6.7");
+          "fits with law or moments unknown did not converge; without them there are solutions");
     else if (result_.solutions.empty())
       result_.notes.push_back("no fit converged: more starts, more iterations, or other periods");
     if (seldom > 0)
-      result_.notes.push_back((seldom == 1 ? "a solution within the limit, but for its images, was"
-                                           : std::to_string(seldom) +
-                                                 " solutions within the limit, but for their "
-                                                 "images, were") +
-                              std::string(" found by one start alone: other starts may find more"));
+      result_.notes.push_back((seldom == 1
+                                   ? std::string("1 solution within the limit was")
+                                   : std::to_string(seldom) + " solutions within the limit were") +
+                              " found from a single start (images counted as one): other starts "
+                              "may find more");
     const std::size_t without = tried_ - result_.starts;
     if (without > 0 && result_.starts > 0)
       result_.notes.push_back(std::to_string(without) + " of " + std::to_string(tried_) +
@@ -287,7 +268,11 @@ class Search {
 }  // namespace
 
 LightSearchResult search_light(const LightSearch& search) {
-  check(search);
+  detail::check_search("search_light: ", search);
+  // says what is wrong with law and unknowns before the starts do
+  const BrightEllipsoid any =
+      BrightEllipsoid::homogeneous(0.0, {}, {1.0, 1.0, 1.0}, {1.0, 0.8, 0.6}, search.law);
+  static_cast<void>(least_squares_of(LightFit{search.curves, any, search.unknowns, search.loss}));
   return Search(search).found();
 }
 

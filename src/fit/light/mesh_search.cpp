@@ -14,14 +14,14 @@
 #include "fit/detail/light_starts.hpp"
 #include "fit/detail/spin_motion.hpp"
 #include "fit/detail/weighed_curves.hpp"
+#include "fit/light/search_checks.hpp"
 #include "fit/light_geometry.hpp"
-#include "math/number_text.hpp"
+#include "fit/light_states.hpp"
 #include "polhode/ensemble/cells.hpp"
 #include "polhode/ensemble/counter_random.hpp"
 #include "polhode/ensemble/distributions.hpp"
 #include "polhode/error.hpp"
 #include "polhode/free/tumbler.hpp"
-#include "polhode/light/light_curve_checks.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -32,35 +32,8 @@ const std::string who = "search_mesh: ";
 constexpr std::size_t most_looked_at = 60, least_of_session = 10;
 // States this near are alike, in rad and of the rate: fits from both would most likely meet.
 constexpr double alike_turn = 0.25, alike_rate = 0.03;
-// What two fits to one least differ by at most: in standard errors, as facets bend the light, or
-// where these are small in rad and of the rate.
-constexpr double same_errors = 2.0, same_turn = 0.01, same_rate = 1e-4;
 constexpr std::array<LightImage, 3> images{LightImage::normal, LightImage::bisector,
                                            LightImage::difference};
-
-void check(const MeshSearch& s) {
-  require_sound(s.curves, {.vectors = true});
-  if (s.periods.empty()) throw DomainError(who + "no periods to start from; expected one pair");
-  for (const TumblerPeriods& p : s.periods) {
-    if (p.mode != Regime::short_axis && p.mode != Regime::long_axis)
-      throw DomainError(who + "the mode must be short_axis or long_axis");
-    for (const double period : {p.precession_period, p.rotation_period})
-      if (!(period > 0.0) || !std::isfinite(period))
-        throw DomainError(who + "period " + detail::number_text(period) + " must be positive");
-  }
-  const auto at_least_one = [&](const char* name, auto value) {
-    if (value < 1)
-      throw DomainError(who + name + " = " + std::to_string(value) + " must be 1 or more");
-  };
-  at_least_one("starts", s.starts);
-  at_least_one("tries", s.tries);
-  at_least_one("short_iterations", s.short_iterations);
-  at_least_one("finalists", s.finalists);
-  at_least_one("most_iterations", s.most_iterations);
-  at_least_one("threads", s.threads);
-  if (!(s.within >= 1.0))
-    throw DomainError(who + "within = " + detail::number_text(s.within) + " must be 1 or more");
-}
 
 // Evenly spread points of each session, so that there are not many; but as many as say something of
 // a session whose factor is its own.
@@ -104,20 +77,6 @@ bool are_alike(const SpinState& a, const SpinState& b) {
          norm(b.w_F - a.w_F) < alike_rate * norm(a.w_F);
 }
 
-bool are_same(const LightSolution& a, const LightSolution& b) {
-  const SpinState &s = a.body.spin, &t = b.body.spin;
-  const Vec3 turn = attitude_residual(s.q, t.q), dw = t.w_F - s.w_F;
-  const double factor = same_errors * std::fmax(1.0, a.error_factor());
-  const double rate = same_rate * norm(s.w_F);
-  for (std::size_t i = 0; i < 3; ++i) {
-    const int k = static_cast<int>(i);
-    const double errors[2] = {factor * a.covariance.error(i), factor * a.covariance.error(i + 3)};
-    if (std::fabs(turn[k]) > std::fmax(errors[0], same_turn)) return false;
-    if (std::fabs(dw[k]) > std::fmax(errors[1], rate)) return false;
-  }
-  return true;
-}
-
 // That of the same moments, as far as there is one.
 Ellipsoid ellipsoid_like(const Mat3& inertia) {
   try {
@@ -145,7 +104,7 @@ class Search {
         epoch_(detail::epoch_of(search.curves)),
         geometry_(detail::geometry_of(search.curves)),
         looked_at_(thinned(search.curves), search.loss),
-        finds_(search.curves, search.periods.size(), search.within, are_same, false) {
+        finds_(search.curves, search.periods.size(), search.within, detail::are_same_spins, false) {
     for (const TumblerPeriods& p : search.periods) motions_.push_back(motions_of(body_, p));
   }
 
@@ -286,7 +245,7 @@ class Search {
 }  // namespace
 
 LightSearchResult search_mesh(const MeshSearch& search) {
-  check(search);
+  detail::check_search(who, search);
   // says what is wrong with moments and law before the starts do
   MeshFit first{.curves = search.curves,
                 .start = search.body,

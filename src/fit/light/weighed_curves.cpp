@@ -118,8 +118,8 @@ bool WeighedCurves::residuals(std::span<const double> brightness, std::size_t n,
   }
   if (jacobian.empty() || !is_sound) return is_sound;
   // df = sum(w^2 (W F - (W + c) f B) dB) / sum(c w^2 B^2), W the weight that the loss leaves, c W
-  // where it is held and the curvature of the loss where it follows, which has to be positive in
-  // all, as at a least it is but for a flat bottom; both are 1 of squares
+  // where it is held and the curvature of the loss where it follows, whose sum must be positive, as
+  // it is at a least unless the bottom is flat; for squares both are 1
   std::vector<double> by(groups() * n, 0.0), squares(groups(), 0.0);
   const std::vector<bool> is_held = groups_held(numbers, brightness, rows);
   for (std::size_t i = 0; i < count; ++i) {

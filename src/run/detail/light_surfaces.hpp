@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "fit/light_geometry.hpp"
+#include "fit/light_states.hpp"
 #include "polhode/run/light_report.hpp"
 
 namespace polhode {
@@ -60,9 +61,10 @@ class SurfaceFits {
 void begin_surfaces(const Scenario& scenario, LightReport& report);
 // From the ellipsoid of the start that was fitted, or of a mesh from the file.
 void fit_surface_from_start(const Scenario& scenario, LightReport& report);
-// From the ellipsoids of a search.
-void fit_surfaces(const Scenario& scenario, const LightSearchResult& found,
-                  const LightFitOptions& options, LightReport& report);
+// From the ellipsoids that a search found, and a mesh from what it asked, too.
+void fit_surfaces(const Scenario& scenario, const LightSearch& asked,
+                  const LightSearchResult& found, const LightFitOptions& options,
+                  LightReport& report);
 
 }  // namespace detail
 }  // namespace v0

@@ -144,7 +144,7 @@ void search(const Scenario& scenario, const FitPlan& plan, const LightFitOptions
     report.pairs.push_back({how.periods[p], found.best_of_periods[p], std::nullopt});
   report.notes = std::move(found.notes);
   if (report.shape != LightPlan::Shape::ellipsoid)
-    return detail::fit_surfaces(scenario, found, options, report);
+    return detail::fit_surfaces(scenario, how, found, options, report);
   report.solutions = std::move(found.solutions);
   if (report.solutions.empty())
     report.failure = report.notes.empty() ? "no fit converged" : report.notes.front();

@@ -92,7 +92,7 @@ class Scan {
       refuse("fit.scan.windows",
              "expected at most 1e8 pairs of frequencies; " + words_of(size) + " are " +
                  number(pairs) +
-                 ": set fit.scan.windows to fewer, fit.scan.shortest and fit.scan.longest nearer "
+                 ": lower fit.scan.windows, bring fit.scan.shortest and fit.scan.longest nearer "
                  "to each other, or fit fewer sessions");
     begin(words_of(size));
     SessionScan found = scan_sessions(

@@ -50,10 +50,11 @@ void keep(SurfaceFound&& one, std::size_t periods, std::size_t starts, LightRepo
 
 class Surfaces {
  public:
-  Surfaces(const Scenario& scenario, const LightSearchResult& found, const LightFitOptions& options,
-           LightReport& report)
+  Surfaces(const Scenario& scenario, const LightSearch& asked, const LightSearchResult& found,
+           const LightFitOptions& options, LightReport& report)
       : scenario_(scenario),
         plan_(require_fit(scenario)),
+        asked_(asked),
         found_(found),
         options_(options),
         report_(report),
@@ -62,8 +63,11 @@ class Surfaces {
   void run() {
     const std::vector<Start> starts = starts_of();
     if (options_.begins)
-      options_.begins("surfaces", counted(starts.size(), "ellipsoid", "ellipsoids") +
-                                      " to begin with, and images of the best");
+      options_.begins(
+          "surfaces",
+          (report_.mesh ? counted(asked_.starts, "start", "starts") + " by periods, " : "") +
+              counted(starts.size(), "ellipsoid", "ellipsoids") +
+              " to begin with, and images of the best");
     if (report_.mesh) search_periods();
     fit(
         starts.size(), report_.mesh ? search_part : 0.0, first_part,
@@ -163,16 +167,15 @@ class Surfaces {
   void search_periods() {
     MeshSearch how{.curves = report_.observed.curves,
                    .body = fits_.mesh_fit(spin_state(scenario_.rotation()), 1).start,
-                   .periods = {}};
-    for (const PairFound& pair : report_.pairs) how.periods.push_back(pair.from);
-    how.starts = report_.starts;
-    how.within = plan_.light.within_factor;
+                   .periods = asked_.periods};
+    how.starts = asked_.starts;
+    how.within = asked_.within;
     how.moments = report_.unknowns.moments;
     how.multiple = report_.unknowns.multiple;
-    how.loss = plan_.loss;
-    how.most_iterations = plan_.light.most_iterations.value_or(how.most_iterations);
-    how.seed = plan_.seed;
-    how.threads = options_.threads;
+    how.loss = asked_.loss;
+    how.most_iterations = asked_.most_iterations;
+    how.seed = asked_.seed;
+    how.threads = asked_.threads;
     std::mutex mutex;
     std::size_t begun = 0;
     const std::size_t tried = how.starts * how.tries, fits = how.finalists * how.periods.size();
@@ -217,8 +220,7 @@ class Surfaces {
   }
 
   void limit() {
-    std::ranges::stable_sort(kept_, {},
-                             [](const Kept& one) { return one.found.solution.result.cost; });
+    sort_by_cost(kept_, [](const Kept& one) -> const LightSolution& { return one.found.solution; });
     if (kept_.empty()) return;
     const double most = plan_.light.within_factor * kept_.front().found.solution.result.cost;
     std::erase_if(kept_, [&](const Kept& one) { return one.found.solution.result.cost > most; });
@@ -238,6 +240,7 @@ class Surfaces {
 
   const Scenario& scenario_;
   const FitPlan& plan_;
+  const LightSearch& asked_;
   const LightSearchResult& found_;
   const LightFitOptions& options_;
   LightReport& report_;
@@ -283,9 +286,10 @@ void fit_surface_from_start(const Scenario& scenario, LightReport& report) {
   keep(std::move(one), 0, 1, report);
 }
 
-void fit_surfaces(const Scenario& scenario, const LightSearchResult& found,
-                  const LightFitOptions& options, LightReport& report) {
-  Surfaces(scenario, found, options, report).run();
+void fit_surfaces(const Scenario& scenario, const LightSearch& asked,
+                  const LightSearchResult& found, const LightFitOptions& options,
+                  LightReport& report) {
+  Surfaces(scenario, asked, found, options, report).run();
 }
 
 }  // namespace detail

@@ -181,7 +181,8 @@ void add_pairs(std::string& text, const Scenario& scenario, const LightReport& r
                            report.finalists, report.converged));
   if (report.shape != LightPlan::Shape::ellipsoid)
     add_fit_line(text, report.mesh ? "fits of the mesh" : "convex bodies",
-                 fmt::format("{} fitted from them, {} converged", report.surfaces,
+                 fmt::format("{} {}, {} converged", report.surfaces,
+                             report.mesh ? "fitted, by periods and from them" : "fitted from them",
                              report.surfaces_converged));
   add_pair_rows(text, scenario, report);
 }

@@ -28,10 +28,6 @@ constexpr std::size_t mesh_finalists = 3;
 constexpr double most_psi = 0.95;
 // States from which one start is enough: in rad, and of the rate.
 constexpr double near_turn = 0.05, near_rate = 0.01;
-// What two fits to one least differ by, in standard errors, and where these are small in rad and of
-// the rate.
-constexpr double same_errors = 2.0, same_turn = 0.01, same_rate = 1e-4;
-
 constexpr std::array<Quaternion, 4> half_turns{Quaternion{1.0, 0.0, 0.0, 0.0},
                                                {0.0, 1.0, 0.0, 0.0},
                                                {0.0, 0.0, 1.0, 0.0},
@@ -184,18 +180,11 @@ SurfaceFound SurfaceFits::from_file() const {
 }
 
 bool SurfaceFits::are_same(const LightSolution& a, const LightSolution& b) const {
-  // a mesh is another one after a half turn; convex bodies turn with their facets
-  const SpinState& s = report_.mesh ? b.body.spin : nearest_of_same(a.body, b.body).spin;
-  const Vec3 turn = attitude_residual(a.body.spin.q, s.q), dw = s.w_F - a.body.spin.w_F;
-  const double factor = same_errors * std::fmax(1.0, a.error_factor());
-  const double rate = same_rate * norm(a.body.spin.w_F);
-  for (std::size_t i = 0; i < 3; ++i) {
-    const int k = static_cast<int>(i);
-    const double errors[2] = {factor * a.covariance.error(i), factor * a.covariance.error(i + 3)};
-    if (std::fabs(turn[k]) > std::fmax(errors[0], same_turn)) return false;
-    if (std::fabs(dw[k]) > std::fmax(errors[1], rate)) return false;
-  }
-  return true;
+  if (report_.mesh) return are_same_spins(a, b);
+  // convex bodies turn with their facets; a mesh is another one after a half turn
+  LightSolution near = b;
+  near.body = nearest_of_same(a.body, b.body);
+  return are_same_spins(a, near);
 }
 
 }  // namespace detail

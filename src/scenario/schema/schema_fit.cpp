@@ -116,7 +116,9 @@ constexpr Key keys[] = {
      .type = integer,
      .fallback = "200",
      .example = "200",
-     .help = "At most, for each start; left out, 60 in a search of light curves."},
+     .help =
+         "At most, for each start; left out, 60 in a search of light curves, whose fits near the "
+         "lowest go on for four times as many."},
     {.path = "fit.tolerance",
      .type = number,
      .fallback = "1e-12",
@@ -130,7 +132,8 @@ constexpr Key keys[] = {
      .example = "1",
      .help = "From how many states it begins, up to 1e6: that of the file, then others with any "
              "attitude and a rate about that of the file, where these are unknown. Of a search of "
-             "light curves: in all, left out 20 for each pair of periods."},
+             "light curves: at first, in all, left out 20 for each pair of periods; pairs near the "
+             "lowest get more."},
     {.path = "fit.rate_spread",
      .type = number,
      .dimension = Dimension::rate,

@@ -130,9 +130,10 @@ constexpr Key keys[] = {
      .fallback = "\"joined\"",
      .example = "\"joined\"",
      .help =
-         "Several nights: joined, one grid as fine as all of the time from first point to last "
-         "asks for; separate, each session by itself on a coarser one, and then the lowest minima "
-         "of their sum on all of that time. Periods longer than a session are not found so."},
+         "How several nights are scanned. joined: on one grid, fine enough for all the time from "
+         "the first point to the last. separate: each session on a coarser grid, then around the "
+         "lowest minima of their sum on all of that time; periods longer than a session are not "
+         "found."},
     {.path = "fit.scan.windows",
      .type = integer,
      .fallback = "20",

@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 
+#include "fit/light_states.hpp"
 #include "math/number_text.hpp"
 
 namespace polhode {
@@ -106,7 +107,7 @@ std::string beside_text(const FoundLight& f) {
     case FoundLight::Beside::other_mode:
       return "the other mode than " + of;
     case FoundLight::Beside::other_pole:
-      return "about the periods of " + of + " with another attitude or shape";
+      return "nearly the periods of " + of + ", with another attitude or shape";
     default:
       return f.solution.loss.kind == Loss::Kind::squared ? "the lowest chi-square"
                                                          : "the lowest loss";
@@ -155,6 +156,7 @@ void describe_relations(std::vector<FoundLight>& solutions, const LightGeometry&
   for (std::size_t j = 0; j < solutions.size(); ++j) {
     FoundLight& f = solutions[j];
     f.beside = Beside::first;
+    f.image = LightImage::none;
     f.of = 0;
     set_parent(solutions, j, geometry, half_turns);
     for (std::size_t k = 0; k < j && f.beside == Beside::first; ++k) {
@@ -169,6 +171,20 @@ void describe_relations(std::vector<FoundLight>& solutions, const LightGeometry&
     }
     f.sentence = motion_text(f.solution) + ": " + beside_text(f);
   }
+}
+
+bool are_same_spins(const LightSolution& a, const LightSolution& b) {
+  constexpr double errors = 2.0, least_turn = 0.01, least_rate = 1e-4;
+  const SpinState &s = a.body.spin, &t = b.body.spin;
+  const Vec3 turn = attitude_residual(s.q, t.q), dw = t.w_F - s.w_F;
+  const double factor = errors * std::fmax(1.0, a.error_factor());
+  const double rate = least_rate * norm(s.w_F);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const int k = static_cast<int>(i);
+    if (std::fabs(turn[k]) > std::fmax(factor * a.covariance.error(i), least_turn)) return false;
+    if (std::fabs(dw[k]) > std::fmax(factor * a.covariance.error(i + 3), rate)) return false;
+  }
+  return true;
 }
 
 std::vector<std::size_t> starts_of_images(const std::vector<FoundLight>& solutions) {
