@@ -170,16 +170,13 @@ void fit_light_curves(const FitCommand& options, const Scenario& scenario) {
   }
   progress.reset();
   for (const std::string& path : options.landscape) write_landscape(scenario, report, path);
-  // the minima, and pairs that were asked for, are worth reading without a solution
-  if (!report.is_found() && report.pairs.empty() && (report.scan || !report.chosen.empty()))
+  if (!report.is_found() && report.start) fail(scenario, "its start", report.failure);
+  if (!report.is_found()) {
+    // minima, pairs and what they came to are worth reading without a solution
     print(options.json ? light_json(scenario, report) : light_text(scenario, report));
-  if (!report.is_found() && !report.start && report.pairs.empty())
     throw std::runtime_error(
         fmt::format("{}: no solution: {}", scenario.document.name, report.failure));
-  if (!report.is_found())
-    fail(scenario,
-         report.start ? std::string("its start") : fmt::format("each of {} starts", report.starts),
-         report.failure);
+  }
   if (!writes_files<LightReport>(options, scenario, report, write_light_residuals,
                                  write_light_covariance, write_light_solution))
     print(options.json ? light_json(scenario, report) : light_text(scenario, report));
@@ -187,6 +184,12 @@ void fit_light_curves(const FitCommand& options, const Scenario& scenario) {
 
 void fit_file(const FitCommand& options, const Kinds& kinds) {
   const Scenario scenario = changed_scenario(options.scenario, options.set, kinds);
+  std::vector<std::string> paths;
+  for (const std::vector<std::string>* const some :
+       {&options.residuals, &options.covariance, &options.landscape, &options.predict})
+    paths.insert(paths.end(), some->begin(), some->end());
+  if (!options.solution.empty()) paths.push_back(options.solution);
+  require_own_files(scenario, paths);
   if (observes_light(scenario))
     fit_light_curves(options, scenario);
   else

@@ -495,3 +495,10 @@ def test_a_search_is_stopped(night, polhode):
     out, error = process.communicate(timeout=60)
     assert process.returncode == 128 + signal.SIGINT and out == ""
     assert "stopped in the search" in error
+
+
+def test_outputs_over_the_scenario_are_refused_before_the_work(run, night, tmp_path):
+    left = tmp_path / "left.csv"
+    done = run("fit", night, "--residuals", left, "--solution", night)
+    assert done.returncode == 2 and "is the scenario itself" in done.stderr
+    assert not left.exists() and done.stdout == ""

@@ -92,6 +92,10 @@ std::string fit_text(const Scenario& scenario, const FitReport& report,
 std::string fit_json(const Scenario& scenario, const FitReport& report,
                      std::span<const double> times = {});
 
+// DomainError where one of these paths is the scenario, a file that it reads, or another of them:
+// what the writers below refuse, before the work.
+void require_own_files(const Scenario& scenario, std::span<const std::string> paths);
+
 // A row for each observation, in the order of tables and lines: table and line from 1, the rotation
 // or the difference of rates from what was seen to the solution, and both in standard errors.
 void write_residuals(const Scenario& scenario, const FitReport& report, std::size_t solution,

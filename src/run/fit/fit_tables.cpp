@@ -134,5 +134,9 @@ std::string counted(std::size_t n, const char* one, const char* many) {
 }
 
 }  // namespace detail
+
+void require_own_files(const Scenario& scenario, std::span<const std::string> paths) {
+  detail::require_own_files(scenario.document, paths);
+}
 }  // namespace v0
 }  // namespace polhode

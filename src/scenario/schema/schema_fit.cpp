@@ -20,11 +20,13 @@ constexpr Key keys[] = {
      .presence = required,
      .allowed = "attitude|rate|moments|products|shape|law",
      .example = "[\"attitude\", \"rate\", \"moments\"]",
-     .help = "Attitude and angular velocity at t = 0, the ratios Ixx/Izz and Iyy/Izz, and the "
-             "products of inertia over Izz, in the body axes that this file gives vectors in. Of "
-             "free rotation only ratios matter: Izz stays. Of light curves: attitude and rate, "
-             "which they always have; shape, the ratios b/a and c/b of the ellipsoid; moments of "
-             "their own; law, the weight of Lambert's law beside that of Lommel and Seeliger."},
+     .help =
+         "Attitude and angular velocity at t = 0 (of a search of light curves: in the middle of "
+         "the data, where its table has them), the ratios Ixx/Izz and Iyy/Izz, and the "
+         "products of inertia over Izz, in the body axes that this file gives vectors in. Of "
+         "free rotation only ratios matter: Izz stays. Of light curves: attitude and rate, "
+         "which they always have; shape, the ratios b/a and c/b of the ellipsoid; moments of "
+         "their own; law, the weight of Lambert's law beside that of Lommel and Seeliger."},
     {.path = "free.prior[]", .help = "What is known of unknowns beforehand, as normal numbers."},
     {.path = "free.prior[].kind",
      .type = choice,
