@@ -251,8 +251,9 @@ class Search {
                               "may find more");
     const std::size_t without = tried_ - result_.starts;
     if (without > 0 && result_.starts > 0)
-      result_.notes.push_back(std::to_string(without) + " of " + std::to_string(tried_) +
-                              " starts found no body with their periods whose light can be computed");
+      result_.notes.push_back(
+          std::to_string(without) + " of " + std::to_string(tried_) +
+          " starts found no body with their periods whose light can be computed");
   }
 
   const LightSearch& search_;
