@@ -225,8 +225,8 @@ def test_a_mesh_is_found_where_no_ellipsoid_leads_to_it(run, fit_file, tmp_path)
     mesh = '[light]\nshape = "mesh"\n'
     done = run("simulate", fit_file(mesh, TURN, head=head, name="truth.toml"), "--into", tmp_path)
     assert done.returncode == 0, done.stderr
-    periods = ('[fit]\nfrom = "search"\nstarts = 40\n[[fit.periods]]\nmode = "SAM"\n'
-               "precession_period = 11.9995\nrotation_period = 97.1\n")
+    periods = ('[fit]\nfrom = "search"\nstarts = 40\nwithin_factor = 1.1\n[[fit.periods]]\n'
+               'mode = "SAM"\nprecession_period = 11.9995\nrotation_period = 97.1\n')
     found = fitted(run, fit_file(mesh, TURN, periods, head=head, name="search.toml"))
     assert found["periods"][0]["mesh"]["converged"]
     off = [pole_off(one, 206.813, -32.342) for one in found["solutions"][:2]]

@@ -226,11 +226,24 @@ class Surfaces {
     std::erase_if(kept_, [&](const Kept& one) { return one.found.solution.result.cost > most; });
   }
 
+  // Pairs of periods whose fits are no solutions, although they came as low.
+  void note_unfinished() const {
+    const double most = plan_.light.within_factor * report_.solutions.front().solution.result.cost;
+    const auto count = std::ranges::count_if(report_.pairs, [&](const PairFound& pair) {
+      return pair.surface && !pair.surface->is_converged && pair.surface->cost <= most;
+    });
+    if (count > 0)
+      report_.notes.push_back(
+          counted(static_cast<std::size_t>(count), "pair of periods", "pairs of periods") +
+          " came as low as the solutions, but the fits did not converge: the table has them, and "
+          "fit.iterations takes them further");
+  }
+
   void finish() {
     report_.solutions.clear();
     for (Kept& one : kept_) keep(std::move(one.found), one.periods, one.starts, report_);
     describe_solutions(report_.solutions, report_.observed.curves, !report_.mesh);
-    if (!report_.solutions.empty()) return;
+    if (!report_.solutions.empty()) return note_unfinished();
     report_.failure =
         report_.surfaces == 0
             ? report_.mesh ? "the mesh has none of these periods" : "no ellipsoid to begin with"

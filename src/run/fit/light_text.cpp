@@ -209,6 +209,7 @@ void add_overview(std::string& text, const Scenario& scenario, const LightReport
     if (one.beside == FoundLight::Beside::image)
       what += std::string(" (") + detail::image_word(one.image) + ")";
     if (one.beside != FoundLight::Beside::first) what += fmt::format(" of {}", one.of + 1);
+    if (!one.solution.result.bound.empty()) what += ", on a bound";
     text += fmt::format(
         "{:>4}{:>12.5g}{:>6}{:>13}{:>13}{:>9.1f}{:>8.1f}{:>8.3f}{:>8.3f}  {}\n", i + 1,
         detail::rank_number(loss, one.solution.result.chi_square, one.solution.result.cost),
