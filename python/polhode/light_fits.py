@@ -357,12 +357,6 @@ class LightResiduals(ResidualFunction):
         problem = _light_problem(start, curves, shape, moments, multiple, loss, 1)
         super().__init__(problem.residuals())
 
-    @classmethod
-    def _of(cls, compiled: Any) -> LightResiduals:
-        made = object.__new__(cls)
-        ResidualFunction.__init__(made, compiled)
-        return made
-
     def state(self, x: ArrayLike) -> BrightEllipsoid:
         """The body at x."""
         return BrightEllipsoid._of(self._compiled.state(x))

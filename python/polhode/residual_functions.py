@@ -4,7 +4,7 @@ for samplers."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
@@ -14,6 +14,8 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
     Array = NDArray[np.float64]
+
+Own = TypeVar("Own", bound="ResidualFunction")
 
 
 class ResidualFunction:
@@ -54,6 +56,12 @@ class ResidualFunction:
         self._names = tuple(name for name, *_ in unknowns)
         self._start, self._low, self._high = np.array([row[1:] for row in unknowns]).T.copy()
         self._last: tuple[bytes, Any, Any] | None = None
+
+    @classmethod
+    def _of(cls: type[Own], compiled: Any) -> Own:
+        made = object.__new__(cls)
+        ResidualFunction.__init__(made, compiled)
+        return made
 
     @property
     def names(self) -> tuple[str, ...]:

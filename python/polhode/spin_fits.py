@@ -399,12 +399,6 @@ class SpinResiduals(ResidualFunction):
         problem = spin_problem(start, seen, unknowns, priors, attitude_prior, loss, error_factor)
         super().__init__(problem.residuals())
 
-    @classmethod
-    def _of(cls, compiled: Any) -> SpinResiduals:
-        made = object.__new__(cls)
-        ResidualFunction.__init__(made, compiled)
-        return made
-
     def state(self, x: ArrayLike) -> SpinState:
         """The spin state at x."""
         return SpinState._of(self._compiled.state(x))

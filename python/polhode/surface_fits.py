@@ -256,12 +256,6 @@ class ConvexResiduals(ResidualFunction):
         )
         super().__init__(problem.residuals())
 
-    @classmethod
-    def _of(cls, compiled: Any) -> ConvexResiduals:
-        made = object.__new__(cls)
-        ResidualFunction.__init__(made, compiled)
-        return made
-
     def state(self, x: ArrayLike) -> BrightConvex:
         """The body at x."""
         return BrightConvex._of(self._compiled.state(x))
@@ -398,12 +392,6 @@ class MeshResiduals(ResidualFunction):
         super().__init__(
             _mesh_problem(start, curves, moments, multiple, loss, 1).residuals()
         )
-
-    @classmethod
-    def _of(cls, compiled: Any) -> MeshResiduals:
-        made = object.__new__(cls)
-        ResidualFunction.__init__(made, compiled)
-        return made
 
     def state(self, x: ArrayLike) -> BrightMesh:
         """The body at x."""

@@ -10,6 +10,7 @@
 #include "fit/detail/light_finds.hpp"
 #include "fit/detail/light_relations.hpp"
 #include "fit/detail/light_starts.hpp"
+#include "fit/light/best_unlike.hpp"
 #include "fit/light/search_checks.hpp"
 #include "polhode/ensemble/cells.hpp"
 
@@ -129,18 +130,13 @@ class Search {
     until_ = done_at_starts;
     Trials all = trials(numbers, search_.short_iterations);
     std::vector<Finalist> found;
-    for (std::size_t p = 0; p < all.size(); ++p) {
-      std::ranges::stable_sort(all[p], {}, &LightTrial::cost);
-      std::vector<const LightTrial*> taken;
-      for (const LightTrial& t : all[p]) {
-        if (taken.size() == search_.finalists) break;
-        const bool is_known = std::ranges::any_of(
-            taken, [&](const LightTrial* known) { return detail::are_alike(known->body, t.body); });
-        if (is_known) continue;
-        taken.push_back(&t);
+    const auto are_alike = [](const LightTrial& a, const LightTrial& b) {
+      return detail::are_alike(a.body, b.body);
+    };
+    for (std::size_t p = 0; p < all.size(); ++p)
+      for (const LightTrial& t :
+           detail::best_unlike(std::move(all[p]), search_.finalists, are_alike))
         found.push_back({t.body, p});
-      }
-    }
     until_ = done_at_finalists;
     fit(found);
   }

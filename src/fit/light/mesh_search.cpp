@@ -14,6 +14,7 @@
 #include "fit/detail/light_starts.hpp"
 #include "fit/detail/spin_motion.hpp"
 #include "fit/detail/weighed_curves.hpp"
+#include "fit/light/best_unlike.hpp"
 #include "fit/light/search_checks.hpp"
 #include "fit/light_geometry.hpp"
 #include "fit/light_states.hpp"
@@ -178,17 +179,10 @@ class Search {
           all[one->periods].push_back(*one);
         });
     std::vector<Start> taken;
-    for (std::vector<Start>& of_pair : all) {
-      std::ranges::stable_sort(of_pair, {}, &Start::cost);
-      const std::size_t before = taken.size();
-      for (const Start& one : of_pair) {
-        if (taken.size() - before == search_.finalists) break;
-        const auto first = taken.begin() + static_cast<std::ptrdiff_t>(before);
-        const bool is_known = std::any_of(
-            first, taken.end(), [&](const Start& t) { return are_alike(t.spin, one.spin); });
-        if (!is_known) taken.push_back(one);
-      }
-    }
+    const auto alike = [](const Start& a, const Start& b) { return are_alike(a.spin, b.spin); };
+    for (std::vector<Start>& of_pair : all)
+      for (const Start& one : detail::best_unlike(std::move(of_pair), search_.finalists, alike))
+        taken.push_back(one);
     return taken;
   }
 

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// Which of many starts are fitted to the end.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+// Of those with the lowest `cost`, at most `count` that are unlike each other: the best, and after
+// it the next best that is unlike those taken.
+template <class Start, class AreAlike>
+std::vector<Start> best_unlike(std::vector<Start> all, std::size_t count,
+                               const AreAlike& are_alike) {
+  std::ranges::stable_sort(all, {}, &Start::cost);
+  std::vector<Start> taken;
+  for (const Start& one : all) {
+    if (taken.size() == count) break;
+    const bool is_known =
+        std::ranges::any_of(taken, [&](const Start& known) { return are_alike(known, one); });
+    if (!is_known) taken.push_back(one);
+  }
+  return taken;
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode
