@@ -68,7 +68,7 @@ struct Piece {
 // Of the undo file of `path`, up to the first that was not written to its end: the file has not
 // been changed there yet. None where there is no undo file.
 std::vector<Piece> pieces_of(const std::string& path, const JournaledFile::Savepoint& savepoint) {
-  const std::string undo = file_bytes(JournaledFile::undo_path(path)).value_or("");
+  const std::string undo = file_bytes(undo_path(path)).value_or("");
   std::vector<Piece> pieces;
   StateBytes reader(undo);
   try {

@@ -49,6 +49,8 @@ std::string part_path(const std::string& path) {
   return other ? path : path + ".part";
 }
 
+std::string undo_path(const std::string& part) { return part + "-undo"; }
+
 void rename_part(const std::string& part, const std::string& path) {
   if (part == path) return;
   if (std::rename(part.c_str(), path.c_str()) != 0) fail_to_write(path, errno);

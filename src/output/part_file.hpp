@@ -19,6 +19,8 @@ namespace detail {
 // The name to write under before `path` is complete: PATH.part, or the path itself for a device or
 // a pipe. Throws DomainError for a folder.
 std::string part_path(const std::string& path);
+// Beside a part that changes in place: what stood there at its last savepoint.
+std::string undo_path(const std::string& part);
 // Gives a finished part its name. Throws OutputError.
 void rename_part(const std::string& part, const std::string& path);
 // What a part that goes on must be: as long as this and more, with this in front. One that has

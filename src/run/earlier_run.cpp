@@ -70,11 +70,17 @@ void point_to_checkpoint(const std::string& output, const std::string& checkpoin
   sync_folder_of(output);
 }
 
-// That of the first output last: what points to it does not outlive it.
+// That of the first output last: what points to it does not outlive it. Then what going on from it
+// would need.
 void forget_checkpoints(std::span<const std::string> outputs) {
   std::error_code ignored;
   for (const std::string& output : outputs | std::views::reverse)
     if (output != "-") fs::remove(checkpoint_path(output), ignored);
+  for (const std::string& output : outputs) {
+    if (output == "-") continue;
+    fs::remove(checkpoint_path(output) + ".part", ignored);
+    fs::remove(undo_path(output + ".part"), ignored);
+  }
 }
 
 void sync_folder_of(const std::string& path) {

@@ -112,6 +112,7 @@ void KeptOutputs::find(const Provenance& provenance) {
                       kind + " leaves behind");
   if (!found.empty()) return take_up(found, std::move(file));
   complete_ = are_complete(setup_.outputs, setup_.formats, provenance, words);
+  if (complete_) forget_checkpoints(paths_);  // of a kill at the very end
 }
 
 void KeptOutputs::take_up(const std::string& found, std::optional<CheckpointFile> file) {

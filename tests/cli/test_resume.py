@@ -71,6 +71,17 @@ def test_changes_and_dates_go_on_with_the_run(polhode, run, long, tmp_path):
     assert run(*short, "--resume").stdout.startswith(f"{long.name}: nothing to do")
 
 
+def test_complete_it_sweeps_what_a_kill_at_its_very_end_left(run, scenario, tmp_path):
+    path, outs = scenario(), [tmp_path / "a.csv", tmp_path / "a.h5"]
+    command = ["run", path, "--out", outs[0], "--out", outs[1]]
+    assert run(*command).returncode == 0
+    before = {one: one.read_bytes() for one in tmp_path.iterdir()}
+    for left in ("a.csv.checkpoint.part", "a.h5.checkpoint.part", "a.h5.part-undo"):
+        (tmp_path / left).write_text("killed here")
+    assert "nothing to do: complete" in run(*command, "--resume").stdout
+    assert {one: one.read_bytes() for one in tmp_path.iterdir()} == before
+
+
 @pytest.mark.parametrize("by, status", [(signal.SIGINT, 130), (signal.SIGTERM, 143)])
 def test_a_signal_stops_it_in_order(polhode, run, long, tmp_path, by, status):
     path = tmp_path / "a.csv"

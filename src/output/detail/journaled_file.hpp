@@ -46,8 +46,6 @@ class JournaledFile {
   void savepoint(std::int64_t number);
   void forget_savepoints();
 
-  static std::string undo_path(const std::string& path) { return path + "-undo"; }
-
  private:
   static constexpr std::uint64_t page_bytes = 4096;
   using Page = std::array<char, page_bytes>;

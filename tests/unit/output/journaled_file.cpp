@@ -10,6 +10,7 @@
 #include <random>
 #include <string>
 
+#include "output/part_file.hpp"
 #include "polhode/error.hpp"
 #include "temp_folder.hpp"
 
@@ -17,6 +18,7 @@ namespace polhode {
 namespace {
 
 using detail::JournaledFile;
+using detail::undo_path;
 
 class JournaledFileTest : public test::InTempFolder {
  protected:
@@ -90,12 +92,12 @@ TEST_F(JournaledFileTest, GoesBackFromATornCommit) {
     ASSERT_TRUE(file.write(4096 * 9, std::string(100, 'b')));
     file.commit(60000);
   }
-  const std::string whole = text(path()), undo = text(JournaledFile::undo_path(path()));
+  const std::string whole = text(path()), undo = text(undo_path(path()));
   for (const std::size_t page : {3U, 9U}) {
     std::string torn = whole;
     torn.replace(4096 * page, 4096, std::string(4096, 'x'));
     write(path(), torn + "tail");
-    write(JournaledFile::undo_path(path()), undo);
+    write(undo_path(path()), undo);
     JournaledFile file(path(), {50000, 7});
     EXPECT_EQ(text(path()), content) << page;
   }
@@ -104,7 +106,7 @@ TEST_F(JournaledFileTest, GoesBackFromATornCommit) {
   half.replace(4096 * 9, 4096, std::string(4096, 'a'));
   for (const std::size_t cut : {1U, 100U, 4000U}) {
     write(path(), half);
-    write(JournaledFile::undo_path(path()), undo.substr(0, undo.size() - cut));
+    write(undo_path(path()), undo.substr(0, undo.size() - cut));
     JournaledFile file(path(), {50000, 7});
     EXPECT_EQ(text(path()), content) << cut;
   }
