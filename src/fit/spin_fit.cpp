@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "fit/detail/rotation_vector.hpp"
 #include "fit/detail/snapshot_residuals.hpp"
@@ -136,7 +137,8 @@ SpinSolution fit_spin(const SpinFit& fit) {
   found.degrees_of_freedom = degrees_of_freedom(problem, found.result);
   found.attitude_rms = residuals.attitude_rms(found.state);
   found.notes = repeated(fit.seen);
-  for (const auto& weak : found.covariance.weak) found.notes.push_back(weak.sentence);
+  std::ranges::move(notes_on_errors(problem, found.result, found.covariance),
+                    std::back_inserter(found.notes));
   return found;
 }
 

@@ -45,6 +45,14 @@ struct UnknownsCovariance {
 
 UnknownsCovariance covariance(const LeastSquares& problem, const LeastSquaresResult& result);
 
+// The sentences of what is weak, and one where residuals are not linear within the errors: one
+// error off along a principal direction of the unknowns over their errors, the squares' sum is
+// higher by less than 1/2 or by more than 2, not by 1. Nothing of that under robust losses, on a
+// bound, or with infinite errors.
+std::vector<std::string> notes_on_errors(const LeastSquares& problem,
+                                         const LeastSquaresResult& result,
+                                         const UnknownsCovariance& covariance);
+
 // (x - truth)^T C^-1 (x - truth): a draw of chi-square with as many degrees as unknowns where the
 // errors are what they say. Infinite variances leave their unknowns out.
 double mahalanobis(const UnknownsCovariance& c, std::span<const double> x,

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "fit/detail/turn_covariance.hpp"
 #include "fit/driven/driven_residuals.hpp"
@@ -153,7 +154,8 @@ SpinSolution fit_driven_spin(const SpinFit& fit, const SpinDrive& drive) {
   found.degrees_of_freedom = degrees_of_freedom(problem, found.result);
   found.attitude_rms = residuals.attitude_rms(found.result.x);
   found.notes = repeated(fit.seen);
-  for (const auto& weak : found.covariance.weak) found.notes.push_back(weak.sentence);
+  std::ranges::move(notes_on_errors(problem, found.result, found.covariance),
+                    std::back_inserter(found.notes));
   return found;
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "fit/free_rotation_of.hpp"
@@ -112,7 +113,8 @@ void settle(const TurningFit& fit, int most_iterations, std::size_t groups, Ligh
   found.covariance = covariance(problem, found.result);
   found.degrees_of_freedom =
       degrees_of_freedom(problem, found.result) - static_cast<double>(groups);
-  for (const auto& weak : found.covariance.weak) found.notes.push_back(weak.sentence);
+  std::ranges::move(notes_on_errors(problem, found.result, found.covariance),
+                    std::back_inserter(found.notes));
 }
 
 }  // namespace detail

@@ -52,6 +52,54 @@ TEST(Solve, FindsTheLineAndItsErrors) {
   EXPECT_TRUE(c.weak.empty());
 }
 
+// Residuals whose squares one error off are known: a straight line, a valley y = x^2 that is steep
+// across, and one that grows ever less.
+TEST(NotesOnErrors, SayWhereResidualsBend) {
+  const auto notes = [](const LeastSquares& p) {
+    const LeastSquaresResult r = solve(p);
+    EXPECT_TRUE(r.is_converged()) << r.sentence;
+    return notes_on_errors(p, r, covariance(p, r));
+  };
+  EXPECT_TRUE(notes(line({1.1, 2.9, 5.2, 6.8, 9.0})).empty());
+
+  const auto of = [](std::vector<Unknown> unknowns, auto numbers) {
+    LeastSquares p;
+    p.residuals.data = unknowns.size();
+    p.unknowns = std::move(unknowns);
+    p.residuals.at = numbers;
+    return p;
+  };
+  LeastSquares valley = of({{"x", 0.3}, {"y", 0.1}}, [](auto x, auto r, auto J) {
+    r[0] = x[0];
+    r[1] = 2.0 * (x[1] - x[0] * x[0]);
+    if (J.empty()) return true;
+    J[0] = 1.0;
+    J[1] = 0.0;
+    J[2] = -4.0 * x[0];
+    J[3] = 2.0;
+    return true;
+  });
+  EXPECT_THAT(
+      notes(valley),
+      testing::ElementsAre(
+          "residuals are not linear within the errors: one error off along x, chi-square is 5 "
+          "higher, not 1; a sampled posterior says more"));
+  valley.loss.kind = Loss::Kind::huber;
+  EXPECT_TRUE(notes(valley).empty());
+  valley.loss.kind = Loss::Kind::squared;
+  valley.unknowns[0].low = -0.9;  // both ways are beyond the bounds
+  valley.unknowns[0].high = 0.9;
+  EXPECT_TRUE(notes(valley).empty());
+
+  EXPECT_THAT(notes(of({{"x", 0.1}},
+                       [](auto x, auto r, auto J) {
+                         r[0] = std::atan(2.0 * x[0]) / 2.0;
+                         if (!J.empty()) J[0] = 1.0 / (1.0 + 4.0 * x[0] * x[0]);
+                         return true;
+                       })),
+              testing::ElementsAre(HasSubstr("one error off along x, chi-square is 0.306 higher")));
+}
+
 TEST(Solve, ScalesErrorsOfDataAlone) {
   LeastSquares p = line({1.1, 2.9, 5.2, 6.8, 9.0});
   const LeastSquaresResult free = solve_scaled(p);
