@@ -34,11 +34,17 @@ CALLS = {
 }
 
 
+def bits(states):
+    arrays = {name: getattr(states, name) for name in dir(states) if name[0] != "_"}
+    return {name: a.tobytes() for name, a in arrays.items() if isinstance(a, np.ndarray)}
+
+
 @pytest.mark.parametrize("name", CALLS)
 def test_no_bit_depends_on_the_threads(name):
-    alone = CALLS[name](1)
+    alone = bits(CALLS[name](1))
+    assert alone
     for threads in (2, 3):
-        assert np.array_equal(CALLS[name](threads), alone)
+        assert bits(CALLS[name](threads)) == alone
 
 
 @pytest.mark.parametrize("of", [

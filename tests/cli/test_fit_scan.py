@@ -23,9 +23,9 @@ to_sun = [1, 0.2, 0.3]
 to_observer = [0.8, 0.6, 0.1]
 sigma = 0.02
 """
-# Two nights a day apart, of two hours each.
-HEAD = TUMBLER.replace("stop = 120\ncount = 81", "stop = 1560\nstep = 1.5")
-SESSIONS = "[simulate]\nsessions = [0, 120, 1440, 1560]\n"
+# Two nights of two hours, twelve hours apart.
+HEAD = TUMBLER.replace("stop = 120\ncount = 81", "stop = 840\nstep = 1.5")
+SESSIONS = "[simulate]\nsessions = [0, 120, 720, 840]\n"
 SCAN = """
 [fit]
 from = "search"
@@ -88,7 +88,7 @@ def test_separate_sessions_come_to_what_one_grid_does(run, nights):
     assert separate["separate_sessions"] == 2 and separate["windows"] == 20
     pairs = 2 * separate["frequencies"]**2 + separate["pairs_in_windows"]
     assert pairs < 0.1 * joined["frequencies"]**2
-    # the grid of the longest session, 12 times as coarse as that of both
+    # the grid of the longest session, 7 times as coarse as that of both
     assert separate["step"] == pytest.approx(1 / (8 * 120), rel=budgets.cli_carried)
 
 
@@ -109,7 +109,7 @@ def test_too_many_pairs_are_told_with_the_key_to_take(run, nights, fit_file):
     path = nights.with_name("wide.toml")
     path.write_text(narrow)
     message = refused(run, path)
-    assert "expected at most 1e8 pairs of frequencies; periods of 0.5 min to 1560 min" in message
+    assert "expected at most 1e8 pairs of frequencies; periods of 0.5 min to 840 min" in message
     assert ": set fit.scan.sessions = \"separate\", which scans session by session first" in message
     one = nights.with_name("one.toml")
     one.write_text(narrow.replace('session_column = ["session"]\n', ""))
@@ -145,7 +145,7 @@ def test_bad_scans_of_sessions_are_refused(run, nights, change, expected):
 
 
 def test_pairs_that_are_not_shown_are_counted(run, nights):
-    more = ["--set", "fit.scan.pairs=3", "--set", "fit.starts=240"]
+    more = ["--set", "fit.scan.pairs=3", "--set", "fit.starts=60"]
     text = run("fit", nights, *more).stdout
     readings = len(fitted(run, nights, *more)["periods"])
     assert f" more; --json has all {readings} readings\n" in text

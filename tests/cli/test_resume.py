@@ -29,11 +29,13 @@ METHODS = {
 
 
 def stopped(polhode, arguments, after, by=signal.SIGINT):
-    """The run, stopped by a signal when a file has appeared."""
+    """The run, stopped by a signal when it has written a file."""
+    begun = time.time_ns()
     process = subprocess.Popen([polhode, *map(str, arguments)], stdout=subprocess.PIPE,
                                stderr=subprocess.PIPE, text=True)
     deadline = time.monotonic() + SECONDS
-    while not after.exists() and process.poll() is None and time.monotonic() < deadline:
+    while killed_runs.changed(after) < begun and process.poll() is None:
+        assert time.monotonic() < deadline, f"{after} was not written"
         time.sleep(0.005)
     process.send_signal(by)
     out, err = process.communicate(timeout=SECONDS)
@@ -171,7 +173,7 @@ def test_no_output_of_an_unfinished_run_is_overwritten(polhode, run, long, scena
     done = run("run", long, "--out", "b/p.h5", "--resume", cwd=tmp_path)
     assert done.returncode == 2 and "outputs was" in done.stderr
     assert (folders[1] / "p.h5.part").read_bytes() == before
-    code, _, err = stopped(polhode, [*arguments, "--resume"], first)  # never complete
+    code, _, err = stopped(polhode, [*arguments, "--resume"], folders[1] / "p.h5.part")
     assert code == 130 and "continues at t = " in err
     # on purpose; then the rows of the run are gone, and it says what it lacks and what to do
     assert run("run", short, "--out", second, "--restart").returncode == 0
