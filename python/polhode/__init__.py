@@ -31,6 +31,7 @@ from polhode.fits import (
 from polhode.free_wobble import FreeWobble, without_free_wobble
 from polhode.harmonics import HarmonicFit, harmonic_fit
 from polhode.interchange import to_scipy
+from polhode.light_extensions import JoinedSession, LightExtensionResult, extend_light
 from polhode.light_fits import (
     BrightEllipsoid,
     FoundLight,
@@ -95,7 +96,9 @@ __all__ = [
     "FourierScan",
     "FreeWobble",
     "HarmonicFit",
+    "JoinedSession",
     "LightCurve",
+    "LightExtensionResult",
     "LightResiduals",
     "LightScenarioSolution",
     "LightSearchResult",
@@ -119,6 +122,7 @@ __all__ = [
     "argument_fit",
     "elliptic",
     "ensemble",
+    "extend_light",
     "fit",
     "fit_convex",
     "fit_light",

@@ -109,6 +109,11 @@ def of_fits():
         "search_light": (
             polhode.search_light, search, {"curves": CURVE, "periods": [("SAM", 10.0, 25.0)]},
         ),
+        "extend_light": (
+            polhode.extend_light,
+            {"first": 0, "within": 2.0, "most_counts": 9, "most_iterations": 2},
+            {"curves": [CURVE], "starts": BODY},
+        ),
         "search_mesh": (
             polhode.search_mesh, {k: x for k, x in search.items() if k != "lambert"},
             {"body": MESH, "curves": CURVE, "periods": [("SAM", 10.0, 25.0)]},

@@ -73,6 +73,8 @@ MADE = {
     "LightSolution, convex": convex,
     "LightSolution, mesh": lambda: polhode.fit_mesh(fit_calls.MESH, CURVE, most_iterations=2),
     "LightSearchResult": searched,
+    "LightExtensionResult": lambda: polhode.extend_light(CURVE, BODY, within=100.0),
+    "JoinedSession": lambda: polhode.extend_light(CURVE, BODY).joined[0],
     "FoundLight": lambda: near()[0].light,
     "FourierScan": scan,
     "FourierScan, of a file": lambda: night().scan,
@@ -147,8 +149,8 @@ def test_what_differs_is_not_alike():
 
 def test_no_class_is_left_out():
     root = pathlib.Path(polhode.__file__).parent
-    of_fits = ("fits", "fit_tables", "light_fits", "surface_fits", "spin_fits", "scans",
-               "residual_functions", "posterior")  # fmt: skip
+    of_fits = ("fits", "fit_tables", "light_fits", "light_extensions", "surface_fits",
+               "spin_fits", "scans", "residual_functions", "posterior")  # fmt: skip
     classes = {
         node.name
         for name in of_fits

@@ -171,6 +171,14 @@ FreeRotation free_rotation_of(const SpinState& s) {
   return FreeRotation(body, {normalized(s.q) * f, rotate(conj(f), T * s.w_F)}, s.t0);
 }
 
+SpinState spin_at(const SpinState& s, double t) {
+  if (s.t0 == t) return s;
+  const FreeRotation motion = free_rotation_of(s);
+  const Quaternion& f = motion.body().q_FB();
+  const RotorState there = motion.at(t);
+  return {t, there.q * conj(f), rotate(f, angular_velocity(motion.body(), there)), s.inertia_F};
+}
+
 bool free_motion(const SpinState& s, const std::vector<double>& times, Asked asked,
                  std::vector<MotionPoint>& points) {
   points.resize(times.size());

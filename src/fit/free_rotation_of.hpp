@@ -10,6 +10,8 @@ namespace detail {
 
 // The free rotation of a state, in principal axes and units of Izz.
 FreeRotation free_rotation_of(const SpinState& s);
+// The state that it has come to at t.
+SpinState spin_at(const SpinState& s, double t);
 
 }  // namespace detail
 }  // namespace v0

@@ -91,8 +91,8 @@ class Solver {
       }
       return true;
     };
-    detail::Descent found =
-        detail::levenberg_marquardt(f, is_within, numbers_.size(), y, most_iterations);
+    detail::Descent found = detail::levenberg_marquardt(f, is_within, numbers_.size(), y,
+                                                        most_iterations, problem_.first_step);
     place(found.y);
     return found;
   }

@@ -42,6 +42,17 @@ struct Functor : Eigen::DenseFunctor<double> {
     return jacobian.allFinite() ? 0 : -1;
   }
 
+  // Of the variables, each times the length of its column: the unit of the method's steps. 0
+  // without derivatives.
+  double scaled_length(const InputType& at) {
+    JacobianType jacobian(values(), inputs());
+    if (df(at, jacobian) != 0) return 0.0;
+    double sum = 0.0;
+    for (Eigen::Index j = 0; j < at.size(); ++j)
+      sum += jacobian.col(j).squaredNorm() * at[j] * at[j];
+    return std::sqrt(sum);
+  }
+
   const Numbers& numbers;
   std::vector<double> y;
   std::vector<double> rows;
@@ -67,7 +78,7 @@ Descent::End end_of(Status status) {
 }  // namespace
 
 Descent levenberg_marquardt(const Numbers& f, const Within& is_within, std::size_t numbers,
-                            std::vector<double> y, int most_iterations) {
+                            std::vector<double> y, int most_iterations, double first_step) {
   Functor functor(f, y.size(), numbers);
   Eigen::LevenbergMarquardt<Functor> method(functor);
   method.setFtol(least_reduction);
@@ -75,6 +86,8 @@ Descent levenberg_marquardt(const Numbers& f, const Within& is_within, std::size
   method.setMaxfev(static_cast<Eigen::Index>(trials) * most_iterations);
   Eigen::VectorXd at = Eigen::Map<const Eigen::VectorXd>(y.data(), std::ssize(y));
   Descent found;
+  if (const double scaled = first_step > 0.0 ? functor.scaled_length(at) : 0.0; scaled > 0.0)
+    method.setFactor(first_step / scaled);
   Status status = method.minimizeInit(at);
   if (status != Status::ImproperInputParameters && method.fnorm() < beyond) {
     status = Status::Running;

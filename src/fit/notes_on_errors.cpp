@@ -15,8 +15,9 @@ namespace polhode {
 inline namespace v0 {
 namespace {
 
-// Rises of the sum that are near enough to 1, and the part of a direction that is named.
-constexpr double least = 0.5, greatest = 2.0, named = 0.3;
+// Rises of the sum that are near enough to 1, and the part of the greatest component from which
+// on one is named.
+constexpr double least = 0.5, greatest = 2.0, named = 0.5;
 constexpr double nothing = 1e-10;  // of correlations: their rounding
 constexpr double far = 100.0;      // beyond it the number says no more
 
@@ -29,9 +30,11 @@ bool is_inside(const LeastSquares& problem, const std::vector<double>& x) {
 }
 
 std::string names_along(const std::vector<std::string>& names, const Eigen::VectorXd& direction) {
+  const double greatest_part = direction.cwiseAbs().maxCoeff();
   std::vector<std::string> parts;
   for (Eigen::Index i = 0; i < direction.size(); ++i) {
-    if (std::abs(direction[i]) >= named) parts.push_back(names[static_cast<std::size_t>(i)]);
+    if (std::abs(direction[i]) >= named * greatest_part)
+      parts.push_back(names[static_cast<std::size_t>(i)]);
   }
   std::string text = parts.front();
   for (std::size_t i = 1; i < parts.size(); ++i)

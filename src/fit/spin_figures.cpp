@@ -135,9 +135,9 @@ class Figures {
     // goes round faster by a turn in P_psi.
     const bool is_long = mode == Regime::long_axis;
     const double rate1 = is_long ? motion_.precession_rate_short() : motion_.precession_rate_long();
-    const std::vector<double> by_psi =
+    const std::vector<double>& by_psi = f.rotation_slope =
         by_unknown([&](std::size_t j) { return P_psi * d.period[j]; });
-    const std::vector<double> by_phi = by_unknown([&](std::size_t j) {
+    const std::vector<double>& by_phi = f.precession_slope = by_unknown([&](std::size_t j) {
       const double rate = rate1 * d.precession[j] + (is_long ? turn / P_psi * d.period[j] : 0.0);
       return -P_phi * P_phi / turn * rate;
     });

@@ -104,6 +104,37 @@ def test_separate_sessions_are_told_and_fitted(run, nights, tmp_path):
     assert abs(one["value"] - 12) < 5 * one["error"] and one["error"] < 0.01
 
 
+def test_sessions_join_one_by_one(run, nights, tmp_path):
+    """From a scan and search of the first night, and from its solution."""
+    change = ["--set", "fit.sessions=one-by-one"]
+    found = tmp_path / "found.toml"
+    done = run("fit", nights, *change, "--json", "--solution", found)
+    assert done.returncode == 0, done.stderr
+    report = json.loads(done.stdout)
+    first, second = report["joined_sessions"]
+    assert (first["session"], second["session"]) == (1, 2)
+    assert first["distance"] == 0 and abs(second["distance"] - 720) < 20
+    assert second["counts"] > first["solutions"]
+    best = report["solutions"][0]
+    assert len(best["factors"]) == 2 and best["degrees_of_freedom"] == 162 - 8 - 2
+    one = best["precession_period"]
+    assert abs(one["value"] - 12) < 5 * one["error"] and one["error"] < 0.01
+    text = run("fit", found, *change).stdout
+    assert "sessions one by one; distance of middles, and what was within the limit\n" in text
+    again = fitted(run, found, *change)["solutions"][0]
+    assert again["chi_square"] == pytest.approx(best["chi_square"], rel=budgets.cli_fit_starts)
+
+
+def test_what_cannot_join_is_refused(run, nights):
+    text = nights.read_text().replace("[fit]\n", '[fit]\nsessions = "one-by-one"\n')
+    path = nights.with_name("bad.toml")
+    path.write_text(text.replace('session_column = ["session"]\n', ""))
+    assert 'fit.sessions: got "one-by-one"; expected more than one session: ' in refused(run, path)
+    path.write_text(text + '[light]\nshape = "convex"\n')
+    message = refused(run, path)
+    assert 'fit.sessions: got "one-by-one"; expected light.shape = "ellipsoid": ' in message
+
+
 def test_too_many_pairs_are_told_with_the_key_to_take(run, nights, fit_file):
     narrow = nights.read_text().replace("shortest = 8\nlongest = 40", "shortest = 0.5")
     path = nights.with_name("wide.toml")

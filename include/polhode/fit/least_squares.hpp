@@ -80,6 +80,10 @@ struct LeastSquares {
   // How near the least of the linear problem has to be, in standard errors. Residuals whose
   // derivatives jump here and there come no nearer than their jumps let them.
   double nearness = 1e-3;
+  // Of the first step, in standard errors of the numbers, each unknown by itself; the next ones are
+  // longer where the model is as it was expected. 0: as long as it is. A start in the right one of
+  // many minima stays there.
+  double first_step = 0.0;
 };
 
 struct LeastSquaresResult {

@@ -61,6 +61,7 @@ struct LightFit {
   LightUnknowns unknowns;
   Loss loss;
   int most_iterations = 200;
+  double first_step = 0.0;  // as LeastSquares
 };
 
 // What every fit of light curves says beside its body.

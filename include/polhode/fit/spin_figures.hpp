@@ -18,6 +18,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "polhode/fit/bodies_with_periods.hpp"
 #include "polhode/fit/light_fit.hpp"
@@ -30,7 +31,9 @@ struct SpinFigures {
   TumblerPeriods periods;
   double precession_error, rotation_error;
   double correlation;  // of the two
-  Vec3 pole_I;         // of length 1
+  // Of the periods, by the unknowns of the covariance; empty where they are 0.
+  std::vector<double> precession_slope, rotation_slope;
+  Vec3 pole_I;  // of length 1
   double pole_major, pole_minor;
   Vec3 major_I;  // in which direction the pole is known least
 };

@@ -8,7 +8,9 @@
 //             search they start from the best ellipsoid of every pair of periods, whatever it
 //             came to, and of what comes within the limit again from its images. A mesh is
 //             looked for by periods (search_mesh), and takes those, pole and phases of the
-//             ellipsoid, too, in four half turns.
+//             ellipsoid, too, in four half turns. Sessions one by one: extend_light, from what the
+//             session with most points has in a search, or from the start, which is one of the
+//             session that it fits best.
 //             chi-square of a scan is the same for f1 and f2 exchanged: half of it is computed.
 // Units       core units; texts and files in the units of the scenario.
 // Domain      free rotation relative to inertial axes. Axes of solutions are the principal ones in
@@ -29,6 +31,7 @@
 #include <vector>
 
 #include "polhode/fit/convex_fit.hpp"
+#include "polhode/fit/light_extension.hpp"
 #include "polhode/fit/light_search.hpp"
 #include "polhode/fit/mesh_fit.hpp"
 #include "polhode/fit/scan_advice.hpp"
@@ -86,6 +89,7 @@ struct LightReport {
   std::optional<LightScan> scan;
   std::vector<ChosenPair> chosen;
   std::vector<PairFound> pairs;
+  std::vector<JoinedSession> joined;  // where sessions are fitted one by one
   // By what was minimised. Where the shape is no ellipsoid `body` has the spin and the law, and the
   // ellipsoid of the same moments of inertia as the shape filled evenly.
   std::vector<FoundLight> solutions;
@@ -104,9 +108,9 @@ struct LightReport {
 // Whether light curves are what the scenario observed.
 bool observes_light(const Scenario& scenario);
 
-// What goes on meanwhile, for people: "scan", "search", "surfaces"; one call after the other. Each
-// `begins` with how much work it is: "44521 pairs of frequencies". `stop` is asked in any of the
-// threads.
+// What goes on meanwhile, for people: "scan", "search", "surfaces", "sessions"; one call after the
+// other. Each `begins` with how much work it is: "44521 pairs of frequencies". `stop` is asked in
+// any of the threads.
 struct LightFitOptions {
   int threads = 1;
   std::function<void(const std::string& stage, const std::string& work)> begins = {};

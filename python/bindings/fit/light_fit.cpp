@@ -10,6 +10,7 @@
 #include "fit/light_curves.hpp"
 #include "fit/light_problem.hpp"
 #include "io/work_loop.hpp"
+#include "polhode/fit/light_extension.hpp"
 #include "polhode/fit/light_search.hpp"
 
 namespace polhode::python {
@@ -118,6 +119,39 @@ nb::dict searched(const nb::list& curves, const PeriodParts& periods, std::size_
   return search_dict(found);
 }
 
+nb::dict extended(const nb::list& curves, const nb::list& starts, std::size_t first, double within,
+                  bool shape, const std::string& moments, bool multiple, const std::string& loss,
+                  double scale, std::size_t most_counts, int most_iterations, int threads) {
+  LightExtension how;
+  how.curves = light_curves_of(curves);
+  for (const nb::handle start : starts)
+    how.starts.push_back(ellipsoid_of(nb::cast<nb::tuple>(start)));
+  how.first = first;
+  how.within = within;
+  how.unknowns = light_unknowns_of(shape, moments, multiple);
+  how.loss = loss_of(loss, scale);
+  how.most_counts = most_counts;
+  how.most_iterations = most_iterations;
+  how.threads = checked_threads(threads);
+  WorkLoop loop("the extension was stopped", nb::none());
+  how.between = [&loop] {
+    if (loop.is_stopped()) throw std::runtime_error("the extension was stopped");
+  };
+  LightExtensionResult found;
+  loop.do_work(0, [&] { found = extend_light(how); });
+  nb::dict d;
+  nb::list solutions, joined;
+  for (const FoundLight& f : found.solutions) solutions.append(found_dict(f));
+  for (const JoinedSession& j : found.joined)
+    joined.append(
+        nb::make_tuple(j.session, j.distance, j.counts, j.converged, j.solutions, j.cost));
+  d["solutions"] = solutions;
+  d["joined"] = joined;
+  d["failure"] = found.failure;
+  d["notes"] = nb::tuple(nb::cast(found.notes));
+  return d;
+}
+
 }  // namespace
 
 PythonResiduals light_residuals_of(const LightFit& fit) {
@@ -210,6 +244,7 @@ void bind_light_fit(nb::module_& m) {
   m.def("_light_problem", light_problem);
   m.def("_model_fluxes", model_of);
   m.def("_search_light", searched);
+  m.def("_extend_light", extended);
 }
 
 }  // namespace polhode::python

@@ -25,16 +25,18 @@ constexpr std::int64_t thousandths = 1000;  // of the work, that progress counts
 
 LightScenarioFit light_fit_of(const Scenario& scenario, int threads, nb::handle progress) {
   LightScenarioFit fit{scenario, {}};
-  // a scan, the search and the surfaces after it take about as long
+  // a scan, the search and what comes after it take about as long
   const LightPlan& plan = require_fit(scenario).light;
-  const double scan = plan.periods.empty() ? 1.0 : 0.0;
-  const double whole = scan + (plan.shape == LightPlan::Shape::ellipsoid ? 1.0 : 2.0);
+  const double scan = plan.searches && plan.periods.empty() ? 1.0 : 0.0;
+  const double search = plan.searches ? 1.0 : 0.0;
+  const bool goes_on = plan.shape != LightPlan::Shape::ellipsoid || plan.one_by_one;
+  const double whole = scan + search + (goes_on ? 1.0 : 0.0);
   WorkLoop loop("the fit was stopped", progress);
   LightFitOptions options;
   options.threads = checked_threads(threads);
   options.stop = [&loop] { return loop.is_stopped(); };
-  options.progress = [&loop, scan, whole](const std::string& stage, double part) {
-    const double before = stage == "scan" ? 0.0 : stage == "search" ? scan : scan + 1.0;
+  options.progress = [&loop, scan, search, whole](const std::string& stage, double part) {
+    const double before = stage == "scan" ? 0.0 : stage == "search" ? scan : scan + search;
     loop.reach(
         static_cast<std::int64_t>((before + part) / whole * static_cast<double>(thousandths)));
   };

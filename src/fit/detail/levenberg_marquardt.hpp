@@ -26,9 +26,9 @@ using Numbers =
 // step that ends beyond is the last one.
 using Within = std::function<bool(const std::vector<double>& y)>;
 
-// From y, for as many numbers, at least as many as variables.
+// From y, for as many numbers, at least as many as variables; `first_step` as LeastSquares.
 Descent levenberg_marquardt(const Numbers& f, const Within& is_within, std::size_t numbers,
-                            std::vector<double> y, int most_iterations);
+                            std::vector<double> y, int most_iterations, double first_step);
 
 }  // namespace detail
 }  // namespace v0

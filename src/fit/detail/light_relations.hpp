@@ -14,8 +14,10 @@ namespace detail {
 
 // Near enough that fits from both would most likely meet.
 bool are_alike(const BrightEllipsoid& a, const BrightEllipsoid& b);
-// Within the errors of the first.
-bool are_same(const LightSolution& a, const LightSolution& b, const LightUnknowns& unknowns);
+// Within the errors of the first, with the same counts of turns over the time base: these are known
+// far better than each unknown by itself.
+bool are_same(const LightSolution& a, const LightSolution& b, const LightUnknowns& unknowns,
+              double time_base);
 
 // How many starts came to each solution or to one of its images. They have been described.
 std::vector<std::size_t> starts_of_images(const std::vector<FoundLight>& solutions);

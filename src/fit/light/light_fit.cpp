@@ -60,8 +60,10 @@ LightSolution fit_light(const LightFit& fit) {
   detail::require_points(who, first.points(), first.places().count, first.groups());
   const detail::TurningFit turning{
       [&](int most_iterations) {
-        return detail::light_problem(residuals_about(found.body), fit.unknowns, found.body,
-                                     most_iterations);
+        LeastSquares problem = detail::light_problem(residuals_about(found.body), fit.unknowns,
+                                                     found.body, most_iterations);
+        problem.first_step = fit.first_step;
+        return problem;
       },
       [&](const std::vector<double>& x) { found.body = residuals_about(found.body).body_at(x); }};
   detail::settle(turning, fit.most_iterations, first.groups(), found);
@@ -76,7 +78,10 @@ LeastSquares least_squares_of(const LightFit& fit) {
   require_start(fit);
   const detail::LightResiduals residuals(fit.curves, fit.unknowns, fit.start, fit.loss);
   detail::require_points(who, residuals.points(), residuals.places().count, residuals.groups());
-  return detail::light_problem(residuals, fit.unknowns, fit.start, fit.most_iterations);
+  LeastSquares problem =
+      detail::light_problem(residuals, fit.unknowns, fit.start, fit.most_iterations);
+  problem.first_step = fit.first_step;
+  return problem;
 }
 
 BrightEllipsoid body_at(const LightFit& fit, std::span<const double> x) {

@@ -135,7 +135,9 @@ bool are_alike(const BrightEllipsoid& a, const BrightEllipsoid& other) {
   return distance_of(a, other, true) < 1.0;
 }
 
-bool are_same(const LightSolution& a, const LightSolution& b, const LightUnknowns& unknowns) {
+bool are_same(const LightSolution& a, const LightSolution& b, const LightUnknowns& unknowns,
+              double time_base) {
+  if (!same_periods(a.periods, b.periods, time_base)) return false;
   const std::vector<double> x = light_unknowns_at(unknowns, a.body, a.body);
   const std::vector<double> y =
       light_unknowns_at(unknowns, a.body, nearest_of_same(a.body, b.body));

@@ -92,9 +92,10 @@ class Search {
 
   void begin(const LightUnknowns& model) {
     model_ = model;
-    finds_.begin([model](const LightSolution& a, const LightSolution& b) {
-      return detail::are_same(a, b, model);
-    });
+    finds_.begin(
+        [model, base = geometry_.time_base](const LightSolution& a, const LightSolution& b) {
+          return detail::are_same(a, b, model, base);
+        });
   }
 
   // Short fits of the starts with these numbers, by pair of periods.

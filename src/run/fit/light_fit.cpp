@@ -13,6 +13,7 @@
 #include "run/detail/fit_tables.hpp"
 #include "run/detail/free_fit.hpp"
 #include "run/detail/light_scan.hpp"
+#include "run/detail/light_sessions.hpp"
 #include "run/detail/light_surfaces.hpp"
 #include "scenario/value_access.hpp"
 #include "scenario/value_reader.hpp"
@@ -70,11 +71,17 @@ BrightEllipsoid start_of(const Scenario& scenario, const LightPlan& plan) {
 }
 
 // A mesh from the file; a convex body from the ellipsoid that is found first.
-void fit_from_start(const Scenario& scenario, const FitPlan& plan, LightReport& report) {
+void fit_from_start(const Scenario& scenario, const FitPlan& plan, const LightFitOptions& options,
+                    LightReport& report) {
   if (report.mesh) {
     const SpinState spin = spin_state(scenario.rotation());
     report.start = BrightEllipsoid{spin, {1.0, 1.0, 1.0}, plan.light.law};
     return detail::fit_surface_from_start(scenario, report);
+  }
+  if (plan.light.one_by_one) {
+    const BrightEllipsoid start = start_of(scenario, plan.light);
+    const std::size_t first = detail::nearest_session(report.observed.curves, start, plan.loss);
+    return detail::extend_to_sessions(scenario, first, {start}, options, report);
   }
   report.start = start_of(scenario, plan.light);
   const LightFit fit{report.observed.curves, *report.start, plan.light.unknowns, plan.loss,
@@ -106,9 +113,12 @@ LightUnknowns unknowns_of_search(const LightPlan& plan) {
 void search(const Scenario& scenario, const FitPlan& plan, const LightFitOptions& options,
             LightReport& report) {
   LightSearch how;
+  how.curves = report.observed.curves;
+  const std::size_t first = detail::longest_session(how.curves);
+  if (plan.light.one_by_one) how.curves = {how.curves[first]};
   how.periods = plan.light.periods;
   if (how.periods.empty()) {
-    report.scan = detail::light_scan(scenario, report.observed.curves, options);
+    report.scan = detail::light_scan(scenario, how.curves, options);
     how.periods = labelled_periods(report.scan->minima, plan.light.scan.labels);
   }
   if (how.periods.empty()) {
@@ -116,7 +126,6 @@ void search(const Scenario& scenario, const FitPlan& plan, const LightFitOptions
         "no minimum of the scan is resolved and inside of its grid: other limits, or fit.periods";
     return;
   }
-  how.curves = report.observed.curves;
   how.starts = plan.light.starts.value_or(starts_of_periods * how.periods.size());
   how.within = plan.light.within_factor;
   how.unknowns = unknowns_of_search(plan.light);
@@ -146,8 +155,13 @@ void search(const Scenario& scenario, const FitPlan& plan, const LightFitOptions
   if (report.shape != LightPlan::Shape::ellipsoid)
     return detail::fit_surfaces(scenario, how, found, options, report);
   report.solutions = std::move(found.solutions);
-  if (report.solutions.empty())
+  if (report.solutions.empty()) {
     report.failure = report.notes.empty() ? "no fit converged" : report.notes.front();
+  } else if (plan.light.one_by_one) {
+    std::vector<BrightEllipsoid> starts;
+    for (const FoundLight& one : report.solutions) starts.push_back(one.solution.body);
+    detail::extend_to_sessions(scenario, first, std::move(starts), options, report);
+  }
 }
 
 // A sentence for each table whose points have light times of their own.
@@ -201,13 +215,14 @@ LightReport fit_light_scenario(const Scenario& scenario, const LightFitOptions& 
   report.observed = read_observations(scenario);
   const std::vector<LightCurve>& curves = report.observed.curves;
   require_sound(curves, {.vectors = true});
+  if (plan.light.one_by_one) detail::require_sessions(scenario, curves);
   detail::begin_surfaces(scenario, report);
   report.chosen = detail::chosen_pairs(scenario, curves);
   detail::built(scenario.document.checked->values, "free.unknowns", scenario.document.path, [&] {
     if (plan.light.searches)
       search(scenario, plan, options, report);
     else
-      fit_from_start(scenario, plan, report);
+      fit_from_start(scenario, plan, options, report);
     return 0;
   });
   add_light_times(scenario, report);

@@ -129,6 +129,18 @@ void add_periods(JsonWriter& json, const Scenario& scenario, const LightReport& 
   json.end_array();
 }
 
+void add_joined(JsonWriter& json, const Scenario& scenario, const LightReport& report) {
+  json.key("joined_sessions").begin_array();
+  for (const JoinedSession& one : report.joined) {
+    json.begin_object().key("session").value(whole(one.session + 1));
+    json.key("distance").value(scenario.units().from_core(one.distance, Dimension::time));
+    json.key("counts").value(whole(one.counts)).key("converged").value(whole(one.converged));
+    json.key("solutions").value(whole(one.solutions)).key("cost").value(one.cost);
+    json.end_object();
+  }
+  json.end_array();
+}
+
 void add_convex(JsonWriter& json, const Scenario& scenario, const BrightConvex& body) {
   const ConvexPlan& plan = require_fit(scenario).light.convex;
   json.key("convex").begin_object();
@@ -234,6 +246,7 @@ std::string light_json(const Scenario& scenario, const LightReport& report) {
   if (report.scan) add_scan(json, scenario, *report.scan);
   if (!report.chosen.empty()) add_chosen(json, scenario, report);
   add_periods(json, scenario, report);
+  if (!report.joined.empty()) add_joined(json, scenario, report);
   json.key("starts").value(whole(report.starts)).key("finalists").value(whole(report.finalists));
   json.key("converged").value(whole(report.converged));
   json.key("model").value(detail::shape_word(report.shape));

@@ -5,7 +5,6 @@
 
 #include "fit/free_rotation_of.hpp"
 #include "polhode/error.hpp"
-#include "polhode/free/free_rotation.hpp"
 #include "polhode/run/light_report.hpp"
 #include "polhode/tables/obj.hpp"
 #include "run/detail/fit_tables.hpp"
@@ -26,15 +25,6 @@ using detail::number_text;
 double unit_moment(const Scenario& scenario) {
   const Vec3& I = scenario.rotation().body.moments();
   return std::fmax(I.x, std::fmax(I.y, I.z));
-}
-
-// The state at t = 0 of the file.
-SpinState at_zero(const SpinState& s) {
-  if (s.t0 == 0.0) return s;
-  const FreeRotation motion = detail::free_rotation_of(s);
-  const Quaternion& f = motion.body().q_FB();
-  const RotorState there = motion.at(0.0);
-  return {0.0, there.q * conj(f), rotate(f, angular_velocity(motion.body(), there)), s.inertia_F};
 }
 
 std::vector<double> times_of(const LightReport& report) {
@@ -76,7 +66,7 @@ void add_mixed_law(double multiple, Changes& changes) {
 Changes mesh_changes(const Scenario& scenario, const LightReport& report, const FoundLight& found,
                      const std::string& mesh, const std::string& folder) {
   const bool is_convex = !report.convex.empty();
-  const SpinState state = at_zero(found.solution.body.spin);
+  const SpinState state = detail::spin_at(found.solution.body.spin, 0.0);
   Changes changes;
   add_fit(scenario, changes);
   if (is_convex || report.unknowns.moments == MomentSource::fit) {
@@ -102,7 +92,7 @@ Changes mesh_changes(const Scenario& scenario, const LightReport& report, const 
 Changes ellipsoid_changes(const Scenario& scenario, const LightReport& report,
                           const FoundLight& found) {
   const BrightEllipsoid& body = found.solution.body;
-  const SpinState state = at_zero(body.spin);
+  const SpinState state = detail::spin_at(body.spin, 0.0);
   Changes changes;
   add_fit(scenario, changes);
   add_moments(scenario, state.inertia_F, changes);

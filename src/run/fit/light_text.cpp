@@ -187,6 +187,20 @@ void add_pairs(std::string& text, const Scenario& scenario, const LightReport& r
   add_pair_rows(text, scenario, report);
 }
 
+// One row for each, in the order in which they joined.
+void add_joined(std::string& text, const Scenario& scenario, const LightReport& report) {
+  text += fmt::format(
+      "\nsessions one by one; distance of middles, and what was within the limit\n{:>8}{:>8}{:>14}"
+      "{:>16}{:>11}{:>11}{:>12}\n",
+      "session", "points", "distance " + scenario.units().time(), "counts of turns", "converged",
+      "solutions", detail::rank_word(require_fit(scenario).loss));
+  for (const JoinedSession& one : report.joined)
+    text += fmt::format("{:>8}{:>8}{:>14.6g}{:>16}{:>11}{:>11}{:>12.5g}\n", one.session + 1,
+                        report.observed.curves.at(one.session).points.size(),
+                        scenario.units().from_core(one.distance, Dimension::time), one.counts,
+                        one.converged, one.solutions, one.cost);
+}
+
 std::string pole_words(const Scenario& scenario) {
   const std::string& axes = scenario.rotation().axes;
   if (axes == "ecliptic-J2000") return "ecliptic longitude, latitude";
@@ -316,6 +330,7 @@ std::string light_text(const Scenario& scenario, const LightReport& report) {
     if (report.scan || !report.chosen.empty()) text += "\n";
     add_pairs(text, scenario, report);
   }
+  if (!report.joined.empty()) add_joined(text, scenario, report);
   if (!report.start && report.is_found()) add_overview(text, scenario, report);
   const std::size_t shown = std::min(report.solutions.size(), most_shown);
   for (std::size_t i = 0; i < shown; ++i) add_solution(text, scenario, report, i);

@@ -94,6 +94,14 @@ constexpr Key keys[] = {
      .example = "\"search\"",
      .help = "Of light curves: from the state and shape of this file, or from many that have the "
              "periods of a scan, or those of [[fit.periods]]."},
+    {.path = "fit.sessions",
+     .type = choice,
+     .allowed = "together|one-by-one",
+     .fallback = "\"together\"",
+     .example = "\"together\"",
+     .help = "Of light curves: one-by-one begins with one session (that with most points in a "
+             "search, or that which the start fits best); then the nearest joins, with every "
+             "count of turns until then that the errors of the periods leave, and so on."},
     {.path = "fit.within_factor",
      .type = number,
      .fallback = "2",

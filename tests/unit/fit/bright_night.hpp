@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <span>
+#include <vector>
 
 #include "polhode/ensemble/counter_random.hpp"
 #include "polhode/ensemble/distributions.hpp"
@@ -54,6 +56,19 @@ inline BrightEllipsoid at_time(const BrightEllipsoid& b, double t) {
   found.spin.q = s.q;
   found.spin.w_F = {s.g.x / T(0, 0), s.g.y / T(1, 1), s.g.z};
   return found;
+}
+
+// With the best factor of each session.
+inline double chi_square(const BrightEllipsoid& body, std::span<const LightCurve> curves) {
+  const std::vector<std::vector<double>> model = model_fluxes(body, curves);
+  double sum = 0.0;
+  for (std::size_t k = 0; k < curves.size(); ++k)
+    for (std::size_t i = 0; i < model[k].size(); ++i) {
+      const LightPoint& p = curves[k].points[i];
+      const double miss = (model[k][i] - p.flux) / p.sigma;
+      sum += miss * miss;
+    }
+  return sum;
 }
 
 // A tumbler drawn by its number, seen for one night: long-axis mode where that is even. Two periods

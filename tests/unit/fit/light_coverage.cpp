@@ -62,16 +62,6 @@ struct Found {
   double rise = 0.0;        // of chi-square, from there to the truth
 };
 
-double chi_square(const BrightEllipsoid& body, const LightCurve& curve) {
-  const std::vector<double> model = model_fluxes(body, {&curve, 1}).front();
-  double sum = 0.0;
-  for (std::size_t i = 0; i < model.size(); ++i) {
-    const double miss = (model[i] - curve.points[i].flux) / curve.points[i].sigma;
-    sum += miss * miss;
-  }
-  return sum;
-}
-
 Found found_of(const DrawnTumbler& t) {
   Found f;
   const std::vector<ScanMinimum> minima = minima_of(t);
@@ -90,7 +80,7 @@ Found found_of(const DrawnTumbler& t) {
                                         light_unknowns_at({}, b, near));
     if (std::isnan(f.distance) || distance > f.distance) continue;
     f.distance = distance;
-    f.rise = chi_square(near, t.curve) - s.solution.result.cost;
+    f.rise = chi_square(near, {&t.curve, 1}) - s.solution.result.cost;
   }
   return f;
 }
@@ -142,7 +132,7 @@ TEST(LightCoverage, TenTimesTheStartsFindNoMore) {
       std::size_t missed = 0;
       for (const FoundLight& m : many.solutions) {
         const bool is_known = std::ranges::any_of(few.solutions, [&](const FoundLight& f) {
-          return detail::are_same(m.solution, f.solution, search.unknowns);
+          return detail::are_same(m.solution, f.solution, search.unknowns, t.time_base);
         });
         if (is_known) continue;
         ++missed;

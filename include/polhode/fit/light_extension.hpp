@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// extend_light(): spin states and shapes known from one session of light curves, to all sessions,
+// one after the other.
+//
+// Equations   the session nearest in time joins those that are fitted. A time D before or after the
+//             middle t0 of these, the errors of the frequencies F = (1/P_phi, 1/P_psi) leave counts
+//             of turns open. So fits begin at F + d for every d of a lattice with steps 1/(2 D) and
+//             1/(4 D), the light of an ellipsoid being the same after half a turn, with
+//             d^T V^-1 d <= 3^2: V = J C J^T, J = dF/dx, C the covariance scaled by error_factor()
+//             where that is above 1; widened by a third of a step. Each begins at the likeliest
+//             unknowns of those frequencies, x + C J^T V^-1 d, by Newton's method. What comes to
+//             one state is one solution, and those within the limit go on to the next session.
+// Corrections none.
+// Units       as fit_light.
+// Domain      as fit_light. Where the data do not determine the two periods, or the motion is none
+//             that has two, a solution goes on as it is.
+// Accuracy    the bits do not depend on threads.
+// Errors      DomainError as fit_light; no starts, a first session that is not there, fewer than
+//             one iteration, count or thread, `within` below 1.
+// Cost        a fit for each count of turns and solution: some ms for each 100 points.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "polhode/fit/light_search.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+struct LightExtension {
+  std::vector<LightCurve> curves;  // the sessions
+  std::size_t first = 0;           // of them the one that the starts are near
+  std::vector<BrightEllipsoid> starts;
+  LightUnknowns unknowns;
+  Loss loss;
+  double within = 1.5;             // as LightSearch
+  std::size_t most_counts = 5000;  // of turns, for one solution and session
+  int most_iterations = 200;
+  int threads = 1;
+  // Called before each fit, in any of the threads; what it throws ends the extension.
+  std::function<void()> between = {};
+  // Called with the part that is done, rising to 1, in one thread at a time.
+  std::function<void(double part)> progress = {};
+};
+
+// What a session came to when it joined those before it.
+struct JoinedSession {
+  std::size_t session;    // its place among the curves
+  double distance;        // of its middle from that of those before it; of the first 0
+  std::size_t counts;     // of turns that were tried, in all; of the first its starts
+  std::size_t converged;  // fits
+  std::size_t solutions;  // within the limit, of all sessions so far
+  double cost;            // of the lowest
+};
+
+struct LightExtensionResult {
+  // Of all sessions, as those of LightSearchResult; `periods` is the start that one came from.
+  std::vector<FoundLight> solutions;
+  std::vector<JoinedSession> joined;
+  // Why there are no solutions: the first session that could not join, and what may help.
+  std::string failure;
+  std::vector<std::string> notes;
+};
+
+LightExtensionResult extend_light(const LightExtension& extension);
+
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/fit/light_extension.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "fit/detail/light_finds.hpp"
+#include "fit/detail/light_relations.hpp"
+#include "fit/free_rotation_of.hpp"
+#include "fit/light/turn_counts.hpp"
+#include "math/number_text.hpp"
+#include "polhode/ensemble/cells.hpp"
+#include "polhode/error.hpp"
+#include "polhode/light/light_curve_checks.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace {
+
+const std::string who = "extend_light: ";
+// Solutions that go on to the next session, the lowest ones.
+constexpr std::size_t most_solutions = 100;
+// Of fits, so that they stay at their count of turns.
+constexpr double first_step = 30.0;
+
+struct TimeRange {
+  double begin = std::numeric_limits<double>::infinity();
+  double end = -std::numeric_limits<double>::infinity();
+
+  double middle() const { return 0.5 * (begin + end); }
+  void take(const TimeRange& other) {
+    begin = std::min(begin, other.begin);
+    end = std::max(end, other.end);
+  }
+  // 0 where they overlap.
+  double gap(const TimeRange& other) const {
+    return std::max({0.0, other.begin - end, begin - other.end});
+  }
+};
+
+TimeRange range_of(const LightCurve& curve) {
+  TimeRange range;
+  for (const LightPoint& p : curve.points) range.take({p.t, p.t});
+  return range;
+}
+
+BrightEllipsoid at_time(BrightEllipsoid body, double t) {
+  body.spin = detail::spin_at(body.spin, t);
+  return body;
+}
+
+void check(const LightExtension& e) {
+  require_sound(e.curves, {.vectors = true});
+  if (e.starts.empty()) throw DomainError(who + "no starts; expected one body");
+  if (e.first >= e.curves.size())
+    throw DomainError(who + "first = " + std::to_string(e.first) + " must be below " +
+                      std::to_string(e.curves.size()) + ", the number of sessions");
+  const auto at_least_one = [&](const char* name, auto value) {
+    if (value < 1)
+      throw DomainError(who + name + " = " + std::to_string(value) + " must be 1 or more");
+  };
+  at_least_one("most_counts", e.most_counts);
+  at_least_one("most_iterations", e.most_iterations);
+  at_least_one("threads", e.threads);
+  if (!(e.within >= 1.0))
+    throw DomainError(who + "within = " + detail::number_text(e.within) + " must be 1 or more");
+}
+
+// Where a fit begins, and from which of the starts it came.
+struct Begin {
+  BrightEllipsoid body;
+  std::size_t from;
+};
+
+class Extension {
+ public:
+  explicit Extension(const LightExtension& asked) : asked_(asked) {
+    for (const LightCurve& curve : asked.curves) ranges_.push_back(range_of(curve));
+  }
+
+  LightExtensionResult found() {
+    std::vector<Begin> begins;
+    for (std::size_t k = 0; k < asked_.starts.size(); ++k) begins.push_back({asked_.starts[k], k});
+    join(asked_.first, 0.0, begins);
+    while (result_.failure.empty() && joined_.size() < ranges_.size()) join_next();
+    if (!result_.failure.empty()) result_.solutions.clear();
+    if (asked_.progress) asked_.progress(1.0);
+    return std::move(result_);
+  }
+
+ private:
+  bool is_joined(std::size_t k) const { return std::ranges::find(joined_, k) != joined_.end(); }
+
+  // The session that is nearest to those that have joined, by what lies between them.
+  void join_next() {
+    std::size_t next = ranges_.size();
+    for (std::size_t k = 0; k < ranges_.size(); ++k) {
+      if (is_joined(k)) continue;
+      if (next == ranges_.size() || all_.gap(ranges_[k]) < all_.gap(ranges_[next])) next = k;
+    }
+    const double distance = std::abs(ranges_[next].middle() - all_.middle());
+    std::vector<Begin> begins;
+    for (const FoundLight& f : result_.solutions) {
+      const detail::TurnCounts counts =
+          distance > 0.0
+              ? detail::turn_counts(f.solution, asked_.unknowns, distance, asked_.most_counts)
+              : detail::TurnCounts{1, {f.solution.body}};
+      if (counts.count > asked_.most_counts) return refuse(next);
+      for (const BrightEllipsoid& body : counts.bodies) begins.push_back({body, f.periods});
+    }
+    join(next, distance, begins);
+  }
+
+  void refuse(std::size_t next) {
+    result_.failure =
+        "session " + std::to_string(next + 1) +
+        " is too far from those before it: the errors of the periods leave more than " +
+        std::to_string(asked_.most_counts) + " counts of turns; a session between them is wanted";
+  }
+
+  // Fits of all sessions so far and of this one.
+  void join(std::size_t session, double distance, std::vector<Begin>& begins) {
+    joined_.push_back(session);
+    all_.take(ranges_[session]);
+    std::vector<LightCurve> curves;  // in their order
+    for (std::size_t k = 0; k < ranges_.size(); ++k)
+      if (is_joined(k)) curves.push_back(asked_.curves[k]);
+    detail::LightFinds finds(
+        curves, asked_.starts.size(), asked_.within,
+        [&](const LightSolution& a, const LightSolution& b) {
+          return detail::are_same(a, b, asked_.unknowns, all_.end - all_.begin);
+        },
+        true);
+    std::size_t converged = 0;
+    run_cells(
+        0, std::ssize(begins), asked_.threads,
+        [&](std::int64_t k) {
+          if (asked_.between) asked_.between();
+          const BrightEllipsoid& body = begins[static_cast<std::size_t>(k)].body;
+          return fit_light({curves, at_time(body, all_.middle()), asked_.unknowns, asked_.loss,
+                            asked_.most_iterations, first_step});
+        },
+        [&](std::int64_t k, const LightSolution& s) {
+          tell(k, begins.size());
+          if (!s.is_found()) return;
+          finds.add(s, begins[static_cast<std::size_t>(k)].from);
+          ++converged;
+        });
+    result_.solutions = finds.within_limit();
+    if (result_.solutions.empty()) {
+      result_.failure = "no fit of session " + std::to_string(session + 1) +
+                        (joined_.size() == 1 ? "" : " with those before it") +
+                        " converged: more iterations, or another start";
+      return;
+    }
+    result_.joined.push_back({session, distance, begins.size(), converged, result_.solutions.size(),
+                              result_.solutions.front().solution.result.cost});
+    if (result_.solutions.size() <= most_solutions || joined_.size() == ranges_.size()) return;
+    result_.notes.push_back("of " + std::to_string(result_.solutions.size()) +
+                            " solutions with session " + std::to_string(session + 1) + " the " +
+                            std::to_string(most_solutions) + " lowest went on");
+    result_.solutions.resize(most_solutions);
+  }
+
+  void tell(std::int64_t k, std::size_t count) {
+    if (!asked_.progress) return;
+    const double part = static_cast<double>(k + 1) / static_cast<double>(count);
+    asked_.progress((static_cast<double>(joined_.size() - 1) + part) /
+                    static_cast<double>(ranges_.size()));
+  }
+
+  const LightExtension& asked_;
+  std::vector<TimeRange> ranges_;  // of the sessions
+  std::vector<std::size_t> joined_;
+  TimeRange all_;
+  LightExtensionResult result_;
+};
+
+}  // namespace
+
+LightExtensionResult extend_light(const LightExtension& extension) {
+  check(extension);
+  return Extension(extension).found();
+}
+
+}  // namespace v0
+}  // namespace polhode

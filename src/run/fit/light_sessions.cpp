@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "run/detail/light_sessions.hpp"
+
+#include <limits>
+#include <utility>
+
+#include "polhode/error.hpp"
+#include "run/detail/fit_tables.hpp"
+#include "scenario/value_access.hpp"
+#include "scenario/value_reader.hpp"
+#include "text/number_text.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+void require_sessions(const Scenario& scenario, std::span<const LightCurve> curves) {
+  if (curves.size() > 1) return;
+  refuse(scenario.document.checked->values, "fit.sessions", scenario.document.path,
+         "expected more than one session: one for each table [[observation]], or by "
+         "session_column");
+}
+
+std::size_t longest_session(std::span<const LightCurve> curves) {
+  std::size_t longest = 0;
+  for (std::size_t k = 1; k < curves.size(); ++k)
+    if (curves[k].points.size() > curves[longest].points.size()) longest = k;
+  return longest;
+}
+
+std::size_t nearest_session(std::span<const LightCurve> curves, const BrightEllipsoid& body,
+                            const Loss& loss) {
+  std::size_t nearest = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < curves.size(); ++k) {
+    const LightCurve& curve = curves[k];
+    const std::vector<double> model = model_fluxes(body, {&curve, 1}, loss).front();
+    double sum = 0.0;
+    for (std::size_t i = 0; i < model.size(); ++i) {
+      const double miss = (model[i] - curve.points[i].flux) / curve.points[i].sigma;
+      const double z = miss * miss / (loss.scale * loss.scale);
+      sum += z * value(loss, z).ratio;
+    }
+    const double mean = sum / static_cast<double>(model.size());
+    if (!(mean < least)) continue;
+    least = mean;
+    nearest = k;
+  }
+  return nearest;
+}
+
+void extend_to_sessions(const Scenario& scenario, std::size_t first,
+                        std::vector<BrightEllipsoid> starts, const LightFitOptions& options,
+                        LightReport& report) {
+  const FitPlan& plan = require_fit(scenario);
+  LightExtension how;
+  how.curves = report.observed.curves;
+  how.first = first;
+  how.starts = std::move(starts);
+  how.unknowns = report.unknowns;
+  how.loss = plan.loss;
+  how.within = plan.light.within_factor;
+  how.most_iterations = plan.light.most_iterations.value_or(how.most_iterations);
+  how.threads = options.threads;
+  how.between = [&] {
+    if (options.stop && options.stop())
+      throw FitStopped(scenario.document.name + ": stopped while sessions were joined");
+  };
+  if (options.begins)
+    options.begins("sessions", counted(how.curves.size(), "session", "sessions") + " one by one");
+  if (options.progress) how.progress = [&](double part) { options.progress("sessions", part); };
+  LightExtensionResult found = extend_light(how);
+  report.joined = std::move(found.joined);
+  report.solutions = std::move(found.solutions);
+  report.failure = std::move(found.failure);
+  report.notes.insert(report.notes.end(), found.notes.begin(), found.notes.end());
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode
