@@ -48,7 +48,7 @@ inline constexpr double la2004_obliquity = 3.2e-3;
 inline constexpr double la2004_climatic = 6e-3;
 inline constexpr double spin_methods = 1e-10;
 inline constexpr double spin_length = 1e-15;
-inline constexpr double spin_taylor = 1e-13;  // of 20 kyr
+inline constexpr double spin_taylor = 1e-13;  // of 20 kyr at most
 
 // --- nutation (tests/unit/secular/nutation.cpp) ---
 // Relative, of coefficients with a closed form.
