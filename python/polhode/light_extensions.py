@@ -31,8 +31,9 @@ class JoinedSession:
     ----------
     session : its place among the curves.
     distance : of its middle from that of those before it; 0 of the first.
-    counts : of turns that were tried, in all; of the first the starts.
-    converged : fits. solutions : within the limit, of all sessions so far. cost : of the lowest.
+    counts : fits that were begun, one for each count of turns and solution; for the first session,
+        one for each start.
+    converged : of them. solutions : within the limit, of all sessions so far. cost : of the lowest.
     """
 
     session: int

@@ -3,6 +3,7 @@
 scripts say, and so is the table of the comparison with MuJoCo."""
 
 import math
+import os
 import pathlib
 import re
 import runpy
@@ -35,8 +36,14 @@ def close_figures():
     plt.close("all")
 
 
+SLOW = ("chaotic_zones", "obliquity_spectrum")
+"""A quarter of a minute each: in make test-full."""
+
+
 @pytest.mark.parametrize("name", NAMES)
 def test_a_script_draws_its_picture(name, tmp_path, monkeypatch):
+    if name in SLOW and not os.environ.get("POLHODE_TEST_FULL"):
+        pytest.skip("in make test-full")
     if name == "mujoco_drift":
         pytest.importorskip("mujoco")
     before, made = dict(matplotlib.rcParams), {}

@@ -48,8 +48,11 @@ struct Functor : Eigen::DenseFunctor<double> {
     JacobianType jacobian(values(), inputs());
     if (df(at, jacobian) != 0) return 0.0;
     double sum = 0.0;
-    for (Eigen::Index j = 0; j < at.size(); ++j)
-      sum += jacobian.col(j).squaredNorm() * at[j] * at[j];
+    for (Eigen::Index j = 0; j < at.size(); ++j) {
+      const double length = jacobian.col(j).norm();
+      const double scaled = (length == 0.0 ? 1.0 : length) * at[j];  // as the method has it
+      sum += scaled * scaled;
+    }
     return std::sqrt(sum);
   }
 
@@ -86,8 +89,10 @@ Descent levenberg_marquardt(const Numbers& f, const Within& is_within, std::size
   method.setMaxfev(static_cast<Eigen::Index>(trials) * most_iterations);
   Eigen::VectorXd at = Eigen::Map<const Eigen::VectorXd>(y.data(), std::ssize(y));
   Descent found;
-  if (const double scaled = first_step > 0.0 ? functor.scaled_length(at) : 0.0; scaled > 0.0)
-    method.setFactor(first_step / scaled);
+  if (first_step > 0.0) {
+    const double scaled = functor.scaled_length(at);
+    method.setFactor(scaled > 0.0 ? first_step / scaled : first_step);
+  }
   Status status = method.minimizeInit(at);
   if (status != Status::ImproperInputParameters && method.fnorm() < beyond) {
     status = Status::Running;

@@ -12,8 +12,9 @@ inline namespace v0 {
 namespace detail {
 
 // Whether two fits of one body of facets came to one spin state: to two standard errors, as facets
-// bend the light, or where these are small to 0.01 rad and 1e-4 of the rate.
-bool are_same_spins(const LightSolution& a, const LightSolution& b);
+// bend the light, or where these are small to 0.01 rad and 1e-4 of the rate; with the same counts
+// of turns over the time base.
+bool are_same_spins(const LightSolution& a, const LightSolution& b, double time_base);
 
 // By cost; `solution` is that of an element. Images under a Sun and an observer that do not move
 // have one cost but for rounding: of these the one with the highest pole is first, so that the

@@ -18,6 +18,8 @@ namespace {
 // Rises of the sum that are near enough to 1, and the part of the greatest component from which
 // on one is named.
 constexpr double least = 0.5, greatest = 2.0, named = 0.5;
+// Fits that may stop further from the least, in errors: their rises are other ones for that alone.
+constexpr double near_enough = 0.1;
 constexpr double nothing = 1e-10;  // of correlations: their rounding
 constexpr double far = 100.0;      // beyond it the number says no more
 
@@ -42,14 +44,14 @@ std::string names_along(const std::vector<std::string>& names, const Eigen::Vect
   return text;
 }
 
-// Residuals are not linear within the errors: of the sum one error off along each principal
-// direction of the unknowns over their errors, both ways, the one that is furthest from what it is
-// where they are. Steps over bounds, and to where residuals have no value, do not count.
+// Of the sums one error away, both ways along each principal direction of the unknowns over their
+// errors, the one that differs most from a rise of 1. Points beyond bounds or without a value are
+// skipped.
 std::string bend_within_errors(const LeastSquares& problem, const LeastSquaresResult& result,
                                const UnknownsCovariance& covariance) {
   const auto n = std::ssize(covariance.names);
-  if (n == 0 || problem.loss.kind != Loss::Kind::squared || !result.is_converged() ||
-      !result.bound.empty())
+  if (n == 0 || problem.nearness > near_enough || problem.loss.kind != Loss::Kind::squared ||
+      !result.is_converged() || !result.bound.empty())
     return {};
   Eigen::VectorXd errors(n);
   Eigen::MatrixXd R(n, n);
@@ -85,10 +87,10 @@ std::string bend_within_errors(const LeastSquares& problem, const LeastSquaresRe
     }
   }
   if (worst >= least && worst <= greatest) return {};
-  return "residuals are not linear within the errors: one error off along " +
-         names_along(covariance.names, where) + ", chi-square is " +
+  return "residuals are not linear within the errors: one standard error away along " +
+         names_along(covariance.names, where) + ", the sum of squares is " +
          (worst > far ? "more than 100" : detail::rounded_text(worst)) +
-         " higher, not 1; a sampled posterior says more";
+         " higher instead of 1; draw from the posterior for better errors";
 }
 
 }  // namespace

@@ -70,8 +70,8 @@ void point_to_checkpoint(const std::string& output, const std::string& checkpoin
   sync_folder_of(output);
 }
 
-// That of the first output last: what points to it does not outlive it. Then what going on from it
-// would need.
+// That of the first output last: what points to it does not outlive it. Then the files that only a
+// resume needs.
 void forget_checkpoints(std::span<const std::string> outputs) {
   std::error_code ignored;
   for (const std::string& output : outputs | std::views::reverse)

@@ -132,7 +132,7 @@ def test_what_cannot_join_is_refused(run, nights):
     assert 'fit.sessions: got "one-by-one"; expected more than one session: ' in refused(run, path)
     path.write_text(text + '[light]\nshape = "convex"\n')
     message = refused(run, path)
-    assert 'fit.sessions: got "one-by-one"; expected light.shape = "ellipsoid": ' in message
+    assert 'fit.sessions: got "one-by-one"; expected light.shape = "ellipsoid"; ' in message
 
 
 def test_too_many_pairs_are_told_with_the_key_to_take(run, nights, fit_file):

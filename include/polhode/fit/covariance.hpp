@@ -45,10 +45,11 @@ struct UnknownsCovariance {
 
 UnknownsCovariance covariance(const LeastSquares& problem, const LeastSquaresResult& result);
 
-// The sentences of what is weak, and one where residuals are not linear within the errors: one
-// error off along a principal direction of the unknowns over their errors, the squares' sum is
-// higher by less than 1/2 or by more than 2, not by 1. Nothing of that under robust losses, on a
-// bound, or with infinite errors.
+// Sentences: what is weakly determined; and whether residuals are not linear within the errors,
+// which is so where one standard error along a principal direction raises the sum of squares by
+// less than 1/2 or more than 2 instead of 1. The second is left out under robust losses, on a
+// bound, with infinite errors, and where a fit may stop further than 0.1 errors from the least
+// (`nearness`). 2 n evaluations for n unknowns.
 std::vector<std::string> notes_on_errors(const LeastSquares& problem,
                                          const LeastSquaresResult& result,
                                          const UnknownsCovariance& covariance);

@@ -80,9 +80,9 @@ struct LeastSquares {
   // How near the least of the linear problem has to be, in standard errors. Residuals whose
   // derivatives jump here and there come no nearer than their jumps let them.
   double nearness = 1e-3;
-  // Of the first step, in standard errors of the numbers, each unknown by itself; the next ones are
-  // longer where the model is as it was expected. 0: as long as it is. A start in the right one of
-  // many minima stays there.
+  // The longest that the first step may be: each unknown counts in its standard error with the
+  // others held. Later steps may be longer where the linear model holds. 0: no such limit. It keeps
+  // a start at the right one of many minima near it.
   double first_step = 0.0;
 };
 

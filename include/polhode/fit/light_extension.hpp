@@ -7,7 +7,7 @@
 //             of turns open. So fits begin at F + d for every d of a lattice with steps 1/(2 D) and
 //             1/(4 D), the light of an ellipsoid being the same after half a turn, with
 //             d^T V^-1 d <= 3^2: V = J C J^T, J = dF/dx, C the covariance scaled by error_factor()
-//             where that is above 1; widened by a third of a step. Each begins at the likeliest
+//             where that is above 1; widened by 0.35 of a step. Each begins at the likeliest
 //             unknowns of those frequencies, x + C J^T V^-1 d, by Newton's method. What comes to
 //             one state is one solution, and those within the limit go on to the next session.
 // Corrections none.
@@ -48,16 +48,19 @@ struct LightExtension {
 
 // What a session came to when it joined those before it.
 struct JoinedSession {
-  std::size_t session;    // its place among the curves
-  double distance;        // of its middle from that of those before it; of the first 0
-  std::size_t counts;     // of turns that were tried, in all; of the first its starts
-  std::size_t converged;  // fits
+  std::size_t session;  // its place among the curves
+  double distance;      // of its middle from that of those before it; of the first 0
+  // Fits that were begun, one for each count of turns and solution; for the first session, one for
+  // each start.
+  std::size_t counts;
+  std::size_t converged;  // of them
   std::size_t solutions;  // within the limit, of all sessions so far
   double cost;            // of the lowest
 };
 
 struct LightExtensionResult {
-  // Of all sessions, as those of LightSearchResult; `periods` is the start that one came from.
+  // Of all sessions, as those of LightSearchResult; `periods` is the place of the start it
+  // came from.
   std::vector<FoundLight> solutions;
   std::vector<JoinedSession> joined;
   // Why there are no solutions: the first session that could not join, and what may help.

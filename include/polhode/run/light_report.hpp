@@ -8,9 +8,9 @@
 //             search they start from the best ellipsoid of every pair of periods, whatever it
 //             came to, and of what comes within the limit again from its images. A mesh is
 //             looked for by periods (search_mesh), and takes those, pole and phases of the
-//             ellipsoid, too, in four half turns. Sessions one by one: extend_light, from what the
-//             session with most points has in a search, or from the start, which is one of the
-//             session that it fits best.
+//             ellipsoid, too, in four half turns. Sessions one by one: extend_light
+//             begins with the solutions that a search finds in the session with most points, or
+//             with the start, in the session that it fits best.
 //             chi-square of a scan is the same for f1 and f2 exchanged: half of it is computed.
 // Units       core units; texts and files in the units of the scenario.
 // Domain      free rotation relative to inertial axes. Axes of solutions are the principal ones in

@@ -102,22 +102,42 @@ class Extension {
     }
     const double distance = std::abs(ranges_[next].middle() - all_.middle());
     std::vector<Begin> begins;
-    for (const FoundLight& f : result_.solutions) {
-      const detail::TurnCounts counts =
-          distance > 0.0
-              ? detail::turn_counts(f.solution, asked_.unknowns, distance, asked_.most_counts)
-              : detail::TurnCounts{1, {f.solution.body}};
-      if (counts.count > asked_.most_counts) return refuse(next);
+    std::size_t wide = 0, without_body = 0, without_periods = 0;
+    for (std::size_t k = 0; k < result_.solutions.size(); ++k) {
+      const FoundLight& f = result_.solutions[k];
+      detail::TurnCounts counts;
+      if (distance > 0.0)
+        counts = detail::turn_counts(f.solution, asked_.unknowns, distance, asked_.most_counts);
+      else
+        counts.bodies = {f.solution.body};
+      if (counts.count > asked_.most_counts) {
+        if (k == 0) return refuse(next);
+        ++wide;
+      }
+      without_body += counts.without_body;
+      without_periods += counts.has_periods ? 0 : 1;
       for (const BrightEllipsoid& body : counts.bodies) begins.push_back({body, f.periods});
     }
+    const std::string before = "before session " + std::to_string(next + 1) + ", ";
+    note(before + "solutions left out, with more than " + std::to_string(asked_.most_counts) +
+             " counts of turns",
+         wide);
+    note(before + "counts of turns that no body near their solution has", without_body);
+    note(
+        before + "solutions whose periods are not determined, with their own counts of turns alone",
+        without_periods);
     join(next, distance, begins);
+  }
+
+  void note(const std::string& what, std::size_t count) {
+    if (count > 0) result_.notes.push_back(what + ": " + std::to_string(count));
   }
 
   void refuse(std::size_t next) {
     result_.failure =
         "session " + std::to_string(next + 1) +
         " is too far from those before it: the errors of the periods leave more than " +
-        std::to_string(asked_.most_counts) + " counts of turns; a session between them is wanted";
+        std::to_string(asked_.most_counts) + " counts of turns; add a session between them";
   }
 
   // Fits of all sessions so far and of this one.

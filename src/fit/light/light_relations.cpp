@@ -137,7 +137,12 @@ bool are_alike(const BrightEllipsoid& a, const BrightEllipsoid& other) {
 
 bool are_same(const LightSolution& a, const LightSolution& b, const LightUnknowns& unknowns,
               double time_base) {
-  if (!same_periods(a.periods, b.periods, time_base)) return false;
+  // where a rate or a moment may be anything, so may the periods
+  const UnknownsCovariance& c = a.covariance;
+  bool is_open = false;
+  for (std::size_t i = 3; i < c.names.size(); ++i)
+    is_open = is_open || c.error(i) == std::numeric_limits<double>::infinity();
+  if (!is_open && !same_periods(a.periods, b.periods, time_base)) return false;
   const std::vector<double> x = light_unknowns_at(unknowns, a.body, a.body);
   const std::vector<double> y =
       light_unknowns_at(unknowns, a.body, nearest_of_same(a.body, b.body));
@@ -175,7 +180,8 @@ void describe_relations(std::vector<FoundLight>& solutions, const LightGeometry&
   }
 }
 
-bool are_same_spins(const LightSolution& a, const LightSolution& b) {
+bool are_same_spins(const LightSolution& a, const LightSolution& b, double time_base) {
+  if (!same_periods(a.periods, b.periods, time_base)) return false;
   constexpr double errors = 2.0, least_turn = 0.01, least_rate = 1e-4;
   const SpinState &s = a.body.spin, &t = b.body.spin;
   const Vec3 turn = attitude_residual(s.q, t.q), dw = t.w_F - s.w_F;

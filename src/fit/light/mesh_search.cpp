@@ -105,7 +105,12 @@ class Search {
         epoch_(detail::epoch_of(search.curves)),
         geometry_(detail::geometry_of(search.curves)),
         looked_at_(thinned(search.curves), search.loss),
-        finds_(search.curves, search.periods.size(), search.within, detail::are_same_spins, false) {
+        finds_(
+            search.curves, search.periods.size(), search.within,
+            [base = geometry_.time_base](const LightSolution& a, const LightSolution& b) {
+              return detail::are_same_spins(a, b, base);
+            },
+            false) {
     for (const TumblerPeriods& p : search.periods) motions_.push_back(motions_of(body_, p));
   }
 

@@ -16,6 +16,9 @@ namespace detail {
 namespace {
 
 constexpr double errors = 3.0;  // up to which counts of turns are looked for
+// Of a step, what their standard errors are widened by: neighbours of a point are always among
+// them.
+constexpr double widened = 0.35;
 // Steps of the lattice, in turns until the session: a fit comes to the count that is nearest.
 constexpr double precession_turns = 0.5, rotation_turns = 0.25;
 // Of a step, how near the frequencies of a start come; and in how many steps of Newton's.
@@ -45,6 +48,11 @@ std::optional<Frequencies> frequencies_of(const LightSolution& s, const LightUnk
   return found;
 }
 
+void hold(Eigen::MatrixXd& C, Eigen::Index i) {
+  C.row(i).setZero();
+  C.col(i).setZero();
+}
+
 class Counts {
  public:
   Counts(const LightSolution& solution, const LightUnknowns& unknowns, double distance)
@@ -58,35 +66,45 @@ class Counts {
              solution.covariance.matrix.data(), n, n) *
          (factor * factor);
     if (!here_) return;
+    // an unknown that may be anything, and changes no period
+    for (Eigen::Index i = 0; i < n; ++i)
+      if (!std::isfinite(C_(i, i)) && here_->J.col(i).isZero(0.0)) hold(C_, i);
     V_ = here_->J * C_ * here_->J.transpose();
     if (!V_.allFinite()) here_.reset();
-    V_.diagonal() += (step_ / 3.0).cwiseAbs2();
+    V_.diagonal() += (widened * step_).cwiseAbs2();
   }
 
   TurnCounts found(std::size_t most) const {
-    if (!here_) return {1, {solution_.body}};
+    if (!here_) return {1, 0, false, {solution_.body}};
     const std::vector<Eigen::Vector2d> all = lattice(most);
-    TurnCounts counts{all.size(), {}};
+    TurnCounts counts{all.size(), 0, true, {}};
     if (all.size() > most) return counts;
     for (const Eigen::Vector2d& d : all)
       if (const auto body = body_with(here_->F + d)) counts.bodies.push_back(*body);
+    counts.without_body = all.size() - counts.bodies.size();
     return counts;
   }
 
  private:
   // Those inside of the ellipse; where they are more than `most`, some of them.
   std::vector<Eigen::Vector2d> lattice(std::size_t most) const {
-    const Eigen::Matrix2d inverse = V_.inverse();
-    const double width = errors * std::sqrt(V_(0, 0)) / step_[0];
-    const double height = errors * std::sqrt(V_(1, 1)) / step_[1];
+    const Eigen::Matrix2d A = V_.inverse();
+    const double width = std::floor(errors * std::sqrt(V_(0, 0)) / step_[0]);
+    // a row has a point or more
+    if (!(width <= static_cast<double>(most)))
+      return std::vector<Eigen::Vector2d>(most + 1, Eigen::Vector2d::Zero());
     std::vector<Eigen::Vector2d> all;
-    for (double i = -std::floor(width); i <= width; i += 1.0)
-      for (double j = -std::floor(height); j <= height; j += 1.0) {
-        const Eigen::Vector2d d{i * step_[0], j * step_[1]};
-        if (d.dot(inverse * d) > errors * errors) continue;
-        all.push_back(d);
+    for (double i = -width; i <= width; i += 1.0) {
+      // what A leaves of the second frequency, given the first
+      const double d = i * step_[0], middle = -A(0, 1) * d / A(1, 1);
+      const double square = middle * middle - (A(0, 0) * d * d - errors * errors) / A(1, 1);
+      if (!(square >= 0.0)) continue;
+      const double half = std::sqrt(square), last = std::floor((middle + half) / step_[1]);
+      for (double j = std::ceil((middle - half) / step_[1]); j <= last; j += 1.0) {
+        all.push_back({d, j * step_[1]});
         if (all.size() > most) return all;
       }
+    }
     return all;
   }
 
@@ -95,6 +113,7 @@ class Counts {
     const LightFit about{{}, solution_.body, unknowns_, {}};
     LightSolution there = solution_;
     std::vector<double> x = light_unknowns_at(unknowns_, solution_.body, solution_.body);
+    Eigen::MatrixXd C = C_;  // less what comes to a bound
     for (int k = 0; k < most_steps; ++k) {
       try {
         there.body = body_at(about, x);
@@ -102,7 +121,7 @@ class Counts {
         if (!f || f->mode != here_->mode) return std::nullopt;
         const Eigen::Vector2d miss = wanted - f->F;
         if ((miss.array().abs() <= near * step_.array()).all()) return there.body;
-        const Eigen::MatrixXd CJ = C_ * f->J.transpose();
+        const Eigen::MatrixXd CJ = C * f->J.transpose();
         const Eigen::Matrix2d V = f->J * CJ;
         const Eigen::VectorXd step = CJ * V.ldlt().solve(miss);
         if (!step.allFinite()) return std::nullopt;
@@ -110,7 +129,10 @@ class Counts {
       } catch (const DomainError&) {  // no body has these unknowns
         return std::nullopt;
       }
+      const std::vector<double> free = x;
       keep_sound(x);
+      for (std::size_t i = 0; i < x.size(); ++i)
+        if (x[i] != free[i]) hold(C, static_cast<Eigen::Index>(i));
     }
     return std::nullopt;
   }

@@ -14,6 +14,8 @@ namespace detail {
 
 struct TurnCounts {
   std::size_t count = 1;                // that the errors of the periods leave
+  std::size_t without_body = 0;         // of them those that no body near the solution has
+  bool has_periods = true;              // else the solution alone: its periods are not determined
   std::vector<BrightEllipsoid> bodies;  // at the epoch of the solution; none of more than `most`
 };
 

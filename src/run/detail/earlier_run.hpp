@@ -23,8 +23,7 @@ std::string checkpoint_path(const std::string& output);
 std::string checkpoint_among(std::span<const std::string> outputs, const BeginWords& words);
 // Leaves next to an output where the checkpoint of its run is.
 void point_to_checkpoint(const std::string& output, const std::string& checkpoint);
-// With what a kill can leave beside them: the .part of one, and what an output was before it
-// changed.
+// Also removes what a kill can leave beside them: PATH.checkpoint.part and PATH.part-undo.
 void forget_checkpoints(std::span<const std::string> outputs);
 // A renamed file is on the disk when its folder is.
 void sync_folder_of(const std::string& path);

@@ -81,7 +81,9 @@ void fit_from_start(const Scenario& scenario, const FitPlan& plan, const LightFi
   if (plan.light.one_by_one) {
     const BrightEllipsoid start = start_of(scenario, plan.light);
     const std::size_t first = detail::nearest_session(report.observed.curves, start, plan.loss);
-    return detail::extend_to_sessions(scenario, first, {start}, options, report);
+    detail::extend_to_sessions(scenario, first, {start}, options, report);
+    report.converged = report.is_found() ? 1 : 0;
+    return;
   }
   report.start = start_of(scenario, plan.light);
   const LightFit fit{report.observed.curves, *report.start, plan.light.unknowns, plan.loss,
@@ -158,6 +160,8 @@ void search(const Scenario& scenario, const FitPlan& plan, const LightFitOptions
   if (report.solutions.empty()) {
     report.failure = report.notes.empty() ? "no fit converged" : report.notes.front();
   } else if (plan.light.one_by_one) {
+    for (std::string& note : report.notes)
+      note = "search of session " + std::to_string(first + 1) + ": " + note;
     std::vector<BrightEllipsoid> starts;
     for (const FoundLight& one : report.solutions) starts.push_back(one.solution.body);
     detail::extend_to_sessions(scenario, first, std::move(starts), options, report);

@@ -28,22 +28,30 @@ std::size_t longest_session(std::span<const LightCurve> curves) {
   return longest;
 }
 
+// By how much its model is better than a constant: errors as large as the light would hide any
+// body.
 std::size_t nearest_session(std::span<const LightCurve> curves, const BrightEllipsoid& body,
                             const Loss& loss) {
   std::size_t nearest = 0;
-  double least = std::numeric_limits<double>::infinity();
+  double greatest = -std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < curves.size(); ++k) {
     const LightCurve& curve = curves[k];
     const std::vector<double> model = model_fluxes(body, {&curve, 1}, loss).front();
-    double sum = 0.0;
-    for (std::size_t i = 0; i < model.size(); ++i) {
-      const double miss = (model[i] - curve.points[i].flux) / curve.points[i].sigma;
-      const double z = miss * miss / (loss.scale * loss.scale);
-      sum += z * value(loss, z).ratio;
+    double weight = 0.0, mean = 0.0;
+    for (const LightPoint& p : curve.points) {
+      const double w = 1.0 / (p.sigma * p.sigma);
+      weight += w;
+      mean += w * (p.flux - mean) / weight;
     }
-    const double mean = sum / static_cast<double>(model.size());
-    if (!(mean < least)) continue;
-    least = mean;
+    const auto lost = [&](double flux, const LightPoint& p) {
+      const double miss = (flux - p.flux) / p.sigma, z = miss * miss / (loss.scale * loss.scale);
+      return z * value(loss, z).ratio;
+    };
+    double gain = 0.0;
+    for (std::size_t i = 0; i < model.size(); ++i)
+      gain += lost(mean, curve.points[i]) - lost(model[i], curve.points[i]);
+    if (!(gain > greatest)) continue;
+    greatest = gain;
     nearest = k;
   }
   return nearest;

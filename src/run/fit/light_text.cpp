@@ -251,8 +251,12 @@ void add_notes(std::string& text, const std::vector<std::string>& notes) {
   for (const std::string& note : notes) {
     if (note.find(" c_") == std::string::npos)
       text += "note: " + note + "\n";
-    else
+    else if (note.starts_with("the data"))
       ++of_facets;
+    else
+      text +=
+          "note: residuals are not linear within the errors, along coefficients of facets among "
+          "others; --json has the sentence\n";
   }
   if (of_facets > 0)
     text += "note: the regularisation tells " + counted(of_facets, "combination", "combinations") +

@@ -180,11 +180,11 @@ SurfaceFound SurfaceFits::from_file() const {
 }
 
 bool SurfaceFits::are_same(const LightSolution& a, const LightSolution& b) const {
-  if (report_.mesh) return are_same_spins(a, b);
+  if (report_.mesh) return are_same_spins(a, b, geometry_.time_base);
   // convex bodies turn with their facets; a mesh is another one after a half turn
   LightSolution near = b;
   near.body = nearest_of_same(a.body, b.body);
-  return are_same_spins(a, near);
+  return are_same_spins(a, near, geometry_.time_base);
 }
 
 }  // namespace detail

@@ -217,9 +217,8 @@ LightPlan light_plan(const FitContext& at, const Rotation& rotation) {
   plan.searches = word(at.values, "fit.from") == "search";
   plan.one_by_one = word(at.values, "fit.sessions") == "one-by-one";
   if (plan.one_by_one && plan.shape != LightPlan::Shape::ellipsoid)
-    refuse(
-        at, "fit.sessions",
-        "expected light.shape = \"ellipsoid\": the solution of that is a start for other shapes");
+    refuse(at, "fit.sessions",
+           "expected light.shape = \"ellipsoid\"; start other shapes from its solution");
   plan.scan = scan_of(at);
   plan.periods = periods_of(at);
   if (!plan.periods.empty() && !plan.searches)

@@ -99,9 +99,9 @@ constexpr Key keys[] = {
      .allowed = "together|one-by-one",
      .fallback = "\"together\"",
      .example = "\"together\"",
-     .help = "Of light curves: one-by-one begins with one session (that with most points in a "
-             "search, or that which the start fits best); then the nearest joins, with every "
-             "count of turns until then that the errors of the periods leave, and so on."},
+     .help = "Of light curves: one-by-one fits one session first (a search: the one with most "
+             "points; a start: the one that it fits best). Then the nearest session joins, with "
+             "every number of turns in between that the errors of the periods allow, and so on."},
     {.path = "fit.within_factor",
      .type = number,
      .fallback = "2",

@@ -79,14 +79,17 @@ TEST(NotesOnErrors, SayWhereResidualsBend) {
     J[3] = 2.0;
     return true;
   });
-  EXPECT_THAT(
-      notes(valley),
-      testing::ElementsAre(
-          "residuals are not linear within the errors: one error off along x, chi-square is 5 "
-          "higher, not 1; a sampled posterior says more"));
+  EXPECT_THAT(notes(valley),
+              testing::ElementsAre(
+                  "residuals are not linear within the errors: one standard error away along x, "
+                  "the sum of squares is 5 higher instead of 1; draw from the posterior for better "
+                  "errors"));
   valley.loss.kind = Loss::Kind::huber;
   EXPECT_TRUE(notes(valley).empty());
   valley.loss.kind = Loss::Kind::squared;
+  valley.nearness = 1.0;  // it may stop anywhere within the errors
+  EXPECT_TRUE(notes(valley).empty());
+  valley.nearness = 1e-3;
   valley.unknowns[0].low = -0.9;  // both ways are beyond the bounds
   valley.unknowns[0].high = 0.9;
   EXPECT_TRUE(notes(valley).empty());
@@ -97,7 +100,8 @@ TEST(NotesOnErrors, SayWhereResidualsBend) {
                          if (!J.empty()) J[0] = 1.0 / (1.0 + 4.0 * x[0] * x[0]);
                          return true;
                        })),
-              testing::ElementsAre(HasSubstr("one error off along x, chi-square is 0.306 higher")));
+              testing::ElementsAre(HasSubstr(
+                  "one standard error away along x, the sum of squares is 0.306 higher")));
 }
 
 TEST(Solve, ScalesErrorsOfDataAlone) {

@@ -95,10 +95,56 @@ TEST(LightExtension, HasTheBitsOfOneThreadWithMore) {
   const LightExtensionResult two = extend_light(e);
   e.threads = 1;
   const LightExtensionResult one = extend_light(e);
+  ASSERT_FALSE(one.solutions.empty());
+  ASSERT_GT(one.joined.back().counts, 1U);
   ASSERT_EQ(one.solutions.size(), two.solutions.size());
   for (std::size_t k = 0; k < one.solutions.size(); ++k)
     EXPECT_EQ(one.solutions[k].solution.result.x, two.solutions[k].solution.result.x);
   EXPECT_EQ(one.joined.back().counts, two.joined.back().counts);
+}
+
+// A turn about the one line of sight changes nothing that is seen, and no period: the two are
+// known.
+TEST(LightExtension, CountsTurnsWhereTheLineOfSightIsTheSuns) {
+  LightExtension e = nights(in_long_axis_mode, {0.0, 100.0});
+  for (LightCurve& curve : e.curves) {
+    const FreeRotation motion = motion_of(in_long_axis_mode);
+    for (LightPoint& p : curve.points) {
+      p.to_observer = p.to_sun;
+      const Vec3 seen = rotate(conj(motion.at(p.t).q), p.to_sun);
+      p.flux = lommel_seeliger_brightness(in_long_axis_mode.shape, seen, seen);
+      p.sigma = 0.02 * p.flux;
+    }
+  }
+  const LightExtensionResult r = extend_light(e);
+  ASSERT_TRUE(r.failure.empty()) << r.failure;
+  EXPECT_GT(r.joined.back().counts, r.joined.front().solutions);
+  EXPECT_TRUE(r.notes.empty()) << r.notes.front();
+}
+
+TEST(LightExtension, TakesUnknownMomentsALawAndALoss) {
+  LightExtension e = nights(in_long_axis_mode, {0.0, 100.0});
+  e.unknowns = {.shape = true, .moments = MomentSource::fit, .multiple = true};
+  e.loss = {Loss::Kind::huber, 2.0};
+  for (LightCurve& curve : e.curves) curve.is_calibrated = true;  // one factor
+  const LightExtensionResult r = extend_light(e);
+  ASSERT_FALSE(r.solutions.empty()) << r.failure;
+  const LightSolution& s = r.solutions.front().solution;
+  EXPECT_EQ(s.factors[0], s.factors[1]);
+  EXPECT_LT(s.result.cost, budget::light_noise * s.degrees_of_freedom);
+}
+
+// One night in two tables: as if in one, with few counts of turns.
+TEST(LightExtension, JoinsSessionsAtTheSameTime) {
+  LightExtension e = nights(in_short_axis_mode, {0.0});
+  LightCurve other = e.curves[0];
+  for (std::size_t i = 0; i < other.points.size(); ++i) other.points[i].flux *= 2.0;
+  for (LightPoint& p : other.points) p.sigma *= 2.0;
+  e.curves.push_back(other);
+  const LightExtensionResult r = extend_light(e);
+  ASSERT_FALSE(r.solutions.empty()) << r.failure;
+  EXPECT_EQ(r.joined.back().counts, 1U);
+  EXPECT_EQ(r.joined.back().distance, 0.0);
 }
 
 TEST(LightExtension, SaysWhatIsTooFar) {
@@ -109,7 +155,7 @@ TEST(LightExtension, SaysWhatIsTooFar) {
   EXPECT_EQ(r.joined.size(), 1U);
   EXPECT_EQ(r.failure,
             "session 2 is too far from those before it: the errors of the periods leave more than "
-            "50 counts of turns; a session between them is wanted");
+            "50 counts of turns; add a session between them");
   e.most_iterations = 1;
   e.starts.front().spin.w_F = 1.3 * e.starts.front().spin.w_F;
   EXPECT_THAT(extend_light(e).failure, HasSubstr("no fit of session 1 converged"));
