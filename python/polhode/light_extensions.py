@@ -101,7 +101,7 @@ def extend_light(
     threads : the bits of the result do not depend on it.
     shape, moments, multiple, loss : as in fit_light.
     most_counts : of turns, for one solution and session; where there are more, `failure` says so.
-    most_iterations : of each fit.
+    most_iterations : of each fit; near the limit it may go on for five times as many.
 
     Returns
     -------

@@ -120,7 +120,7 @@ def test_sessions_join_one_by_one(run, nights, tmp_path):
     one = best["precession_period"]
     assert abs(one["value"] - 12) < 5 * one["error"] and one["error"] < 0.01
     text = run("fit", found, *change).stdout
-    assert "sessions one by one; distance of middles, and what was within the limit\n" in text
+    assert "sessions one by one: a fit for each count of turns; solutions and the lowest" in text
     again = fitted(run, found, *change)["solutions"][0]
     assert again["chi_square"] == pytest.approx(best["chi_square"], rel=budgets.cli_fit_starts)
 

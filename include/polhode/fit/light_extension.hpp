@@ -38,7 +38,7 @@ struct LightExtension {
   Loss loss;
   double within = 1.5;             // as LightSearch
   std::size_t most_counts = 5000;  // of turns, for one solution and session
-  int most_iterations = 200;
+  int most_iterations = 200;       // of a fit; near the limit it may go on for five times as many
   int threads = 1;
   // Called before each fit, in any of the threads; what it throws ends the extension.
   std::function<void()> between = {};

@@ -24,6 +24,12 @@ const std::string who = "extend_light: ";
 constexpr std::size_t most_solutions = 100;
 // Of fits, so that they stay at their count of turns.
 constexpr double first_step = 30.0;
+// Of those before, where a fit that is not at its end goes on.
+constexpr int more_iterations = 5;
+
+int times(int iterations, int factor) {
+  return iterations > std::numeric_limits<int>::max() / factor ? iterations : factor * iterations;
+}
 
 struct TimeRange {
   double begin = std::numeric_limits<double>::infinity();
@@ -153,30 +159,32 @@ class Extension {
           return detail::are_same(a, b, asked_.unknowns, all_.end - all_.begin);
         },
         true);
-    std::size_t converged = 0;
-    run_cells(
-        0, std::ssize(begins), asked_.threads,
-        [&](std::int64_t k) {
-          if (asked_.between) asked_.between();
-          const BrightEllipsoid& body = begins[static_cast<std::size_t>(k)].body;
-          return fit_light({curves, at_time(body, all_.middle()), asked_.unknowns, asked_.loss,
-                            asked_.most_iterations, first_step});
-        },
-        [&](std::int64_t k, const LightSolution& s) {
-          tell(k, begins.size());
-          if (!s.is_found()) return;
-          finds.add(s, begins[static_cast<std::size_t>(k)].from);
-          ++converged;
-        });
+    Pass pass{curves, asked_.most_iterations, 0.0, {}, 0};
+    fit(begins, pass, finds);
+    // what has not come to its end and is near the limit goes on, from where it is
+    std::vector<Begin> longer;
+    for (const auto& [cost, begin] : pass.unfinished)
+      if (pass.converged == 0 || finds.is_near(cost)) longer.push_back(begin);
+    Pass next{curves, times(asked_.most_iterations, more_iterations), 0.5, {}, 0};
+    fit(longer, next, finds);
+    const std::size_t converged = pass.converged + next.converged;
+    note("with session " + std::to_string(session + 1) +
+             ", fits near the limit that did not end in " + std::to_string(next.most_iterations) +
+             " iterations, so that solutions may be missing",
+         longer.size() - next.converged);
     result_.solutions = finds.within_limit();
-    if (result_.solutions.empty()) {
-      result_.failure = "no fit of session " + std::to_string(session + 1) +
+    const bool is_found = !result_.solutions.empty();
+    result_.joined.push_back({session, distance, begins.size(), converged, result_.solutions.size(),
+                              is_found ? result_.solutions.front().solution.result.cost
+                                       : std::numeric_limits<double>::quiet_NaN()});
+    if (!is_found) {
+      result_.failure = "none of " + std::to_string(begins.size()) +
+                        (begins.size() == 1 ? " fit" : " fits") + " of session " +
+                        std::to_string(session + 1) +
                         (joined_.size() == 1 ? "" : " with those before it") +
                         " converged: more iterations, or another start";
       return;
     }
-    result_.joined.push_back({session, distance, begins.size(), converged, result_.solutions.size(),
-                              result_.solutions.front().solution.result.cost});
     if (result_.solutions.size() <= most_solutions || joined_.size() == ranges_.size()) return;
     result_.notes.push_back("of " + std::to_string(result_.solutions.size()) +
                             " solutions with session " + std::to_string(session + 1) + " the " +
@@ -184,11 +192,41 @@ class Extension {
     result_.solutions.resize(most_solutions);
   }
 
-  void tell(std::int64_t k, std::size_t count) {
-    if (!asked_.progress) return;
-    const double part = static_cast<double>(k + 1) / static_cast<double>(count);
-    asked_.progress((static_cast<double>(joined_.size() - 1) + part) /
-                    static_cast<double>(ranges_.size()));
+  // Fits with so many iterations, and what they leave.
+  struct Pass {
+    const std::vector<LightCurve>& curves;
+    int most_iterations;
+    double done;                                       // of the session, before them
+    std::vector<std::pair<double, Begin>> unfinished;  // with their costs
+    std::size_t converged;
+  };
+
+  void fit(const std::vector<Begin>& begins, Pass& pass, detail::LightFinds& finds) {
+    run_cells(
+        0, std::ssize(begins), asked_.threads,
+        [&](std::int64_t k) {
+          if (asked_.between) asked_.between();
+          const BrightEllipsoid& body = begins[static_cast<std::size_t>(k)].body;
+          return fit_light({pass.curves, at_time(body, all_.middle()), asked_.unknowns, asked_.loss,
+                            pass.most_iterations, first_step});
+        },
+        [&](std::int64_t k, const LightSolution& s) {
+          tell(pass.done + 0.5 * static_cast<double>(k + 1) / static_cast<double>(begins.size()));
+          const std::size_t from = begins[static_cast<std::size_t>(k)].from;
+          if (s.is_found()) {
+            finds.add(s, from);
+            ++pass.converged;
+          } else if (s.result.end == LeastSquaresResult::End::iteration_limit) {
+            pass.unfinished.push_back({s.result.cost, {s.body, from}});
+          }
+        });
+  }
+
+  // Of the present session.
+  void tell(double part) {
+    if (asked_.progress)
+      asked_.progress((static_cast<double>(joined_.size() - 1) + part) /
+                      static_cast<double>(ranges_.size()));
   }
 
   const LightExtension& asked_;

@@ -63,8 +63,8 @@ double distance_of(const BrightEllipsoid& a, const BrightEllipsoid& other, bool 
                    std::abs(a.shape.c / a.shape.b - b.shape.c / b.shape.b) / alike_ratio});
 }
 
-// Its parent: of those before solution j the one whose image it is nearest to; one that is no image
-// itself, where there is such a one.
+// Its parent: of those before solution j, with the same counts of turns, the one whose image it is
+// nearest to; one that is no image itself, where there is such a one.
 void set_parent(std::vector<FoundLight>& solutions, std::size_t j, const LightGeometry& g,
                 bool half_turns) {
   using Beside = FoundLight::Beside;
@@ -72,7 +72,9 @@ void set_parent(std::vector<FoundLight>& solutions, std::size_t j, const LightGe
   for (const bool of_images : {false, true}) {
     double least = 1.0;
     for (std::size_t k = 0; k < j; ++k) {
-      if ((solutions[k].beside == Beside::image) != of_images) continue;
+      if ((solutions[k].beside == Beside::image) != of_images ||
+          !same_periods(solutions[k].solution.periods, f.solution.periods, g.time_base))
+        continue;
       for (const LightImage i :
            {LightImage::normal, LightImage::bisector, LightImage::difference}) {
         const BrightEllipsoid image =

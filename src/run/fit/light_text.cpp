@@ -190,15 +190,17 @@ void add_pairs(std::string& text, const Scenario& scenario, const LightReport& r
 // One row for each, in the order in which they joined.
 void add_joined(std::string& text, const Scenario& scenario, const LightReport& report) {
   text += fmt::format(
-      "\nsessions one by one; distance of middles, and what was within the limit\n{:>8}{:>8}{:>14}"
-      "{:>16}{:>11}{:>11}{:>12}\n",
-      "session", "points", "distance " + scenario.units().time(), "counts of turns", "converged",
-      "solutions", detail::rank_word(require_fit(scenario).loss));
+      "\nsessions one by one: a fit for each count of turns; solutions and the lowest of all so "
+      "far\n{:>8}{:>8}{:>14}"
+      "{:>8}{:>11}{:>11}{:>12}\n",
+      "session", "points", "distance " + scenario.units().time(), "fits", "converged", "solutions",
+      detail::rank_word(require_fit(scenario).loss));
   for (const JoinedSession& one : report.joined)
-    text += fmt::format("{:>8}{:>8}{:>14.6g}{:>16}{:>11}{:>11}{:>12.5g}\n", one.session + 1,
+    text += fmt::format("{:>8}{:>8}{:>14.6g}{:>8}{:>11}{:>11}{:>12}\n", one.session + 1,
                         report.observed.curves.at(one.session).points.size(),
                         scenario.units().from_core(one.distance, Dimension::time), one.counts,
-                        one.converged, one.solutions, one.cost);
+                        one.converged, one.solutions,
+                        one.solutions > 0 ? fmt::format("{:.5g}", one.cost) : "-");
 }
 
 std::string pole_words(const Scenario& scenario) {

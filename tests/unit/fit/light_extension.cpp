@@ -158,7 +158,7 @@ TEST(LightExtension, SaysWhatIsTooFar) {
             "50 counts of turns; add a session between them");
   e.most_iterations = 1;
   e.starts.front().spin.w_F = 1.3 * e.starts.front().spin.w_F;
-  EXPECT_THAT(extend_light(e).failure, HasSubstr("no fit of session 1 converged"));
+  EXPECT_THAT(extend_light(e).failure, HasSubstr("none of 1 fit of session 1 converged"));
 }
 
 TEST(LightExtension, RefusesWhatMakesNoSense) {
