@@ -17,6 +17,7 @@ from polhode.light_fits import (
     LightCurve,
     curve_parts,
     found_light,
+    listed,
 )
 
 if TYPE_CHECKING:
@@ -61,14 +62,9 @@ class LightExtensionResult:
     notes: tuple[str, ...]
 
     def __repr__(self) -> str:
-        lines = [
-            f"  {k}: {s._rank()}, {s.mode}, P_phi {s.precession_period:.6g}, "
-            f"P_psi {s.rotation_period:.6g}" + (f"; {s.relation}" if s.relation else "")
-            for k, s in enumerate(self.solutions)
-        ]
+        counted = f"{len(self.solutions)} solutions of {len(self.joined)} sessions"
         said = f": {self.failure}" if self.failure else ""
-        head = f"<LightExtensionResult: {len(lines)} solutions of {len(self.joined)} sessions{said}"
-        return "\n".join([head, *lines]) + ">"
+        return listed(f"<LightExtensionResult: {counted}{said}", self.solutions)
 
 
 def extend_light(

@@ -243,13 +243,18 @@ class LightSearchResult:
     notes: tuple[str, ...]
 
     def __repr__(self) -> str:
-        lines = [
-            f"  {k}: {s._rank()}, {s.mode}, P_phi {s.precession_period:.6g}, "
-            f"P_psi {s.rotation_period:.6g}" + (f"; {s.relation}" if s.relation else "")
-            for k, s in enumerate(self.solutions)
-        ]
-        head = f"<LightSearchResult: {len(lines)} solutions of {self.starts} starts"
-        return "\n".join([head, *lines]) + ">"
+        head = f"<LightSearchResult: {len(self.solutions)} solutions of {self.starts} starts"
+        return listed(head, self.solutions)
+
+
+def listed(head: str, solutions: Sequence[FoundLight]) -> str:
+    """A line for each, below a head."""
+    lines = [
+        f"  {k}: {s._rank()}, {s.mode}, P_phi {s.precession_period:.6g}, "
+        f"P_psi {s.rotation_period:.6g}" + (f"; {s.relation}" if s.relation else "")
+        for k, s in enumerate(solutions)
+    ]
+    return "\n".join([head, *lines]) + ">"
 
 
 def light_parts(found: Mapping[str, Any], body: Any = None) -> dict[str, Any]:

@@ -111,9 +111,7 @@ nb::dict searched(const nb::list& curves, const PeriodParts& periods, std::size_
   search.seed = seed;
   search.threads = checked_threads(threads);
   WorkLoop loop("the search was stopped", nb::none());
-  search.between = [&loop] {
-    if (loop.is_stopped()) throw std::runtime_error("the search was stopped");
-  };
+  search.between = [&loop] { loop.go_on(); };
   LightSearchResult found;
   loop.do_work(0, [&] { found = search_light(search); });
   return search_dict(found);
@@ -134,9 +132,7 @@ nb::dict extended(const nb::list& curves, const nb::list& starts, std::size_t fi
   how.most_iterations = most_iterations;
   how.threads = checked_threads(threads);
   WorkLoop loop("the extension was stopped", nb::none());
-  how.between = [&loop] {
-    if (loop.is_stopped()) throw std::runtime_error("the extension was stopped");
-  };
+  how.between = [&loop] { loop.go_on(); };
   LightExtensionResult found;
   loop.do_work(0, [&] { found = extend_light(how); });
   nb::dict d;

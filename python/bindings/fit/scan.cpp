@@ -46,9 +46,7 @@ ScanFound scanned(const nb::list& curves, const Grid& first, const Grid& second,
   options.order = order;
   options.threads = checked_threads(threads);
   WorkLoop loop("the scan was stopped", nb::none());
-  options.between = [&loop] {
-    if (loop.is_stopped()) throw std::runtime_error("the scan was stopped");
-  };
+  options.between = [&loop] { loop.go_on(); };
   ScanFound found;
   loop.do_work(0, [&] {
     found.landscape = scan_pairs(points, grid_of(first), grid_of(second), options);

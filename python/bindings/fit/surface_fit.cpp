@@ -141,9 +141,7 @@ nb::dict mesh_search(const nb::list& curves, const nb::tuple& body, const Period
   search.seed = seed;
   search.threads = checked_threads(threads);
   WorkLoop loop("the search was stopped", nb::none());
-  search.between = [&loop] {
-    if (loop.is_stopped()) throw std::runtime_error("the search was stopped");
-  };
+  search.between = [&loop] { loop.go_on(); };
   LightSearchResult found;
   loop.do_work(0, [&] { found = search_mesh(search); });
   nb::dict d = search_dict(found);

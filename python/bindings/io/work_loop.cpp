@@ -46,7 +46,7 @@ void WorkLoop::reach(std::int64_t done) {
   if (progress_ == nullptr) return;
   changed_.notify_all();
   changed_.wait(lock, [&] { return told_ == reached_ || is_stopped(); });
-  if (is_stopped()) throw std::runtime_error(said_when_stopped_);
+  go_on();
 }
 
 void WorkLoop::end(std::exception_ptr failure) {

@@ -11,6 +11,7 @@
 #include <exception>
 #include <functional>
 #include <mutex>
+#include <stdexcept>
 #include <string>
 
 #include "bindings.hpp"
@@ -28,6 +29,10 @@ class WorkLoop {
 
   // In the work, from any thread.
   bool is_stopped() const { return stopped_.load(std::memory_order_relaxed); }
+  // The same, for work that throws when it shall end.
+  void go_on() const {
+    if (is_stopped()) throw std::runtime_error(said_when_stopped_);
+  }
   // In the work, one call after the other: goes on when the function has returned; throws where it
   // has not.
   void reach(std::int64_t done);

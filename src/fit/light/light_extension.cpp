@@ -9,6 +9,7 @@
 #include "fit/detail/light_finds.hpp"
 #include "fit/detail/light_relations.hpp"
 #include "fit/free_rotation_of.hpp"
+#include "fit/light/search_checks.hpp"
 #include "fit/light/turn_counts.hpp"
 #include "math/number_text.hpp"
 #include "polhode/ensemble/cells.hpp"
@@ -26,10 +27,6 @@ constexpr std::size_t most_solutions = 100;
 constexpr double first_step = 30.0;
 // Of those before, where a fit that is not at its end goes on.
 constexpr int more_iterations = 5;
-
-int times(int iterations, int factor) {
-  return iterations > std::numeric_limits<int>::max() / factor ? iterations : factor * iterations;
-}
 
 struct TimeRange {
   double begin = std::numeric_limits<double>::infinity();
@@ -63,15 +60,10 @@ void check(const LightExtension& e) {
   if (e.first >= e.curves.size())
     throw DomainError(who + "first = " + std::to_string(e.first) + " must be below " +
                       std::to_string(e.curves.size()) + ", the number of sessions");
-  const auto at_least_one = [&](const char* name, auto value) {
-    if (value < 1)
-      throw DomainError(who + name + " = " + std::to_string(value) + " must be 1 or more");
-  };
-  at_least_one("most_counts", e.most_counts);
-  at_least_one("most_iterations", e.most_iterations);
-  at_least_one("threads", e.threads);
-  if (!(e.within >= 1.0))
-    throw DomainError(who + "within = " + detail::number_text(e.within) + " must be 1 or more");
+  detail::require_at_least_one(who, "most_counts", e.most_counts);
+  detail::require_at_least_one(who, "most_iterations", e.most_iterations);
+  detail::require_at_least_one(who, "threads", e.threads);
+  detail::require_within(who, e.within);
 }
 
 // Where a fit begins, and from which of the starts it came.
@@ -165,7 +157,7 @@ class Extension {
     std::vector<Begin> longer;
     for (const auto& [cost, begin] : pass.unfinished)
       if (pass.converged == 0 || finds.is_near(cost)) longer.push_back(begin);
-    Pass next{curves, times(asked_.most_iterations, more_iterations), 0.5, {}, 0};
+    Pass next{curves, detail::times(asked_.most_iterations, more_iterations), 0.5, {}, 0};
     fit(longer, next, finds);
     const std::size_t converged = pass.converged + next.converged;
     note("with session " + std::to_string(session + 1) +

@@ -46,6 +46,13 @@ std::vector<double> brightness_at(const detail::LightResiduals& r, const BrightE
   return B;
 }
 
+LeastSquares problem_of(const LightFit& fit, const detail::LightResiduals& residuals,
+                        const BrightEllipsoid& about, int most_iterations) {
+  LeastSquares problem = detail::light_problem(residuals, fit.unknowns, about, most_iterations);
+  problem.first_step = fit.first_step;
+  return problem;
+}
+
 }  // namespace
 
 LightSolution fit_light(const LightFit& fit) {
@@ -60,10 +67,7 @@ LightSolution fit_light(const LightFit& fit) {
   detail::require_points(who, first.points(), first.places().count, first.groups());
   const detail::TurningFit turning{
       [&](int most_iterations) {
-        LeastSquares problem = detail::light_problem(residuals_about(found.body), fit.unknowns,
-                                                     found.body, most_iterations);
-        problem.first_step = fit.first_step;
-        return problem;
+        return problem_of(fit, residuals_about(found.body), found.body, most_iterations);
       },
       [&](const std::vector<double>& x) { found.body = residuals_about(found.body).body_at(x); }};
   detail::settle(turning, fit.most_iterations, first.groups(), found);
@@ -78,10 +82,7 @@ LeastSquares least_squares_of(const LightFit& fit) {
   require_start(fit);
   const detail::LightResiduals residuals(fit.curves, fit.unknowns, fit.start, fit.loss);
   detail::require_points(who, residuals.points(), residuals.places().count, residuals.groups());
-  LeastSquares problem =
-      detail::light_problem(residuals, fit.unknowns, fit.start, fit.most_iterations);
-  problem.first_step = fit.first_step;
-  return problem;
+  return problem_of(fit, residuals, fit.start, fit.most_iterations);
 }
 
 BrightEllipsoid body_at(const LightFit& fit, std::span<const double> x) {

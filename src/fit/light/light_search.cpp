@@ -19,6 +19,7 @@ inline namespace v0 {
 namespace {
 
 using detail::LightTrial;
+using detail::times;
 
 // Starts of a round for each pair of periods.
 constexpr std::size_t starts_of_round = 50;
@@ -27,10 +28,6 @@ constexpr int more_iterations = 4, more_short_iterations = 3;
 
 // What is done, as far as can be told before, after the starts, their finalists and all rounds.
 constexpr double done_at_starts = 0.3, done_at_finalists = 0.6, done_at_rounds = 0.9;
-
-int times(int iterations, int factor) {
-  return iterations > std::numeric_limits<int>::max() / factor ? iterations : factor * iterations;
-}
 
 // Where a fit begins, and for which pair of periods.
 struct Finalist {

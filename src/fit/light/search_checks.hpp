@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// What a search of light curves asks of its numbers, be it for ellipsoids or for a mesh.
+// What searches of light curves and their extension ask of their numbers.
 #pragma once
 
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "math/number_text.hpp"
@@ -12,6 +13,22 @@
 namespace polhode {
 inline namespace v0 {
 namespace detail {
+
+template <class Number>
+void require_at_least_one(const std::string& who, const char* name, Number value) {
+  if (value < 1)
+    throw DomainError(who + name + " = " + std::to_string(value) + " must be 1 or more");
+}
+
+inline void require_within(const std::string& who, double within) {
+  if (!(within >= 1.0))
+    throw DomainError(who + "within = " + number_text(within) + " must be 1 or more");
+}
+
+// The iterations as they are where there can be no more.
+inline int times(int iterations, int factor) {
+  return iterations > std::numeric_limits<int>::max() / factor ? iterations : factor * iterations;
+}
 
 template <class Search>
 void check_search(const std::string& who, const Search& s) {
@@ -24,18 +41,13 @@ void check_search(const std::string& who, const Search& s) {
       if (!(period > 0.0) || !std::isfinite(period))
         throw DomainError(who + "period " + number_text(period) + " must be positive");
   }
-  const auto at_least_one = [&](const char* name, auto value) {
-    if (value < 1)
-      throw DomainError(who + name + " = " + std::to_string(value) + " must be 1 or more");
-  };
-  at_least_one("starts", s.starts);
-  at_least_one("tries", s.tries);
-  at_least_one("short_iterations", s.short_iterations);
-  at_least_one("finalists", s.finalists);
-  at_least_one("most_iterations", s.most_iterations);
-  at_least_one("threads", s.threads);
-  if (!(s.within >= 1.0))
-    throw DomainError(who + "within = " + number_text(s.within) + " must be 1 or more");
+  require_at_least_one(who, "starts", s.starts);
+  require_at_least_one(who, "tries", s.tries);
+  require_at_least_one(who, "short_iterations", s.short_iterations);
+  require_at_least_one(who, "finalists", s.finalists);
+  require_at_least_one(who, "most_iterations", s.most_iterations);
+  require_at_least_one(who, "threads", s.threads);
+  require_within(who, s.within);
 }
 
 }  // namespace detail
