@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -23,7 +24,10 @@ Scenario changed_scenario(const std::string& path, const std::vector<std::string
   std::vector<ScenarioChange> all;
   try {
     for (const std::string& change : changes) all.push_back(change_of(change));
-    return read_scenario(path, kinds, all);
+    Scenario scenario = read_scenario(path, kinds, all);
+    for (const std::string& text : warnings(scenario))
+      std::fputs(("warning: " + text + "\n").c_str(), stderr);
+    return scenario;
   } catch (const ScenarioError&) {
     throw;
   } catch (const ChangeError& error) {

@@ -37,6 +37,7 @@
 #include "polhode/elliptic/nome.hpp"
 #include "polhode/ephemeris/date.hpp"
 #include "polhode/ephemeris/delaunay.hpp"
+#include "polhode/ephemeris/earth.hpp"
 #include "polhode/ephemeris/ephemeris.hpp"
 #include "polhode/ephemeris/iau_nutation.hpp"
 #include "polhode/ephemeris/teme_axes.hpp"

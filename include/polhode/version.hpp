@@ -9,6 +9,10 @@
 // Cost        none.
 #pragma once
 
+#if __cplusplus < 202002L
+#error "polhode needs C++20: compile with -std=c++20 or later"
+#endif
+
 #define POLHODE_VERSION_MAJOR 0
 #define POLHODE_VERSION_MINOR 1
 #define POLHODE_VERSION_PATCH 0

@@ -172,7 +172,9 @@ class _Tables:
         if given["scale_height"] is not None:
             table.update(scale_height=given["scale_height"], density_radius=given["radius"])
         rotation = given["rotation"]
-        if any(rotation):
+        if not any(rotation):
+            table["air_rate"] = 0.0
+        else:
             table.update(air_rate=self._rate(_norm(rotation)), air_pole=list(rotation))
         self.terms.append({**table, "exit_speed": given["exit_speed"]})
 

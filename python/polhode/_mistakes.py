@@ -22,6 +22,12 @@ _WORDS = {
     "numpy.typing.ArrayLike": "numbers",
     "numpy.typing.NDArray[numpy.float64]": "numbers",
 }
+# What REBOUND and others call orbital elements.
+_OTHER_NAMES = {
+    "a": "semi_major_axis", "e": "eccentricity", "ecc": "eccentricity", "inc": "inclination",
+    "i": "inclination", "Omega": "node", "raan": "node", "omega": "argument",
+    "pomega": "argument", "varpi": "argument", "M": "mean_anomaly",
+}
 _PLURALS = {"float": "numbers", "int": "ints", "str": "texts"}
 _RANGE = 2**31
 
@@ -152,7 +158,8 @@ class _Attempt:
         if unknown := [name for name in kwargs if name not in known]:
             import difflib  # only here, where it is needed: it takes 5 ms to import
 
-            near = difflib.get_close_matches(unknown[0], known, 1)
+            near = [_OTHER_NAMES[unknown[0]]] if _OTHER_NAMES.get(unknown[0]) in known else (
+                difflib.get_close_matches(unknown[0], known, 1))
             hint = near[0] if near else " or ".join(known) or "no arguments"
             self.complaint = f"got {unknown[0]}={shown(kwargs[unknown[0]])}; expected {hint}"
         elif twice := [name for name in kwargs if name in given]:

@@ -89,13 +89,16 @@ class Scenario:
         """The scenario in a text; `name` stands for the file in messages and outputs.
 
         Files that it names (tables, meshes) are looked for next to `name`: with the default, in the
-        current folder.
+        current folder. A UserWarning names a table whose rows are too far apart.
         """
         if not isinstance(text, (str, bytes)):
             raise TypeError(f"from_text: got {text!r}; expected a str or bytes")
         data = text.encode("utf-8") if isinstance(text, str) else text
         shown = os.fsdecode(name).encode("utf-8", "backslashreplace").decode("utf-8")
-        return cls._of(_core._Scenario.from_text(data, shown))
+        file = _core._Scenario.from_text(data, shown)
+        for warning in file.warnings:
+            warnings.warn(warning, UserWarning, stacklevel=2)
+        return cls._of(file)
 
     @classmethod
     def from_dict(cls, data: Mapping[str, Any], name: str = "scenario.toml") -> Scenario:

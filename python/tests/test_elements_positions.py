@@ -51,6 +51,7 @@ def elements(tmp_path, e, i, node, argument, M, more, axes="ecliptic-J2000", sto
     return orbit_of(tmp_path, 'kind = "elements"\nfile = "e.csv"\n'
                     'columns = ["t", "e", "i", "Omega", "omega"]\n'
                     'units = ["d", "1", "deg", "deg", "deg"]\n'
+                    + ("" if "axes" in more else 'axes = "ecliptic-J2000"\n') +
                     f"mean_longitude = {node + argument + M}\n{more}", axes, stop)
 
 

@@ -150,12 +150,15 @@ tensor = { value = [1e5, 2e5, 3e5], unit = "S m4" }
 gauss = { value = [-29442.0, -1501.0, 4797.1], unit = "nT" }
 reference_radius = 6371.2
 rotation_rate = "360.98564736629 deg/d"
+meridian = 0
 [[perturbation]]
 kind = "residual-dipole"
 orbit = "earth"
 moment = { value = [1.0, -2.0, 3.0], unit = "A m2" }
 gauss = { value = [-29442.0, -1501.0, 4797.1], unit = "nT" }
 reference_radius = 6371.2
+rotation_rate = 0
+meridian = 0
 [time]
 stop = 10
 count = 2

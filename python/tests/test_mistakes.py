@@ -167,9 +167,12 @@ MISTAKES = {
     "a generator of bodies": (
         lambda: polhode.propagate((BODY for _ in range(2)), TWO, 1.0),
         "bodies: got a generator; expected a Body, a sequence of them or moments (..., 3)"),
-    "one bad body of two": (
-        lambda: polhode.propagate([[1, 2, 2.5], [1, 2, 4]], TWO, 1.0),
-        "Body: moments (1, 2, 4) break I3 <= I1 + I2 (at index (1,))"),
+    "a bad body": (
+        lambda: polhode.propagate([1, 2, 4], polhode.RotorState([1, 0, 0, 0], [0, 0, 1]), 1.0),
+        "Body: moments (1, 2, 4) break I3 <= I1 + I2"),
+    "REBOUND's inc": (
+        lambda: polhode.KeplerElements(1.0, 1.0, 0.1, inc=0.2),
+        "KeplerElements: got inc=0.2, a float; expected inclination"),
 }
 
 

@@ -2,7 +2,9 @@
 """Many bodies in one call: what FreeRotation gives of each, and the same bits in any company."""
 
 import itertools
+import re
 import threading
+import warnings
 
 import budgets
 import numpy as np
@@ -119,13 +121,7 @@ def test_bits_depend_on_nothing_beside_a_body():
 
 
 @pytest.mark.parametrize(("bodies", "states", "t", "error", "said"), [
-    ([[1, 2, 2.5], [1, 2, 4]], ..., 0.0, ValueError,
-     r"moments \(1, 2, 4\) break I3 <= I1 \+ I2 \(at index \(1,\)\)"),
-    ([[[1, 2, 2.5], [1, -2, 2]]], ..., 0.0, ValueError,
-     r"\(1, -2, 2\) must be positive and finite \(at index \(0, 1\)\)"),
     ([1, 2, 4], ..., 0.0, ValueError, r"break I3 <= I1 \+ I2$"),
-    ([1e-300, 1e-300, 1e-300], polhode.RotorState([1, 0, 0, 0], [[0, 0, 1e-300], [0, 0, 1e300]]),
-     0.0, ValueError, r"rate .* \(at index \(1,\)\)"),
     ([1, 2], ..., 0.0, ValueError, r"bodies: got shape \(2,\); expected \(\.\.\., 3\)"),
     (np.ones((3, 3)), polhode.RotorState([1, 0, 0, 0], np.ones((2, 3))), 0.0, ValueError,
      r"bodies of shape \(3,\) and states of shape \(2,\) do not broadcast"),
@@ -144,6 +140,41 @@ def test_what_cannot_be_done_says_where(bodies, states, t, error, said):
     one = polhode.RotorState([1, 0, 0, 0], [0.1, 0.2, 1.0])
     with pytest.raises(error, match=said):
         polhode.propagate(bodies, one if states is ... else states, t)
+
+
+@pytest.mark.parametrize("short_arc", [False, True])
+@pytest.mark.parametrize(("bodies", "g", "index", "reason"), [
+    ([[1, 2, 2.5], [1, 2, 4]], [0.1, 0.2, 1.0], (1,),
+     r"Body: moments \(1, 2, 4\) break I3 <= I1 \+ I2"),
+    ([[[1, 2, 2.5], [1, -2, 2]]], [0.1, 0.2, 1.0], (0, 1),
+     r"Body: moments \(1, -2, 2\) must be positive and finite"),
+    ([1e-300, 1e-300, 1e-300], [[0, 0, 1e-300], [0, 0, 1e300]], (1,),
+     r".* is a rate too large for a double"),
+    ([1, 2, 2.5], [[0.1, 0.2, 1.0], [0, 0, 1e-313]], (1,), r".* is a rate too small for a double"),
+])
+def test_a_body_that_fails_fails_alone(bodies, g, index, reason, short_arc):
+    states = polhode.RotorState([1, 0, 0, 0], g)
+    at = re.escape(f"(at index {index})")
+    with pytest.warns(RuntimeWarning, match=rf"1 of 2 states are NaN; the first: {reason} {at}"):
+        found = polhode.propagate(bodies, states, 0.5, short_arc=short_arc)
+    failed = np.zeros(found.shape, bool)
+    failed[index] = True
+    assert np.array_equal(np.isnan(found.q).all(axis=-1), failed)
+    assert np.array_equal(np.isnan(found.g).all(axis=-1), failed)
+    errors = np.full(found.shape, "before", object)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        again = polhode.propagate(bodies, states, 0.5, short_arc=short_arc, errors=errors)
+    assert again.q.tobytes() == found.q.tobytes()
+    assert re.fullmatch(reason, errors[index]) and list(errors[~failed]) == [None]
+
+
+def test_errors_is_an_array_of_objects_of_the_shape():
+    one = polhode.RotorState([1, 0, 0, 0], [0.1, 0.2, 1.0])
+    with pytest.raises(TypeError, match="errors: got a list; expected an array of objects"):
+        polhode.propagate(np.ones((2, 3)), one, 0.0, errors=[None, None])
+    with pytest.raises(ValueError, match=r"errors: got shape \(3,\); expected that of the result"):
+        polhode.propagate(np.ones((2, 3)), one, 0.0, errors=np.empty(3, object))
 
 
 def test_ctrl_c_ends_it():

@@ -121,7 +121,7 @@ ALONG = {
                  "SolarPressure"),
     "cone": (LIGHT + "sun = \"sun\"\nsun_orbit_of = \"attractor\"\nshadow = \"cone\"\n"
              "shadow_radius = 600\nsun_radius = 695700\n", "SolarPressure"),
-    "drag": (DRAG, "AtmosphericDrag"),
+    "drag": (DRAG + "air_rate = 0\n", "AtmosphericDrag"),
     "thinning air": (DRAG + "orbit_of = \"attractor\"\nscale_height = 1e5\ndensity_radius = 7000\n"
                      "air_rate = \"361 deg/d\"\nair_pole = [0.1, -0.2, 0.7]\nexit_speed = 0.5\n",
                      "AtmosphericDrag"),

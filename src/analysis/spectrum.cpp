@@ -354,6 +354,27 @@ Spectrum Analysis::result(double start, double interval) const {
   return made;
 }
 
+// The power of two by which samples are divided, since squares and their products are taken: 0
+// unless these would leave the range of double.
+int exponent_of(const std::vector<Complex>& samples) {
+  constexpr int most = 200;
+  double largest = 0.0;
+  for (const Complex& x : samples)
+    for (const double part : {x.real(), x.imag()}) largest = std::max(largest, std::fabs(part));
+  const int exponent = largest > 0.0 ? std::ilogb(largest) : 0;
+  return std::abs(exponent) > most ? exponent : 0;
+}
+void scale(std::vector<Complex>& samples, int exponent) {
+  if (exponent == 0) return;
+  for (Complex& x : samples) x = {std::ldexp(x.real(), exponent), std::ldexp(x.imag(), exponent)};
+}
+void scale(Spectrum& of, int exponent) {
+  if (exponent == 0) return;
+  for (double* const x : {&of.mean, &of.residual, &of.size}) *x = std::ldexp(*x, exponent);
+  for (SpectralLine& line : of.lines)
+    for (double* const x : {&line.amplitude, &line.amplitude_error}) *x = std::ldexp(*x, exponent);
+}
+
 template <class Sample>
 Spectrum analysed(double start, double interval, std::span<const Sample> samples,
                   const SpectrumOptions& options) {
@@ -378,9 +399,13 @@ Spectrum analysed(double start, double interval, std::span<const Sample> samples
                       std::to_string(lines) + (lines == 1 ? " line" : " lines") +
                       "; expected 8 samples or more, and 1 to " +
                       std::to_string(std::max(most, 1)) + " lines with so many");
+  const int exponent = exponent_of(values);
+  scale(values, -exponent);
   Analysis analysis(std::move(values), is_real, lines, options);
   analysis.run();
-  return analysis.result(start, interval);
+  Spectrum found = analysis.result(start, interval);
+  scale(found, exponent);
+  return found;
 }
 
 }  // namespace

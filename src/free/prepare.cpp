@@ -45,7 +45,8 @@ void require_preparable(const char* function, const Body& body, const RotorState
   // 2^rate is not a normal double
   if (scale.rate() < Limits::min_exponent - 1 || scale.rate() >= Limits::max_exponent)
     throw DomainError(name() + ": g " + tuple_text({s.g.x, s.g.y, s.g.z}) + " over moments " +
-                      tuple_text({I.x, I.y, I.z}) + " is a rate beyond double range");
+                      tuple_text({I.x, I.y, I.z}) + " is a rate too " +
+                      (scale.rate() < 0 ? "small" : "large") + " for a double");
 }
 
 template FreeKernel prepared_kernel<double>(const Vec3&, const RotorState&, const double&);

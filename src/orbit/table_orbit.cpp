@@ -2,6 +2,7 @@
 #include "polhode/orbit/table_orbit.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <numbers>
 #include <string>
 
@@ -15,6 +16,9 @@ namespace {
 
 constexpr std::size_t usual_nodes = 10;
 constexpr std::size_t usual_nodes_with_velocities = 6;
+// At the ends of a table: an order of 12, which magnifies rounding by less than 100 there.
+constexpr std::size_t most_end_nodes = 12;
+constexpr std::size_t most_end_nodes_with_velocities = 6;
 
 [[noreturn]] void fail(const std::string& what) { throw DomainError("TableOrbit: " + what); }
 [[noreturn]] void fail_at(std::size_t row, const std::string& what) {
@@ -46,8 +50,7 @@ std::size_t nodes_of(const PositionTable& table, int order, std::size_t most) {
     const std::size_t least = slopes ? 2 : 4;
     if (rows < least)
       fail(std::to_string(rows) + " rows must be " + std::to_string(least) + " at least");
-    const std::size_t usual = slopes ? usual_nodes_with_velocities : usual_nodes;
-    return std::min(usual, rows - rows % 2);
+    return std::min(slopes ? usual_nodes_with_velocities : usual_nodes, rows - rows % 2);
   }
   const int largest = static_cast<int>(most) * per_node;
   if (order < 2 * per_node || order > largest || order % (2 * per_node) != 0)
@@ -87,36 +90,40 @@ TableOrbit::TableOrbit(PositionTable table, int order, double overhang) {
     fail("overhang " + detail::number_text(overhang) + " must be from 0 to the mean spacing " +
          detail::number_text(spacing));
   std::vector<double> places;
-  const std::size_t windows = even ? 1 : t.size() - nodes + 1;
+  const bool slopes = !table.velocities.empty();
+  const std::size_t end_nodes =
+      std::min(nodes, slopes ? most_end_nodes_with_velocities : most_end_nodes);
+  const std::size_t sets = even ? (nodes - end_nodes) / 2 + 1 : t.size() - 1;
   for (std::size_t k = 0; k < (even ? nodes : t.size()); ++k)
     places.push_back(even ? static_cast<double>(k) : (t[k] - first) * rate);
   data_ = std::make_shared<Data>(Data{std::move(table),
                                       nodes,
+                                      end_nodes,
                                       even,
                                       spacing,
                                       rate,
                                       overhang,
                                       {},
-                                      std::vector<Weights>(windows * nodes)});
-  for (std::size_t window = 0; window < windows; ++window) weigh(window, places);
+                                      std::vector<Weights>(sets * nodes)});
+  for (std::size_t i = 0; i < sets; ++i)
+    weigh(i * nodes, even ? Window{0, end_nodes + 2 * i} : window(i), places);
   if (!even) data_->places = std::move(places);
 }
 
-void TableOrbit::weigh(std::size_t window, std::span<const double> places) {
-  const std::size_t n = data_->nodes;
-  for (std::size_t k = 0; k < n; ++k) {
+void TableOrbit::weigh(std::size_t at, const Window& window, std::span<const double> places) {
+  for (std::size_t k = 0; k < window.count; ++k) {
     double product = 1.0, sum = 0.0;
-    for (std::size_t j = 0; j < n; ++j) {
+    for (std::size_t j = 0; j < window.count; ++j) {
       if (j == k) continue;
-      const double apart = places[window + k] - places[window + j];
+      const double apart = places[window.first + k] - places[window.first + j];
       product *= apart;
       sum += 1.0 / apart;
     }
     const double weight = 1.0 / product;
     if (!std::isfinite(weight) || weight == 0.0)
-      fail("time " + detail::number_text(data_->table.times[window + k]) +
+      fail("time " + detail::number_text(data_->table.times[window.first + k]) +
            " must not be that much nearer to its neighbours than others are");
-    data_->weights[n * window + k] = {weight, has_velocities() ? -2.0 * sum : 0.0};
+    data_->weights[at + k] = {weight, has_velocities() ? -2.0 * sum : 0.0};
   }
 }
 
@@ -129,6 +136,31 @@ double TableOrbit::time_scale() const {
     rate = std::max(rate, angle / (t[k] - t[k - 1]));
   }
   return rate > 0.0 ? 0.5 * std::numbers::pi / rate : std::numeric_limits<double>::infinity();
+}
+
+double interpolation_error(const TableOrbit& orbit, ErrorSize size) {
+  constexpr std::size_t most_looks = 50000;
+  const PositionTable& table = orbit.table();
+  const std::vector<double>& t = table.times;
+  const int step = orbit.has_velocities() ? 4 : 2;  // two rows
+  // the lowest order has none below it: the next two above tell as much
+  const int least = std::max(step, orbit.order() - 2 * step);
+  const auto rows_for = [&](int order) { return static_cast<std::size_t>(2 * order / step); };
+  if (orbit.order() == step && t.size() < rows_for(2 * step))
+    return std::numeric_limits<double>::quiet_NaN();
+  const TableOrbit lower(table, orbit.order() == step ? 2 * step : orbit.order() - step);
+  const TableOrbit lowest(table, least);
+  const std::size_t stride = 1 + (t.size() - 2) / most_looks;
+  double largest = 0.0;
+  for (std::size_t k = 1; k < t.size(); k += stride) {
+    const double middle = t[k - 1] + 0.5 * (t[k] - t[k - 1]);
+    const Vec3 x = orbit.position(middle), below = lower.position(middle);
+    const double gap = norm(x - below), before = norm(below - lowest.position(middle));
+    const double error = gap < before ? gap * (gap / before) : gap;
+    const double of_size = size == ErrorSize::relative ? error / norm(x) : error;
+    if (of_size > largest) largest = of_size;
+  }
+  return largest;
 }
 
 std::size_t TableOrbit::row_before(double u) const {

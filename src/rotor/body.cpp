@@ -20,8 +20,10 @@ constexpr double eps = std::numeric_limits<double>::epsilon();
 
 // By how many eps of the largest moment I3 may exceed I1 + I2.
 constexpr double flat_slack = 4.0;
-// What the eigen-solver may add to it for a flat body.
-constexpr double solver_slack = 32.0;
+// By what part of the largest moment a tensor may exceed it. A plate that was moved by the parallel
+// axis theorem and back has lost (distance / size)^2 eps: 1e-10 when a plate of 1 m went 1 km.
+// Digits of a file that were rounded, 1e-6 and more, are still rejected.
+constexpr double tensor_slack = 1e-9;
 
 int largest(const Vec3& m) { return m.x < m.y ? (m.y < m.z ? 2 : 1) : (m.x < m.z ? 2 : 0); }
 
@@ -65,6 +67,15 @@ void require_symmetric(const Mat3& t) {
       }
     }
   }
+}
+
+// The largest moment of a tensor, which rounding has made larger than those of any body, becomes
+// that of a flat one.
+Vec3 possible(Vec3 m) {
+  const double over = excess(m);
+  const int i = largest(m);
+  if (over > 0.0 && over * eps <= tensor_slack) m[i] = m[(i + 1) % 3] + m[(i + 2) % 3];
+  return m;
 }
 
 // The principal axes as columns, in the order and with the signs of the proper rotation that is
@@ -114,7 +125,8 @@ Body Body::from_tensor(const Mat3& t) {
   require_symmetric(t);
   if (t(0, 1) == 0.0 && t(0, 2) == 0.0 && t(1, 2) == 0.0 && t(1, 0) == 0.0 && t(2, 0) == 0.0 &&
       t(2, 1) == 0.0) {
-    const Vec3 moments{t(0, 0), t(1, 1), t(2, 2)};
+    const Vec3 given{t(0, 0), t(1, 1), t(2, 2)};
+    const Vec3 moments = excess(given) > flat_slack ? possible(given) : given;
     require_moments("Body::from_tensor", moments);
     return Body(moments, Quaternion{});
   }
@@ -123,15 +135,10 @@ Body Body::from_tensor(const Mat3& t) {
     for (int j = 0; j < 3; ++j) tensor(i, j) = 0.5 * t(i, j) + 0.5 * t(j, i);
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(tensor);
-  PrincipalAxes axes = nearest_to_identity(solver.eigenvalues(), solver.eigenvectors());
-  // The solver's rounding must not turn a flat body into an impossible one.
-  const double over = excess(axes.moments);
-  if (over > 0.0 && over <= solver_slack) {
-    const int i = largest(axes.moments);
-    axes.moments[i] = axes.moments[(i + 1) % 3] + axes.moments[(i + 2) % 3];
-  }
-  require_moments("Body::from_tensor", axes.moments);
-  return Body(axes.moments, attitude(transpose(axes.columns)));
+  const PrincipalAxes axes = nearest_to_identity(solver.eigenvalues(), solver.eigenvectors());
+  const Vec3 moments = possible(axes.moments);
+  require_moments("Body::from_tensor", moments);
+  return Body(moments, attitude(transpose(axes.columns)));
 }
 
 Body Body::with_axes(const Vec3& moments, const Quaternion& q_FB) {

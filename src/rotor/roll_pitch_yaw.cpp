@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace polhode {
 inline namespace v0 {
@@ -11,21 +12,29 @@ namespace {
 // Of cos(pitch), below which roll and yaw are one angle.
 constexpr double upright = 4.0 * std::numeric_limits<double>::epsilon();
 
+double within_half_turn(double angle) {
+  const double wrapped = std::remainder(angle, 2.0 * std::numbers::pi);
+  return wrapped == -std::numbers::pi ? std::numbers::pi : wrapped;
+}
+
 }  // namespace
 
+// With p = pitch/2 and half the sum and half the difference of yaw and roll, q has
+// z + x = (cos p - sin p) sin(sum), w - y = (cos p - sin p) cos(sum),
+// z - x = (cos p + sin p) sin(difference), w + y = (cos p + sin p) cos(difference).
+// Next to +-90 degrees one of the two angles is ill-determined, and enters the attitude times a
+// factor that is as small. The elements of the matrix mix both.
 RollPitchYaw roll_pitch_yaw(const Quaternion& q) {
-  // the matrix R of v_S = R v_B, row by row
-  const double xx = q.w * q.w + q.x * q.x - q.y * q.y - q.z * q.z;
-  const double yx = 2.0 * (q.x * q.y + q.w * q.z), zx = 2.0 * (q.x * q.z - q.w * q.y);
-  const double cosine = std::hypot(xx, yx);
-  const double pitch = std::atan2(-zx, cosine);
-  if (cosine <= upright * std::fabs(zx)) {
-    const double yy = q.w * q.w - q.x * q.x + q.y * q.y - q.z * q.z;
-    return {std::atan2(-2.0 * (q.y * q.z - q.w * q.x), yy), pitch, 0.0};
+  const double below = std::hypot(q.z + q.x, q.w - q.y), above = std::hypot(q.z - q.x, q.w + q.y);
+  const double cosine = below * above, sine = 2.0 * (q.w * q.y - q.x * q.z);
+  const double pitch = std::atan2(sine, cosine);
+  const double sum = std::atan2(q.z + q.x, q.w - q.y);
+  const double difference = std::atan2(q.z - q.x, q.w + q.y);
+  if (cosine <= upright * std::fabs(sine)) {
+    const double roll = sine > 0.0 ? -2.0 * difference : 2.0 * sum;
+    return {within_half_turn(roll), pitch, 0.0};
   }
-  const double zy = 2.0 * (q.y * q.z + q.w * q.x);
-  const double zz = q.w * q.w - q.x * q.x - q.y * q.y + q.z * q.z;
-  return {std::atan2(zy, zz), pitch, std::atan2(yx, xx)};
+  return {within_half_turn(sum - difference), pitch, within_half_turn(sum + difference)};
 }
 
 Quaternion attitude(const RollPitchYaw& a) {

@@ -12,7 +12,6 @@
 #include "run/detail/experiment_parts.hpp"
 #include "run/detail/spin_lines.hpp"
 #include "run/detail/summary_lines.hpp"
-#include "run/detail/table_error.hpp"
 #include "text/json.hpp"
 
 namespace polhode {
@@ -56,16 +55,12 @@ std::string orbit_text(const Units& units, const ScenarioOrbit& orbit) {
                      units.from_core(table->last_time(), Dimension::time), units.time());
 }
 
-// What the rows of a file leave open between them.
+// The error between the rows of a file.
 void add_interpolation(Lines& lines, const ScenarioOrbit& orbit) {
-  constexpr double coarse = 1e-4;
-  const auto* table = std::get_if<TableOrbit>(&orbit.motion);
-  if (table == nullptr || !orbit.is_sampled) return;
-  const std::optional<double> error = detail::interpolation_error(*table);
-  if (!error) return;
+  if (!orbit.interpolation_error) return;
   lines.text("orbit_" + orbit.name + "_error", "orbit " + orbit.name + ": interpolation error",
-             fmt::format("about {:.0e} of the distance{}", *error,
-                         *error > coarse ? ": too few rows a turn" : ""));
+             fmt::format("about {:.0e} of the distance{}", *orbit.interpolation_error,
+                         orbit.warnings.empty() ? "" : ": rows are too far apart"));
 }
 
 // What the doubles of the input leave open at the end of a free rotation.
@@ -80,6 +75,42 @@ void add_sensitivity(Lines& lines, const Rotation& rotation, const Units& units,
   lines.number("rounding_sensitivity", "an input rounding moves the end by",
                units.to_core(std::stod(fmt::format("{:.0e}", moved)), Dimension::angle),
                Dimension::angle);
+}
+
+// "3 x 2 x 1 m, area 22 m2, 12 facets"
+std::string size_text(const FacetShape& mesh, const Units& units) {
+  Vec3 least = mesh.vertices().front(), most = least;
+  for (const Vec3& x : mesh.vertices())
+    for (int i = 0; i < 3; ++i) {
+      least[i] = std::fmin(least[i], x[i]);
+      most[i] = std::fmax(most[i], x[i]);
+    }
+  const auto length = [&](int i) { return units.from_core(most[i] - least[i], Dimension::length); };
+  return fmt::format("{:.4g} x {:.4g} x {:.4g} {}, area {:.4g} {}, {} facets", length(0), length(1),
+                     length(2), units.label(Dimension::length),
+                     units.from_core(mesh.area(), Dimension::area), units.label(Dimension::area),
+                     mesh.triangles().size());
+}
+void add_meshes(Lines& lines, const Rotation& rotation, const Units& units) {
+  if (rotation.shape)
+    lines.text("shape", "shape " + rotation.shape->file, size_text(rotation.shape->mesh, units));
+  for (std::size_t i = 0; i < rotation.surface_meshes.size(); ++i) {
+    const NamedMesh& one = rotation.surface_meshes[i];
+    lines.text("surface_" + std::to_string(i + 1), "surface " + one.file,
+               size_text(one.mesh, units));
+  }
+}
+
+// The numbers of the torques, and in every table of the model what it leaves to defaults.
+void add_values(Lines& lines, const Scenario& scenario) {
+  for (const TableValues& of : model_values(scenario)) {
+    std::string key = of.table;
+    std::replace_if(
+        key.begin(), key.end(), [](char c) { return c == '.' || c == '[' || c == '-'; }, '_');
+    std::erase(key, ']');
+    if (of.table.starts_with("perturbation")) lines.text(key + "_values", of.table, of.given);
+    lines.text(key + "_defaults", of.table + ", not in the file", of.defaults);
+  }
 }
 
 // What moves the body, apart from its own spin.
@@ -175,13 +206,17 @@ std::vector<SummaryLine> detail::summary(const Rotation& rotation, const Scenari
   add_sensitivity(lines, rotation, scenario.units(), motion);
   lines.text("epoch", "epoch (t = 0)", rotation.epoch);
   if (!rotation.epoch.empty() && is_dubious(epoch_date(rotation.epoch)))
-    lines.text("epoch_note", "of the epoch", "leap seconds of UTC are not known for this year");
+    lines.text("epoch_note", "of the epoch",
+               "leap seconds of UTC are not known for this year; give the epoch in TT or TDB to be "
+               "free of them");
   lines.text("axes", "inertial axes", rotation.axes);
   const Quaternion& q = motion.body().q_FB();
   if (!(q == Quaternion{}))
     lines.numbers("principal_axes", "principal axes in those of the tensor (quaternion)",
                   {q.w, q.x, q.y, q.z}, Dimension::number);
   add_motion(lines, rotation, scenario.units(), scenario.document.kinds->charts());
+  add_meshes(lines, rotation, scenario.units());
+  add_values(lines, scenario);
   add_doubts(lines, rotation, scenario);
   return lines.take();
 }

@@ -24,14 +24,17 @@ void Diagnostics::add(Position where, std::string_view path, std::string_view te
                   printable(path, longest_path) + ": " + printable(text, longest_text)});
 }
 
-void Diagnostics::raise() const {
-  if (entries_.empty()) return;
+std::string Diagnostics::text() const {
   std::vector<Entry> sorted = entries_;
   std::stable_sort(sorted.begin(), sorted.end(),
                    [](const Entry& a, const Entry& b) { return a.where < b.where; });
   std::string lines;
   for (const Entry& entry : sorted) lines += (lines.empty() ? "" : "\n") + entry.line;
-  throw ScenarioError(lines);
+  return lines;
+}
+
+void Diagnostics::raise() const {
+  if (!entries_.empty()) throw ScenarioError(text());
 }
 
 }  // namespace detail

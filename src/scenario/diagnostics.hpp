@@ -24,7 +24,9 @@ class Diagnostics {
   explicit Diagnostics(std::string_view name);
   void add(Position where, std::string_view path, std::string_view text);
   bool full() const { return entries_.size() >= most_diagnostics; }
-  // Throws ScenarioError with one line per error, unless there is none.
+  // One line per error.
+  std::string text() const;
+  // Throws ScenarioError with that text, unless there is none.
   void raise() const;
 
  private:

@@ -222,7 +222,12 @@ class RotationBuilder {
     add_frame(rotation, at_);
     same_axes_ = base_ != nullptr && rotation.q_file == base_->rotation.q_file;
     same_surface_ = same_axes_ && keeps({"surface["}) && rotation.shape == base_->rotation.shape;
-    rotation.surface = same_surface_ ? base_->rotation.surface : surface_of(rotation, values, name);
+    if (same_surface_) {
+      rotation.surface = base_->rotation.surface;
+      rotation.surface_meshes = base_->rotation.surface_meshes;
+    } else {
+      add_surface(rotation, values, name);
+    }
     add_terms(made);
     if (const TumblerState* tumbler = std::get_if<TumblerState>(&rotation.state))
       require_psi(values, body, *tumbler, at_.units, name);

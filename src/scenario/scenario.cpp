@@ -101,6 +101,35 @@ Scenario scenario_from_text(std::string_view text, const std::string& path, cons
           std::move(ensemble)};
 }
 
+std::vector<TableValues> model_values(const Scenario& scenario) {
+  constexpr std::string_view tables[] = {"body", "orbit.", "frame.", "perturbation[", "surface["};
+  std::vector<TableValues> all;
+  for (const std::string_view wanted : tables) {
+    const std::size_t first = all.size();
+    for (const auto& [path, value] : scenario.document.checked->values) {
+      const std::string_view table = key_table(path);
+      if (!path.starts_with(wanted) || table.empty() || value.key->type == KeyType::table) continue;
+      auto found = std::find_if(all.begin() + static_cast<std::ptrdiff_t>(first), all.end(),
+                                [&](const TableValues& one) { return one.table == table; });
+      if (found == all.end()) found = all.insert(all.end(), {std::string(table), "", ""});
+      std::string& text = value.is_explicit ? found->given : found->defaults;
+      text += (text.empty() ? "" : ", ") + std::string(key_name(path)) + " = " + value.shown;
+    }
+  }
+  return all;
+}
+
+std::vector<std::string> warnings(const Scenario& scenario) {
+  std::vector<std::string> all;
+  const auto add = [&](const std::vector<std::string>& some) {
+    all.insert(all.end(), some.begin(), some.end());
+  };
+  if (const auto* const rotation = std::get_if<Rotation>(&scenario.experiment))
+    for (const ScenarioOrbit& orbit : rotation->orbits) add(orbit.warnings);
+  if (const auto* const of = std::get_if<Obliquity>(&scenario.experiment)) add(of->warnings);
+  return all;
+}
+
 Scenario read_scenario(const std::string& path, const Kinds& kinds,
                        std::span<const ScenarioChange> changes) {
   const std::string text = file_text(path);

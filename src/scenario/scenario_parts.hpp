@@ -38,9 +38,8 @@ std::shared_ptr<const ScenarioShape> shape_of(const Values& values, const std::s
 FacetShape mesh_of(const Values& values, const std::string& path, const std::string& name);
 // "perturbation[0]", ... of the tables of an array.
 std::vector<std::string> array_paths(const Values& values, const std::string& array);
-// All tables [[surface]], along the principal axes; body and shape are there.
-std::shared_ptr<const Surface> surface_of(const Rotation& rotation, const Values& values,
-                                          const std::string& name);
+// All tables [[surface]], along the principal axes, into the rotation, which has body and shape.
+void add_surface(Rotation& rotation, const Values& values, const std::string& name);
 // The orbit whose name the value at `path` is.
 const ScenarioOrbit& orbit_named(const std::vector<ScenarioOrbit>& orbits, const Values& values,
                                  const std::string& path, const std::string& name);

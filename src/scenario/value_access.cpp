@@ -67,8 +67,8 @@ bool is_explicit(const Values& values, std::string_view path) {
 }
 bool has(const Values& values, std::string_view path) { return values.contains(path); }
 
-void refuse(const Values& values, std::string_view path, const std::string& name,
-            std::string_view message) {
+std::string message_at(const Values& values, std::string_view path, const std::string& name,
+                       std::string_view message) {
   const std::string place = blamed(values, path, message);
   const bool is_there = has(values, place);
   const Value* value = placed(values, place);
@@ -76,8 +76,12 @@ void refuse(const Values& values, std::string_view path, const std::string& name
   if (is_there) got = value->key->type == KeyType::table ? "" : "got " + value->shown + "; ";
   Diagnostics diagnostics(name);
   diagnostics.add(value == nullptr ? Position{} : value->where, place, got + std::string(message));
-  diagnostics.raise();
-  throw std::logic_error("a diagnostic that does not raise");
+  return diagnostics.text();
+}
+
+void refuse(const Values& values, std::string_view path, const std::string& name,
+            std::string_view message) {
+  throw ScenarioError(message_at(values, path, name, message));
 }
 
 void require_range(const Values& values, std::string_view path, const std::string& name) {

@@ -24,6 +24,10 @@ int sign(const Values& values, std::string_view path);
 bool is_explicit(const Values& values, std::string_view path);
 bool has(const Values& values, std::string_view path);
 
+// "FILE:LINE:COLUMN: KEY: got VALUE; MESSAGE", of the place of `path`, or of that of the key in it
+// that the message names.
+std::string message_at(const Values& values, std::string_view path, const std::string& name,
+                       std::string_view message);
 // Throws a ScenarioError at the place of `path`, or at that of the key in it that the message
 // names.
 [[noreturn]] void refuse(const Values& values, std::string_view path, const std::string& name,

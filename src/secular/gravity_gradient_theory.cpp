@@ -59,12 +59,13 @@ struct GravityGradientTheory::Parts {
   detail::GravityGradientRequest request;
   Quaternion orbit_axes;  // to inertial axes
   std::size_t term_count;
+  double rate_error;
   Series<double> mean_hamiltonian;
   std::vector<CompiledSeries> rates;          // of phi_l, phi_g, phi_h, and -I_h
   std::vector<CompiledSeries> short_periods;  // of the elements, in their order
 
   static std::shared_ptr<const Parts> of(const detail::GravityGradientRequest& request) {
-    const auto [transform, term_count] = detail::transformed(request);
+    const auto [transform, term_count, largest_angle, left_out] = detail::transformed(request);
     const int order = request.options.order;
     const auto compiled = [&](const Local& series) {
       return CompiledSeries(in_displacements(series, order));
@@ -73,11 +74,24 @@ struct GravityGradientTheory::Parts {
     std::vector<CompiledSeries> rates, short_periods;
     for (const char* const symbol : {"I_l", "I_g", "I_h", "phi_h"})
       rates.push_back(compiled(derivative(K, symbol)));
+    // The next order: smaller than the last one by the largest short period, and some more.
+    constexpr double more = 3.0;
+    double truncated = 0.0;
+    for (const char* const symbol : {"I_l", "I_g", "I_h"}) {
+      double rate = 0.0;
+      const Local last =
+          part_of_order(derivative(K, symbol), detail::gradient_orders(order), order);
+      for (const auto& term : last.terms()) rate += std::abs(term.c.constant());
+      truncated = std::max<double>(truncated, more * rate * largest_angle);
+    }
+    const double turning =
+        request.at.I_g /
+        std::min({request.body.moments().x, request.body.moments().y, request.body.moments().z});
     for (const char* const symbol : element_names)
       short_periods.push_back(compiled(transform.short_period(symbol)));
-    return std::make_shared<const Parts>(Parts{request, axes_of(request.orbit.elements()),
-                                               term_count, in_displacements(K, order),
-                                               std::move(rates), std::move(short_periods)});
+    return std::make_shared<const Parts>(Parts{
+        request, axes_of(request.orbit.elements()), term_count, truncated + left_out * turning,
+        in_displacements(K, order), std::move(rates), std::move(short_periods)});
   }
 
   double mean_anomaly(const DoubleDouble& t) const {
@@ -237,6 +251,7 @@ MeanRotation GravityGradientTheory::reference() const { return rotation_of(parts
 const Series<double>& GravityGradientTheory::mean_hamiltonian() const {
   return parts_->mean_hamiltonian;
 }
+double GravityGradientTheory::rate_error() const { return parts_->rate_error; }
 std::size_t GravityGradientTheory::term_count() const { return parts_->term_count; }
 
 }  // namespace v0

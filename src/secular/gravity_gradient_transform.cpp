@@ -35,10 +35,16 @@ double rate_by(const Local& h0, const char* action) {
 
 double size_of(const Term<ActionTaylor>& term) { return std::abs(term.c.constant()); }
 
-// Periodic terms as small as `least` are left out. Those of which products with the largest are are
-// of the second order: they enter alone.
-Local by_size(const Local& gradient, const Rates& rates, double I_g,
-              const GravityGradientOptions& options) {
+// Left out are periodic terms that move angles by less than `least`; those whose products with the
+// largest do so are of the second order: they enter alone. The mean actions are off by as much, and
+// with them the mean rates.
+struct Selection {
+  Local terms;
+  double largest_angle;  // moved by a periodic term
+  double left_out;       // of the mean rates, rad per rad of rotation
+};
+Selection by_size(const Local& gradient, const Rates& rates, double I_g,
+                  const GravityGradientOptions& options) {
   const Symbols& names = gradient.symbols();
   const auto is_periodic = [&](const Term<ActionTaylor>& term) {
     return multiplier(names, term.key, 0) != 0 || multiplier(names, term.key, 1) != 0 ||
@@ -55,17 +61,24 @@ Local by_size(const Local& gradient, const Rates& rates, double I_g,
   constexpr double rounding = 1e-15;
   const int k = names.variable("k");
   std::vector<Term<ActionTaylor>> terms;
+  double left_out = 0.0;
   for (const auto& term : gradient.terms()) {
     if (!(size_of(term) > rounding * largest)) continue;
     Term<ActionTaylor> kept = term;
     if (is_periodic(term)) {
-      if (!(angle_moved(term) > options.least)) continue;
-      if (options.order == 2 && angle_moved(term) * most < options.least)
+      const double moved = angle_moved(term);
+      if (!(moved > options.least)) {
+        left_out += moved;
+        continue;
+      }
+      if (options.order == 2 && moved * most < options.least) {
+        left_out += moved * most;
         kept.key.exponents = names.exponents().with(kept.key.exponents, k, 1);
+      }
     }
     terms.push_back(kept);
   }
-  return Local(names, std::move(terms));
+  return {Local(names, std::move(terms)), most, left_out};
 }
 
 // k.H_0''.k of the angles of a term.
@@ -166,7 +179,7 @@ GravityGradientTransform transformed(const GravityGradientRequest& s) {
   const Local gradient = gradient_series(names, tensor, orbit, s.at, 1.5 * s.gm / (a * a * a));
   const Local h0 = constant(names, tensor.energy);
   const Rates rates{rate_by(h0, "I_l"), rate_by(h0, "I_g"), s.orbit.mean_motion()};
-  const Local kept = by_size(gradient, rates, s.at.I_g, s.options);
+  const auto [kept, largest_angle, left_out] = by_size(gradient, rates, s.at.I_g, s.options);
   require_no_resonance(kept, h0, rates, s.options.averages_orbit);
   Elimination<ActionTaylor> problem{
       h0 + kept, gradient_orders(s.options.order), {"phi_l", "phi_g"}};
@@ -175,7 +188,7 @@ GravityGradientTransform transformed(const GravityGradientRequest& s) {
   LieTransform<ActionTaylor> transform(std::move(problem));
   require_no_resonance(transform.generator(), h0, rates);
   require_small(transform, s);
-  return {std::move(transform), kept.size()};
+  return {std::move(transform), kept.size(), largest_angle, left_out};
 }
 
 }  // namespace detail

@@ -23,6 +23,8 @@ void require_valid(const GravityGradientRequest& request);
 struct GravityGradientTransform {
   LieTransform<ActionTaylor> transform;
   std::size_t term_count;  // of the gravity gradient
+  double largest_angle;    // by which a term of the first order moves an angle, rad
+  double left_out;         // of the mean rates, rad per rad of rotation
 };
 // In the variables I_l, I_g, I_h and k, and the angles phi_l, phi_g, phi_h and M. k counts orders.
 GravityGradientTransform transformed(const GravityGradientRequest& request);

@@ -133,6 +133,17 @@ ElementTable::ElementTable(std::vector<double> times, std::span<const OrbitEleme
       }()),
       plane_({std::move(times), planes(rows)}, order) {}
 
+double ElementTable::interpolation_error() const {
+  double worst = 0.0;
+  for (const TableOrbit* const part : {&ellipse_, &plane_}) {
+    double size = 0.0;
+    for (const Vec3& x : part->table().positions) size = std::max<double>(size, norm(x));  // no NaN
+    const double error = polhode::interpolation_error(*part, ErrorSize::absolute);
+    if (!(error <= worst * size)) worst = error / size;
+  }
+  return worst;
+}
+
 ElementSeries::ElementSeries(std::vector<SeriesTerm> ellipse, std::vector<SeriesTerm> plane)
     : ellipse_(std::move(ellipse)), plane_(std::move(plane)) {
   for (const std::vector<SeriesTerm>* const terms : {&ellipse_, &plane_}) {

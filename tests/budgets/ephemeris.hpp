@@ -54,4 +54,10 @@ inline constexpr double delaunay_rates = 1e-9;
 // rad: a rounding of the date, times the rates of the arguments.
 inline constexpr double iau_nutation = 1e-16;
 
+// Orientation and dipole of the Earth (tests/unit/ephemeris/earth.cpp); the oracles are rough.
+inline constexpr double earth_meridian_deg = 0.002;
+inline constexpr double earth_pole_arcsec = 20.0;
+inline constexpr double igrf_nT = 0.1;
+inline constexpr double earth_rotation = 1e-14;
+
 }  // namespace polhode::budget

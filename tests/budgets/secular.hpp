@@ -101,12 +101,17 @@ inline constexpr double transform_size_extrapolated = 2.0;
 // Radians and relative momentum, of first order, after ten units of time.
 inline constexpr double lie_first_order = 5e-3;
 
+// After 3000 rad of rotation, rad; the estimate of a drift, of what it is.
+inline constexpr double gravity_theory_drift = 1e-9;
+inline constexpr double gravity_theory_told = 100.0;
+
 // --- normal form of the rotor (tests/unit/secular/triaxial_normal_form.cpp) ---
 // At order 8 and triaxiality 0.01: relative; rad and over G.
 inline constexpr double normal_form_frequencies = 1e-14;
 inline constexpr double normal_form_angles = 1e-14;
 // Of log-log slopes of the error; what they should be is an integer.
 inline constexpr double normal_form_slope = 0.5;
+inline constexpr double normal_form_estimate = 1.5;  // errors, of what is estimated
 // python/tests/test_normal_form.py: the same over 40 units of time; rad and relative.
 inline constexpr double normal_form_motion = 1e-13;
 // Mean rotation under a gravity gradient (tests/unit/secular/gravity_gradient_theory.cpp): slopes

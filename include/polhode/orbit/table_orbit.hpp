@@ -8,9 +8,11 @@
 // Units       any; velocities in those of the positions over that of the times.
 // Domain      rising times, evenly spaced or not; order a multiple of 2 up to 16 (with velocities
 //             of 4 up to 32), and as many rows as it needs; left out, 10 (with velocities 12) or
-//             what the rows allow. At the ends the window stays inside. NaN for times outside the
-//             table, or farther outside than an overhang, up to which the polynomials at the ends
-//             go on: for ends that times read from dates miss by their rounding.
+//             what the rows allow. At the ends the window stays inside, and an order above 12
+//             falls to 12 as rows on one side run out, since polynomials of high order magnify
+//             rounding there. NaN for times outside the table, or farther outside than an overhang,
+//             up to which the polynomials at the ends go on: for ends that times read from dates
+//             miss by their rounding.
 // Accuracy    budget table_orbit_*: exact for polynomials of degree order - 1; otherwise an error
 //             of order spacing^order. Positions are continuous, and with velocities their slope
 //             is. In double-double the arithmetic is wide; the rows and weights are not.
@@ -94,13 +96,15 @@ class TableOrbit {
   };
   struct Data {
     PositionTable table;
-    std::size_t nodes;
+    std::size_t nodes;      // of a polynomial, away from the ends
+    std::size_t end_nodes;  // at the ends
     bool even;
     double spacing;  // mean
     double rate;     // 1 / spacing
     double overhang;
-    std::vector<double> places;    // of the times, in spacings from the first; empty where even
-    std::vector<Weights> weights;  // `nodes` for each window; one window where even
+    std::vector<double> places;  // of the times, in spacings from the first; empty where even
+    // `nodes` for each interval of rows; where even, for each number of nodes
+    std::vector<Weights> weights;
   };
 
   template <Real T>
@@ -111,8 +115,23 @@ class TableOrbit {
   bool is_inside(double t) const {
     return t >= first_time() - overhang() && t <= last_time() + overhang();
   }
+  // The rows that a polynomial goes through.
+  struct Window {
+    std::size_t first, count;
+  };
+  Window window(std::size_t row) const {
+    const Data& d = *data_;
+    const std::size_t rows = d.table.times.size();
+    const std::size_t inside = 2 * std::min(row + 1, rows - 1 - row);
+    const std::size_t count = std::clamp(inside, d.end_nodes, d.nodes), half = count / 2 - 1;
+    return {std::min(row > half ? row - half : 0, rows - count), count};
+  }
+  // Where its weights are.
+  std::size_t weights_at(std::size_t row, const Window& window) const {
+    return data_->nodes * (data_->even ? (window.count - data_->end_nodes) / 2 : row);
+  }
   std::size_t row_before(double u) const;
-  void weigh(std::size_t window, std::span<const double> places);
+  void weigh(std::size_t at, const Window& window, std::span<const double> places);
 
   template <Real T>
   BasicVec3<T> interpolated(const T& t, const T& rest) const;
@@ -120,21 +139,27 @@ class TableOrbit {
   std::shared_ptr<Data> data_;
 };
 
+// About the largest error of the polynomials half-way between rows, as a fraction of the distance
+// from the centre, or absolute: the difference from those through two rows less, carried on by how
+// much smaller it is than the one before. NaN for tables that are too short to tell.
+enum class ErrorSize { relative, absolute };
+double interpolation_error(const TableOrbit& orbit, ErrorSize size = ErrorSize::relative);
+
 template <Real T>
 BasicVec3<T> TableOrbit::interpolated(const T& t, const T& rest) const {
   const Data& d = *data_;
   if (!is_inside(to_double(t))) return nowhere<T>();
   const T u = ((t - T(first_time())) + rest) * T(d.rate);
-  const std::size_t n = d.nodes, rows = d.table.times.size();
-  const std::size_t row = row_before(to_double(u)), half = n / 2 - 1;
-  const std::size_t window = std::min(row > half ? row - half : 0, rows - n);
-  const Weights* const w = d.weights.data() + (d.even ? 0 : n * window);
+  const std::size_t row = row_before(to_double(u));
+  const Window around = window(row);
+  const std::size_t n = around.count, first = around.first;
+  const Weights* const w = d.weights.data() + weights_at(row, around);
   // from node to time, and its products from either side: nothing is divided, so nothing is
   // singular at a node
   std::array<T, most_nodes> s, before;
   T product(1.0);
   for (std::size_t k = 0; k < n; ++k) {
-    s[k] = u - T(d.even ? static_cast<double>(window + k) : d.places[window + k]);
+    s[k] = u - T(d.even ? static_cast<double>(first + k) : d.places[first + k]);
     before[k] = product;
     product = product * s[k];
   }
@@ -145,12 +170,12 @@ BasicVec3<T> TableOrbit::interpolated(const T& t, const T& rest) const {
   for (std::size_t k = n; k-- > 0;) {
     const T l = before[k] * product * T(w[k].product);
     product = product * s[k];
-    const Vec3 x = d.table.positions[window + k] - base;
+    const Vec3 x = d.table.positions[first + k] - base;
     if (!has_velocities()) {
       sum = sum + BasicVec3<T>{l * T(x.x), l * T(x.y), l * T(x.z)};
       continue;
     }
-    const Vec3& v = d.table.velocities[window + k];
+    const Vec3& v = d.table.velocities[first + k];
     const T square = l * l, a = square * (T(1.0) + T(w[k].slope) * s[k]);
     const T b = square * s[k] * T(d.spacing);
     sum = sum +

@@ -6,7 +6,9 @@
 // Units       any consistent unit of moment of inertia; the library is scale-free.
 // Domain      three positive moments in any order with Imax <= Imid + Imin (to 4 eps Imax: flat
 //             bodies are allowed and stored as given). Axisymmetric and spherical bodies are
-//             ordinary input. A full tensor must be symmetric to 8 eps of its largest entry.
+//             ordinary input. A full tensor must be symmetric to 8 eps of its largest entry; if its
+//             largest moment exceeds the sum of the others by at most 1e-9 of itself, as that of a
+//             plate moved by the parallel axis theorem and back, it is set to the sum.
 // Accuracy    moments are stored bit for bit; those of a tensor are exact to the rounding of a
 //             symmetric eigen-solver.
 // Errors      DomainError naming the moments and the inequality they break; a zero quaternion.

@@ -6,10 +6,11 @@
 // Units       radians.
 // Domain      any attitude. roll and yaw in (-pi, pi], pitch in [-pi/2, pi/2]; where pitch is at
 //             its ends yaw is 0 and roll holds both.
-// Accuracy    budget roll_pitch_yaw; a rounding of the attitude moves roll and yaw by 1/cos(pitch)
-//             of it.
+// Accuracy    budget roll_pitch_yaw: the angles give the attitude back to rounding, however near to
+//             90 degrees pitch is; a rounding of the attitude moves roll and yaw by 1/cos(pitch) of
+//             it.
 // Errors      none; NaN in, NaN out.
-// Cost        three atan2, a hypot.
+// Cost        three atan2, two hypot.
 #pragma once
 
 #include "polhode/math/quaternion.hpp"

@@ -53,6 +53,9 @@ class KeyValues {
   // "expected ..." at the place of a key; the message is completed by what the file has there.
   [[noreturn]] void refuse(std::string_view key, std::string_view message) const;
 
+  // A message at the same place, for a warning.
+  std::string noted(std::string_view key, std::string_view message) const;
+
   // What a constructor of the library refuses becomes a message at the place of the key.
   template <class Build>
   auto built(std::string_view key, const Build& build) const {

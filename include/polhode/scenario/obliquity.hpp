@@ -28,11 +28,12 @@ using SpinOnHistory = SpinPrecession<OrbitHistory>;
 using TidalSpinOnHistory = TidalPrecession<OrbitHistory>;
 
 struct Obliquity {
-  std::string planet;      // "mars", or empty
-  std::string orbit;       // the name of its table
-  std::string orbit_kind;  // "elements", ...
-  std::string orbit_text;  // "elements mars.csv, 5001 rows"
-  std::string axes;        // "ecliptic-J2000" or "inertial"
+  std::string planet;                 // "mars", or empty
+  std::string orbit;                  // the name of its table
+  std::string orbit_kind;             // "elements", ...
+  std::string orbit_text;             // "elements mars.csv, 5001 rows"
+  std::vector<std::string> warnings;  // of the orbit
+  std::string axes;                   // "ecliptic-J2000" or "inertial"
   OrbitHistory history;
   PrecessionRates rates;
   SpinAxis initial;  // at t = 0

@@ -64,7 +64,8 @@ class OrbitContext : public KeyValues {
 // Elements over ages, without positions: what the kind "obliquity" moves on.
 struct ScenarioHistory {
   OrbitHistory elements;
-  std::string text;  // "elements mars.csv, 5001 rows"
+  std::string text;                        // "elements mars.csv, 5001 rows"
+  std::vector<std::string> warnings = {};  // as those of a ScenarioOrbit
 };
 
 // Texts are constant data: they outlive every kind.

@@ -51,6 +51,12 @@ struct AttitudeRate {
 // [state.CHART]: observers' words and an attitude with a rate are more than numbers of a chart.
 using InitialState = std::variant<TumblerState, AttitudeRate, ChartState>;
 
+// [[surface]] shape = "FILE", in core units of length.
+struct NamedMesh {
+  std::string file;  // as the scenario names it
+  FacetShape mesh;
+};
+
 // [body] shape = "FILE"
 struct ScenarioShape {
   std::string file;       // as the scenario names it
@@ -64,9 +70,11 @@ struct ScenarioOrbit {
   std::variant<KeplerOrbit, PrecessingKeplerOrbit, TableOrbit, TurnedKeplerOrbit> motion;
   std::optional<double> gm;               // of what attracts, where the orbit tells
   std::vector<std::string> sources = {};  // of its positions: "ephemeris", "moon", "oem"
-  std::string text = {};    // of a table: "table iss.csv.gz", "ephemeris, moon from earth"
-  bool is_sampled = false;  // a table of rows as they were given: between them it is interpolated
-  std::string kind = {};    // "kepler", ...
+  std::string text = {};  // of a table: "table iss.csv.gz", "ephemeris, moon from earth"
+  // Of a table of rows as they were given, between them: a part of the distance, estimated.
+  std::optional<double> interpolation_error = std::nullopt;
+  std::vector<std::string> warnings = {};  // "FILE:LINE:COLUMN: ..."
+  std::string kind = {};                   // "kepler", ...
 };
 // The elements of an orbit that has them.
 const KeplerElements* kepler_elements(const ScenarioOrbit& orbit);
@@ -102,6 +110,7 @@ struct Rotation {
   std::vector<ScenarioOrbit> orbits = {};
   std::shared_ptr<const ScenarioShape> shape = nullptr;  // where the body has one
   std::shared_ptr<const Surface> surface = nullptr;      // along the principal axes, or none
+  std::vector<NamedMesh> surface_meshes = {};            // that it was made of, for summaries
   std::vector<AnyPerturbation> terms = {};
   std::optional<KaneDamper> damper = std::nullopt;
   Vec3 damper_rate = {};                        // at t = 0, relative to the body, principal axes

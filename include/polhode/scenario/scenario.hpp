@@ -18,6 +18,7 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "polhode/output/output_plan.hpp"
 #include "polhode/scenario/changes.hpp"
@@ -55,6 +56,16 @@ Scenario scenario_from_text(std::string_view text, const std::string& path,
 Scenario read_scenario(const std::string& path, const Kinds& kinds = default_kinds(),
                        std::span<const ScenarioChange> changes = {});
 
+// What the tables of the model say, and what they leave to defaults: "density = 1e-12, ...".
+struct TableValues {
+  std::string table;  // "perturbation[0]", "orbit.moon"
+  std::string given;
+  std::string defaults;
+};
+// Of [body], [orbit.NAME], [frame.NAME], [[perturbation]] and [[surface]], in this order.
+std::vector<TableValues> model_values(const Scenario& scenario);
+// What a user should know of the file, though it can be run: each "FILE:LINE:COLUMN: KEY: ...".
+std::vector<std::string> warnings(const Scenario& scenario);
 // The times of its rows, whether it has events, and what moves it, of any kind.
 const std::optional<SaveAt>& row_times(const Scenario& scenario);
 bool has_events(const Scenario& scenario);

@@ -22,16 +22,18 @@
 //             states and elements are refused.
 // Accuracy    order N leaves out rates and short periods of order N + 1 in gm: budgets
 //             gravity_theory_*. Close to a resonance the error grows with powers of 1 / (its rate).
-//             Terms that move angles by less than `least`, and at order 2 products that do so in a
-//             radian of rotation, are left out. Angles are doubles: after a million turns they have
-//             1e-9 rad.
+//             Short periods that move angles by less than `least` are left out. The mean actions
+//             are off by as much, so that mean angles drift by some of it in each radian of
+//             rotation. rate_error() estimates the drift, for what is left out and for the next
+//             order: 0.5 to 60 times what was found.
+//             Angles are doubles: after a million turns they have 1e-9 rad.
 // Errors      DomainError for an orbit out of the domain, a sphere, a motion out of it, an order
 //             that is not 1 or 2, a time that is not finite, and a resonance, with its combination
 //             of angles.
-// Cost        8 to 20 ms to make up to e = 0.05, 0.2 s of a triaxial body at e = 0.3 and order 2,
-//             seconds where `least` is 1e-15; a mean state 0.01 to 0.4 ms, an osculating one 0.05
-//             to 0.12 ms; a month of mean elements 0.1 to 0.2 s where M stays
-//             (benchmarks/perturbation_theory.cpp).
+// Cost        to make: 15 ms (axisymmetric, circle) to 0.5 s (triaxial, e = 0.05), 4 s (e = 0.3);
+//             with least = 1e-11 a tenth of that, and a drift of 5e-11 rad per rad. A mean state
+//             0.01 to 0.4 ms, an osculating one 0.05 to 0.12 ms; a month of mean elements 0.1 to
+//             0.2 s where M stays (benchmarks/perturbation_theory.cpp).
 #pragma once
 
 #include <array>
@@ -70,7 +72,7 @@ struct GravityGradientOptions {
   int order = 2;
   // Else M stays in the mean Hamiltonian, and what resonates with it.
   bool averages_orbit = true;
-  double least = 1e-11;  // rad
+  double least = 1e-15;  // rad
 };
 
 // Is a Model (polhode/dynamics/model.hpp): integrate moves its mean elements.
@@ -105,6 +107,8 @@ class GravityGradientTheory {
   const Series<double>& mean_hamiltonian() const;
   // Of the gravity gradient, as far as they are kept.
   std::size_t term_count() const;
+  // By how much the mean angles drift from the motion, estimated: rad per time.
+  double rate_error() const;
 
   // As a Model.
   using Values = std::array<double, 6>;

@@ -92,6 +92,9 @@ class ElementTable {
     const Vec3 of = plane_.position(t);
     return {of.x, of.y, of.z};
   }
+  // About the largest error between rows, of the largest eccentricity or inclination: NaN for too
+  // few rows to tell.
+  double interpolation_error() const;
 
  private:
   TableOrbit ellipse_;

@@ -3,6 +3,8 @@
 #include "charts/propagate.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <string>
@@ -20,9 +22,17 @@ namespace {
 
 using Rotors = Batch<RotorState>;
 
+// Objects, or moments of bodies that are yet to be made.
 struct Bodies {
   Shape shape;
-  std::vector<Body> all;
+  std::vector<Body> all = {};
+  std::optional<Numbers> moments = {};
+
+  Body operator[](std::size_t k) const {
+    if (!moments) return all[k];
+    const double* const I = moments->at(k);
+    return Body(I[0], I[1], I[2]);
+  }
 };
 
 // Nested lists of Body, of one shape.
@@ -89,19 +99,8 @@ Bodies bodies_of(nb::handle items) {
     walk(items);
     return found;
   }
-  const Numbers moments = moments_of(items);
-  found.shape = moments.shape();
-  const std::size_t n = size_of(found.shape);
-  found.all.reserve(n);
-  for_each(n, [&](std::size_t k) {
-    const double* const I = moments.at(k);
-    try {
-      found.all.emplace_back(I[0], I[1], I[2]);
-    } catch (const DomainError& e) {
-      if (found.shape.empty()) throw;
-      throw DomainError(e.what() + index_text(k, found.shape));
-    }
-  });
+  found.moments = moments_of(items);
+  found.shape = found.moments->shape();
   return found;
 }
 
@@ -138,11 +137,63 @@ Grid grid_of(const Shape& motions, const Shape& whole) {
   return grid;
 }
 
+// The bodies of one call that failed, gathered from its threads.
+class Failures {
+ public:
+  void add(std::vector<FailedBody> some, std::size_t offset) {
+    if (some.empty()) return;
+    const std::scoped_lock lock(mutex_);
+    for (FailedBody& one : some) all_.push_back({offset + one.index, std::move(one.reason)});
+  }
+
+  // One state fails as an error; of an array `errors` has the reasons, or a warning the first.
+  void report(const Shape& shape, nb::handle errors) {
+    std::sort(all_.begin(), all_.end(),
+              [](const FailedBody& a, const FailedBody& b) { return a.index < b.index; });
+    if (!all_.empty() && shape.empty()) throw DomainError(all_[0].reason);
+    if (!errors.is_none()) return fill(errors);
+    if (all_.empty()) return;
+    const std::string text =
+        "propagate: " + std::to_string(all_.size()) + " of " + std::to_string(size_of(shape)) +
+        " states are NaN; the first: " + all_[0].reason + index_text(all_[0].index, shape);
+    constexpr Py_ssize_t caller = 2;  // of the wrapper (python/polhode/_signatures.py)
+    if (PyErr_WarnEx(PyExc_RuntimeWarning, text.c_str(), caller) != 0) throw nb::python_error();
+  }
+
+  static void require(nb::handle errors, const Shape& shape) {
+    if (errors.is_none()) return;
+    const bool objects = nb::hasattr(errors, "dtype") && nb::hasattr(errors, "shape") &&
+                         errors.attr("dtype").equal(nb::str("O"));
+    if (!objects)
+      throw nb::type_error(("errors: got a " + class_name(errors) +
+                            "; expected an array of objects, numpy.empty(shape, object)")
+                               .c_str());
+    if (!errors.attr("shape").equal(shape_tuple(shape)))
+      throw nb::value_error(
+          ("errors: got shape " + std::string(nb::str(errors.attr("shape")).c_str()) +
+           "; expected that of the result, " + std::string(nb::str(shape_tuple(shape)).c_str()))
+              .c_str());
+  }
+
+ private:
+  void fill(nb::handle errors) const {
+    errors.attr("fill")(nb::none());
+    const nb::object flat = errors.attr("flat");
+    for (const FailedBody& one : all_) flat[one.index] = nb::str(one.reason.c_str());
+  }
+
+  std::mutex mutex_;
+  std::vector<FailedBody> all_;
+};
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr RotorState nowhere{{nan, nan, nan, nan}, {nan, nan, nan}};
+
 // Of one motion at a time: between two looks at signals.
 constexpr std::size_t most_times = 512;
 
 Rotors propagated_as_short_arcs(const Bodies& of, const Rotors& states, Numbers times,
-                                Numbers epochs, int threads) {
+                                Numbers epochs, int threads, Failures& failures) {
   const Shape pairs = broadcast(of.shape, states.shape(), "bodies", "states");
   const Shape motions = broadcast(pairs, epochs.shape(), "bodies and states", "t0");
   const Shape whole = broadcast(motions, times.shape(), "bodies and states", "t");
@@ -151,14 +202,7 @@ Rotors propagated_as_short_arcs(const Bodies& of, const Rotors& states, Numbers 
   const Lane body_at(of.shape, motions), state_at(states.shape(), motions);
   const Grid grid = grid_of(motions, whole);
   const auto prepared = [&](std::size_t k) {
-    const Body& body = of.all[body_at(k)];
-    const RotorState& s = states[state_at(k)];
-    try {
-      return FreeRotation::short_arc(body, s, epochs[k]);
-    } catch (const DomainError& e) {
-      if (motions.empty()) throw;
-      throw DomainError(e.what() + index_text(k, motions));
-    }
+    return FreeRotation::short_arc(of[body_at(k)], states[state_at(k)], epochs[k]);
   };
   return Rotors::filled(whole, [&](RotorState* out) {
     const std::size_t n = grid.times.size(), parts = (n + most_times - 1) / most_times;
@@ -170,10 +214,21 @@ Rotors propagated_as_short_arcs(const Bodies& of, const Rotors& states, Numbers 
       for (std::size_t k = begin; k < end; ++k) {
         const std::size_t part = k % parts, first = part * most_times;
         const std::size_t count = std::min(most_times, n - first);
-        if (part == 0 || k == begin) motion.emplace(prepared(k / parts));
         const auto place = [&](std::size_t i) {
           return grid.motions[k / parts] + grid.times[first + i];
         };
+        try {
+          if (part == 0 || k == begin || !motion) motion.emplace(prepared(k / parts));
+        } catch (const DomainError& e) {
+          motion.reset();
+          std::vector<FailedBody> failed;
+          for (std::size_t i = 0; i < count; ++i) {
+            out[place(i)] = nowhere;
+            failed.push_back({place(i), e.what()});
+          }
+          failures.add(std::move(failed), 0);
+          continue;
+        }
         for (std::size_t i = 0; i < count; ++i) asked[i] = times[place(i)];
         motion->at(std::span(asked).first(count), std::span(found).first(count));
         for (std::size_t i = 0; i < count; ++i) out[place(i)] = found[i];
@@ -222,45 +277,42 @@ Rows rows_of(Numbers& numbers, std::size_t width, const Shape& whole) {
 constexpr std::size_t least_bodies = 1024;
 
 Rotors propagated(const Rows& moments, const Rows& at_epochs, const Rows& times, const Rows& epochs,
-                  const Shape& whole, int threads) {
+                  const Shape& whole, int threads, Failures& failures) {
   return Rotors::filled(whole, [&](RotorState* out) {
     const auto some = [&](std::size_t begin, std::size_t end) {
       std::vector<double> copies[4];
       const BodyRows rows{moments.part(begin, end, copies[0]),
                           at_epochs.part(begin, end, copies[1]), times.part(begin, end, copies[2]),
                           epochs.part(begin, end, copies[3])};
-      const std::vector<FailedBody> failed = propagate(rows, {out + begin, end - begin});
-      if (failed.empty()) return;
-      const std::string at = whole.empty() ? "" : index_text(begin + failed[0].index, whole);
-      throw DomainError(failed[0].reason + at);
+      failures.add(propagate(rows, {out + begin, end - begin}), begin);
     };
     for_each_part(size_of(whole), some, threads, least_bodies);
   });
 }
 
 Rotors propagated(nb::handle bodies, const Rotors& states, nb::handle t, nb::handle t0,
-                  bool short_arc, int threads) {
+                  bool short_arc, int threads, nb::handle errors) {
   Numbers times(t, "t"), epochs(t0, "t0");
-  std::optional<Bodies> objects;
-  std::optional<Numbers> moments;
-  const nb::object items = listed(bodies);
-  if (short_arc || is_body_within(items))
-    objects = bodies_of(items);
-  else
-    moments = moments_of(items);
-  const Shape& of_bodies = objects ? objects->shape : moments->shape();
-  const Shape pairs = broadcast(of_bodies, states.shape(), "bodies", "states");
+  Bodies of = bodies_of(listed(bodies));
+  const Shape pairs = broadcast(of.shape, states.shape(), "bodies", "states");
   const Shape motions = broadcast(pairs, epochs.shape(), "bodies and states", "t0");
   const Shape whole = broadcast(motions, times.shape(), "bodies and states", "t");
+  Failures::require(errors, whole);
+  Failures failures;
+  const auto reported = [&](Rotors found) {
+    failures.report(whole, errors);
+    return found;
+  };
   if (short_arc)
-    return propagated_as_short_arcs(*objects, states, std::move(times), std::move(epochs), threads);
+    return reported(propagated_as_short_arcs(of, states, std::move(times), std::move(epochs),
+                                             threads, failures));
   if (size_of(whole) == 0) return Rotors::filled(whole, [](RotorState*) {});
   const Rows of_states(states.first(), states.stride(), 7, states.shape(), whole);
-  const Rows of_moments =
-      moments ? rows_of(*moments, 3, whole)
-              : Rows(&objects->all[0].moments().x, sizeof(Body), 3, of_bodies, whole);
-  return propagated(of_moments, of_states, rows_of(times, 1, whole), rows_of(epochs, 1, whole),
-                    whole, threads);
+  const Rows of_moments = of.moments
+                              ? rows_of(*of.moments, 3, whole)
+                              : Rows(&of.all[0].moments().x, sizeof(Body), 3, of.shape, whole);
+  return reported(propagated(of_moments, of_states, rows_of(times, 1, whole),
+                             rows_of(epochs, 1, whole), whole, threads, failures));
 }
 
 }  // namespace
@@ -269,11 +321,12 @@ void bind_propagate(nb::module_& m) {
   m.def(
       "propagate",
       [](Typed<"Body | collections.abc.Sequence[Body] | numpy.typing.ArrayLike"> bodies,
-         const Rotors& states, ArrayLike t, ArrayLike t0, bool short_arc, int threads) {
-        return propagated(bodies, states, t, t0, short_arc, checked_threads(threads));
+         const Rotors& states, ArrayLike t, ArrayLike t0, bool short_arc, int threads,
+         Typed<"numpy.typing.NDArray[numpy.object_] | None"> errors) {
+        return propagated(bodies, states, t, t0, short_arc, checked_threads(threads), errors);
       },
       "bodies"_a, "states"_a, "t"_a, "t0"_a = 0.0, nb::kw_only(), "short_arc"_a = false,
-      "threads"_a = 1,
+      "threads"_a = 1, "errors"_a = nb::none(),
       R"(The exact torque-free motion of many bodies: their states at times t.
 
 Parameters
@@ -283,13 +336,26 @@ states : RotorState, one or an array: at the times t0.
 t, t0 : times (...).
 short_arc : one by one, to the last bit FreeRotation.short_arc: for a few turns.
 threads : how many parts at a time, from 1: as many processors. No bit depends on it.
+errors : an array of objects of the result's shape, to be filled with the reason why a state is
+    NaN, or None.
 
-The shapes of bodies, states, t0 and t broadcast, and are that of the result. Bodies are computed
-in the lanes of the processor, some fifty times as fast as FreeRotation(body, state, t0).at(t), of
-which an item may differ in its last digits: to 4e-15 rad of the exact attitude. It depends on its
-own body, state, t0 and t alone. One body at very many times is faster by FreeRotation.
-ValueError for what is no body or has a rate beyond double range, with its index. NaN for a time
-that is not finite. Without the GIL; Ctrl-C ends it.)");
+Returns
+-------
+RotorState, of the shape to which bodies, states, t0 and t broadcast. A body that fails, because its
+moments are no body's or its rate is beyond double range, is NaN, and the others are computed: a
+RuntimeWarning names the first, unless `errors` is given. So is the state at a time that is not
+finite, without a warning.
+
+Raises
+------
+ValueError if the only state of the call fails, or for shapes that do not broadcast.
+
+Notes
+-----
+Bodies are computed in SIMD, about fifty times as fast as FreeRotation(body, state, t0).at(t), from
+which a state may differ in its last digits: it is within 4e-15 rad of the exact attitude. It
+depends on its own body, state, t0 and t alone. For one body at very many times FreeRotation is
+faster. The GIL is released; Ctrl-C ends the call.)");
 }
 
 }  // namespace polhode::python

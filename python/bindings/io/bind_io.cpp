@@ -154,6 +154,7 @@ void bind_io(nb::module_& m) {
                  return scenario_from_text({text.c_str(), text.size()}, name);
                })
       .def_prop_ro("name", [](const Scenario& s) -> const auto& { return s.document.name; })
+      .def_prop_ro("warnings", [](const Scenario& s) { return warnings(s); })
       .def_prop_ro("text", [](const Scenario& s) -> const auto& { return s.document.text; })
       .def_prop_ro("title", [](const Scenario& s) -> const auto& { return s.document.title; })
       .def_prop_ro("units", [](const Scenario& s) -> const auto& { return s.units(); })

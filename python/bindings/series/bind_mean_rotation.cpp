@@ -191,7 +191,7 @@ void def_parts(nb::class_<PythonTheory>& c) {
           "Whether the mean anomaly M is averaged away too.")
       .def_prop_ro(
           "least", [](const T& of) { return of.theory.options().least; },
-          "Terms that move angles by less are left out, rad.")
+          "Short periods that move angles by less are left out, rad.")
       .def_prop_ro(
           "reference", [](const T& of) { return Means::one(of.theory.reference()); },
           "The elements about whose actions coefficients are expanded.")
@@ -203,6 +203,10 @@ void def_parts(nb::class_<PythonTheory>& c) {
       .def_prop_ro(
           "term_count", [](const T& of) { return of.theory.term_count(); },
           "How many terms of the gravity gradient are kept.")
+      .def_prop_ro(
+          "rate_error", [](const T& of) { return of.theory.rate_error(); },
+          "Estimated drift of the mean angles from the motion, rad per time: what the next order "
+          "and the short periods that are left out would change in their rates.")
       .def("__repr__",
            [](const T& of) {
              return "<GravityGradientTheory: order " + std::to_string(of.theory.options().order) +
@@ -247,7 +251,8 @@ t : a time.
 gm : of the attracting body, length^3 / time^2; None: that of the orbit.
 order : 1 or 2. Errors are of order + 1 in the strength of the torque.
 averages_orbit : False keeps M in the mean Hamiltonian, and what is in resonance with it.
-least : terms that move angles by less are left out, rad.
+least : short periods that move angles by less are left out, rad. Mean angles then drift by some
+    of it in each radian of rotation: see rate_error.
 
 ValueError for a sphere, for spin about an axis, momentum along the normal of the orbit and the
 separatrix, or next to them; for a resonance of phi_l, phi_g and M, with its combination; for a
@@ -260,7 +265,7 @@ torque that moves the body too far. Releases the GIL. (Hori 1966; Cochran 1972))
                           {order, averages_orbit, least}));
       },
       "body"_a, "orbit"_a, "state"_a, "t"_a = 0.0, nb::kw_only(), "gm"_a = nb::none(),
-      "order"_a = 2, "averages_orbit"_a = true, "least"_a = 1e-11);
+      "order"_a = 2, "averages_orbit"_a = true, "least"_a = 1e-15);
   def_maps(c);
   def_runs(c);
   def_parts(c);

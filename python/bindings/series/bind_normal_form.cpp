@@ -84,7 +84,35 @@ void def_functions(nb::class_<PythonNormalForm>& c) {
           [](const F& f, const Batch<AndoyerState>& mean) {
             return mapped(mean, [&](const AndoyerState& s) { return f.form->osculating(s); });
           },
-          "mean"_a, "Osculating states of mean ones.");
+          "mean"_a, "Osculating states of mean ones.")
+      .def(
+          "mean_error",
+          [](const F& f, const Batch<AndoyerState>& osculating) {
+            return mapped_numbers(osculating, {},
+                                  [&](const AndoyerState& s) { return f.form->mean_error(s); });
+          },
+          "osculating"_a,
+          "Estimated error of mean(osculating), by the last terms of its series: of l and g in "
+          "rad, "
+          "of L in parts of G, whichever is largest.")
+      .def(
+          "osculating_error",
+          [](const F& f, const Batch<AndoyerState>& mean) {
+            return mapped_numbers(
+                mean, {}, [&](const AndoyerState& s) { return f.form->osculating_error(s); });
+          },
+          "mean"_a, "The same of osculating(mean).")
+      .def(
+          "frequency_error",
+          [](const F& f, const ArrayLike& L, const ArrayLike& G) {
+            const Momenta at(L, G);
+            Result result(at.shape, {});
+            for_each(size_of(at.shape), [&](std::size_t k) {
+              *result.at(k) = f.form->frequency_error(at.L(k), at.G(k));
+            });
+            return result.take();
+          },
+          "L"_a, "G"_a, "Estimated relative error of frequencies(L, G), by their last terms.");
 }
 
 }  // namespace
@@ -103,11 +131,14 @@ Parameters
 body : Body with moments that rise, A <= B < C.
 order : the highest power of e, 1 to 16.
 
-For rotation about the short axis, well inside the separatrix: a series in e tan^2 J. The error is
-e^(order + 1) of the maps, the next even power of frequencies and energy, times powers of tan J. At
-L = 0 all is NaN. Any consistent units; rad.
+For rotation in short-axis mode. The series converge as those of 1/(1 - r): of osculating states
+r = e (1 + sin^2 J |cos 2l|) / cos^2 J, of mean momenta r = e (2 - k)/k with
+k = sin^2(pi L/(2 G)), which is 1 on the separatrix. Where r >= 1, and at L = 0, all is NaN. The
+error is r^(order + 1) of the maps, the next even power of frequencies and energy: mean_error,
+osculating_error and frequency_error estimate it. Any consistent units; rad.
 
-ValueError for other moments and orders. Releases the GIL; 14 ms at order 8. [SA 3.2, 5])",
+ValueError for other moments and orders, and for the mean of a state in long-axis mode.
+Releases the GIL; 14 ms at order 8. [SA 3.2, 5])",
                               made, field("body", &T::body, "What was given."),
                               field("order", &T::order, "The highest power of the triaxiality."));
   def_functions(c);

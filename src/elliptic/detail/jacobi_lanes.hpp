@@ -155,10 +155,15 @@ class JacobiBlock {
                               cosine_[i], whole_[i]),
             c, i);
   }
+  // Rounding must not carry a sine or cosine beyond 1, where inverse functions give NaN.
+  [[gnu::always_inline]] static T within_one(const T& x) {
+    const T one(1.0);
+    return select(x > one, one, select(x < T(-1.0), T(-1.0), x));
+  }
   [[gnu::always_inline]] static void store(const JacobiInLanes<T>& j, const JacobiColumns& c,
                                            std::size_t i) {
-    j.sn.store(c.sn + i * width);
-    j.cn.store(c.cn + i * width);
+    within_one(j.sn).store(c.sn + i * width);
+    within_one(j.cn).store(c.cn + i * width);
     j.dn.store(c.dn + i * width);
   }
 

@@ -49,11 +49,36 @@ inline std::string meaning_of(std::string_view word, const std::vector<std::stri
   return near.empty() ? "" : "did you mean \"" + std::string(near) + "\"?";
 }
 
-// The same of a key of the table `path`, behind the keys that there are.
+// Our key for one of REBOUND's, or of other programs, if it is among these.
+inline std::string_view meant_key(std::string_view name,
+                                  const std::vector<std::string_view>& keys) {
+  constexpr std::pair<std::string_view, std::string_view> names[] = {
+      {"a", "semi_major_axis"},
+      {"e", "eccentricity"},
+      {"ecc", "eccentricity"},
+      {"inc", "inclination"},
+      {"i", "inclination"},
+      {"incl", "inclination"},
+      {"Omega", "node"},
+      {"raan", "node"},
+      {"RAAN", "node"},
+      {"omega", "pericentre_argument"},
+      {"pomega", "pericentre_argument"},
+      {"varpi", "pericentre_argument"},
+      {"M", "mean_anomaly"},
+      {"P", "period"},
+      {"l", "mean_longitude"}};
+  for (const auto& [theirs, ours] : names)
+    if (theirs == name && std::find(keys.begin(), keys.end(), ours) != keys.end()) return ours;
+  return {};
+}
+
+// What to say of a key of the table `path` behind the keys that there are.
 inline std::string meaning_of_key(std::string_view path, std::string_view name) {
-  return path.starts_with("orbit.") && is_of_satellites(name)
-             ? "; " + std::string(satellites_command)
-             : "";
+  if (!path.starts_with("orbit.")) return "";
+  if (name == "pomega" || name == "varpi")
+    return "; pericentre_argument counts from the node: it is " + std::string(name) + " - node";
+  return is_of_satellites(name) ? "; " + std::string(satellites_command) : "";
 }
 
 }  // namespace detail

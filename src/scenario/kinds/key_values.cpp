@@ -48,6 +48,9 @@ double KeyValues::unit(std::string_view key, Dimension dimension) const {
 void KeyValues::refuse(std::string_view key, std::string_view message) const {
   detail::refuse(values_, key_path(key), file_, message);
 }
+std::string KeyValues::noted(std::string_view key, std::string_view message) const {
+  return detail::message_at(values_, key_path(key), file_, message);
+}
 
 }  // namespace v0
 }  // namespace polhode

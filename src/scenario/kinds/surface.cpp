@@ -27,7 +27,7 @@ Finish finish_of(const Values& values, const std::string& path, const std::strin
           .tangential_accommodation = fraction("tangential_accommodation")};
 }
 
-Surface mesh_surface(const Rotation& rotation, const Values& values, const std::string& path,
+Surface mesh_surface(Rotation& rotation, const Values& values, const std::string& path,
                      const std::string& name) {
   if (is_explicit(values, path + ".sides"))
     refuse(values, path + ".sides", name, "expected no sides together with a shape");
@@ -37,6 +37,7 @@ Surface mesh_surface(const Rotation& rotation, const Values& values, const std::
   else if (rotation.shape)
     centre = rotation.shape->inside.centre;
   const FacetShape mesh = mesh_of(values, path, name);
+  rotation.surface_meshes.push_back({word(values, path + ".shape"), mesh});
   return built(values, path + ".shape", name,
                [&] { return Surface::of_shape(mesh, centre, finish_of(values, path, name)); });
 }
@@ -58,16 +59,15 @@ Surface plate_surface(const Values& values, const std::string& path, const std::
 
 }  // namespace
 
-std::shared_ptr<const Surface> surface_of(const Rotation& rotation, const Values& values,
-                                          const std::string& name) {
+void add_surface(Rotation& rotation, const Values& values, const std::string& name) {
   std::vector<Surface> parts;
   for (const std::string& path : array_paths(values, "surface"))
     parts.push_back(has(values, path + ".shape") ? mesh_surface(rotation, values, path, name)
                                                  : plate_surface(values, path, name));
-  if (parts.empty()) return nullptr;
+  if (parts.empty()) return;
   const Surface all = joined(parts);
   const Quaternion& q_FB = rotation.q_file;
-  return std::make_shared<const Surface>(q_FB == Quaternion{} ? all : all.along(q_FB));
+  rotation.surface = std::make_shared<const Surface>(q_FB == Quaternion{} ? all : all.along(q_FB));
 }
 
 }  // namespace detail

@@ -91,7 +91,9 @@ KnownTable known_table(std::string_view pattern, std::string_view kind,
 StrayKey stray_key(const Schema& schema, const std::vector<std::string_view>& tables,
                    const KnownTable& table, StrayKey stray) {
   const std::string_view name = stray.name;
-  stray.near = nearest(name, table.kind.empty() ? table.all : table.keys);
+  const std::vector<std::string_view>& known = table.kind.empty() ? table.all : table.keys;
+  stray.near = meant_key(name, known);
+  if (stray.near.empty()) stray.near = nearest(name, known);
   if (!stray.near.empty()) return stray;
   std::vector<const Key*> below, elsewhere;
   for (const Key& key : schema.keys) {

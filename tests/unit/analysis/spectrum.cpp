@@ -99,6 +99,21 @@ TEST(Spectrum, EveryWindowFindsThem) {
     expect_found(spectrum(start, 1.0, sum_of(all), {.lines = 6, .window = window}), all);
 }
 
+// Squares of the samples have no room in double.
+TEST(Spectrum, FindsLinesOfAnySize) {
+  const std::vector<Known> all = lines(4, 0.0, 6);
+  const double mean_size = spectrum(start, 1.0, sum_of(all), {.lines = 4}).size;
+  for (const double size : {1e-300, 1e300}) {
+    std::vector<Complex> x = sum_of(all);
+    for (Complex& one : x) one *= size;
+    Spectrum found = spectrum(start, 1.0, x, {.lines = 4});
+    EXPECT_LT(found.residual, budget::spectrum_amplitude * size);
+    EXPECT_NEAR(found.size / size, mean_size, budget::spectrum_amplitude);
+    for (SpectralLine& line : found.lines) line.amplitude /= size;
+    expect_found(found, all);
+  }
+}
+
 // Errors are those that are told, as often as not.
 TEST(Spectrum, TellsWhatNoiseDoes) {
   const std::vector<Known> all = lines(3, 0.1, 7);

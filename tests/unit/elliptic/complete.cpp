@@ -2,6 +2,7 @@
 #include "budgets.hpp"
 #include "polhode/elliptic/agm.hpp"
 #include "polhode/elliptic/heuman.hpp"
+#include "polhode/elliptic/legendre_pi.hpp"
 #include "polhode/elliptic/nome.hpp"
 #include "polhode/error.hpp"
 #include "unit/elliptic/support.hpp"
@@ -76,6 +77,35 @@ TYPED_TEST(CompleteIntegrals, Pi) {
     this->worst_.add(relative_error(complete_pi(T(n), as<T>(mod)), exact_complete_pi(n, mod)),
                      "Pi " + listed(n, mod.m(), mod.m1()));
   }
+}
+
+// Moduli so imaginary that cel alone has no room in double. Values: mpmath, K - Pi(m/n) and [DLMF
+// 19.7.8] at 700 digits.
+TYPED_TEST(CompleteIntegrals, PiOfHugeModuli) {
+  using T = TypeParam;
+  const auto mod = [](double m) { return BasicModulus<T>::from_any_pair(T(m), T(1.0 - m)); };
+  const auto check = [&](const T& got, double expected, const std::string& what) {
+    EXPECT_LT(std::abs(to_double(got) / expected - 1.0), budget::elliptic_python) << what;
+  };
+  struct Row {
+    double n, m, pi;
+  };
+  for (const Row& row :
+       {Row{2, -1e220, 2.5342420411018445528e-108}, Row{2, -1e205, 7.4678709870199936513e-101},
+        Row{2, -1e300, 3.4552760782994627315e-148},
+        Row{1.0000001, -1e250, 2.8820943095204228043e-123},
+        Row{1e10, -1e230, 2.5397750740931965433e-113},
+        Row{1e200, -1e220, 2.3718998110500402205e-109}, Row{3, -1e100, 1.1511172704566681875e-48}})
+    check(complete_pi(T(row.n), mod(row.m)), row.pi, "complete " + listed(row.n, row.m));
+  struct Incomplete {
+    double phi, n, m, pi;
+  };
+  for (const Incomplete& row : {Incomplete{1.2, 2, -1e220, 2.5384511997669122547e-108},
+                                Incomplete{4.0, 2, -1e220, 7.6177974061641710062e-108},
+                                Incomplete{0.3, 2, -1e220, 2.5287932100215448001e-108},
+                                Incomplete{1.2, 2, -1e300, 3.4594852369645304333e-148},
+                                Incomplete{-2.5, 3, -1e215, -7.7716165625982665111e-106}})
+    check(legendre_pi(T(row.phi), T(row.n), mod(row.m)), row.pi, listed(row.phi, row.n, row.m));
 }
 
 TYPED_TEST(CompleteIntegrals, Cel) {

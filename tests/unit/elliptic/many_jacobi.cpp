@@ -123,6 +123,26 @@ Arguments of_all_kinds(std::size_t count) {
   return all;
 }
 
+// Next to the quarter periods, where rounding carried some beyond 1 and arccos to NaN.
+TEST(ManyJacobiBits, NoSineOrCosineExceedsOne) {
+  oracle::Draw draw(98, 0);
+  Arguments all;
+  for (int i = 0; i < 20000; ++i) {
+    const double m1 = i % 3 == 0   ? draw.power_of_ten(-300.0, 0.0)
+                      : i % 3 == 1 ? draw.uniform(0.0, 1.0)
+                                   : 1.0 + draw.power_of_ten(-8.0, 8.0);
+    const double m = 1.0 - m1, k = complete_k(Modulus::from_any_pair(m, m1));
+    const double near = i % 2 == 0 ? draw.power_of_ten(-18.0, -6.0) : 0.0;
+    all.add(k * (static_cast<double>(i % 7) - 3.0) + near, m, m1);
+  }
+  const Columns got = in_lanes(all);
+  for (std::size_t i = 0; i < all.u.size(); ++i) {
+    const auto one = jacobi(all.u[i], Modulus::from_any_pair(all.m[i], all.m1[i]));
+    for (const double x : {got.sn[i], got.cn[i], one.sn, one.cn})
+      ASSERT_LE(std::fabs(x), 1.0) << listed(all.u[i], all.m[i], all.m1[i]);
+  }
+}
+
 TEST(ManyJacobiBits, SetsOfInstructions) {
   const Arguments all = of_all_kinds(3001);
   const Columns want = in_lanes(all, InstructionSet::baseline);

@@ -216,6 +216,17 @@ TEST(TableOrbit, WhatIsNoTableIsRefused) {
   EXPECT_THAT(error(holed), HasSubstr("row 1: position and velocity must be finite"));
 }
 
+// Rounding alone is left of a wave by so many rows, and high orders must not magnify it at the
+// ends.
+TEST(TableOrbit, HighOrdersKeepTheirDigitsAtTheEnds) {
+  for (const bool slopes : {false, true})
+    for (const auto& times : {even_times(0.0, 0.02, 300), uneven_times(0.0, 0.02, 300)})
+      for (const int order : slopes ? std::vector{12, 16, 24, 32} : std::vector{10, 12, 16})
+        EXPECT_LT(largest_error(TableOrbit(sampled(times, wave, wave_slope, slopes), order)),
+                  budget::table_orbit_ends)
+            << order << slopes;
+}
+
 TEST(TableOrbit, AsManyRowsAsTheOrderNeedsAreEnough) {
   EXPECT_EQ(TableOrbit(sampled(even_times(0, 1, 8), wave, wave_slope, false), 8).order(), 8);
   EXPECT_EQ(TableOrbit(sampled(even_times(0, 1, 4), wave, wave_slope, true), 8).order(), 8);

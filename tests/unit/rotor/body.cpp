@@ -135,6 +135,29 @@ TEST(Body, TensorGivesMomentsAndTheRotationToPrincipalAxes) {
   }
 }
 
+// A plate's tensor about another point and back, as the parallel axis theorem has it: what is left
+// of it is rounded to the size that it had there.
+TEST(Body, PlateMovedAndBackIsAPlate) {
+  std::mt19937_64 engine(13);
+  std::normal_distribution<double> n;
+  std::uniform_real_distribution<double> decade(0.0, 2.0);
+  const double mass = 100.0;
+  for (int k = 0; k < 1000; ++k) {
+    const Mat3 plate = tensor_of({1, 2, 3}, {n(engine), n(engine), n(engine), n(engine)});
+    const Vec3 away{n(engine), n(engine), n(engine)};
+    const Vec3 to = (std::pow(10.0, decade(engine)) / norm(away)) * away;
+    Mat3 t = plate;
+    for (const double sign : {1.0, -1.0})
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+          t(i, j) += sign * mass * ((i == j ? dot(to, to) : 0.0) - to[i] * to[j]);
+    const Vec3 m = Body::from_tensor(t).moments();
+    EXPECT_NEAR(m.x + m.y + m.z, 6.0, budget::body_tensor * mass * dot(to, to)) << k;
+  }
+  EXPECT_NO_THROW(Body::from_tensor({{{1, 0, 0}, {0, 1, 0}, {0, 0, 2 * (1 + 9e-10)}}}));
+  EXPECT_THROW(Body::from_tensor({{{1, 0, 0}, {0, 1, 0}, {0, 0, 2 * (1 + 3e-9)}}}), DomainError);
+}
+
 TEST(Body, PrincipalAxesAreTheOnesNearestToTheTensorsAxes) {
   for (const Vec3& m : {Vec3{1, 2, 2.5}, Vec3{2.5, 1, 2}, Vec3{2, 2.5, 1}, Vec3{2.5, 2, 1}}) {
     const Quaternion q = normalized(Quaternion{1.0, 0.1, -0.2, 0.15});

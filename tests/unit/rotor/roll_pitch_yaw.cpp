@@ -61,6 +61,21 @@ TEST(RollPitchYaw, UprightHasAllOfTheTurnInRoll) {
     }
 }
 
+TEST(RollPitchYaw, RebuildTheAttitudeNextToTheLock) {
+  for (const double side : {1.0, -1.0})
+    for (double away = 1e-17; away < 1.0; away *= 7.0)
+      for (const double roll : {-2.0, 0.1, 1.3})
+        for (const double yaw : {-3.1, -0.4, 2.2}) {
+          const double half = side * (0.25 * pi - 0.5 * away);
+          const Quaternion q = rotation_z(yaw) *
+                               Quaternion{std::cos(half), 0.0, std::sin(half), 0.0} *
+                               rotation_x(roll);
+          const Quaternion off = conj(q) * attitude(roll_pitch_yaw(q));
+          EXPECT_LE(2.0 * norm(Vec3{off.x, off.y, off.z}), budget::roll_pitch_yaw)
+              << side << ' ' << away << ' ' << roll << ' ' << yaw;
+        }
+}
+
 TEST(RollPitchYaw, TheLengthOfTheQuaternionPlaysNoPartAndNanStays) {
   const RollPitchYaw angles{0.3, -0.2, 0.9};
   const Quaternion q = attitude(angles);

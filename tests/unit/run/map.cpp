@@ -305,7 +305,7 @@ f 4 1 5 8
       {"frame.precessing.rate", "0.01"}};
   const std::string scenario_ = R"(schema = 1
 units = { time = "h", angle = "deg", length = "m", moment = "kg m2" }
-body = { shape = "box.obj", density = @body.density@ }
+body = { shape = "box.obj", scale = 1, density = @body.density@ }
 time = { stop = @time.stop@, count = 5 }
 orbit.way = { kind = "table", file = "way.csv", gm = @orbit.way.gm@ }
 orbit.planet = { gm = 1, semi_major_axis = @orbit.planet.semi_major_axis@, eccentricity = 0.1 }
@@ -322,6 +322,7 @@ perturbation = [
   { kind = "solar-pressure", orbit = "planet", pressure = 10, pressure_distance = 5 }]
 [[surface]]
 shape = "box.obj"
+scale = 1
 scale = @surface[0].scale@
 centre_of_mass = [0.3, 0.2, 0.1]
 specular = @surface[0].specular@

@@ -61,15 +61,17 @@ TEST(ScenarioShape, RefusesInOneLine) {
   folder.write("open.obj", std::string(box).substr(0, std::string(box).rfind('f')));
   const std::string name = folder.write("s.toml", "");
   const auto said = [&](const std::string& body) { return refusal(scenario_text(body), name); };
-  EXPECT_THAT(said("shape = \"box.obj\"\ndensity = -1\n"),
+  EXPECT_THAT(said("shape = \"box.obj\"\ndensity = -1\nscale = 1\n"),
               HasSubstr("s.toml:7:11: body.density: got -1; expected a positive density"));
-  EXPECT_THAT(said("shape = \"open.obj\"\ndensity = 1\n"),
+  EXPECT_THAT(said("shape = \"open.obj\"\ndensity = 1\nscale = 1\n"),
               HasSubstr("body.shape: got \"open.obj\"; mass_properties: the mesh is not closed: "
                         "edge 1-4 of facet 2 has no facet on its other side"));
-  EXPECT_THAT(said("shape = \"none.obj\"\ndensity = 1\n"),
+  EXPECT_THAT(said("shape = \"none.obj\"\ndensity = 1\nscale = 1\n"),
               HasSubstr("none.obj: cannot be read: No such file"));
   EXPECT_THAT(said("moments = [1, 2, 2]\nscale = 2\n"), HasSubstr("body.scale: got 2; expected"));
-  EXPECT_THAT(said("shape = \"box.obj\"\n"), HasSubstr("density"));
+  EXPECT_THAT(said("shape = \"box.obj\"\nscale = 1\n"), HasSubstr("density"));
+  EXPECT_THAT(said("shape = \"box.obj\"\ndensity = 1\n"),
+              HasSubstr("body.scale: got nothing; expected what one unit of the mesh is"));
 }
 
 // The torque of the file's term is that of the term built by hand, in the body axes of its tensor.
@@ -127,10 +129,11 @@ TEST(ScenarioSurface, DragAsByHand) {
 TEST(ScenarioSurface, MeshAboutTheCentreOfMass) {
   const test::TempFolder folder;
   folder.write("box.obj", box);
-  const std::string path = folder.write(
-      "s.toml", scenario_text("shape = \"box.obj\"\ndensity = 1\n") +
-                    "[[surface]]\nshape = \"box.obj\"\n[[surface]]\nshape = \"box.obj\"\n"
-                    "centre_of_mass = [4, 0, 0]\nscale = 2\n");
+  const std::string path =
+      folder.write("s.toml", scenario_text("shape = \"box.obj\"\ndensity = 1\nscale = 1\n") +
+                                 "[[surface]]\nshape = \"box.obj\"\nscale = 1\n"
+                                 "[[surface]]\nshape = \"box.obj\"\n"
+                                 "centre_of_mass = [4, 0, 0]\nscale = 2\n");
   const Scenario s = read_scenario(path);
   ASSERT_EQ(s.rotation().surface->facets().size(), 24U);
   Vec3 sum[2];
@@ -161,7 +164,7 @@ TEST(ShapeReport, TableReadsBackAsTheBody) {
   const test::TempFolder folder;
   const std::string obj = folder.write("box.obj", box);
   const std::string path =
-      folder.write("s.toml", scenario_text("shape = \"box.obj\"\ndensity = 3\n"));
+      folder.write("s.toml", scenario_text("shape = \"box.obj\"\ndensity = 3\nscale = 1\n"));
   const Scenario s = read_scenario(path);
   const std::string table = body_table(s.rotation().shape->inside, s.units());
   const Scenario again =

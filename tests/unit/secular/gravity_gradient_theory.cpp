@@ -93,6 +93,30 @@ TEST(GravityGradientTheory, SlopesOfTriaxialBodies) {
   expect_slope(short_axis, start(short_axis), 0.05, 0.2, {2, true, 1e-14});
   expect_slopes(long_axis, 0.0, 0.05);
 }
+// A satellite that turns 160 times an orbit: what is dropped must not show in the mean rates, and
+// the drift is told. With 1e-11 the error was 1.6e-7, and nothing said so.
+TEST(GravityGradientTheory, DriftIsWhatIsTold) {
+  const double mean_motion = 1.0 / 160.0, gm = mean_motion * mean_motion;
+  const double stop = 6.0 * std::numbers::pi / mean_motion;
+  const KeplerOrbit orbit = orbit_of(0.05, mean_motion);
+  const RotorState s0 = start(short_axis);
+  const System system(short_axis, Frame::inertial(),
+                      {AnyPerturbation("torque", GravityGradient<KeplerOrbit>(gm, orbit))});
+  const Trajectory exact = integrate(Problem{system, s0, 0.0, stop, Collocation{1e-14}},
+                                     Keep{SaveAt::times({stop}), false});
+  const auto drift = [&](const GravityGradientOptions& options, double& told) {
+    const GravityGradientTheory theory(short_axis, gm, orbit, s0, 0.0, options);
+    told = theory.rate_error() * stop;
+    return angle_between(theory.states(0.0, theory.mean(0.0, s0), {{stop}}, 1e-13)[0].q,
+                         exact.samples()[0].s.q);
+  };
+  double told = 0.0;
+  EXPECT_LT(drift({.averages_orbit = false}, told), budget::gravity_theory_drift);
+  EXPECT_LT(told, 30.0 * budget::gravity_theory_drift);
+  const double coarse = drift({.averages_orbit = false, .least = 1e-11}, told);
+  EXPECT_LT(coarse, told);
+  EXPECT_GT(coarse, told / budget::gravity_theory_told);
+}
 // The other lobe, momentum below the orbit, moments in another order, a prolate body.
 TEST(GravityGradientTheory, SlopesInEveryMode) {
   const Body prolate(1.0, 1.5, 1.5), permuted(1.7, 1.0, 1.3);

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <random>
 
 #include "budgets.hpp"
 #include "message_of.hpp"
@@ -16,6 +17,7 @@
 namespace {
 
 using namespace polhode;
+using polhode::test::larger;
 using polhode::test::message_of;
 using polhode::test::Worst;
 using ::testing::HasSubstr;
@@ -80,7 +82,77 @@ TEST(TriaxialNormalForm, ErrorsFallWithTheOrder) {
   }
 }
 
+// Bodies and states in short-axis mode at random, up to the separatrix: a result is within its own
+// estimate of Sadov's, or it is NaN, and that only beyond the circle of convergence.
+TEST(TriaxialNormalForm, IsWithinItsEstimateOrNaN) {
+  std::mt19937_64 engine(3);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  int answered = 0, beyond = 0;
+  for (int k = 0; k < 60; ++k) {
+    const double e = 0.02 + 0.6 * uniform(engine);
+    const TriaxialNormalForm form(body(e), 8);
+    for (int i = 0; i < 20; ++i) {
+      const AndoyerState s = state(std::acos(uniform(engine)), 6.3 * uniform(engine));
+      const double c2 = s.L * s.L / (s.G * s.G), wave = std::cos(2.0 * s.l);
+      if (c2 < 1.001 * e * (1.0 - (1.0 - c2) * wave)) continue;  // long-axis mode, or next to it
+      const FreeRotation motion(body(e), to_rotor(s), 0.0);
+      const SadovState exact = to_sadov(motion, 0.0);
+      const SadovFrequencies n = sadov_frequencies(motion);
+      const AndoyerState mean = form.mean(s);
+      const double ratio = e * (1.0 + (1.0 - c2) * std::fabs(wave)) / c2;
+      EXPECT_EQ(std::isnan(mean.L), !(ratio < 1.0)) << ratio;
+      if (ratio < 1.0) {
+        ++answered;
+        constexpr double turn = 2.0 * std::numbers::pi;
+        const double error =
+            larger(std::fabs(mean.L - exact.I_l) / s.G,
+                   std::fabs(std::remainder(mean.l - exact.phi_l - 0.25 * turn, turn)),
+                   std::fabs(std::remainder(mean.g - exact.phi_g, turn)));
+        EXPECT_LT(error,
+                  budget::normal_form_estimate * form.mean_error(s) + budget::normal_form_angles)
+            << ratio;
+      } else {
+        ++beyond;
+      }
+      // of mean elements up to the separatrix itself
+      const RotorFrequencies by_series = form.frequencies(exact.I_l, exact.I_g);
+      const double error =
+          larger(std::fabs(by_series.n_l / n.n_l - 1.0), std::fabs(by_series.n_g / n.n_g - 1.0));
+      EXPECT_LT(error, budget::normal_form_estimate * form.frequency_error(exact.I_l, exact.I_g) +
+                           budget::normal_form_angles);
+      const AndoyerState there = form.osculating({.l = exact.phi_l + 0.5 * std::numbers::pi,
+                                                  .g = exact.phi_g,
+                                                  .h = 0.3,
+                                                  .L = exact.I_l,
+                                                  .G = exact.I_g,
+                                                  .H = 1.1});
+      EXPECT_LT(std::fabs(there.L - s.L) / s.G,
+                budget::normal_form_estimate *
+                        form.osculating_error({.l = exact.phi_l + 0.5 * std::numbers::pi,
+                                               .g = exact.phi_g,
+                                               .h = 0.3,
+                                               .L = exact.I_l,
+                                               .G = exact.I_g,
+                                               .H = 1.1}) +
+                    budget::normal_form_angles);
+    }
+  }
+  EXPECT_GT(answered, 200);
+  EXPECT_GT(beyond, 50);
+}
+
 TEST(TriaxialNormalForm, WhatIsRefused) {
+  const TriaxialNormalForm wide(Body(0.5, 0.8, 1.0), 16);
+  const auto at = [](double J) {
+    return AndoyerState{.l = 0.3, .g = 0.0, .h = 0.0, .L = std::cos(J), .G = 1.0, .H = 0.4};
+  };
+  // L was -58.6 for |L| <= 1 here, and n_l 31.07 for -0.34599
+  EXPECT_TRUE(std::isnan(wide.mean(at(50.0 * degree)).L));
+  EXPECT_THAT(message_of([&] { wide.mean(at(80.0 * degree)); }),
+              HasSubstr("is in long-axis mode; the series are those of short-axis mode"));
+  EXPECT_TRUE(std::isnan(wide.osculating(at(80.0 * degree)).L));
+  EXPECT_TRUE(std::isnan(wide.frequencies(0.17, 1.0).n_l));
+  EXPECT_TRUE(std::isnan(wide.energy(0.0, 1.0)));
   EXPECT_THAT(message_of([] { TriaxialNormalForm(body(0.1), 0); }), HasSubstr("order 0 must be"));
   EXPECT_THAT(message_of([] { TriaxialNormalForm(Body(2.0, 1.5, 3.0), 2); }),
               HasSubstr("must rise"));

@@ -84,6 +84,12 @@ Dual<T, N> cel_of_cosine(const Dual<T, N>& kc, const Dual<T, N>& p, const Dual<T
   return a * (by_p + by_kc) + b * cel_loop(kc, root, D(0.0), D(1.0));
 }
 
+template <class T>
+BasicModulus<typename Widening<T>::Wide> widened_modulus(const BasicModulus<T>& mod) {
+  return BasicModulus<typename Widening<T>::Wide>::from_any_pair(widened(mod.m()),
+                                                                 widened(mod.m1()));
+}
+
 // Whether Bulirsch's loop stays in the range of T.
 template <class T>
 bool cel_within(const T& kc, const T& p, const T& a, const T& b) {
@@ -160,6 +166,11 @@ T complete_pi(const T& n, const BasicModulus<T>& mod) {
   if constexpr (Real<T>) {
     if (n == one) return T(std::numeric_limits<double>::infinity());
     if (n > one) {
+      if constexpr (NarrowRange<T>) {
+        // cel is 1/(p kc) there: out of range, though its product with m is not
+        if (!within(0.0, 0x1p270, mod.m1()))
+          return Widening<T>::narrowed(complete_pi(widened(n), detail::widened_modulus(mod)));
+      }
       const T p = ((n - one) + mod.m1()) / n;  // 1 - m/n
       return -(mod.m() / n) * cel(T(sqrt(mod.m1())), p, T(0.0), one);
     }

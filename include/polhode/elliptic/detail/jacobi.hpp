@@ -80,6 +80,13 @@ LandenSteps<T> landen_steps(const T& m1) {
   }
 }
 
+// A sine or cosine that rounding has carried beyond 1, as an inverse function would refuse.
+template <class T>
+T within_one(const T& x) {
+  const T one(1.0);
+  return select(one < x, one, select(x < T(-one), T(-one), x));
+}
+
 template <class T>
 Jacobi<T> jacobi_of(const T& u, const BasicModulus<T>& mod) {
   using std::abs;
@@ -105,7 +112,7 @@ Jacobi<T> jacobi_of(const T& u, const BasicModulus<T>& mod) {
   }
   const T size = one / sqrt(product * product + one);
   const T sn = select(s < zero, T(-size), size);
-  Jacobi<T> r{sn, product * sn, dn};
+  Jacobi<T> r{sn, within_one(T(product * sn)), dn};
   const auto at_zero = s == zero;
   if (any(at_zero)) r = select(at_zero, Jacobi<T>{s, c, one}, r);
   if (any(on_separatrix)) r = select(on_separatrix, jacobi_on_separatrix(u), r);
@@ -195,7 +202,8 @@ Jacobi<T> jacobi(const T& u, const BasicModulus<T>& mod) {
     if (mod.m() < zero) {
       const auto at = detail::imaginary_modulus(u, mod);
       const Jacobi<T> j = detail::jacobi_of(at.u, at.mu);
-      return {j.sn / j.dn / at.k1, j.cn / j.dn, T(1.0) / j.dn};
+      return {detail::within_one(T(j.sn / j.dn / at.k1)), detail::within_one(T(j.cn / j.dn)),
+              T(1.0) / j.dn};
     }
     if (mod.m1() < zero) return detail::jacobi_of_reciprocal(u, mod);
   } else if (!all(mod.m() >= zero && mod.m1() >= zero)) {

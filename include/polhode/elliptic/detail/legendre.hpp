@@ -44,11 +44,6 @@ T continued(const T& turns, const T& inside, const Complete& complete) {
       [&]() -> T { return T(2.0) * turns * complete() + inside; });
 }
 
-template <class T>
-BasicModulus<typename Widening<T>::Wide> widened_modulus(const BasicModulus<T>& mod) {
-  return BasicModulus<typename Widening<T>::Wide>::from_any_pair(widened(mod.m()),
-                                                                 widened(mod.m1()));
-}
 // Whether all lanes of a pack go by the same forms, where no step overflows or underflows.
 template <class Pack>
 bool is_ordinary(const Pack& s, const Pack& c, const BasicModulus<Pack>& mod) {

@@ -81,6 +81,7 @@ class PlanetBuilder {
             .orbit = planet_.word("orbit"),
             .orbit_kind = std::string(kind->name),
             .orbit_text = orbit.text,
+            .warnings = orbit.warnings,
             .axes = is_inertial ? "inertial" : "ecliptic-J2000",
             .history = std::move(orbit.elements),
             .rates = {},

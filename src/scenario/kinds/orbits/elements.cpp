@@ -42,8 +42,8 @@ constexpr Key keys[] = {
      .help = "The unit of each of these columns; \"1\" of numbers."},
     {.path = "axes",
      .type = KeyType::choice,
+     .presence = Presence::required,
      .allowed = "ecliptic-J2000|equator-J2000|invariable-plane|inertial",
-     .fallback = "\"ecliptic-J2000\"",
      .example = "\"ecliptic-J2000\"",
      .help = "The axes of the elements. The invariable plane is that of the solar system, from its "
              "ascending node on the ecliptic of J2000; inertial axes are any."},
@@ -63,6 +63,7 @@ constexpr Key keys[] = {
      .type = KeyType::integer,
      .example = "10",
      .help = "Order of the interpolation: 2 to 16, even. Left out: 10."},
+    allow_coarse_key,
 };
 
 // In the order of `roles`.
@@ -188,6 +189,25 @@ Rows rows_of(const OrbitContext& at, const DeclaredColumns& columns) {
   return rows;
 }
 
+// Columns of angles that run through whole turns, and are declared in degrees though none of their
+// numbers exceeds 2 pi: they may be radians.
+void add_small_angles(const OrbitContext& at, const DeclaredColumns& columns,
+                      std::vector<std::string>& warnings) {
+  const double degree = at.units().to_core(1.0, "deg", Dimension::angle);
+  constexpr std::size_t few = 8;  // rows, of which nothing is said
+  for (const Role role : {node, argument, pericentre, anomaly, longitude}) {
+    if (!columns.has(role) || columns.rows() < few || columns.unit(role) != degree) continue;
+    const std::vector<double>& x = columns.of(role);
+    const auto [least, most] = std::minmax_element(x.begin(), x.end());
+    const double turn = 2.0 * pi<double>() * degree;
+    if (*least >= -turn && *most <= turn && *most - *least > 0.5 * turn)
+      warnings.push_back(at.noted("units", std::string("the column ") +
+                                               std::string(roles[role].name) +
+                                               " is declared in degrees, and none of its numbers "
+                                               "exceeds 2 pi: are they radians?"));
+  }
+}
+
 ScenarioHistory elements_orbit(const OrbitContext& at) {
   constexpr std::size_t longest_file = 200;
   const int order = at.has("order") ? static_cast<int>(std::clamp<std::int64_t>(
@@ -197,8 +217,13 @@ ScenarioHistory elements_orbit(const OrbitContext& at) {
     const DeclaredColumns columns(at, "file", roles);
     Rows rows = rows_of(at, columns);
     ElementTable table(std::move(rows.times), rows.elements, order);
-    return {OrbitHistory(std::move(table)), "elements " + printable(at.word("file"), longest_file) +
-                                                ", " + std::to_string(columns.rows()) + " rows"};
+    std::vector<std::string> warnings = rows_warning(at, "file", table.interpolation_error(),
+                                                     "the largest eccentricity or inclination");
+    add_small_angles(at, columns, warnings);
+    return {OrbitHistory(std::move(table)),
+            "elements " + printable(at.word("file"), longest_file) + ", " +
+                std::to_string(columns.rows()) + " rows",
+            std::move(warnings)};
   });
 }
 

@@ -10,6 +10,7 @@
 #include "scenario/detail/history_keys.hpp"
 #include "scenario/detail/orbit_kinds.hpp"
 #include "scenario/detail/reference_axes.hpp"
+#include "scenario/kinds/orbits/shared_keys.hpp"
 #include "text/number_text.hpp"
 
 namespace polhode {
@@ -68,13 +69,6 @@ double misfit(const TableOrbit& table, const HistoryOrbit& orbit, double largest
       worst = std::max(worst, norm(table.position(between) - truth) / norm(truth));
     }
   return worst;
-}
-
-// To two digits, for messages.
-double rounded(double x) {
-  if (!(x > 0.0) || !std::isfinite(x)) return x;
-  const double unit = std::pow(10.0, std::floor(std::log10(x)) - 1.0);
-  return std::round(x / unit) * unit;
 }
 
 void require_cover(const OrbitContext& at, std::string_view key, const OrbitHistory& history,
@@ -154,7 +148,10 @@ ScenarioOrbit positions_of(const OrbitContext& at, std::string_view key,
   PositionTable table = dense_enough(at, key, orbit, lengthened(*span, orbit));
   for (Vec3& x : table.positions) x = in_other_axes(x, axes, of_state);
   const double overhang = overhang_of(at, table.times, false);
-  return {{}, TableOrbit(std::move(table), order, overhang), gm, {}, history.text};
+  return {.motion = TableOrbit(std::move(table), order, overhang),
+          .gm = gm,
+          .text = history.text,
+          .warnings = history.warnings};
 }
 
 }  // namespace detail

@@ -119,8 +119,7 @@ ScenarioOrbit oem_orbit(const OrbitContext& at, const std::string& path, int ord
                 TableOrbit(std::move(table), order, overhang),
                 at.gm(),
                 {"oem"},
-                text_of(at, segment),
-                true};
+                text_of(at, segment)};
       covered += (covered.empty() ? "" : ", ") + printable(segment.start) + " to " +
                  printable(segment.stop);
     }

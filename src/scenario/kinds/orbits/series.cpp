@@ -48,8 +48,8 @@ constexpr Key keys[] = {
      .range = Range::positive},
     {.path = "axes",
      .type = KeyType::choice,
+     .presence = Presence::required,
      .allowed = "ecliptic-J2000|inertial",
-     .fallback = "\"ecliptic-J2000\"",
      .example = "\"ecliptic-J2000\"",
      .help = "The axes of the elements."},
 };

@@ -2,7 +2,14 @@
 // Keys that several kinds of [orbit.NAME] have.
 #pragma once
 
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "polhode/scenario/orbit_kind.hpp"
 #include "polhode/scenario/schema.hpp"
+#include "text/number_text.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -25,6 +32,38 @@ constexpr Key orbit_epoch_key = {
     .fallback = "0",
     .example = "0",
     .help = "The time t that these elements, or position and velocity, belong to."};
+
+// To two digits, for messages.
+inline double rounded(double x) {
+  if (!(x > 0.0) || !std::isfinite(x)) return x;
+  const double unit = std::pow(10.0, std::floor(std::log10(x)) - 1.0);
+  return std::round(x / unit) * unit;
+}
+
+constexpr Key allow_coarse_key = {
+    .path = "allow_coarse",
+    .type = KeyType::boolean,
+    .fallback = "false",
+    .example = "true",
+    .help =
+        "Whether rows may be so far apart that the interpolation errs by more than 0.01 of the "
+        "distance, or of the largest eccentricity or inclination. Above 1e-4 there is a "
+        "warning."};
+
+// The warning of rows whose interpolation has this error, or nothing. Refuses coarse rows.
+inline std::vector<std::string> rows_warning(const OrbitContext& at, std::string_view key,
+                                             double error, std::string_view of) {
+  constexpr double noticeable = 1e-4, coarse = 1e-2;
+  if (!(error > noticeable)) return {};
+  const std::string said =
+      "rows that are too far apart: between them the interpolation errs by "
+      "about " +
+      number_text(rounded(error)) + " of " + std::string(of);
+  if (error > coarse && !at.flag("allow_coarse"))
+    at.refuse(key, said + "; expected at most " + number_text(coarse) +
+                       ", or allow_coarse = true in its table");
+  return {at.noted(key, said)};
+}
 
 constexpr Key orbit_axes_key = {
     .path = "axes",

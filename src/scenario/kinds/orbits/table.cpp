@@ -111,6 +111,7 @@ constexpr Key keys[] = {
      .example = "10",
      .help = "Order of the interpolation: 2 to 16, even; with velocities 4 to 32, a multiple of "
              "4. Left out: 10, with velocities 12."},
+    allow_coarse_key,
 };
 
 constexpr std::size_t longest_file = 200;
@@ -274,8 +275,7 @@ ScenarioOrbit file_orbit(const OrbitContext& at, int order) {
           orbit_of_rows(at, positions_of(at, file), order, dates),
           at.gm(),
           {},
-          "table " + printable(word(at.values(), at.key_path("file")), longest_file),
-          true};
+          "table " + printable(word(at.values(), at.key_path("file")), longest_file)};
 }
 
 }  // namespace
@@ -312,9 +312,13 @@ ScenarioOrbit table_orbit(const OrbitContext& at) {
   const char* const rows = has(at.values(), at.key_path("times")) ? "times" : "file";
   ScenarioOrbit orbit = built(at.values(), at.key_path(rows), at.file(), [&]() -> ScenarioOrbit {
     if (rows == std::string_view("file")) return file_orbit(at, order);
-    return {{}, orbit_of_rows(at, own_table(at), order, false), at.gm(), {}, "table", true};
+    return {{}, orbit_of_rows(at, own_table(at), order, false), at.gm(), {}, "table"};
   });
-  require_cover(at, rows, std::get<TableOrbit>(orbit.motion));
+  const auto& table = std::get<TableOrbit>(orbit.motion);
+  require_cover(at, rows, table);
+  const double error = interpolation_error(table);
+  if (!std::isnan(error)) orbit.interpolation_error = error;
+  orbit.warnings = rows_warning(at, rows, error, "the distance");
   return orbit;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 
 #include "polhode/perturb/magnetic_torque.hpp"
@@ -13,53 +14,63 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
+enum class FieldSource { coefficients, earth };
+
 struct DipoleArguments {
   std::string orbit;
-  Vec3 gauss;
-  double reference_radius;
+  FieldSource field;
+  std::optional<Vec3> gauss;
+  std::optional<double> reference_radius;
   Vec3 pole;
-  double rotation_rate;
-  double meridian;
+  std::optional<double> rotation_rate;
+  std::optional<double> meridian;
   double meridian_epoch;
 };
 
 // Of arguments A that derive from these.
 template <class A>
-inline constexpr std::array<KindKey<A>, 7> dipole_keys = {
+inline constexpr std::array<KindKey<A>, 8> dipole_keys = {
     orbit_key<&DipoleArguments::orbit, A>(),
+    choice_key<&DipoleArguments::field, A, FieldSource::coefficients, FieldSource::earth>(
+        "field", "coefficients|earth",
+        "earth: the dipole of the IGRF and the orientation of the Earth at state.epoch, in place "
+        "of "
+        "the keys gauss to meridian_epoch.")
+        .otherwise("\"coefficients\""),
     quantity_key<&DipoleArguments::gauss, A>(
         "gauss", Dimension::magnetic_field,
         "Gauss coefficients g10, g11, h11 of the dipole field, as the IGRF lists them.")
-        .required()
-        .example("{ value = [-29442.0, -1501.0, 4797.1], unit = \"nT\" }"),
+        .example("{ value = [-29442.0, -1501.0, 4797.1], unit = \"nT\" }")
+        .shown(),
     quantity_key<&DipoleArguments::reference_radius, A>("reference_radius", Dimension::length,
                                                         "The radius that belongs to them.")
-        .required()
         .example("\"6371.2 km\"")
-        .positive(),
+        .positive()
+        .shown(),
     pole_key<&DipoleArguments::pole, A>(),
-    quantity_key<&DipoleArguments::rotation_rate, A>("rotation_rate", Dimension::rate,
-                                                     "How fast it turns.")
-        .otherwise("0")
-        .example("\"360.98564736629 deg/d\""),
+    quantity_key<&DipoleArguments::rotation_rate, A>(
+        "rotation_rate", Dimension::rate,
+        "How fast it turns; may be left out if g11 and h11 are 0.")
+        .example("\"360.98564736629 deg/d\"")
+        .shown(),
     quantity_key<&DipoleArguments::meridian, A>(
         "meridian", Dimension::angle,
         "Where the meridian of longitude 0 is at the time `meridian_epoch`: from inertial axis 1, "
-        "or, where the pole is not axis 3, from the ascending node of its equator.")
-        .otherwise("0"),
+        "or, where the pole is not axis 3, from the ascending node of its equator. May be left out "
+        "if g11 and h11 are 0.")
+        .example("\"0 deg\"")
+        .shown(),
     quantity_key<&DipoleArguments::meridian_epoch, A>("meridian_epoch", Dimension::time,
                                                       "The time t that the meridian belongs to.")
         .otherwise("0"),
 };
 
-inline DipoleField dipole_of(const DipoleArguments& a, const TermContext& at) {
-  const PrimaryRotation primary{
-      .pole = a.pole, .rate = a.rotation_rate, .meridian = a.meridian, .epoch = a.meridian_epoch};
-  if (primary.pole == Vec3{}) at.refuse("pole", "expected a vector that is not zero");
-  return at.built("gauss", [&] {
-    return DipoleField::from_gauss({a.gauss.x, a.gauss.y, a.gauss.z}, a.reference_radius, primary);
-  });
-}
+// The dipole, and what a summary says of it.
+struct NamedDipole {
+  DipoleField field;
+  std::string text;  // empty, or ", ..."
+};
+NamedDipole dipole_of(const DipoleArguments& a, const TermContext& at);
 
 inline Citation dipole_citation() {
   return {"thebault2015",

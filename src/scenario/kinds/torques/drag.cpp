@@ -44,8 +44,8 @@ constexpr KindKey<Arguments> keys[] = {
         .example("\"60 km\"")
         .positive(),
     quantity_key<&Arguments::air_rate>("air_rate", Dimension::rate,
-                                       "The rate at which the air turns.")
-        .otherwise("0")
+                                       "The rate at which the air turns; 0 if it does not.")
+        .required()
         .example("\"360.9856 deg/d\""),
     quantity_key<&Arguments::air_pole>(
         "air_pole", Dimension::number,

@@ -31,14 +31,14 @@ constexpr auto keys = joined(dipole_keys<Arguments>, own_keys);
 
 MadeTerms made(const Arguments& a, const TermContext& at) {
   const ScenarioOrbit& orbit = at.orbit("orbit");
-  const DipoleField dipole = dipole_of(a, at);
+  const NamedDipole dipole = dipole_of(a, at);
   const FieldRate rate = a.field_rate ? FieldRate::along_orbit : FieldRate::left_out;
   return at.built("tensor", [&] {
     return std::visit(
         [&](const auto& motion) -> AnyPerturbation {
-          const FieldAlongOrbit field(motion, dipole);
+          const FieldAlongOrbit field(motion, dipole.field);
           const EddyCurrents in_file_axes(a.tensor.matrix, field, rate);  // refuses
-          return {"eddy currents, orbit " + orbit.name,
+          return {"eddy currents, orbit " + orbit.name + dipole.text,
                   EddyCurrents(at.principal(in_file_axes.tensor()), field, rate)};
         },
         orbit.motion);

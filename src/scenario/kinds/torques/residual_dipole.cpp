@@ -25,12 +25,12 @@ constexpr auto keys = joined(dipole_keys<Arguments>, own_keys);
 
 MadeTerms made(const Arguments& a, const TermContext& at) {
   const ScenarioOrbit& orbit = at.orbit("orbit");
-  const DipoleField dipole = dipole_of(a, at);
+  const NamedDipole dipole = dipole_of(a, at);
   const Vec3 m = at.principal(a.moment);
   return std::visit(
       [&](const auto& motion) -> AnyPerturbation {
-        return {"residual dipole, orbit " + orbit.name,
-                ResidualDipole(m, FieldAlongOrbit(motion, dipole))};
+        return {"residual dipole, orbit " + orbit.name + dipole.text,
+                ResidualDipole(m, FieldAlongOrbit(motion, dipole.field))};
       },
       orbit.motion);
 }

@@ -56,7 +56,8 @@ constexpr KindKey<Arguments> keys[] = {
         .positive(),
     choice_key<&Arguments::shadow, Shape::none, Shape::cylinder, Shape::cone>(
         "shadow", "none|cylinder|cone",
-        "The shadow of what the body goes round: a cylinder, or umbra and penumbra.")
+        "The shadow of what the body goes round: a cylinder along the direction from the body to "
+        "the Sun, or umbra and penumbra.")
         .otherwise("\"none\"")
         .example("\"cone\""),
     quantity_key<&Arguments::shadow_radius>("shadow_radius", Dimension::length,

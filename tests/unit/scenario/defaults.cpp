@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+// Defaults that change the physics are required or shown.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "polhode/run/summary.hpp"
+#include "polhode/scenario/scenario.hpp"
+#include "temp_folder.hpp"
+
+namespace polhode {
+namespace {
+
+using ::testing::HasSubstr;
+
+const std::string head =
+    "schema = 1\n[units]\nmoment = \"kg m2\"\nlength = \"km\"\n[body]\nmoments = [1, 2, 2.5]\n"
+    "[state]\nepoch = \"2013-05-07T10:57:14.5 UTC\"\naxes = \"equator-J2000\"\n"
+    "[state.attitude-rate]\nquaternion = [1, 0, 0, 0]\nomega_body = [0, 0, 0.1]\n"
+    "[orbit.o]\ngm = 398600.4\nsemi_major_axis = 7000\n";
+const std::string plate = "[[surface]]\nposition = [0, 0, 0]\nnormal = [0, 0, 1]\narea = 1e-6\n";
+const std::string dipole =
+    "[[perturbation]]\nkind = \"residual-dipole\"\norbit = \"o\"\n"
+    "moment = { value = [0, 0, 1], unit = \"A m2\" }\n";
+const std::string numbers =
+    "gauss = { value = [-29442.0, -1501.0, 4797.1], unit = \"nT\" }\nreference_radius = 6371.2\n";
+
+std::string said(const std::string& rest, const std::string& top = head) {
+  try {
+    return summary_table(summary(scenario_from_text(top + rest, "s.toml")));
+  } catch (const ScenarioError& error) {
+    return error.what();
+  }
+}
+
+TEST(Defaults, ThatChangeThePhysicsAreRequired) {
+  struct Row {
+    std::string rest, message;
+  };
+  const std::string drag =
+      plate + "[[perturbation]]\nkind = \"drag\"\norbit = \"o\"\ndensity = 1\n";
+  std::string no_axes = head;
+  no_axes.replace(no_axes.find("equator-J2000"), 13, "inertial");
+  for (const Row& row :
+       {Row{drag, "air_rate"},
+        Row{dipole, "perturbation[0].gauss: got nothing; expected the Gauss coefficients"},
+        Row{dipole + numbers,
+            "perturbation[0].rotation_rate: got nothing; expected how fast the field turns"},
+        Row{dipole + numbers + "rotation_rate = 0\n",
+            "perturbation[0].meridian: got nothing; expected where longitude 0 is"},
+        Row{dipole + numbers + "field = \"earth\"\n",
+            "perturbation[0].gauss: got [-29442.0, -1501.0, 4797.1] nT; expected none"},
+        Row{plate + "[[surface]]\nshape = \"box.obj\"\n",
+            "surface[1].scale: got nothing; expected what one unit of the mesh is"}})
+    EXPECT_THAT(said(row.rest), HasSubstr(row.message)) << row.rest;
+  EXPECT_THAT(said(dipole + "field = \"earth\"\n", no_axes), HasSubstr("expected axes = "));
+  // a dipole along the pole is the same however it turns
+  EXPECT_THAT(said(dipole + "gauss = [-3e-5, 0, 0]\nreference_radius = 6371.2\n"),
+              HasSubstr("residual dipole, orbit o\n"));
+}
+
+TEST(Defaults, AreInTheSummaryWithTheNumbersOfTheTorques) {
+  const std::string text = said(plate + dipole + "field = \"earth\"\n");
+  EXPECT_THAT(text, HasSubstr("the Earth's dipole of the epoch (IGRF-14: "));
+  EXPECT_THAT(text, HasSubstr("moment = [0, 0, 1] A m2"));
+  EXPECT_THAT(text, HasSubstr("surface[0], not in the file"));
+  EXPECT_THAT(text, HasSubstr("specular = 0"));
+  const test::TempFolder folder;
+  folder.write("box.obj",
+               "v 0 0 0\nv 3 0 0\nv 3 2 0\nv 0 2 0\nv 0 0 1\nv 3 0 1\nv 3 2 1\nv 0 2 1\n"
+               "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
+  const Scenario of_mesh = read_scenario(
+      folder.write("s.toml", head + "[[surface]]\nshape = \"box.obj\"\nscale = \"1 m\"\n"));
+  EXPECT_THAT(summary_table(summary(of_mesh)),
+              HasSubstr("0.003 x 0.002 x 0.001 km, area 2.2e-05 km2, 12 facets"));
+}
+
+// Between them the interpolation is worthless, and nothing said so.
+TEST(Defaults, CoarseTablesOfElementsAreWarnedOfOrRejected) {
+  const test::TempFolder folder;
+  const auto text = [&](double spacing, const std::string& more, bool radians = false) {
+    std::string rows = "t,e,i,Omega,omega\n";
+    const double unit = radians ? 1.0 : 180.0 / 3.141592653589793;
+    const auto angle = [&](double x) {
+      return std::to_string(unit * (radians ? std::fmod(x, 6.283) : x));
+    };
+    for (double t = -200.0; t <= 400.0; t += spacing)
+      rows += std::to_string(1e3 * t) + "," + std::to_string(0.05 + 0.02 * std::cos(t / 15.0)) +
+              "," + std::to_string(unit * 0.03) + "," + angle(-t / 11.0) + "," + angle(t / 8.0) +
+              "\n";
+    folder.write("mars.csv", rows);
+    const std::string path = folder.write(
+        "s.toml",
+        "schema = 1\nkind = \"obliquity\"\n[units]\ntime = \"yr\"\nangle = \"deg\"\n[planet]\n"
+        "name = \"mars\"\norbit = \"m\"\n[orbit.m]\nkind = \"elements\"\nfile = \"mars.csv\"\n"
+        "columns = [\"t\", \"e\", \"i\", \"Omega\", \"omega\"]\n"
+        "units = [\"yr\", \"1\", \"deg\", \"deg\", \"deg\"]\n" +
+            more + "[time]\nstop = 300000\nstep = 10000\n");
+    try {
+      std::string all;
+      for (const std::string& warning : warnings(read_scenario(path))) all += warning + "\n";
+      return all;
+    } catch (const ScenarioError& error) {
+      return std::string(error.what());
+    }
+  };
+  const std::string axes = "axes = \"invariable-plane\"\n";
+  EXPECT_THAT(text(20.0, ""), HasSubstr("axes"));
+  EXPECT_EQ(text(1.0, axes), "");
+  EXPECT_THAT(text(20.0, axes), HasSubstr("rows that are too far apart: between them"));
+  EXPECT_THAT(text(40.0, axes), HasSubstr("or allow_coarse = true in its table"));
+  EXPECT_THAT(text(40.0, axes + "allow_coarse = true\n"),
+              HasSubstr("orbit.m.file: got \"mars.csv\"; rows that are too far apart"));
+  EXPECT_THAT(
+      text(1.0, axes, true),
+      HasSubstr("the column Omega is declared in degrees, and none of its numbers exceeds"));
+}
+
+}  // namespace
+}  // namespace polhode
