@@ -9,6 +9,7 @@
 #include "polhode/error.hpp"
 #include "polhode/tables/aem.hpp"
 #include "tables/detail/kvn_ephemeris.hpp"
+#include "tables/detail/packed_file.hpp"
 #include "text/number_text.hpp"
 #include "text/printable.hpp"
 #include "text/word_list.hpp"
