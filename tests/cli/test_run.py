@@ -123,7 +123,12 @@ def test_hdf5_holds_what_csv_holds(run, scenario, table, tmp_path):
     assert result.returncode == 0 and "short-axis mode" in result.stdout
     names, rows = table((tmp_path / "a.csv").read_text(encoding="utf-8"))
     with h5py.File(tmp_path / "a.h5") as file:
-        assert set(file) == {"t", "q", "serret", "andoyer"}
+        groups = {"q", "serret", "andoyer"}
+        assert set(file) == {"t", *groups, *(f"{name}_column" for name in groups)}
+        for name in groups:  # named dimensions and coordinates, as NetCDF-4 has them
+            time, column = file[name].dims
+            assert time["t"] == file["t"] and file["t"].is_scale
+            assert list(column[f"{name}_column"].asstr()) == list(file[name].attrs["columns"])
         assert list(file["andoyer"].attrs["columns"]) == ["l", "g", "L"]
         assert list(file["serret"].attrs["units"]) == ["rad", "s", "1/s2", "rad", "1/s", "1/s"]
         assert file["t"].shape == (5001,)
