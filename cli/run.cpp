@@ -154,6 +154,8 @@ void run_scenario(const CommandOptions& options, const Kinds& kinds) {
     }
   }
   if (!report.outcome.ok()) throw std::runtime_error(failure_text(scenario, report, out));
+  for (const std::string& warning : report.warnings)
+    std::fputs(("warning: " + warning + "\n").c_str(), stderr);
   if (to_standard_output) return;
   std::vector<SummaryLine> lines = summary(scenario);
   if (!table_only)

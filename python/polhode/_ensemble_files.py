@@ -69,6 +69,8 @@ def _read_hdf5(path: str) -> EnsembleFile:
         groups, parts, texts = [], [], {}
         first = [g for g in map(str, file.attrs.get("groups", _FIRST)) if g in file]
         for group in [*first, *(g for g in file if g not in first)]:
+            if "columns" not in file[group].attrs:
+                continue  # the names of the columns of a group
             columns = [str(name) for name in file[group].attrs["columns"]]
             groups.append((group, list(zip(columns, map(str, file[group].attrs["units"])))))
             data = file[group]
@@ -86,7 +88,7 @@ def _read_hdf5(path: str) -> EnsembleFile:
 
 
 def _read_csv(path: str) -> EnsembleFile:
-    with open(path, encoding="utf-8") as file:
+    with open(path, encoding="utf-8-sig") as file:
         lines = file.read().splitlines()
     head = [line[2:] for line in lines if line.startswith("#")]
     scenario = [line[2:] for line in head if line.startswith("|")]

@@ -36,15 +36,15 @@ def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog=_PROGRAM,
         description="Writes a table of positions and velocities of a satellite of the Earth, from "
-        "its two-line elements by SGP4: what [orbit.NAME] of a scenario reads.",
+        "its mean elements by SGP4: what [orbit.NAME] of a scenario reads.",
         epilog=_EXAMPLE,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     parser.add_argument(
         "elements",
         metavar="TLE",
-        help="a file of two-line elements, with or without a line of the name, or an OMM (.csv, "
-        ".xml); - is standard input",
+        help="a file of two-line elements, with or without a line of the name, or of OMM (XML, "
+        "JSON, CSV or KEYWORD = value); - is standard input",
     )
     parser.add_argument(
         "--from", dest="start", required=True, metavar="DATE",
@@ -115,19 +115,15 @@ def _chosen(
     if asked.satellite is not None:
         wanted = asked.satellite.strip().upper()
         number = wanted.lstrip("0")
-        named = [s for s in found if wanted == s.name.upper() or number == _number(s)]
+        named = [s for s in found if wanted == s.name.upper() or number == s.number]
         if not named:
             raise ValueError(f"{asked.elements}: no satellite is {asked.satellite}; there are "
                              f"{_listed(found)}")  # fmt: skip
         found = named
-    if len({_number(one) for one in found}) > 1:
+    if len({one.number for one in found}) > 1:
         raise ValueError(f"{asked.elements}: holds several satellites; expected --satellite with "
                          f"one of {_listed(found)}")  # fmt: skip
     return min(found, key=lambda one: one._age(epoch, middle, middle))
-
-
-def _number(satellite: satellites.Satellite) -> str:
-    return str(satellite.elements.satnum).lstrip("0")
 
 
 def _listed(found: list[satellites.Satellite]) -> str:
@@ -135,9 +131,9 @@ def _listed(found: list[satellites.Satellite]) -> str:
     most = 8
     numbers: dict[str, set[str]] = {}
     for one in found:
-        numbers.setdefault(one.name, set()).add(_number(one))
+        numbers.setdefault(one.name, set()).add(one.number)
     names = list(dict.fromkeys(
-        one.name if len(numbers[one.name]) == 1 else f"{_number(one)} ({one.name})"
+        one.name if len(numbers[one.name]) == 1 else f"{one.number} ({one.name})"
         for one in found))  # fmt: skip
     return ", ".join(names[:most]) + (f" and {len(names) - most} more" if len(names) > most else "")
 

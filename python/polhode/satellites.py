@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Satellites of the Earth from two-line elements (TLE) and orbit mean-elements messages (OMM).
 
+Days of elements have 86,400 s, also those that end in a leap second, which therefore has no name.
+
 SGP4 (the package `sgp4`: pip install 'polhode[satellites]') propagates them; what comes out are
 tables of positions and velocities along equator and equinox of J2000, as orbits or as files that a
 scenario reads. As a command:
@@ -11,9 +13,9 @@ scenario reads. As a command:
 
 from __future__ import annotations
 
-import csv
+import calendar
+import datetime
 import gzip
-import io
 import math
 import os
 import pathlib
@@ -24,11 +26,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from os import PathLike
 from typing import Any
-from xml.etree import ElementTree
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from polhode import _omm
 from polhode._core import (
     Date,
     TableOrbit,
@@ -53,6 +55,9 @@ _SPACINGS = (10.0, 15.0, 20.0, 30.0, 60.0, 120.0, 300.0, 600.0, 900.0)
 _ROWS_A_TURN = 80
 _LEAST_ROWS = 12
 _LONGEST_NAME = 24  # characters, in a line above elements
+_NO_LINE_1 = (
+    'expected line 1 of the elements of "{}", 69 characters that begin with "1 "; got "{}"'
+)
 _FAR = 30 * 86400.0  # s from the epoch of elements: kilometres, and soon hundreds of them
 # Central differences of order 8, of rows at -4 to 4 steps, each a sixth of a spacing
 _SLOPE = np.array([1 / 280, -4 / 105, 1 / 5, -4 / 5, 0, 4 / 5, -1 / 5, 4 / 105, -1 / 280])
@@ -66,11 +71,13 @@ class Satellite:
     name : as its elements give it, or its number.
     epoch : of the elements, a Date in UTC.
     elements : the `sgp4.api.Satrec` that propagates it.
+    number : its catalogue number, of up to nine digits.
     """
 
     name: str
     epoch: Date
     elements: Any = field(repr=False, compare=False)
+    number: str = ""
 
     def states(
         self, epoch: Date | str, times: ArrayLike
@@ -200,26 +207,54 @@ def satellite_from_tle(line1: str, line2: str, name: str | None = None) -> Satel
         _check_fields(number, line)
     if lines[0][2:7] != lines[1][2:7]:
         raise ValueError(f"line 2: of satellite {lines[1][2:7]}; line 1 is of {lines[0][2:7]}")
-    from_lines = _sgp4().Satrec.twoline2rv(*lines)
-    return _satellite(from_lines, name or lines[0][2:7].strip())
+    satrec = _sgp4().Satrec.twoline2rv(*lines)
+    # SGP4 counts 86,400 s a day; a Date stretches a day that ends in a leap second
+    midnight, fraction = satrec.jdsatepoch, satrec.jdsatepochF
+    length = round(seconds_between(Date("UTC", midnight), Date("UTC", midnight + 1.0)))
+    if length != 86400:
+        fraction *= 86400 / length
+    epoch = Date("UTC", midnight, fraction)
+    return _satellite(satrec, epoch, name or lines[0][2:7].strip(), str(satrec.satnum))
 
 
 def satellites_from_file(path: str | PathLike[str]) -> list[Satellite]:
-    """The satellites of a file: two-line elements, each below a line with its name or not, or an
-    OMM (.csv with one message, .xml).
+    """The satellites of a file (.gz or not): two-line elements, each below a line with its name or
+    not, or OMM in XML, JSON, CSV or KEYWORD = value notation, one or several.
 
-    ValueError, with the line of the file, for what is no elements.
+    ValueError, with the line or the message of the file, for what is no elements.
     """
+    return satellites_from_text(_text_of_file(path), os.fsdecode(path))
+
+
+def _text_of_file(path: str | PathLike[str]) -> str:
     file = os.fsdecode(path)
-    text = pathlib.Path(file).read_text(encoding="utf-8")
-    if text.lstrip().startswith("<") or "MEAN_MOTION" in text.partition("\n")[0]:
-        return [satellite_from_omm(text)]
-    return satellites_from_text(text, file)
+    data = pathlib.Path(file).read_bytes()
+    return (gzip.decompress(data) if file.endswith(".gz") else data).decode("utf-8")
 
 
 def satellites_from_text(text: str, source: str = "text") -> list[Satellite]:
-    """The same from the two-line elements of a text; `source` stands for it in messages."""
-    found, name, line1, number1 = [], None, None, 0
+    """The same from a text; `source` stands for it in messages."""
+    text = text.removeprefix("\ufeff")
+    try:
+        found = _omm.messages(text)
+    except ValueError as wrong:
+        raise ValueError(f"{source}: {wrong}") from None
+    if found is None:
+        return _satellites_of_lines(text, source)
+    if not found:
+        raise ValueError(f"{source}: holds 0 messages; expected one OMM or more")
+    satellites = []
+    for k, fields in enumerate(found, 1):
+        try:
+            satellites.append(_satellite_of_fields(fields))
+        except ValueError as wrong:
+            place = f"message {k}: " if len(found) > 1 else ""
+            raise ValueError(f"{source}: {place}{wrong}") from None
+    return satellites
+
+
+def _satellites_of_lines(text: str, source: str) -> list[Satellite]:
+    found, name, line1, number1, number = [], None, None, 0, 0
     for number, line in enumerate(text.splitlines(), 1):
         line = line.rstrip()
         if not line or line.startswith("#"):
@@ -241,36 +276,77 @@ def satellites_from_text(text: str, source: str = "text") -> list[Satellite]:
         elif is_element:
             raise ValueError(f"{place}line 2 of elements has no line 1 above it")
         elif name is not None:
-            raise ValueError(f'{place}expected line 1 of the elements of "{_printable(name)}", '
-                             f'69 characters that begin with "1 "; got '
-                             f'"{_printable(line)}"')  # fmt: skip
+            raise ValueError(place + _NO_LINE_1.format(_printable(name), _printable(line)))
         else:
             name = line.removeprefix("0 ").strip()
     if line1 is not None:
         raise ValueError(f"{source}:{number1}: line 1 of elements has no line 2 below it")
+    if name is not None:
+        end = _NO_LINE_1.format(_printable(name), "").removesuffix('; got ""')
+        raise ValueError(f"{source}:{number}: {end}; the file ends with this name")
     if not found:
         raise ValueError(f"{source}: holds no two-line elements")
     return found
 
 
 def satellite_from_omm(message: str | PathLike[str] | Mapping[str, Any]) -> Satellite:
-    """The satellite of an OMM: its fields, a CSV or XML text, or the path of such a file.
+    """The satellite of an OMM: its fields, a text in XML, JSON, CSV or KEYWORD = value notation, or
+    the path of such a file.
 
-    A CSV holds the names in its first line and one message in its second. ValueError for fields
-    that are missing or are no numbers.
+    ValueError for fields that are missing or wrong, for elements that are not for SGP4, and for a
+    text with several messages: `satellites_from_text` takes these.
     """
-    fields = dict(message) if isinstance(message, Mapping) else _omm_fields(message)
-    api = _sgp4()
-    from sgp4 import omm
-
-    satrec = api.Satrec()
+    if isinstance(message, Mapping):
+        found = [{name: "" if x is None else str(x) for name, x in message.items()}]
+    else:
+        is_text = isinstance(message, str) and any(mark in message for mark in "\n<{")
+        try:
+            found = _omm.messages(message if is_text else _text_of_file(message)) or []
+        except ValueError as wrong:
+            raise ValueError(f"OMM: {wrong}") from None
+    if len(found) != 1:
+        raise ValueError(f"OMM: {len(found)} messages; expected one (satellites_from_text)")
     try:
-        omm.initialize(satrec, {key: str(value) for key, value in fields.items()})
-    except KeyError as missing:
-        raise ValueError(f"OMM: the field {missing.args[0]} is missing") from None
+        return _satellite_of_fields(found[0])
     except ValueError as wrong:
         raise ValueError(f"OMM: {wrong}") from None
-    return _satellite(satrec, str(fields.get("OBJECT_NAME") or satrec.satnum))
+
+
+def _satellite_of_fields(fields: Mapping[str, str]) -> Satellite:
+    _omm.require_sgp4(fields)
+    epoch = _epoch_of_omm(_omm.required(fields, "EPOCH"))
+    _sgp4()
+    from sgp4 import alpha5, api, omm
+
+    number = fields.get("NORAD_CAT_ID", "")
+    if not re.fullmatch(r"[0-9]{0,9}|[A-HJ-NP-Z][0-9]{4}", number):
+        raise ValueError(f'NORAD_CAT_ID: got "{_printable(number)}"; expected up to nine digits')
+    number = str(alpha5.from_alpha5(number)) if number else ""
+    # Satrec has room for five characters of the number, and for microseconds
+    room = number if number and int(number) < 340_000 else "0"
+    year, month, day, hour, minute, second = epoch.calendar
+    micro = min(math.floor(second * 1e6), 59_999_999)
+    clock = f"{hour:02}:{minute:02}:{micro // 10**6:02}.{micro % 10**6:06}"
+    text = f"{year:04}-{month:02}-{day:02}T{clock}"
+    satrec = api.Satrec()
+    try:
+        omm.initialize(satrec, {**_omm.DEFAULTS, **{k: v for k, v in fields.items() if v},
+                                **_omm.elements(fields), "EPOCH": text, "NORAD_CAT_ID": room})
+    except ValueError as wrong:
+        raise ValueError(str(wrong)) from None
+    return _satellite(satrec, epoch, fields.get("OBJECT_NAME") or number, number)
+
+
+def _epoch_of_omm(text: str) -> Date:
+    """2026-05-01T00:00:00.5 or, with the number of the day, 2026-121T00:00:00.5."""
+    date, mark, clock = text.removesuffix("Z").partition("T")
+    try:
+        if re.fullmatch(r"[0-9]{4}-[0-9]{3}", date):
+            date = datetime.datetime.strptime(date, "%Y-%j").date().isoformat()
+        return Date(f"{date}{mark}{clock} UTC")
+    except ValueError:
+        raise ValueError(f'EPOCH: got "{_printable(text)}"; expected a date such as '
+                         "2026-05-01T00:00:00.000") from None  # fmt: skip
 
 
 def _sgp4() -> Any:
@@ -301,6 +377,8 @@ _FIELDS = {
         "mean anomaly": (43, 51), "mean motion": (52, 63)},
 }  # fmt: skip
 
+_LARGEST = {"inclination": 180, "node": 360, "perigee": 360, "mean anomaly": 360}
+
 
 def _check_fields(number: int, line: str) -> None:
     """SGP4 itself reads a letter as the end of a number, and goes on."""
@@ -314,7 +392,22 @@ def _check_fields(number: int, line: str) -> None:
     if number == 1 and not re.fullmatch(r"[ +-][0-9 ]{5}[ +-][0-9]", line[53:61]):
         raise ValueError(f'line 1: its drag term "{line[53:61]}", in columns 54 to 61, is not a '
                          "number")  # fmt: skip
-    if number == 2 and not float(line[52:63]) > 0:
+    if number == 1:
+        if line[62] not in " 02":
+            raise ValueError(f"line 1: its ephemeris type, in column 63, is {line[62]}; SGP4 "
+                             "elements have 0 (4 is SGP4-XP)")  # fmt: skip
+        year = int(line[18:20]) + (2000 if int(line[18:20]) < 57 else 1900)
+        days = 366 if calendar.isleap(year) else 365
+        if not 1 <= float(line[20:32]) < days + 1:
+            raise ValueError(f"line 1: the day of its epoch is {float(line[20:32]):g}; expected 1 "
+                             f"to {days}, the days of {year}")  # fmt: skip
+        return
+    for name, most in _LARGEST.items():
+        begin, end = _FIELDS[2][name]
+        if float(line[begin:end]) > most:
+            raise ValueError(f"line 2: its {name} is {line[begin:end].strip()}; expected at most "
+                             f"{most} deg")  # fmt: skip
+    if not float(line[52:63]) > 0:
         raise ValueError("line 2: its mean motion is 0; expected revolutions per day")
 
 
@@ -322,26 +415,10 @@ def _printable(text: str) -> str:
     return text[:80].encode("ascii", "replace").decode()
 
 
-def _omm_fields(source: str | PathLike[str]) -> dict[str, str]:
-    text = source if isinstance(source, str) and ("\n" in source or "<" in source) else None
-    if text is None:
-        text = pathlib.Path(source).read_text(encoding="utf-8")
-    if text.lstrip().startswith("<"):
-        try:
-            root = ElementTree.fromstring(text)
-        except ElementTree.ParseError as wrong:
-            raise ValueError(f"OMM: not XML: {wrong}") from None
-        return {node.tag: (node.text or "").strip() for node in root.iter() if not len(node)}
-    rows = list(csv.DictReader(io.StringIO(text)))
-    if len(rows) != 1:
-        raise ValueError(f"OMM: {len(rows)} messages; expected one line below the names")
-    return rows[0]
-
-
-def _satellite(satrec: Any, name: str) -> Satellite:
+def _satellite(satrec: Any, epoch: Date, name: str, number: str) -> Satellite:
     if satrec.error:
         raise ValueError(f"{name}: {_reason(satrec.error)}")
-    return Satellite(name, Date("UTC", satrec.jdsatepoch, satrec.jdsatepochF), satrec)
+    return Satellite(name, epoch, satrec, number)
 
 
 def _reason(code: int) -> str:

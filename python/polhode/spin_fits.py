@@ -36,7 +36,7 @@ class SpinState:
     q : (4,), body axes F to inertial axes; a SciPy Rotation will do.
     w : (3,), the angular velocity along F, rad per unit of time.
     inertia : (3, 3), the tensor in F; made of that, of three moments about the axes F, or of a Body
-        and its axes. Only ratios act.
+        and its axes. Only ratios act. inertia[0][1] is minus the integral of x y dm.
     t0 : when.
     """
 
@@ -314,7 +314,8 @@ def fit_spin(
     start : where the search begins; what is not unknown stays.
     seen : Snapshots.
     unknowns : "attitude" (turn_x, turn_y, turn_z), "rate" (w_x, w_y, w_z), "moments" (Ixx/Izz,
-        Iyy/Izz) and "products" (Ixy/Izz, Iyz/Izz, Ixz/Izz).
+        Iyy/Izz) and "products" (Ixy/Izz, Iyz/Izz, Ixz/Izz; Ixy is an element of the tensor, minus
+        the integral of x y dm).
     priors : {"Ixx/Izz": (mean, sigma)}, or several at once {("w_x", "w_y"): (means, covariance)}.
     attitude_prior : (quaternion (4,), sigma), sigma as of Snapshots.
     loss : of a residual: "squared", "huber", "soft_l1" or "cauchy"; ("huber", 2.0) turns at 2

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Orbit Ephemeris Messages: read_oem against the package `oem`, and as the orbit of a scenario."""
 
+import gzip
+
 import budgets
 import numpy as np
 import oem
@@ -57,6 +59,17 @@ def path(tmp_path):
     file = tmp_path / "sat.oem"
     file.write_text(TWO, encoding="ascii")
     return file
+
+
+def test_a_packed_message_with_a_byte_order_mark_is_the_same(path, tmp_path):
+    packed = tmp_path / "sat.oem.gz"
+    packed.write_bytes(gzip.compress(b"\xef\xbb\xbf" + path.read_bytes()))
+    for one, other in zip(polhode.read_oem(path).segments, polhode.read_oem(packed).segments,
+                          strict=True):
+        assert np.array_equal(one.position, other.position)
+    there, here = (polhode.load(scenario(tmp_path, file.name)).orbits["earth"].position(50.0)
+                   for file in (packed, path))
+    assert np.array_equal(there, here)
 
 
 def test_the_package_oem_reads_the_same(path):

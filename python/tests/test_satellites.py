@@ -3,6 +3,7 @@
 published example of its axes."""
 
 import gzip
+import json
 import pathlib
 
 import budgets
@@ -36,6 +37,13 @@ OMM = {
     "MEAN_MOTION_DOT": "0.00000023",
     "MEAN_MOTION_DDOT": "0",
 }
+
+
+def tle(epoch="00179.78495062", kind="0"):
+    """Line 1 with another epoch or ephemeris type, and its checksum."""
+    line = VANGUARD[0].replace("00179.78495062", epoch)
+    line = line[:62] + kind + line[63:68]
+    return line + str((sum(int(c) for c in line if c.isdigit()) + line.count("-")) % 10)
 
 
 def verification(number):
@@ -185,6 +193,14 @@ def test_the_epoch_of_a_table_is_a_date(tmp_path):
             VANGUARD[1].replace("10.82419157", "00.00000000")[:-1] + "9",
             "line 2: its mean motion is 0",
         ),
+        (tle("21367.63955392"), VANGUARD[1], "the day of its epoch is 367.64; expected 1 to 365"),
+        (tle("21000.50000000"), VANGUARD[1], "the day of its epoch is 0.5; expected 1 to 365"),
+        (tle(kind="4"), VANGUARD[1], "its ephemeris type, in column 63, is 4; SGP4 elements"),
+        (
+            VANGUARD[0],
+            VANGUARD[1].replace(" 34.2682", "184.2682")[:-1] + "3",
+            "line 2: its inclination is 184.2682; expected at most 180 deg",
+        ),
     ],
 )
 def test_lines_that_are_wrong_say_where(line1, line2, what):
@@ -201,6 +217,110 @@ def test_messages_that_are_wrong_say_where():
         satellites.satellite_from_omm("<omm>")
     with pytest.raises(ValueError, match="0 messages"):
         satellites.satellite_from_omm("A,B\n")
+    with pytest.raises(ValueError, match="2 messages; expected one"):
+        satellites.satellite_from_omm(as_csv(OMM, OMM))
+
+
+def message(number, name="", **fields):
+    """A message of a catalogue."""
+    return {**OMM, "OBJECT_NAME": name, "NORAD_CAT_ID": number, **fields}
+
+
+def leaves(fields, *names):
+    return "".join(f"<{k}>{fields[k]}</{k}>" for k in names if fields.get(k))
+
+
+def as_xml(*found):
+    """As CelesTrak and Space-Track write them."""
+    segments = "".join(
+        '<omm id="CCSDS_OMM_VERS" version="2.0"><header><CREATION_DATE/><ORIGINATOR/></header>'
+        f"<body><segment><metadata>{leaves(one, 'OBJECT_NAME', 'OBJECT_ID')}</metadata><data>"
+        f"<meanElements>{leaves(one, *ELEMENTS)}</meanElements>"
+        f"<tleParameters>{leaves(one, *PARAMETERS)}</tleParameters></data></segment></body></omm>"
+        for one in found)
+    return f'<?xml version="1.0"?>\n<ndm>{segments}</ndm>\n'
+
+
+def as_kvn(*found):
+    return "".join("CCSDS_OMM_VERS = 2.0\nCOMMENT a comment\n"
+                   + "".join(f"{k} = {v}{' [deg]' if k == 'INCLINATION' else ''}\n"
+                             for k, v in one.items() if v) for one in found)
+
+
+def as_csv(*found):
+    return "".join(",".join(row) + "\n" for row in (OMM, *(one.values() for one in found)))
+
+
+def as_json(*found):
+    return json.dumps(list(found))
+
+
+ELEMENTS = ("EPOCH", "MEAN_MOTION", "ECCENTRICITY", "INCLINATION", "RA_OF_ASC_NODE",
+            "ARG_OF_PERICENTER", "MEAN_ANOMALY")
+PARAMETERS = ("EPHEMERIS_TYPE", "CLASSIFICATION_TYPE", "NORAD_CAT_ID", "ELEMENT_SET_NO",
+              "REV_AT_EPOCH", "BSTAR", "MEAN_MOTION_DOT", "MEAN_MOTION_DDOT")
+
+
+@pytest.mark.parametrize("written", [as_xml, as_kvn, as_csv, as_json])
+def test_a_file_gives_every_message_and_each_its_own_fields(written, tmp_path):
+    found = [message("52001", "FIRST", INCLINATION="51.6", MEAN_ANOMALY="30"),
+             message("123456789", "SECOND", INCLINATION="98.1", BSTAR="0.0007")]
+    (tmp_path / "a.omm.gz").write_bytes(gzip.compress(b"\xef\xbb\xbf" + written(*found).encode()))
+    read = satellites.satellites_from_file(tmp_path / "a.omm.gz")
+    assert [(one.name, one.number) for one in read] == [("FIRST", "52001"),
+                                                        ("SECOND", "123456789")]
+    for one, fields in zip(read, found, strict=True):
+        assert_allclose(np.degrees(one.elements.inclo), float(fields["INCLINATION"]),
+                        atol=budgets.numpy_formula)
+        assert one.elements.bstar == float(fields["BSTAR"])
+    # a field that the second lacks is not that of the first
+    del found[1]["BSTAR"]
+    if written is not as_csv:
+        with pytest.raises(ValueError, match="a: message 2: the field BSTAR is missing"):
+            satellites.satellites_from_text(written(*found), "a")
+
+
+def test_epochs_of_messages_and_days_with_a_leap_second():
+    """The day of 2016-12-31 has 86,401 s: noon is 43,200 s after midnight."""
+    noon = polhode.Date("2016-12-31T12:00:00 UTC")
+    line1 = "1 04859U 21001A   16366.50000000  .00000000  00000+0  00000+0 0  9995"
+    line2 = "2 04859  51.6000 123.4000 0001234  10.0000  20.0000 15.50000000    15"
+    read = [satellites.satellite_from_tle(line1, line2)]
+    for epoch in ("2016-12-31T12:00:00", "2016-366T12:00:00.000Z"):
+        read.append(satellites.satellite_from_omm({**OMM, "EPOCH": epoch}))
+    for one in read:
+        assert abs(polhode.seconds_between(noon, one.epoch)) < budgets.tle_epoch
+
+
+@pytest.mark.parametrize(("fields", "what"), [
+    ({"EPHEMERIS_TYPE": "4"}, 'EPHEMERIS_TYPE: got "4"; SGP4 elements have 0'),
+    ({"MEAN_ELEMENT_THEORY": "DSST"}, 'MEAN_ELEMENT_THEORY: got "DSST"'),
+    ({"MEAN_ELEMENT_THEORY": "SGP4-XP"}, "MEAN_ELEMENT_THEORY"),
+    ({"TIME_SYSTEM": "TAI"}, "SGP4 elements have UTC"),
+    ({"REF_FRAME": "GCRF"}, "SGP4 elements have TEME"),
+    ({"CENTER_NAME": "MARS"}, "SGP4 elements have EARTH"),
+    ({"INCLINATION": "180.5"}, 'INCLINATION: got "180.5"; expected a number from 0 to 180'),
+    ({"MEAN_MOTION": "0"}, "MEAN_MOTION"),
+    ({"ECCENTRICITY": "nan"}, "ECCENTRICITY"),
+    ({"EPOCH": "2026-02-30T00:00:00"}, 'EPOCH: got "2026-02-30T00:00:00"'),
+    ({"NORAD_CAT_ID": "1234567890"}, "expected up to nine digits"),
+])  # fmt: skip
+def test_elements_of_another_theory_or_beyond_their_range_are_rejected(fields, what):
+    with pytest.raises(ValueError, match=what):
+        satellites.satellite_from_omm({**OMM, **fields})
+
+
+@pytest.mark.parametrize(("text", "what"), [
+    ("<ndm><omm><A>1</A><A>2</A></omm></ndm>", "the field A is there twice"),
+    ('[{"A": 1, "A": 2}]', "the field A is there twice"),
+    ("CCSDS_OMM_VERS = 2.0\nA = 1\nA = 2\n", "the field A is there twice"),
+    ("CCSDS_OMM_VERS = 2.0\nA\n", 'line 2: got "A"; expected KEYWORD = value'),
+    ("[1]", "expected a list of messages in JSON"), ("[1", "not JSON"), ("[]", "0 messages"),
+    ("A,MEAN_MOTION\n1\n", "message 1: has 1 fields; the first line names 2"),
+])  # fmt: skip
+def test_a_damaged_message_says_what_is_wrong(text, what):
+    with pytest.raises(ValueError, match=f"a: .*{what}"):
+        satellites.satellites_from_text(text, "a")
 
 
 def test_elements_that_are_old_warn():
@@ -291,6 +411,7 @@ OTHER = LINES.replace("00005U", "00006U").replace("4753", "4754").replace(
      'which begins with "2 "; got "A"'),
     ("A\nB\n", [], 'a.tle:2: expected line 1 of the elements of "A"'),
     ("", [], "a.tle: holds no two-line elements"),
+    (LINES + "/EX\n", [], 'a.tle:3: expected line 1 of the elements of "/EX"'),
     (LINES + OTHER, [], "a.tle: holds several satellites; expected --satellite with one of 00005"),
     (LINES, [*FROM_TO, "--satellite", "ISS"], "a.tle: no satellite is ISS; there are 00005"),
     (LINES, ["--from", "2001-06-28Z", "--to", "2001-06-29Z"], "a.tle: the elements of 00005 are of "

@@ -98,6 +98,9 @@ class ScenarioRun::Parts {
       outputs_.forget();  // what a term or an orbit refuses, it would refuse again
       throw;
     }
+    for (std::size_t i = 0; report.outcome.ok() && i < files_.outputs.size(); ++i)
+      for (const std::string& warning : sinks_[i]->warnings())
+        report.warnings.push_back(detail::printable(files_.outputs[i], 500) + ": " + warning);
     report.events_met = kept_.events_met;
     report.events = std::move(kept_.events);
     outputs_.forget();

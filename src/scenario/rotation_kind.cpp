@@ -202,7 +202,7 @@ class RotationBuilder {
     std::shared_ptr<const ScenarioShape> shape =
         keeps({"body."}) ? base_->rotation.shape : shape_of(values, name);
     const Body body = keeps({"body."}) ? base_->rotation.body : body_of(values, shape.get(), name);
-    time_ = times_of(values, name);
+    time_ = has_automatic_rows(values) ? span_of(values, name) : times_of(values, name);
     MadeRotation made{{.body = body,
                        .q_file = has(values, "body.moments") ? Quaternion{} : body.q_FB(),
                        .chart = chart,
@@ -232,6 +232,7 @@ class RotationBuilder {
     if (const TumblerState* tumbler = std::get_if<TumblerState>(&rotation.state))
       require_psi(values, body, *tumbler, at_.units, name);
     built(values, "state." + chart, name, [&] { return free_rotation(rotation); });
+    if (has_automatic_rows(values)) rotation.time = automatic_times(rotation, values, name);
     return made;
   }
 

@@ -2,8 +2,10 @@
 // From the values of a file to what moves the body: frame, terms, method, events.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
+#include "math/larger.hpp"
 #include "output/obliquity_columns.hpp"
 #include "polhode/output/columns.hpp"
 #include "polhode/scenario/schema.hpp"
@@ -11,6 +13,7 @@
 #include "scenario/value_access.hpp"
 #include "scenario/values.hpp"
 #include "text/civil_time.hpp"
+#include "text/number_text.hpp"
 #include "text/word_list.hpp"
 
 namespace polhode {
@@ -143,9 +146,63 @@ void require_way(const Values& values, double start, double stop, const std::str
     refuse(values, "time.start", name, "expected a time before stop, since step is positive");
 }
 
+bool has_automatic_rows(const Values& values) {
+  return has(values, "time.step") && !value_at(values, "time.step").words.empty();
+}
+
+std::optional<SaveAt> span_of(const Values& values, const std::string& name) {
+  return built(values, "time.stop", name, [&]() -> std::optional<SaveAt> {
+    return SaveAt::count(number(values, "time.start"), number(values, "time.stop"), 2);
+  });
+}
+
+// The attitude in the middle of two rows, a time h apart, is h^2/8 times the angular acceleration
+// away from a rotation about a fixed axis. The largest one is looked for along the free rotation,
+// with the torques there.
+std::optional<SaveAt> automatic_times(const Rotation& rotation, const Values& values,
+                                      const std::string& name) {
+  constexpr double usual = 0.01 * std::numbers::pi / 180.0;
+  constexpr double margin = 0.9, largest_turn = 0.5 * std::numbers::pi, most_rows = 1e8;
+  constexpr int looks = 128;
+  const double start = number(values, "time.start"), stop = number(values, "time.stop");
+  if (has(values, "time.error")) require_range(values, "time.error", name);
+  const double error = has(values, "time.error") ? number(values, "time.error") : usual;
+  const DampedProblem problem = rotor_problem(rotation);
+  const System& system = problem.system;
+  const FreeRotation motion(rotation.body, inertial_state(system, 0.0, problem.initial.rotor));
+  const double span = stop - start, period = std::fabs(motion.polhode_period());
+  double acceleration = 0.0, rate = 0.0;
+  const auto look = [&](double t) {
+    const RotorState s = reference_state(system, t, motion.at(t));
+    const Vec3 w = angular_velocity(system, t, s).inertial;
+    const Effect e = terms_effect(system, Setting{system.body(), t, s, system.frame().at(t).q_IS});
+    const Vec3 moment = cross(s.g, w) + e.u;
+    const Vec3& I = system.body().moments();
+    acceleration = larger(acceleration, norm(Vec3{moment.x / I.x, moment.y / I.y, moment.z / I.z}));
+    rate = larger(rate, norm(w));
+  };
+  for (int k = 0; k < looks; ++k) {
+    const double part = static_cast<double>(k) / looks;
+    look(start + part * span);
+    if (period < std::fabs(span)) look(start + std::copysign(part * period, span));
+  }
+  const double step = std::min(margin * std::sqrt(8.0 * error / acceleration), largest_turn / rate);
+  const double steps = std::isnan(step) ? 1.0 : std::max(std::ceil(std::fabs(span) / step), 1.0);
+  if (!(steps < most_rows))
+    refuse(values, "time.step", name,
+           "it takes " + number_text(steps) + " rows; expected an error that 1e8 rows can keep");
+  return built(values, "time.step", name, [&]() -> std::optional<SaveAt> {
+    return SaveAt::count(start, stop, static_cast<std::int64_t>(steps) + 1);
+  });
+}
+
 std::optional<SaveAt> times_of(const Values& values, const std::string& name, bool any_sign) {
   if (!has(values, "time")) return std::nullopt;
   const double start = number(values, "time.start");
+  if (has_automatic_rows(values))
+    refuse(values, "time.step", name, "expected a number: automatic rows are those of a rotation");
+  if (is_explicit(values, "time.error"))
+    refuse(values, "time.error", name, "expected step = \"auto\" together with it");
   if (has(values, "time.at")) {
     if (is_explicit(values, "time.start"))
       return built(values, "time.start", name, []() -> std::optional<SaveAt> {

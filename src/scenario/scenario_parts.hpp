@@ -48,6 +48,11 @@ std::optional<Method> method_of(const KindContext& at);
 // A step is one from start towards stop; `any_sign`: whatever its sign is.
 std::optional<SaveAt> times_of(const Values& values, const std::string& name,
                                bool any_sign = false);
+// step = "auto": start and stop, and the rows between them that the motion needs.
+bool has_automatic_rows(const Values& values);
+std::optional<SaveAt> span_of(const Values& values, const std::string& name);
+std::optional<SaveAt> automatic_times(const Rotation& rotation, const Values& values,
+                                      const std::string& name);
 std::vector<ScenarioEvent> events_of(const KindContext& at);
 // Of the formats that have a table [output.NAME].
 FormatOptions format_options_of(const Values& values, const OutputFormats& formats,

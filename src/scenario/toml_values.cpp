@@ -117,6 +117,7 @@ std::optional<double> Reader::with_unit(const Key& key, const toml::node& node,
 
 std::optional<double> Reader::number(const Key& key, const toml::node& node) {
   own_unit_.clear();
+  if (is_listed(node.value_or(std::string()), key.allowed)) return 0.0;  // "auto"
   if (const std::optional<double> value = real(&node))
     return in_range(key, node, units_.to_core(*value, key.dimension));
   if (const toml::table* table = node.as_table())
@@ -205,17 +206,16 @@ bool Reader::read_leaf(const Key& key, const toml::node& node, Value& value) {
     case KeyType::table:
       return false;
     case KeyType::integer: {
-      const std::vector<std::string_view> allowed = separated(key.allowed, '|');
       if (!node.is_integer()) return wrong(node);
       value.whole = *node.value<std::int64_t>();
-      if (!allowed.empty() &&
-          std::find(allowed.begin(), allowed.end(), std::to_string(value.whole)) == allowed.end())
-        return wrong(node);
-      return true;
+      return key.allowed.empty() || is_listed(std::to_string(value.whole), key.allowed) ||
+             wrong(node);
     }
     case KeyType::number: {
       const std::optional<double> found = number(key, node);
-      if (found) value.numbers.push_back(*found);
+      if (found) value.numbers = {*found};
+      const std::string word = node.value_or(std::string());
+      if (is_listed(word, key.allowed)) value.words = {word};
       value.units = {own_unit_};
       return found.has_value();
     }

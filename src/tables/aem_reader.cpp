@@ -9,6 +9,7 @@
 #include "polhode/error.hpp"
 #include "polhode/tables/aem.hpp"
 #include "tables/detail/kvn_ephemeris.hpp"
+#include "tables/detail/packed_file.hpp"
 #include "text/number_text.hpp"
 #include "text/printable.hpp"
 #include "text/word_list.hpp"
@@ -24,7 +25,7 @@ constexpr double degree = std::numbers::pi / 180.0;
 constexpr double length_error = 0.01;  // of a quaternion written with few digits
 constexpr std::string_view versions[] = {"1.0", "2.0"};
 
-enum class Rates { none, derivative, angular_velocity };
+enum class Rates { none, derivative, angular_velocity, about_axis_3 };
 enum class Angles { quaternion, euler, spin };
 
 struct Layout {
@@ -36,19 +37,30 @@ struct Layout {
 constexpr Layout layouts[] = {
     {"QUATERNION", Angles::quaternion, Rates::none, "date and 4 numbers"},
     {"QUATERNION/DERIVATIVE", Angles::quaternion, Rates::derivative, "date and 8 numbers"},
-    {"QUATERNION/RATE", Angles::quaternion, Rates::angular_velocity, "date and 7 numbers"},
     {"QUATERNION/ANGVEL", Angles::quaternion, Rates::angular_velocity, "date and 7 numbers"},
     {"EULER_ANGLE", Angles::euler, Rates::none, "date and 3 numbers"},
-    {"EULER_ANGLE/RATE", Angles::euler, Rates::angular_velocity, "date and 6 numbers"},
+    {"EULER_ANGLE/DERIVATIVE", Angles::euler, Rates::derivative, "date and 6 numbers"},
     {"EULER_ANGLE/ANGVEL", Angles::euler, Rates::angular_velocity, "date and 6 numbers"},
-    {"SPIN", Angles::spin, Rates::none, "date and 4 numbers"},
+    {"SPIN", Angles::spin, Rates::about_axis_3, "date and 4 numbers"},
+};
+
+// Types of version 1 whose rates programs take for different things: the text of the standard calls
+// them Euler rates, in the order of the rotations, and gives them a frame.
+struct Ambiguous {
+  std::string_view type;
+  std::string_view readings;
+};
+constexpr Ambiguous ambiguous[] = {
+    {"QUATERNION/RATE",
+     "QUATERNION/ANGVEL if it is the angular velocity; rates of Euler angles are not read"},
+    {"EULER_ANGLE/RATE",
+     "EULER_ANGLE/ANGVEL if it is the angular velocity, EULER_ANGLE/DERIVATIVE if it is the rates "
+     "of the angles"},
 };
 
 std::size_t width(const Layout& layout) {
-  const std::size_t attitude = layout.angles == Angles::euler ? 3 : 4;
-  return attitude + (layout.rates == Rates::derivative         ? 4
-                     : layout.rates == Rates::angular_velocity ? 3
-                                                               : 0);
+  if (layout.angles == Angles::euler) return layout.rates == Rates::none ? 3 : 6;
+  return layout.rates == Rates::derivative ? 8 : layout.rates == Rates::angular_velocity ? 7 : 4;
 }
 
 // The axis of a digit or letter of EULER_ROT_SEQ, 0 to 2.
@@ -77,6 +89,8 @@ class AemReader {
   void choose_sequence();
   void add(const std::array<double, 8>& n, AemSegment& segment);
   Quaternion quaternion(const std::array<double, 8>& n, std::size_t first) const;
+  Vec3 quaternion_velocity(const std::array<double, 8>& n, const Quaternion& q_AB) const;
+  Vec3 euler_velocity(const std::array<double, 8>& n, const Quaternion& q) const;
 
   detail::KvnEphemerisReader lines_;
   AttitudeEphemeris result_;
@@ -119,7 +133,8 @@ void AemReader::read_meta() {
                               .epochs = {},
                               .t = {},
                               .q_AB = {},
-                              .w_AB_B = {}});
+                              .w_AB_B = {},
+                              .w3 = {}});
 }
 
 void AemReader::choose_layout() {
@@ -127,6 +142,12 @@ void AemReader::choose_layout() {
   std::replace(type.begin(), type.end(), ' ', '_');  // Orekit writes EULER ANGLE
   const auto* const found = std::find_if(std::begin(layouts), std::end(layouts),
                                          [&](const Layout& layout) { return layout.type == type; });
+  for (const Ambiguous& old : ambiguous)
+    if (type == old.type)
+      lines_.fail("ATTITUDE_TYPE: got \"" + type +
+                  "\", whose rates programs read in two ways; expected its name of version "
+                  "2: " +
+                  std::string(old.readings));
   if (found == std::end(layouts)) {
     std::vector<std::string_view> known;
     for (const Layout& layout : layouts) known.push_back(layout.type);
@@ -152,10 +173,12 @@ void AemReader::choose_layout() {
   if (layout_.rates == Rates::angular_velocity && !is_named)
     lines_.refuse("the frame of the angular velocity", frame,
                   "REF_FRAME_A, REF_FRAME_B or the name of either");
-  if (layout_.rates == Rates::angular_velocity && body_to_frame_)
-    lines_.fail(
-        "ATTITUDE_DIR: got B2A with angular velocities; which of the two frames turns "
-        "relative to the other is then unknown: read is A2B");
+  const bool is_velocity =
+      layout_.rates == Rates::angular_velocity || layout_.rates == Rates::about_axis_3;
+  if (is_velocity && body_to_frame_)
+    lines_.fail("ATTITUDE_DIR: got B2A with " + std::string(layout_.type) +
+                ", whose rates do not tell which of the two frames rotates relative to the other; "
+                "expected A2B");
   if (layout_.angles == Angles::euler) choose_sequence();
 }
 
@@ -232,15 +255,48 @@ void AemReader::add(const std::array<double, 8>& n, AemSegment& segment) {
   }
   const Quaternion q_AB = body_to_frame_ ? conj(q) : q;
   segment.q_AB.push_back(q_AB);
-  if (layout_.rates == Rates::none) return;
-  if (layout_.rates == Rates::derivative) {
-    const Quaternion dot = quaternion(n, used);
-    const Quaternion w = conj(q_AB) * (body_to_frame_ ? conj(dot) : dot);  // w = 2 q* dq/dt
-    segment.w_AB_B.push_back({2.0 * w.x, 2.0 * w.y, 2.0 * w.z});
-    return;
-  }
+  if (layout_.rates == Rates::about_axis_3) segment.w3.push_back(degree * n[3]);
+  if (layout_.rates == Rates::derivative)
+    segment.w_AB_B.push_back(layout_.angles == Angles::euler ? euler_velocity(n, q)
+                                                             : quaternion_velocity(n, q_AB));
+  if (layout_.rates != Rates::angular_velocity) return;
   const Vec3 w{degree * n.at(used), degree * n.at(used + 1), degree * n.at(used + 2)};
   segment.w_AB_B.push_back(rate_in_a_ ? rotate(conj(normalized(q_AB)), w) : w);
+}
+
+// w = 2 q* dq/dt
+Vec3 AemReader::quaternion_velocity(const std::array<double, 8>& n, const Quaternion& q_AB) const {
+  const Quaternion dot = quaternion(n, 4);
+  const Quaternion w = conj(q_AB) * (body_to_frame_ ? conj(dot) : dot);
+  return {2.0 * w.x, 2.0 * w.y, 2.0 * w.z};
+}
+
+// The rates of three angles about their axes, as the velocity of the rotation q = q1 q2 q3 that
+// they make; that of its inverse for B2A.
+Vec3 AemReader::euler_velocity(const std::array<double, 8>& n, const Quaternion& q) const {
+  const auto along = [&](std::size_t k) {
+    const int axis = sequence_.at(k);
+    const double rate = degree * n.at(3 + k);
+    return Vec3{axis == 0 ? rate : 0.0, axis == 1 ? rate : 0.0, axis == 2 ? rate : 0.0};
+  };
+  const Quaternion third = about(sequence_[2], degree * n[2]);
+  const Quaternion second = about(sequence_[1], degree * n[1]) * third;
+  const Vec3 w = rotate(conj(second), along(0)) + rotate(conj(third), along(1)) + along(2);
+  return body_to_frame_ ? -rotate(q, w) : w;
+}
+
+// A table has one object and one pair of axes.
+void require_same(const AemSegment& head, const AemSegment& other, std::size_t number) {
+  const auto words = [](const AemSegment& s) {
+    return detail::printable(s.object_name) + " (" + detail::printable(s.object_id) + ", " +
+           detail::printable(s.frame_b) + " to " + detail::printable(s.frame_a) + ")";
+  };
+  if (words(head) != words(other))
+    throw DomainError(
+        "convert: segment " + std::to_string(number) + " is of " + words(other) +
+        ", the first of " + words(head) +
+        "; expected one object and one pair of frames: read_aem of the Python package "
+        "tells segments apart");
 }
 
 }  // namespace
@@ -256,27 +312,34 @@ AttitudeEphemeris read_aem(const std::string& path) {
 std::string aem_csv(const AttitudeEphemeris& ephemeris) {
   const std::vector<AemSegment>& segments = ephemeris.segments;
   const bool several = segments.size() > 1;
-  const bool rates = std::all_of(segments.begin(), segments.end(),
-                                 [](const AemSegment& s) { return !s.w_AB_B.empty(); });
   const AemSegment& head = segments.front();
+  for (std::size_t i = 1; i < segments.size(); ++i) require_same(head, segments[i], i + 1);
+  const auto any = [&](auto has) { return std::any_of(segments.begin(), segments.end(), has); };
+  const bool rates = any([](const AemSegment& s) { return !s.w_AB_B.empty(); });
+  const bool third = rates || any([](const AemSegment& s) { return !s.w3.empty(); });
   std::string out = "# t counts from " + detail::printable(head.epochs.front()) + " " +
                     head.time_system + "\n# q: components along " +
                     detail::printable(head.frame_b) + " to those along " +
-                    detail::printable(head.frame_a) + "\n";
-  out += "# units: t [s]" + std::string(rates ? ", w1 [rad/s], w2 [rad/s], w3 [rad/s]\n" : "\n");
-  out += "t,qw,qx,qy,qz" + std::string(rates ? ",w1,w2,w3" : "") + (several ? ",segment\n" : "\n");
+                    detail::printable(head.frame_a) + "\n# units: t [s]";
+  out += rates ? ", w1 [rad/s], w2 [rad/s]" : "";
+  out += third ? ", w3 [rad/s]\n" : "\n";
+  out += "t,qw,qx,qy,qz" + std::string(rates ? ",w1,w2" : "") + (third ? ",w3" : "") +
+         (several ? ",segment\n" : "\n");
   for (std::size_t i = 0; i < segments.size(); ++i)
     for (std::size_t k = 0; k < segments[i].t.size(); ++k) {
-      const Quaternion& q = segments[i].q_AB[k];
-      std::vector<double> row{segments[i].t[k], q.w, q.x, q.y, q.z};
-      if (rates) {
-        const Vec3& w = segments[i].w_AB_B[k];
-        row.insert(row.end(), {w.x, w.y, w.z});
-      }
-      if (several) row.push_back(static_cast<double>(i + 1));
-      for (std::size_t c = 0; c < row.size(); ++c)
-        out += (c == 0 ? "" : ",") + detail::number_text(row[c]);
-      out += '\n';
+      const AemSegment& s = segments[i];
+      const Quaternion& q = s.q_AB[k];
+      out += detail::number_text(s.t[k]);
+      for (const double x : {q.w, q.x, q.y, q.z}) out += "," + detail::number_text(x);
+      // a rate that this segment has not is an empty field
+      const bool known = !s.w_AB_B.empty();
+      for (int j = 0; rates && j < 2; ++j)
+        out += "," + (known ? detail::number_text(s.w_AB_B[k][j]) : "");
+      if (third)
+        out += "," + (known          ? detail::number_text(s.w_AB_B[k].z)
+                      : s.w3.empty() ? ""
+                                     : detail::number_text(s.w3[k]));
+      out += several ? "," + std::to_string(i + 1) + "\n" : "\n";
     }
   return out;
 }

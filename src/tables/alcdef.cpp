@@ -9,6 +9,7 @@
 #include "tables/detail/kvn_reader.hpp"
 #include "tables/detail/light_sessions.hpp"
 #include "tables/detail/light_times.hpp"
+#include "tables/detail/packed_file.hpp"
 #include "tables/detail/trimmed.hpp"
 #include "text/printable.hpp"
 

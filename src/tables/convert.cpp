@@ -162,7 +162,7 @@ void Converter::finish(bool too_long) {
 }
 
 void Converter::line(std::string_view line) {
-  if (line_number_++ == 0 && line.starts_with("\xef\xbb\xbf")) line.remove_prefix(3);  // UTF-8 mark
+  ++line_number_;
   if (line.starts_with('#')) {
     if (header_done_ || !notes_.read(line)) out_.append(line).push_back('\n');
   } else if (without_blanks(line).empty()) {

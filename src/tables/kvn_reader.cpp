@@ -2,13 +2,8 @@
 #include "tables/detail/kvn_reader.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
-#include <cstring>
-#include <filesystem>
-#include <memory>
 #include <utility>
 
 #include "polhode/error.hpp"
@@ -22,18 +17,10 @@ namespace {
 
 constexpr std::string_view blanks = " \t\r\f\v";
 
-struct CloseFile {
-  void operator()(std::FILE* file) const {
-    if (file != stdin) std::fclose(file);
-  }
-};
-
 }  // namespace
 
 KvnReader::KvnReader(std::string_view text, std::string name)
-    : rest_(text), name_(std::move(name)) {
-  if (rest_.starts_with("\xef\xbb\xbf")) rest_.remove_prefix(3);
-}
+    : rest_(without_mark(text)), name_(std::move(name)) {}
 
 std::optional<KvnLine> KvnReader::next() {
   while (!rest_.empty()) {
@@ -84,27 +71,6 @@ double KvnReader::number(std::string_view field, std::string_view what) const {
   if (error != std::errc() || end != field.data() + field.size() || !std::isfinite(value))
     fail(std::string(what) + ": got \"" + printable(shown) + "\"; expected a finite number");
   return value;
-}
-
-std::string text_of_file(const std::string& path, std::size_t largest) {
-  const std::string shown = path == "-" ? "<stdin>" : printable(path, path.size());
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored))
-    throw DomainError(shown + ": is a folder; expected a file");
-  errno = 0;
-  const std::unique_ptr<std::FILE, CloseFile> file(path == "-" ? stdin
-                                                               : std::fopen(path.c_str(), "rb"));
-  if (!file) throw DomainError(shown + ": cannot be read: " + std::strerror(errno));
-  std::string text;
-  char piece[1 << 16];
-  for (std::size_t count = 0; (count = std::fread(piece, 1, sizeof piece, file.get())) > 0;) {
-    if (text.size() + count > largest)
-      throw DomainError(shown + ": has more than " + std::to_string(largest >> 20) + " MiB");
-    text.append(piece, count);
-  }
-  if (std::ferror(file.get()) != 0)
-    throw DomainError(shown + ": cannot be read: " + std::strerror(errno));
-  return text;
 }
 
 }  // namespace detail

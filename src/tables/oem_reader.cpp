@@ -5,6 +5,7 @@
 
 #include "polhode/tables/oem.hpp"
 #include "tables/detail/kvn_ephemeris.hpp"
+#include "tables/detail/packed_file.hpp"
 #include "text/printable.hpp"
 
 namespace polhode {

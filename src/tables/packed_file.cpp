@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 
 #include "polhode/error.hpp"
 #include "text/printable.hpp"
@@ -22,13 +24,15 @@ constexpr std::size_t longest_path = 4096;
 
 }  // namespace
 
-PackedFile::PackedFile(const std::string& path) : shown_(printable(path, longest_path)) {
+PackedFile::PackedFile(const std::string& path, Pipes pipes)
+    : shown_(printable(path, longest_path)) {
   std::error_code ignored;
   const std::filesystem::file_status status = std::filesystem::status(path, ignored);
   if (std::filesystem::is_directory(status))
     throw DomainError(shown_ + ": is a folder; expected a file");
   // a pipe or a device may never end
-  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+  if (pipes == Pipes::rejected && std::filesystem::exists(status) &&
+      !std::filesystem::is_regular_file(status))
     throw DomainError(shown_ + ": is not a regular file");
   errno = 0;
   stream_ = gzopen(path.c_str(), "rb");
@@ -51,6 +55,23 @@ std::size_t PackedFile::read(std::span<char> bytes) {
     throw DomainError(
         shown_ + ": cannot be read: " + (code == Z_ERRNO ? std::strerror(errno) : printable(text)));
   return static_cast<std::size_t>(count);
+}
+
+std::string text_of_file(const std::string& path, std::size_t largest) {
+  const bool is_input = path == "-";
+  std::optional<PackedFile> file;
+  std::string text, piece(std::size_t{1} << 16, '\0');
+  if (!is_input) file.emplace(path, PackedFile::Pipes::read);
+  const std::string shown = is_input ? "<stdin>" : printable(path, longest_path);
+  while (const std::size_t count =
+             is_input ? std::fread(piece.data(), 1, piece.size(), stdin) : file->read(piece)) {
+    if (text.size() + count > largest)
+      throw DomainError(shown + ": has more than " + std::to_string(largest >> 20) + " MiB");
+    text.append(piece, 0, count);
+  }
+  if (is_input && std::ferror(stdin) != 0)
+    throw DomainError(shown + ": cannot be read: " + std::strerror(errno));
+  return text;
 }
 
 }  // namespace detail

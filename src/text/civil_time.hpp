@@ -20,7 +20,7 @@ struct CivilTime {
 
 // The word of `state.epoch` behind its last blank, "TDB".
 std::string_view scale_of_epoch(std::string_view epoch);
-// The date before it: an ISO date, with or without time, or "JD 2456297.5".
+// The date of the calendar of such an epoch, to a nanosecond, in its scale.
 CivilTime time_of_epoch(std::string_view epoch);
 
 // 2029-04-13T21:46:00.5, 2029-103T21:46:00.5, with or without Z; nothing for any other text. A

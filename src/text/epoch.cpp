@@ -40,45 +40,58 @@ bool take(std::string_view& text, char c) {
   return true;
 }
 
-void require_date(std::string_view& text) {
+// 2013-01-05 or, by the number of digits before the T, 2013-005.
+CalendarTime taken_day(std::string_view& text) {
   const auto year = take_number(text, 4);
   const bool dash = take(text, '-');
+  const auto refuse = [](const char* what, int x, unsigned last) {
+    throw DomainError("there is no such day in the calendar: " + std::string(what) + " " +
+                      std::to_string(x) + " must be from 1 to " + std::to_string(last));
+  };
+  if (year && dash && text.find('T') == 3) {
+    const std::chrono::year y(*year);
+    const unsigned days = y.is_leap() ? 366 : 365;
+    const int number = take_number(text, 3).value_or(0);
+    if (number < 1 || number > static_cast<int>(days)) refuse("day", number, days);
+    const std::chrono::year_month_day on{std::chrono::sys_days{y / 1 / 1} +
+                                         std::chrono::days{number - 1}};
+    return {*year, static_cast<int>(unsigned{on.month()}), static_cast<int>(unsigned{on.day()})};
+  }
   const auto month = take_number(text, 2);
   const bool second_dash = take(text, '-');
   const auto day = take_number(text, 2);
   if (!year || !dash || !month || !second_dash || !day)
     throw DomainError("it does not start with a date like 2013-01-05");
-  const auto refuse = [](const char* what, int x, unsigned last) {
-    throw DomainError("there is no such day in the calendar: " + std::string(what) + " " +
-                      std::to_string(x) + " must be from 1 to " + std::to_string(last));
-  };
   if (*month < 1 || *month > 12) refuse("month", *month, 12);
   const std::chrono::month_day_last month_end{std::chrono::month(static_cast<unsigned>(*month))};
   const unsigned days{std::chrono::year_month_day_last(std::chrono::year(*year), month_end).day()};
   if (*day < 1 || *day > static_cast<int>(days)) refuse("day", *day, days);
+  return {*year, *month, *day};
 }
 
 // hh:mm, hh:mm:ss or hh:mm:ss.fff; a 60th second only where UTC may have one.
-void require_clock(std::string_view text, bool utc) {
+void read_clock(CalendarTime& time, std::string_view text, bool utc) {
   const auto hour = take_number(text, 2);
   const bool colon = take(text, ':');
   const auto minute = take_number(text, 2);
   if (!hour || !colon || !minute) throw DomainError("the time of day is not like 18:30:00");
-  int second = 0;
   if (take(text, ':')) {
-    const auto found = take_number(text, 2);
-    if (!found) throw DomainError("the time of day is not like 18:30:00");
-    second = *found;
-    if (take(text, '.')) {
-      const std::size_t end = text.find_first_not_of("0123456789");
-      if (text.empty() || end == 0) throw DomainError("the seconds end in a point");
-      text.remove_prefix(end == std::string_view::npos ? text.size() : end);
+    std::string_view rest = text;
+    if (!take_number(rest, 2)) throw DomainError("the time of day is not like 18:30:00");
+    if (take(rest, '.')) {
+      const std::size_t end = rest.find_first_not_of("0123456789");
+      if (rest.empty() || end == 0) throw DomainError("the seconds end in a point");
+      rest.remove_prefix(end == std::string_view::npos ? rest.size() : end);
     }
+    std::from_chars(text.data(), rest.data(), time.second);
+    text = rest;
   }
   if (!text.empty()) throw DomainError("the time of day is not like 18:30:00");
-  const bool leap = utc && *hour == 23 && *minute == 59 && second == 60;
-  if (*hour > 23 || *minute > 59 || (second > 59 && !leap))
+  const bool leap = utc && *hour == 23 && *minute == 59 && time.second < 61.0;
+  if (*hour > 23 || *minute > 59 || (time.second >= 60.0 && !leap))
     throw DomainError("there is no such time of day");
+  time.hour = *hour;
+  time.minute = *minute;
 }
 
 void require_julian_date(std::string_view text) {
@@ -95,15 +108,6 @@ double number_in(std::string_view text) {
   const auto [stop, error] = std::from_chars(text.data(), end, value);
   if (error != std::errc() || stop != end || !std::isfinite(value))
     throw DomainError("is not a number of days");
-  return value;
-}
-
-// Digits at the front, as a number; they and one character behind them are taken off.
-double taken(std::string_view& text, double otherwise) {
-  if (text.empty()) return otherwise;
-  const std::size_t end = std::min(text.find_first_not_of("0123456789."), text.size());
-  const double value = number_in(text.substr(0, end));
-  text.remove_prefix(std::min(end + 1, text.size()));
   return value;
 }
 
@@ -150,28 +154,22 @@ void require_epoch(std::string_view text) {
     require_julian_date(text.substr(3));
     return;
   }
-  require_date(text);
-  if (text.empty()) return;  // midnight
+  calendar_in(text, scale == "UTC");
+}
+
+CalendarTime calendar_in(std::string_view text, bool utc) {
+  CalendarTime time = taken_day(text);
+  if (text.empty()) return time;  // midnight
   if (!take(text, 'T') && !take(text, ' '))
     throw DomainError("between date and time there is no T");
-  require_clock(text, scale == "UTC");
+  read_clock(time, text, utc);
+  return time;
 }
 
 Date date_in(std::string_view text, TimeScale scale) {
-  const std::string whole = std::string(text) + " " + std::string(name(scale));
-  if (text.ends_with('Z') && scale == TimeScale::UTC) {
-    text.remove_suffix(1);
-    return date_in(text, scale);
-  }
-  require_epoch(whole);
-  CalendarTime time;
-  time.year = static_cast<int>(taken(text, 2000.0));
-  time.month = static_cast<int>(taken(text, 1.0));
-  time.day = static_cast<int>(taken(text, 1.0));
-  time.hour = static_cast<int>(taken(text, 0.0));
-  time.minute = static_cast<int>(taken(text, 0.0));
-  time.second = taken(text, 0.0);
-  return calendar_date(scale, time);
+  const bool utc = scale == TimeScale::UTC;
+  if (utc && text.ends_with('Z')) text.remove_suffix(1);
+  return calendar_date(scale, calendar_in(text, utc));
 }
 
 // Whole days and their fraction apart: a double of both keeps 40 us.

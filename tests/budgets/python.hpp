@@ -90,6 +90,14 @@ inline constexpr double figure_contact = 0.01;
 // --- attitude files (python/tests/test_attitude_files.py) ---
 // Central differences of attitudes against rates: some 0.04 rad between the outer two.
 inline constexpr double aem_difference = 1e-4;
+// The same over 1e-4 s, in rad/s: their rounding.
+inline constexpr double aem_euler_rates = 1e-10;
+// What an estimate of the error of interpolation may be above the error, and below it by its two
+// digits, as factors.
+inline constexpr double aem_told = 20.0;
+inline constexpr double aem_rounding = 1.05;
+// The estimate of an error of interpolation of some degrees, relative.
+inline constexpr double ck_between_rows = 0.2;
 
 // --- Apophis in 2029 (python/tests/test_apophis_2029.py) ---
 // deg: between the plane or pericentre of the example and those of either orbit next to it.

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """CCSDS Attitude Ephemeris Messages: what `polhode run` writes, an independent reader reads."""
 
+import gzip
 import math
 import re
 import subprocess
@@ -10,6 +11,7 @@ import numpy
 import pytest
 from ccsds_ndm.ndm_io import NdmIo
 from closeness import assert_allclose
+from scipy.interpolate import BarycentricInterpolator, KroghInterpolator
 from scipy.spatial.transform import Rotation
 
 HEAD = 'schema = 1\ntitle = "A body"\n[units]\ntime = "min"\nangle = "deg"\n'
@@ -42,6 +44,8 @@ creation_date = "yesterday"
 
 def text(aem="", epoch="2029-04-13T21:46:00 TDB", axes="equator-J2000", q=GENERIC, start=0,
          stop=3, step=0.25, columns='"q", "omega"', more=""):
+    """In version 1, which the independent reader knows, unless `aem` says another."""
+    aem += "" if "version" in aem or "quaternion-rate" in aem else "\nversion = 1"
     return (HEAD + BODY + STATE.format(epoch=epoch, axes=axes, q=q)
             + TIME.format(start=start, stop=stop, step=step)
             + f"[output]\ncolumns = [{columns}]\n[output.aem]\n{aem}\n{more}")
@@ -78,12 +82,12 @@ def quaternions(columns):
 
 
 @pytest.mark.parametrize("order", ["FIRST", "LAST"])
-@pytest.mark.parametrize("form", ["quaternion", "quaternion-rate"])
-def test_an_independent_reader_reads_the_same_quaternions(files, form, order):
-    path, columns = files(text(f'form = "{form}"\nquaternion_type = "{order}"'))
+def test_an_independent_reader_reads_the_same_quaternions(files, order):
+    path, columns = files(text(f'quaternion_type = "{order}"'))
     meta, states = read(path)
     assert meta.quaternion_type.value == order and meta.attitude_dir.value == "A2B"
     assert meta.ref_frame_a == "EME2000" and meta.ref_frame_b == "SC_BODY_1"
+    assert meta.interpolation_method == "LAGRANGE" and meta.interpolation_degree == 7
     assert numpy.array_equal(scalar_last(states), quaternions(columns))  # bit for bit
     epochs = [(s.quaternion_state or s.quaternion_euler_rate).epoch for s in states]
     assert epochs[:2] == ["2029-04-13T21:46:00.000000000", "2029-04-13T21:46:15.000000000"]
@@ -157,8 +161,9 @@ def test_another_name_of_the_ecliptic_is_not_turned(files):
     assert numpy.array_equal(scalar_last(states), quaternions(columns))
 
 
-@pytest.mark.parametrize("version", [1, 2])
-@pytest.mark.parametrize("form", ["quaternion", "quaternion-rate", "euler", "spin"])
+@pytest.mark.parametrize(("form", "version"), [
+    ("quaternion", 1), ("quaternion", 2), ("quaternion-rate", 2), ("euler", 1), ("euler", 2),
+    ("spin", 1), ("spin", 2)])
 def test_our_reader_gives_back_what_was_written(run, table, files, form, version):
     path, columns = files(text(f'form = "{form}"\nversion = {version}'))
     result = run("convert", "--from", "aem", "--to", "csv", path)
@@ -169,8 +174,9 @@ def test_our_reader_gives_back_what_was_written(run, table, files, form, version
     ours = Rotation.from_quat(quaternions(columns)).as_matrix()
     assert_allclose(Rotation.from_quat(quaternions(back)).as_matrix(), ours,
                     atol=budgets.numpy_formula)
-    assert ("w1" in back) == (form == "quaternion-rate")
-    for name in ("w1", "w2", "w3") if "w1" in back else ():
+    rates = {"quaternion-rate": ["w1", "w2", "w3"], "spin": ["w3"]}.get(form, [])
+    assert [name for name in names if name.startswith("w")] == rates
+    for name in rates:
         assert_allclose(back[name], numpy.radians(columns[name]) / 60, rtol=budgets.numpy_formula)
 
 
@@ -230,7 +236,9 @@ def test_equal_runs_give_equal_files_and_the_origin_is_told(files):
     content = first.read_bytes()
     assert files(text())[0].read_bytes() == content
     lines = content.decode("ascii").splitlines()
-    assert lines[0] == "CCSDS_AEM_VERS = 1.0" and lines[-1] == "DATA_STOP"
+    assert lines[0] == "CCSDS_AEM_VERS = 1.0"
+    assert "CCSDS_AEM_VERS = 2.0\n" in files(text().replace("version = 1\n", ""))[0].read_text()
+    assert lines[-1] == "DATA_STOP"
     assert "CREATION_DATE = 1970-01-01T00:00:00" in lines
     assert 'COMMENT | title = "A body"' in lines and "OBJECT_NAME = A body" in lines
     assert max(map(len, lines)) <= 254
@@ -272,6 +280,7 @@ def test_what_is_wrong_is_reported_in_one_order(run, tmp_path, old, new, key):
     ('creation_date = "yesterday"', "expected a date such as"),
     ('quaternion_type = "FIRST"\nversion = 2', 'expected "LAST" in version 2'),
     ('direction = "B2A"\nform = "euler"', 'expected "A2B"'),
+    ('form = "quaternion-rate"\nversion = 1', "expected 2 with form quaternion-rate"),
     ('object_name = "Fl\u00fcgel"', "printable ASCII"),
     ('form = "matrix"', "quaternion"),
 ])
@@ -327,6 +336,10 @@ def test_a_60th_second_is_read_on_days_that_had_one(run, table):
     ("A2B", "AB", 15, "expected A2B or B2A"),
     ("TIME_SYSTEM = TDB", "TIME_SYSTEM = MET", 15, "TIME_SYSTEM: got"),
     ("QUATERNION_TYPE = LAST\n", "", 14, "no QUATERNION_TYPE"),
+    ("= QUATERNION\n", "= QUATERNION/RATE\n", 15,
+     "in two ways; expected its name of version 2: QUATERNION/ANGVEL"),
+    ("= QUATERNION\n", "= EULER_ANGLE/RATE\n", 15,
+     "EULER_ANGLE/ANGVEL if it is the angular velocity, EULER_ANGLE/DERIVATIVE if it is the rates"),
     ("0 0 0 1", "0 0 0", 18, "expected those of QUATERNION"),
     ("0 0 0 1", "0 0 0 x", 18, "expected a finite number"),
     ("0 0 0 1", "0 0 0 nan", 18, "expected a finite number"),
@@ -342,3 +355,115 @@ def test_what_is_wrong_in_a_file_is_told_with_its_line(run, old, new, line, mess
     result = run("convert", "--from", "aem", "--to", "csv", stdin=GOOD.replace(old, new, 1))
     assert result.returncode == 2 and result.stdout == ""
     assert result.stderr.startswith(f"<stdin>:{line}: ") and message in result.stderr
+
+
+def segment(meta="", rows="", **changes):
+    """META and data of a segment of GOOD with other values, and other rows."""
+    text = GOOD[GOOD.index("META_START"):]
+    for key, value in {"QUATERNION_TYPE": "FIRST", **changes}.items():
+        text = re.sub(rf"\n{key} = .*", f"\n{key} = {value}", text)
+    text = text.replace("META_STOP", meta + "META_STOP")
+    return re.sub(r"(?s)DATA_START\n.*DATA_STOP", f"DATA_START\n{rows}DATA_STOP", text)
+
+
+HEAD_OF_GOOD = GOOD[:GOOD.index("META_START")]
+
+
+def test_rates_of_one_segment_stay_when_another_has_none(run, table):
+    day = "1996-11-28T21:"
+    first = f"{day}30:00 1 0 0 0 0 0.01 0 0\n"
+    both = (HEAD_OF_GOOD + segment(ATTITUDE_TYPE="QUATERNION/DERIVATIVE", rows=first)
+            + segment(rows=f"{day}31:00 0 0 1 0\n")
+            + segment(ATTITUDE_TYPE="SPIN", rows=f"{day}32:00 -90 90 0 9\n"))
+    result = run("convert", "--from", "aem", "--to", "csv", stdin=both)
+    assert result.returncode == 0, result.stderr
+    assert result.stdout.splitlines()[-4:] == [
+        "t,qw,qx,qy,qz,w1,w2,w3,segment", "0,1,0,0,0,0.02,0,0,1", "60,0,0,1,0,,,,2",
+        f"120,1,0,0,0,,,{math.radians(9)!r},3"]
+
+
+@pytest.mark.parametrize("change", [{"OBJECT_NAME": "B"}, {"OBJECT_ID": "2026-002A"},
+                                    {"REF_FRAME_A": "ITRF-97"}, {"REF_FRAME_B": "INSTRUMENT_7"}])
+def test_segments_of_different_objects_or_frames_are_no_table(run, change):
+    rows = "1996-11-28T21:30:00 1 0 0 0\n"
+    both = HEAD_OF_GOOD + segment(rows=rows) + segment(rows=rows.replace("30", "31"), **change)
+    result = run("convert", "--from", "aem", "--to", "csv", stdin=both)
+    assert result.returncode == 2 and result.stdout == ""
+    assert "segment 2 is of " in result.stderr and str(*change.values()) in result.stderr
+
+
+@pytest.mark.parametrize("sequence", ["321", "ZXZ", "132"])
+@pytest.mark.parametrize("direction", ["A2B", "B2A"])
+def test_rates_of_euler_angles_are_the_velocity_that_their_attitudes_have(run, table, sequence,
+                                                                          direction):
+    """By differences of the attitudes that SciPy makes of the angles, in the order of rotations."""
+    angles, rates = numpy.array([30.0, 60.0, -20.0]), numpy.array([1.0, -2.0, 0.5])
+    numbers = " ".join(map(str, [*angles, *rates]))
+    result = run("convert", "--from", "aem", "--to", "csv", stdin=HEAD_OF_GOOD + segment(
+        f"EULER_ROT_SEQ = {sequence}\n", f"1996-11-28T21:30:00 {numbers}\n",
+        ATTITUDE_TYPE="EULER_ANGLE/DERIVATIVE", ATTITUDE_DIR=direction))
+    names, [row] = table(result.stdout)
+    axes = sequence.translate(str.maketrans("123", "XYZ"))
+    step = 1e-4  # s
+    before, there, after = (Rotation.from_euler(axes, angles + dt * rates, degrees=True)
+                            for dt in (-step, 0, step))
+    if direction == "B2A":
+        before, there, after = before.inv(), there.inv(), after.inv()
+    assert_allclose(Rotation.from_quat([*row[2:5], row[1]]).as_matrix(), there.as_matrix(),
+                    atol=budgets.numpy_formula)
+    assert_allclose(row[5:], (before.inv() * after).as_rotvec() / (2 * step),
+                    atol=budgets.aem_euler_rates)
+
+
+def test_a_packed_file_with_a_byte_order_mark_is_read(run, tmp_path):
+    path = tmp_path / "a.aem.gz"
+    path.write_bytes(gzip.compress(b"\xef\xbb\xbf" + GOOD.encode()))
+    packed = run("convert", "--from", "aem", "--to", "csv", path)
+    assert packed.stdout == run("convert", "--from", "aem", "--to", "csv", stdin=GOOD).stdout != ""
+
+
+def interpolated(form, t, columns, at):
+    """Attitudes at times between rows, by SciPy: as INTERPOLATION_METHOD says, from the rows
+    around each, at the ends from the first or the last ones."""
+    q = quaternions(columns)
+    count = {"quaternion": 8, "quaternion-rate": 4}.get(form, 2)
+    angles = numpy.unwrap(Rotation.from_quat(q).as_euler("ZXZ"), axis=0)
+    w = numpy.radians(numpy.array([columns[f"w{i}"] for i in (1, 2, 3)]).T)  # per min
+    found = []
+    for x in at:
+        first = int(numpy.clip(numpy.searchsorted(t, x) - count // 2, 0, len(t) - count))
+        rows = slice(first, first + count)
+        if form == "quaternion":
+            found.append(BarycentricInterpolator(t[rows], q[rows])(x))
+        elif form == "quaternion-rate":
+            v = numpy.hstack([w[rows], numpy.zeros((count, 1))])
+            slope = [0.5 * hamilton(one, rate) for one, rate in zip(q[rows], v, strict=True)]
+            both = numpy.stack([q[rows], slope], axis=1).reshape(-1, 4)
+            found.append(KroghInterpolator(numpy.repeat(t[rows], 2), both)(x))
+        else:
+            part = (x - t[first]) / (t[first + 1] - t[first])
+            angle = (1 - part) * angles[first] + part * angles[first + 1]
+            found.append(Rotation.from_euler("ZXZ", angle).as_quat())
+    return Rotation.from_quat(found)
+
+
+def hamilton(p, q):
+    """Products of quaternions with the scalar last."""
+    return numpy.append(p[3] * q[:3] + q[3] * p[:3] + numpy.cross(p[:3], q[:3]),
+                        p[3] * q[3] - p[:3] @ q[:3])
+
+
+@pytest.mark.parametrize(("form", "step"), [("quaternion", 0.5), ("quaternion-rate", 1),
+                                            ("euler", 0.08), ("spin", 0.08)])
+def test_the_error_of_interpolation_between_rows_is_told(run, files, tmp_path, form, step):
+    """With that of SciPy, which is no more than what is told and not much less."""
+    scenario = text(f'form = "{form}"\nversion = 2', stop=40 * step, step=step)
+    _, coarse = files(scenario)
+    told = re.findall(r"a.aem: between rows .* is off by about (\S+) deg",
+                      run("run", tmp_path / "a.toml", "--out", tmp_path / "a.aem").stderr)
+    _, fine = files(scenario.replace(f"step = {step}", f"step = {step / 2}"))
+    there = interpolated(form, coarse["t"], coarse, fine["t"][1::2])
+    away = there.inv() * Rotation.from_quat(quaternions(fine)[1::2])
+    error = numpy.degrees(away.magnitude().max())
+    assert 0.01 < error < budgets.aem_rounding * float(told[0])
+    assert float(told[0]) < budgets.aem_told * error

@@ -168,6 +168,14 @@ def test_dates_know_leap_seconds(columns):
                              "2017-01-01T00:00:01"]
 
 
+def test_julian_dates_of_utc_divide_a_day_with_a_leap_second_into_86401_s(columns):
+    """As ERFA and astropy do: .0 is half a second after noon. Rows have the dates asked for."""
+    asked = ["2016-12-31T13:00:00", "2016-12-31T23:59:60", "2017-01-01T00:00:00"]
+    c = columns(tumbler("JD 2457754.0 UTC"), "date", time=f"at = {[0, *asked]}")
+    assert c["date"] == ["2016-12-31T12:00:00.500000", *asked]
+    assert_allclose(c["t"] * 3600, [0, 3599.5, 43199.5, 43200.5], rtol=budgets.numpy_formula)
+
+
 def test_dates_in_tdb_differ_from_tt_by_what_it_differs(columns):
     # TDB - TT = 1.657 ms sin g + 0.014 ms sin 2g, g the mean anomaly of the Earth: The Astronomical
     # Almanac, page B7; t counts TT.

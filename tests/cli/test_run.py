@@ -117,13 +117,45 @@ def test_a_run_continues_from_its_own_rows(run, scenario, table):
         assert_allclose(again[name], c[name], atol=budgets.cli_rounding)
 
 
+# A torque about axis 3 of a body that turns about it: the angle is w t + a t^2 / 2, and a turn at a
+# fixed rate between rows a time h apart is a h^2 / 8 from it in the middle.
+@pytest.mark.parametrize(("stop", "error"), [(100, 1e-3), (-100, 1e-3), (50, 1e-5)])
+def test_automatic_rows_keep_the_error_between_them(run, scenario, table, stop, error):
+    state = ("[state.attitude-rate]\nquaternion = [1, 0, 0, 0]\nomega_body = [0, 0, 0.5]\n"
+             '[[perturbation]]\nkind = "constant-torque"\ntorque = [0, 0, 0.05]')  # a = 0.02
+    time = f'stop = {stop}\nstep = "auto"\nerror = {error}'
+    t = columns(run, table, scenario(state=state, time=time))["t"]
+    assert t[0] == 0 and t[-1] == stop
+    h = numpy.abs(numpy.diff(t))
+    assert h.max() - h.min() < budgets.cli_rounding * abs(stop)
+    found = 0.02 * h.max() ** 2 / 8
+    assert 0.5 * error < found < error
+
+
+@pytest.mark.parametrize(("time", "message"), [
+    ('stop = 10\nstep = "aut"', 'or { value = 1, unit = "s" }, or "auto"; no number at the start'),
+    ('stop = 10\nstep = 1\nerror = 0.1', 'time.error: got 0.1; expected step = "auto" together'),
+    ('stop = 10\nstep = "auto"\nerror = 0', "time.error: got 0; expected a positive"),
+    ('stop = 1e9\nstep = "auto"\nerror = 1e-30', "expected an error that 1e8 rows can keep"),
+])
+def test_what_is_wrong_with_automatic_rows(run, scenario, time, message):
+    result = run("run", scenario(time=time), "--out", "-")
+    assert result.returncode == 2 and message in result.stderr, result.stderr
+    assert result.stderr.count("\n") == 1
+
+
 def test_hdf5_holds_what_csv_holds(run, scenario, table, tmp_path):
     path = scenario(columns='"q", "serret", "andoyer"', time="stop = 5000\nstep = 1")
     result = run("run", path, "--out", tmp_path / "a.csv", "--out", tmp_path / "a.h5")
     assert result.returncode == 0 and "short-axis mode" in result.stdout
     names, rows = table((tmp_path / "a.csv").read_text(encoding="utf-8"))
     with h5py.File(tmp_path / "a.h5") as file:
-        assert set(file) == {"t", "q", "serret", "andoyer"}
+        groups = {"q", "serret", "andoyer"}
+        assert set(file) == {"t", *groups, *(f"{name}_column" for name in groups)}
+        for name in groups:  # named dimensions and coordinates, as NetCDF-4 has them
+            time, column = file[name].dims
+            assert time["t"] == file["t"] and file["t"].is_scale
+            assert list(column[f"{name}_column"].asstr()) == list(file[name].attrs["columns"])
         assert list(file["andoyer"].attrs["columns"]) == ["l", "g", "L"]
         assert list(file["serret"].attrs["units"]) == ["rad", "s", "1/s2", "rad", "1/s", "1/s"]
         assert file["t"].shape == (5001,)

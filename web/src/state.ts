@@ -43,7 +43,8 @@ export class Body {
     this.axisOrder = [order[0]!, order[1]!, order[2]!];
   }
 
-  /** Of a full tensor of inertia, symmetric, in any axes F of the body: finds the principal axes, `axes`. */
+  /** Of a full tensor of inertia, symmetric, in any axes F of the body: finds the principal axes, `axes`.
+   * Element (1, 2) is minus the integral of x y dm. */
   static fromTensor(tensor: Matrix3): Body {
     checked("body_of_tensor", args(9, ...tensor), results());
     const found = result(7);

@@ -47,7 +47,7 @@ struct SpinUnknowns {
   bool attitude = true;       // turn_x, turn_y, turn_z: rad, about the start
   bool rate = true;           // w_x, w_y, w_z
   bool moment_ratios = true;  // Ixx/Izz, Iyy/Izz
-  bool products = false;      // Ixy/Izz, Iyz/Izz, Ixz/Izz
+  bool products = false;      // Ixy/Izz, Iyz/Izz, Ixz/Izz; of the tensor: Ixy = -int x y dm
 };
 
 struct SpinFit {

@@ -80,6 +80,8 @@ class Sink {
   virtual void kept() {}
   // The output is complete: gives it its name. Without this PATH.part stays.
   virtual void finish() = 0;
+  // What a reader of the complete file should know before using it, one sentence each.
+  virtual std::vector<std::string> warnings() const { return {}; }
 };
 
 }  // namespace v0

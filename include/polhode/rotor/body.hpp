@@ -27,8 +27,8 @@ class Body {
   // Principal moments about the body axes b1, b2, b3, in any order.
   Body(double I1, double I2, double I3);
 
-  // Full inertia tensor in some body-fixed axes F; finds the principal axes B and keeps the
-  // rotation between them.
+  // Full inertia tensor in body-fixed axes F, whose element (1, 2) is minus the integral of x y dm;
+  // finds the principal axes B and keeps the rotation between them.
   static Body from_tensor(const Mat3& tensor_F);
 
   // Principal moments with a rotation to body-fixed axes F that is known already.

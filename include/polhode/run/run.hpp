@@ -49,6 +49,7 @@ struct RunReport {
   std::optional<double> energy_change;  // E at the last row - E(0), when every term has an energy
   std::int64_t events_met = 0;          // of which `events` may hold the first ones only
   std::optional<DampedSample> end = std::nullopt;  // of an integrated rotation: its last row
+  std::vector<std::string> warnings = {};          // "PATH: what its readers should know"
 };
 
 // Writes every row in order to each sink, then finishes them unless the run failed. Times of

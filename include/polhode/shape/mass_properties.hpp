@@ -27,7 +27,7 @@ struct MassProperties {
   double volume;
   double mass;
   Vec3 centre;          // of mass, in the axes of the mesh
-  Mat3 inertia;         // tensor about the centre, in the axes of the mesh
+  Mat3 inertia;         // tensor about the centre, axes of the mesh; (1, 2) is -int x y dm
   MassMoments moments;  // about the centre, in the axes of the mesh
 
   bool operator==(const MassProperties&) const = default;

@@ -9,9 +9,11 @@
 //             theta, SPIN_ANGLE = psi, of the body axis 3.
 // Units       seconds from the first row of the first segment; radians per second. In the file:
 //             dates, degrees, degrees per second.
-// Domain      versions 1.0 (2008) and 2.0 (2024), any number of segments; quaternions alone, with
-//             derivatives or with angular velocity; Euler angles of any sequence alone or with
-//             angular velocity (of A2B); SPIN. Time systems UTC, TAI, TT, TDB, GPS.
+// Domain      versions 1.0 (2008) and 2.0 (2024), any number of segments; quaternions and Euler
+//             angles of any sequence, alone, with derivatives or with angular velocity (of A2B);
+//             SPIN. The types .../RATE of version 1 are rejected: programs take their rates for
+//             derivatives of angles or for an angular velocity. Time systems UTC, TAI, TT, TDB,
+//             GPS.
 // Accuracy    numbers are the shortest that read back to the same double; dates are rounded to a
 //             nanosecond.
 // Errors      DomainError "FILE:LINE: ..." for the first thing wrong in a file.
@@ -42,6 +44,7 @@ struct AemSegment {
   std::vector<double> t;            // s from the first row of the file
   std::vector<Quaternion> q_AB;     // v_A = q v_B q*, as long as in the file
   std::vector<Vec3> w_AB_B;         // of B relative to A, along B; empty where the file has none
+  std::vector<double> w3;           // only its component along axis 3 of B, of SPIN; or empty
 };
 
 struct AttitudeEphemeris {
@@ -56,8 +59,9 @@ struct AttitudeEphemeris {
 AttitudeEphemeris aem_from_text(std::string_view text, const std::string& name);
 // Files of at most 1 GiB.
 AttitudeEphemeris read_aem(const std::string& path);
-// Its rows as a CSV table: t, qw, qx, qy, qz and, where all segments have them, w1, w2, w3; with
-// several segments, their number.
+// Its rows as a CSV table: t, qw, qx, qy, qz and, if a segment has them, w1, w2, w3 (only w3 of
+// SPIN), empty in rows without; with several segments, their number. DomainError for segments of
+// different objects or frames.
 std::string aem_csv(const AttitudeEphemeris& ephemeris);
 
 }  // namespace v0

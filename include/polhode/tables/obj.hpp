@@ -4,15 +4,17 @@
 // Equations   none.
 // Units       those of the file: OBJ has none.
 // Domain      text of at most 256 MB. `v x y z` and `f i j k ...` are read: indices from 1, or
-//             negative, counted back from the last vertex; i, i/t, i//n and i/t/n; a polygon
-//             becomes a fan of triangles about its first corner. What else OBJ knows (normals,
-//             textures, groups, materials, curves) is skipped. Comments, CRLF, lines continued
-//             by a backslash.
+//             negative, counted back from the last vertex; i, i/t, i//n and i/t/n. A polygon
+//             becomes a fan of triangles about its first corner where that fills it, otherwise the
+//             ears that are cut off one by one (at most 4096 corners). What else OBJ knows
+//             (normals, textures, groups, materials, curves) is skipped. Comments, CRLF, a byte
+//             order mark, lines continued by a backslash; files packed by gzip.
 // Accuracy    the nearest double; a shape that is written reads back bit for bit.
 // Errors      DomainError in one line, "FILE:LINE: ...": text for a number, one not finite, an
 //             index 0 or of no vertex, a facet with fewer than three corners or with no area, a
-//             word that OBJ does not know; "FILE: ..." for a file that cannot be read, is too
-//             large, or has no facets. A mesh with holes is read: FacetShape::open_edge names it.
+//             face that crosses itself or is not flat (to a tenth of its size), a word that OBJ
+//             does not know; "FILE: ..." for a file that cannot be read, is too large, or has no
+//             facets. A mesh with holes is read: FacetShape::open_edge names it.
 // Cost        some 100 ns per line.
 #pragma once
 

@@ -156,7 +156,9 @@ are positive and the largest is at most the sum of the others.)")
           "from_tensor", [](ArrayLike tensor) { return Body::from_tensor(mat3(tensor, "tensor")); },
           "tensor"_a,
           "From a symmetric (3, 3) inertia tensor in any body-fixed axes; q_FB keeps the rotation "
-          "to the principal axes.")
+          "to the principal axes. tensor[0][1] is minus the integral of x y dm: a product of "
+          "inertia "
+          "that is defined as the integral itself changes its sign.")
       .def_static(
           "with_axes",
           [](ArrayLike moments, ArrayLike q_FB) {

@@ -50,6 +50,13 @@ omega is the angular velocity of frame_b relative to frame_a along the axes of f
             return aem_rows(self, segment.w_AB_B, {3});
           },
           "(N, 3): rad/s along frame_b; None where the file has none.")
+      .def_prop_ro(
+          "spin_rate", [](AemSelf self) -> Typed<"numpy.typing.NDArray[numpy.float64] | None"> {
+            const AemSegment& segment = nb::cast<const AemSegment&>(self);
+            if (segment.w3.empty()) return nb::none();
+            return aem_rows(self, segment.w3, {});
+          },
+          "(N,): of SPIN, the angular velocity along axis 3 of frame_b in rad/s; otherwise None.")
       .def("__len__", [](const AemSegment& s) { return s.t.size(); })
       .def("__repr__", [](const AemSegment& s) {
         return "<AemSegment: " + s.object_name + ", " + std::to_string(s.t.size()) + " rows from " +
@@ -82,8 +89,10 @@ void bind_aem(nb::module_& m) {
       "path"_a,
       R"(The attitudes of a CCSDS Attitude Ephemeris Message (KVN text, version 1.0 or 2.0).
 
-ValueError "FILE:LINE: ..." for the first thing wrong. The parser knows quaternions, alone, with
-derivatives or angular velocity, Euler angles and SPIN; both directions of the rotation.)");
+A path that ends in .gz is unpacked. ValueError "FILE:LINE: ..." for the first thing wrong. The
+parser knows quaternions and Euler angles, alone, with derivatives or angular velocity, and SPIN;
+both directions of the rotation. It rejects QUATERNION/RATE and EULER_ANGLE/RATE of version 1, whose
+rates some programs take for derivatives of angles and others for an angular velocity.)");
 }
 
 }  // namespace polhode::python

@@ -65,6 +65,11 @@ class Stop {
   Progress look_;
 };
 
+void warn(const std::string& text) {
+  constexpr int caller = 2;  // beyond the function of the package
+  if (PyErr_WarnEx(PyExc_UserWarning, text.c_str(), caller) != 0) throw nb::python_error();
+}
+
 // Its files are closed at the end. The GIL is not held while rows are computed and written.
 void run_into(Run& result, const Scenario& scenario, const RunFiles& files, RunOptions options,
               const std::exception_ptr& raised) {
@@ -77,6 +82,7 @@ void run_into(Run& result, const Scenario& scenario, const RunFiles& files, RunO
   } catch (const RunInterrupted&) {
     std::rethrow_exception(raised);
   }
+  for (const std::string& warning : result.report.warnings) warn(warning);
 }
 
 Run run_scenario(const Scenario& scenario, const nb::list& outputs, nb::handle events, bool keep,
@@ -136,6 +142,7 @@ void write_rows(const Scenario& scenario, nb::handle path, nb::handle table) {
     if (PyErr_CheckSignals() != 0) throw nb::python_error();
   }
   sink->finish();
+  for (const std::string& warning : sink->warnings()) warn(path_text(path) + ": " + warning);
 }
 
 // The hub states in rows that have q and g, from column numbers `q` and `g` on. Files hold body

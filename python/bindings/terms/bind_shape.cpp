@@ -138,7 +138,7 @@ void bind_mass(nb::module_& m) {
           "centre", [](const P& p) { return array_of(p.centre); }, "(3,): of mass.")
       .def_prop_ro(
           "inertia", [](const P& p) { return array_of(p.inertia); },
-          "(3, 3): tensor about the centre.")
+          "(3, 3): tensor about the centre; inertia[0][1] is minus the integral of x y dm.")
       .def_prop_ro(
           "third", [](const P& p) { return moments_array(p.moments.third); },
           "(10,): integrals of xxx xxy xxz xyy xyz xzz yyy yyz yzz zzz over the mass, about the "

@@ -31,7 +31,7 @@ def read_map(source: Source) -> MapData:
     if isinstance(source, Mapping):
         columns = {name: _numbers(x, name) for name, x in source.items()}
         return MapData(columns, getattr(source, "units", {}))
-    with open(source, encoding="utf-8") as file:
+    with open(source, encoding="utf-8-sig") as file:
         lines = file.read().splitlines()
     said = [line for line in lines if line.startswith("# units: ")]
     units = dict(re.findall(r"(\S+) \[([^][]*)\](?:, |$)", said[-1][9:])) if said else {}

@@ -119,7 +119,7 @@ def states_of_columns(
 def read_csv(path: pathlib.Path, body: Body | None = None) -> RunData:
     """A CSV file of `polhode run`: its rows, its units, and the scenario inside it for the body."""
     head, rows = [], []
-    for line in path.read_text(encoding="utf-8").splitlines():
+    for line in path.read_text(encoding="utf-8-sig").splitlines():
         (head if line.startswith("#") else rows).append(line)
     if len(rows) < 2:
         raise ValueError(f"read_csv: got {path} without rows; expected a CSV file of polhode run")

@@ -3,11 +3,14 @@
 // (2024), one segment, A inertial, B the body axes of the scenario. polhode/tables/aem.hpp reads
 // them and says what their numbers mean. Dates are rounded to a nanosecond.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 #include <optional>
 #include <string_view>
 
+#include "output/detail/attitude_interpolation.hpp"
 #include "output/formats/formats.hpp"
 #include "output/part_file.hpp"
 #include "polhode/error.hpp"
@@ -29,7 +32,7 @@ enum class Form { quaternion, quaternion_rate, euler, spin };
 // [output.aem]; an empty text is left to what the scenario says.
 struct AemOptions {
   Form form = Form::quaternion;
-  int version = 1;
+  int version = 2;
   bool scalar_first = false;
   bool body_to_frame = false;  // ATTITUDE_DIR = B2A
   std::string object_name = {};
@@ -42,13 +45,15 @@ struct AemOptions {
 };
 
 constexpr OptionKey keys[] = {
-    choice_option("form", "quaternion|quaternion-rate|euler|spin",
-                  "QUATERNION; with the angular velocity (needs the columns omega); EULER_ANGLE, "
-                  "the angles 3-1-3; or SPIN of body axis 3 (needs omega).")
+    choice_option(
+        "form", "quaternion|quaternion-rate|euler|spin",
+        "QUATERNION; with the angular velocity (QUATERNION/ANGVEL of version 2, needs "
+        "the columns omega); EULER_ANGLE, the angles 3-1-3; or SPIN of body axis 3 (needs "
+        "omega).")
         .otherwise("\"quaternion\""),
     integer_option("version", "1|2",
-                   "CCSDS_AEM_VERS: 1, of 2008, which most programs read, or 2, of 2024.")
-        .otherwise("1"),
+                   "CCSDS_AEM_VERS: 2, of 2024, or 1, of 2008, which older programs read.")
+        .otherwise("2"),
     choice_option("quaternion_type", "LAST|FIRST",
                   "Where the scalar of a quaternion stands; version 2 has LAST alone.")
         .otherwise("\"LAST\""),
@@ -106,6 +111,10 @@ AemOptions options_of(const OptionValues& values) {
                      .frame_b = text("frame_b")};
   if (!options.creation_date.empty() && !civil_time(options.creation_date, true))
     throw OptionError("creation_date", "expected a date such as 2026-01-31T12:00:00");
+  if (options.form == Form::quaternion_rate && options.version == 1)
+    throw OptionError("version",
+                      "expected 2 with form quaternion-rate: programs take the rates of "
+                      "QUATERNION/RATE, of version 1, for different things");
   if (options.scalar_first && options.version == 2)
     throw OptionError("quaternion_type", "expected \"LAST\" in version 2");
   if (options.body_to_frame && (options.version == 2 || options.form != Form::quaternion))
@@ -129,13 +138,18 @@ std::string type_of(const AemOptions& options) {
     case Form::quaternion:
       return "QUATERNION";
     case Form::quaternion_rate:
-      return options.version == 1 ? "QUATERNION/RATE" : "QUATERNION/ANGVEL";
+      return "QUATERNION/ANGVEL";
     case Form::euler:
       return "EULER_ANGLE";
     case Form::spin:
       return "SPIN";
   }
   return {};
+}
+
+const Interpolation& interpolation_of(const AemOptions& options) {
+  if (options.form == Form::quaternion) return lagrange_quaternions;
+  return options.form == Form::quaternion_rate ? hermite_quaternions : linear_angles;
 }
 
 double turn_below(double angle) {
@@ -163,6 +177,7 @@ class AemSink : public Sink {
   void push(std::span<const double> rows) override;
   std::optional<SinkPosition> position() override;
   void finish() override;
+  std::vector<std::string> warnings() const override;
 
  private:
   void choose_columns(const std::vector<ColumnGroup>& groups);
@@ -187,12 +202,14 @@ class AemSink : public Sink {
   std::optional<CivilTime> latest_;
   std::optional<PartFile> file_;
   std::int64_t rows_ = 0;
+  InterpolationError error_;
 };
 
 AemSink::AemSink(const SinkRequest& request)
     : run_(request.provenance.run),
       options_(request.options<AemOptions>()),
-      scale_(scale_of_epoch(run_.epoch)) {
+      scale_(scale_of_epoch(run_.epoch)),
+      error_(interpolation_of(options_)) {
   choose_columns(request.groups);
   if (run_.axes == "ecliptic-J2000" && (options_.frame_a.empty() || options_.frame_a == "EME2000"))
     q_AI_ = rotation_x(obliquity_J2000);
@@ -276,9 +293,10 @@ std::string AemSink::meta() {
     out += "QUATERNION_TYPE = " + std::string(options_.scalar_first ? "FIRST" : "LAST") + "\n";
   if (options_.form == Form::euler)
     out += "EULER_ROT_SEQ = " + std::string(first ? "313" : "ZXZ") + "\n";
-  if (options_.form == Form::quaternion_rate)
-    out += first ? "RATE_FRAME = REF_FRAME_B\n" : "ANGVEL_FRAME = " + options_.frame_b + "\n";
-  return out;
+  if (options_.form == Form::quaternion_rate) out += "ANGVEL_FRAME = " + options_.frame_b + "\n";
+  const Interpolation& way = interpolation_of(options_);
+  return out + "INTERPOLATION_METHOD = " + std::string(way.method) +
+         "\nINTERPOLATION_DEGREE = " + std::to_string(way.degree) + "\n";
 }
 
 void AemSink::append(double number) {
@@ -308,6 +326,7 @@ void AemSink::append_row(const double* row) {
       append(turn_below(degrees * e.psi));
       append(rate_ * w[2]);
     }
+    error_.add({row[0], {phi, theta, degrees * e.psi, 0.0}, {}, q_AB});
   } else {
     const Quaternion q = options_.body_to_frame ? conj(q_AB) : q_AB;
     if (options_.scalar_first) append(q.w);
@@ -315,6 +334,13 @@ void AemSink::append_row(const double* row) {
     if (!options_.scalar_first) append(q.w);
     if (options_.form == Form::quaternion_rate)
       for (int i = 0; i < 3; ++i) append(rate_ * w[i]);
+    InterpolationError::Row known{row[0], {q_AB.w, q_AB.x, q_AB.y, q_AB.z}, {}, q_AB};
+    if (options_.form == Form::quaternion_rate) {
+      const double half = 0.5 * rate_ / degrees * run_.seconds;  // in radians per unit of time
+      const Quaternion dot = q_AB * Quaternion{0.0, half * w[0], half * w[1], half * w[2]};
+      known.slope = {dot.w, dot.x, dot.y, dot.z};
+    }
+    error_.add(known);
   }
   text_ += '\n';
 }
@@ -336,6 +362,21 @@ void AemSink::finish() {
   if (latest_ && civil_text(*latest_) != stop_) file_->overwrite(stop_place_, civil_text(*latest_));
   file_->write("DATA_STOP\n");
   file_->commit();
+}
+
+std::string two_digits(double x) {
+  std::array<char, 32> text{};
+  const int length = std::snprintf(text.data(), text.size(), "%.2g", x);
+  return {text.data(), static_cast<std::size_t>(length)};
+}
+
+std::vector<std::string> AemSink::warnings() const {
+  const double error = error_.estimate();
+  if (!(error > interpolation_limit)) return {};
+  const Interpolation& way = interpolation_of(options_);
+  return {"between rows a reader that interpolates as INTERPOLATION_METHOD = " +
+          std::string(way.method) + " says is off by about " + two_digits(degrees * error) +
+          " deg; expected a shorter [time] step"};
 }
 
 }  // namespace

@@ -30,6 +30,14 @@ Handle date_type() {
   return type;
 }
 
+// Texts of any length: variable-length UTF-8, which h5py reads as str.
+Handle text_type() {
+  Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+  H5Tset_size(type.id(), H5T_VARIABLE);
+  H5Tset_cset(type.id(), H5T_CSET_UTF8);
+  return type;
+}
+
 class Hdf5Sink : public Sink, public ClosingNotes {
  public:
   Hdf5Sink(const std::string& path, const std::vector<ColumnGroup>& groups,
@@ -57,6 +65,9 @@ class Hdf5Sink : public Sink, public ClosingNotes {
   void append(const Group& group, std::span<const double> rows, std::size_t count);
   std::string date_texts() const;
   void describe(const std::vector<ColumnGroup>& groups, const Provenance& provenance);
+  void name_dimensions(const std::vector<ColumnGroup>& groups);
+  void name_scale(hid_t dataset, const std::string& name) const;
+  void list_scales(hid_t dataset, const std::vector<std::string>& scales) const;
   void require_same_scenario(const Provenance& provenance) const;
   // The state that HDF5 has flushed becomes the file.
   void commit();
@@ -124,14 +135,12 @@ Handle Hdf5Sink::created_dataset(const ColumnGroup& group, bool is_date) const {
                  H5Dclose);
 }
 
-// Texts of any length: variable-length UTF-8, which h5py reads as str.
 void Hdf5Sink::attach(hid_t object, const char* name, const std::vector<std::string>& texts,
                       bool scalar) {
   std::vector<const char*> pointers;
   for (const std::string& text : texts) pointers.push_back(text.c_str());
   const hsize_t count = pointers.size();
-  const Handle type = checked(H5Tcopy(H5T_C_S1), H5Tclose);
-  require(H5Tset_size(type.id(), H5T_VARIABLE) >= 0 && H5Tset_cset(type.id(), H5T_CSET_UTF8) >= 0);
+  const Handle type = text_type();
   const Handle space =
       checked(scalar ? H5Screate(H5S_SCALAR) : H5Screate_simple(1, &count, nullptr), H5Sclose);
   const Handle attribute =
@@ -175,6 +184,7 @@ void Hdf5Sink::describe(const std::vector<ColumnGroup>& groups, const Provenance
     attach(dataset->dataset.id(), "units", units, false);
     ++dataset;
   }
+  name_dimensions(groups);
   std::vector<std::string> order;  // of the datasets, which HDF5 has by name
   for (const ColumnGroup& group : groups)
     if (!group.columns.empty()) order.push_back(group.name);
@@ -185,6 +195,66 @@ void Hdf5Sink::describe(const std::vector<ColumnGroup>& groups, const Provenance
   attach(file_.id(), "scenario", {provenance.scenario_text}, true);
   attach(file_.id(), "notes", provenance.notes, false);
   attach(file_.id(), "citations", provenance.citations, false);
+}
+
+// Dimension scales, as NetCDF-4 and xarray read them: rows by t, columns by their names in a
+// dataset GROUP_column.
+void Hdf5Sink::name_dimensions(const std::vector<ColumnGroup>& groups) {
+  if (groups.empty() || groups.front().name != "t" || groups.front().columns.size() != 1) return;
+  name_scale(groups_.front().dataset.id(), "t");
+  auto dataset = groups_.begin();
+  for (const ColumnGroup& group : groups) {
+    if (group.columns.empty()) continue;
+    const hid_t id = (dataset++)->dataset.id();
+    if (group.name == "t") continue;
+    if (group.columns.front().is_date) {
+      list_scales(id, {"t"});
+      continue;
+    }
+    const std::string name = group.name + "_column";
+    const hsize_t count = group.columns.size();
+    std::vector<const char*> texts;
+    for (const Column& column : group.columns) texts.push_back(column.name.c_str());
+    const Handle type = text_type(),
+                 space = checked(H5Screate_simple(1, &count, nullptr), H5Sclose);
+    const Handle creation = checked(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+    require(H5Pset_obj_track_times(creation.id(), false) >= 0);
+    const Handle names = checked(H5Dcreate2(file_.id(), name.c_str(), type.id(), space.id(),
+                                            H5P_DEFAULT, creation.id(), H5P_DEFAULT),
+                                 H5Dclose);
+    require(H5Dwrite(names.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, texts.data()) >= 0);
+    name_scale(names.id(), name);
+    list_scales(id, {"t", name});
+  }
+}
+
+void Hdf5Sink::name_scale(hid_t dataset, const std::string& name) const {
+  const std::pair<const char*, std::string> texts[] = {{"CLASS", "DIMENSION_SCALE"},
+                                                       {"NAME", name}};
+  for (const auto& [key, text] : texts) {
+    const Handle type = checked(H5Tcopy(H5T_C_S1), H5Tclose);
+    require(H5Tset_size(type.id(), text.size() + 1) >= 0);
+    const Handle space = checked(H5Screate(H5S_SCALAR), H5Sclose);
+    const Handle attribute = checked(
+        H5Acreate2(dataset, key, type.id(), space.id(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+    require(H5Awrite(attribute.id(), type.id(), text.c_str()) >= 0);
+  }
+}
+
+void Hdf5Sink::list_scales(hid_t dataset, const std::vector<std::string>& scales) const {
+  std::vector<hobj_ref_t> references(scales.size());
+  std::vector<hvl_t> lists(scales.size());
+  for (std::size_t i = 0; i < scales.size(); ++i) {
+    require(H5Rcreate(&references[i], file_.id(), scales[i].c_str(), H5R_OBJECT, -1) >= 0);
+    lists[i] = {1, &references[i]};
+  }
+  const hsize_t rank = scales.size();
+  const Handle type = checked(H5Tvlen_create(H5T_STD_REF_OBJ), H5Tclose);
+  const Handle space = checked(H5Screate_simple(1, &rank, nullptr), H5Sclose);
+  const Handle attribute = checked(
+      H5Acreate2(dataset, "DIMENSION_LIST", type.id(), space.id(), H5P_DEFAULT, H5P_DEFAULT),
+      H5Aclose);
+  require(H5Awrite(attribute.id(), type.id(), lists.data()) >= 0);
 }
 
 void Hdf5Sink::require_same_scenario(const Provenance& provenance) const {
@@ -294,7 +364,8 @@ std::vector<std::string> groups_in(hid_t file) {
     char name[256] = {};
     H5Lget_name_by_idx(file, ".", H5_INDEX_NAME, H5_ITER_INC, i, name, sizeof name, H5P_DEFAULT);
     const Handle dataset(H5Dopen2(file, name, H5P_DEFAULT), H5Dclose);
-    groups.push_back(group_text(name, attribute_texts(dataset.id(), "columns")));
+    const std::vector<std::string> columns = attribute_texts(dataset.id(), "columns");
+    if (!columns.empty()) groups.push_back(group_text(name, columns));  // or names of columns
   }
   std::sort(groups.begin(), groups.end());
   return groups;
@@ -379,7 +450,9 @@ std::vector<double> rows_of(const std::string& path, const std::vector<ColumnGro
 
 OutputFormat hdf5_format() {
   OutputFormat format(
-      "hdf5", ".h5", "HDF5: a dataset for each group of columns.", [](const SinkRequest& request) {
+      "hdf5", ".h5",
+      "HDF5: a dataset for each group of columns; its dimensions are t and the names of columns.",
+      [](const SinkRequest& request) {
         return std::make_unique<Hdf5Sink>(request.path, request.groups, request.provenance,
                                           request.from, dates_of(request));
       });

@@ -27,6 +27,12 @@ inline Position position(const toml::source_region& region) {
   return start.line == 0 ? Position{} : start;
 }
 
+// One of the words that "|" joins.
+inline bool is_listed(std::string_view word, std::string_view joined) {
+  const std::vector<std::string_view> words = separated(joined, '|');
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
 // toml++ itself refuses to make a double of a whole number beyond 2^53.
 inline std::optional<double> real(const toml::node* node) {
   if (node == nullptr) return std::nullopt;

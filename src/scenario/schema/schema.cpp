@@ -15,7 +15,8 @@ std::string quantity(const Key& key, const Units& units) {
   const std::string kind(dimension_name(key.dimension));
   if (unit == "1") return kind + ": a number";
   return kind + ": a number (of " + unit + "), \"1 " + unit + "\" or { value = 1, unit = \"" +
-         unit + "\" }" + (key.takes_date ? ", or a date such as \"2013-02-04T12:00:00\"" : "");
+         unit + "\" }" + (key.takes_date ? ", or a date such as \"2013-02-04T12:00:00\"" : "") +
+         (key.allowed.empty() ? "" : ", or " + detail::one_of(separated(key.allowed, '|'), "\""));
 }
 
 bool is_word_of(std::string_view word, std::string_view joined) {

@@ -173,7 +173,9 @@ constexpr KindText kinds[] = {
     {"free.prior[]", "attitude", "The attitude at t = 0."},
     {"free.prior[]", "rate", "The angular velocity at t = 0 along the body axes."},
     {"free.prior[]", "moments", "The ratios of moments Ixx/Izz and Iyy/Izz."},
-    {"free.prior[]", "products", "The products of inertia over Izz."},
+    {"free.prior[]", "products",
+     "The products of inertia over Izz, as elements of the tensor: Ixy is minus the integral of x "
+     "y dm."},
 };
 
 }  // namespace

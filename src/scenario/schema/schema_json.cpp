@@ -105,14 +105,22 @@ void write_quantities(JsonWriter& json, const Key& key, const auto& array) {
   json.key("additionalProperties").value(false).end_object().end_array();
 }
 
-// A time or a date; of a date without quotes editors of JSON know nothing.
+// A number, a date or a word; of a date without quotes editors of JSON know nothing.
 void write_dated(JsonWriter& json, const Key& key, Dimension dimension) {
-  if (!key.takes_date || dimension != key.dimension)
-    return write_quantity(json, dimension, key.range);
+  const bool dated = key.takes_date && dimension == key.dimension;
+  if (!dated && key.allowed.empty()) return write_quantity(json, dimension, key.range);
   json.key("anyOf").begin_array();
   write_reference(json, dimension, key.range);
-  json.begin_object().key("type").value("string");
-  json.key("pattern").value("^(JD |[0-9]{4}-)").end_object().end_array();
+  if (dated) {
+    json.begin_object().key("type").value("string");
+    json.key("pattern").value("^(JD |[0-9]{4}-)").end_object();
+  }
+  if (!key.allowed.empty()) {
+    json.begin_object().key("enum");
+    write_words(json, key);
+    json.end_object();
+  }
+  json.end_array();
 }
 
 void write_numbers(JsonWriter& json, const Key& key) {
@@ -195,7 +203,7 @@ void write_value(JsonWriter& json, const Key& key) {
       json.key("uniqueItems").value(true);
       return;
   }
-  if (!key.allowed.empty()) {
+  if (!key.allowed.empty() && key.type != KeyType::number) {
     json.key("enum");
     write_words(json, key);
   }

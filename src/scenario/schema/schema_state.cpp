@@ -23,9 +23,10 @@ constexpr Key keys[] = {
     {.path = "state.epoch",
      .type = epoch,
      .example = "\"2013-01-05T00:00:00 UTC\"",
-     .help = "The date of t = 0 with its scale (UTC, TAI, TT, TDB or UT1): an ISO date or "
-             "\"JD 2456297.5 TDB\". From it t counts SI seconds of TT "
-             "(docs/guide/time-scales.md)."},
+     .help =
+         "The date of t = 0 with its scale (UTC, TAI, TT, TDB or UT1): an ISO date or "
+         "\"JD 2456297.5 TDB\" (of UTC the quasi-JD of ERFA). From it t counts SI seconds of TT "
+         "(docs/guide/time-scales.md)."},
     {.path = "state.dut1",
      .type = number,
      .dimension = Dimension::time,

@@ -84,8 +84,10 @@ constexpr Key keys_of_body[] = {
      .presence = alternative,
      .dimension = Dimension::moment,
      .example = "[[0.7, 0.1, 0.0], [0.1, 0.9, 0.0], [0.0, 0.0, 1.0]]",
-     .help = "Symmetric inertia tensor in axes fixed in the body. [state.attitude-rate] and the "
-             "columns q, omega and g then refer to these axes, all else to the principal axes."},
+     .help = "Symmetric inertia tensor in axes fixed in the body. Element (1, 2) is minus the "
+             "integral of x y dm, which other programs may call the product of inertia. "
+             "[state.attitude-rate] and the columns q, omega and g then refer to these axes, all "
+             "else to the principal axes."},
 
     {.path = "body.shape",
      .type = text,
@@ -135,9 +137,19 @@ constexpr Key keys_of_time[] = {
      .type = number,
      .presence = alternative,
      .dimension = Dimension::time,
+     .allowed = "auto",
      .example = "0.5",
      .help = "Rows at start + k step, each rounded once; negative where stop is before start. In "
-             "files of kind obliquity either sign will do."},
+             "files of kind obliquity either sign will do. \"auto\": even rows from start to stop, "
+             "as many as error asks for."},
+    {.path = "time.error",
+     .type = number,
+     .dimension = Dimension::angle,
+     .example = "\"0.01 deg\"",
+     .help = "With step = \"auto\": how far the attitude may be from a rotation about a fixed axis "
+             "at a fixed rate between two rows, which is how SPICE interpolates. Left out, 0.01 "
+             "degrees.",
+     .range = Range::positive},
     {.path = "time.count",
      .type = integer,
      .presence = alternative,

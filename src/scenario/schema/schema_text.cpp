@@ -58,15 +58,17 @@ std::string value_in_words(const Key& key) {
 
 std::string value_cell(const Key& key) {
   std::string cell = value_in_words(key);
-  const bool quoted = key.type == KeyType::choice || key.type == KeyType::choices;
+  const bool word = key.type == KeyType::number && !key.allowed.empty();
+  const bool quoted = word || key.type == KeyType::choice || key.type == KeyType::choices;
   if (key.takes_date) cell += key.type == KeyType::numbers ? " or date" : ", or a date";
   if (key.range == Range::positive) cell += ", positive";
   if (key.range == Range::not_negative) cell += ", not negative";
+  if (word) cell += ", or ";
   bool first = true;
-  for (const std::string_view word : separated(key.allowed, '|')) {
+  for (const std::string_view one : separated(key.allowed, '|')) {
     if (!first) cell += ", ";
     first = false;
-    cell += quoted ? "`\"" + std::string(word) + "\"`" : "`" + std::string(word) + "`";
+    cell += quoted ? "`\"" + std::string(one) + "\"`" : "`" + std::string(one) + "`";
   }
   return cell;
 }

@@ -38,7 +38,8 @@ void append_comment(std::string& page, std::string_view text) {
 // and so is the epoch, with what belongs to it: a date that is not the user's own must not slip
 // into their files.
 bool stands(const Schema& schema, const Key& key, std::string_view kind) {
-  if (key.type == KeyType::epoch || key.path == "state.dut1") return false;
+  if (key.type == KeyType::epoch || key.path == "state.dut1" || key.path == "time.error")
+    return false;
   if (key.presence != Presence::alternative) return true;
   const std::string_view name = key_name(key.path);
   for (const Alternatives& row : schema.alternatives) {

@@ -42,9 +42,6 @@ class KvnReader {
   std::size_t line_ = 0;
 };
 
-// The whole of a file. DomainError when it cannot be read or has more than `largest` bytes.
-std::string text_of_file(const std::string& path, std::size_t largest);
-
 }  // namespace detail
 }  // namespace v0
 }  // namespace polhode

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "polhode/tables/convert.hpp"
+#include "tables/detail/trimmed.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -32,7 +33,7 @@ class LineReader {
         const auto length = static_cast<std::size_t>(static_cast<const char*>(found) - begin);
         first_ += length + 1;
         searched_ = 0;
-        return trimmed({begin, length});
+        return line({begin, length});
       }
       searched_ = size;
       if (size > longest_line) {
@@ -43,7 +44,7 @@ class LineReader {
         first_ = last_;
         searched_ = 0;
         if (size == 0) return std::nullopt;
-        return trimmed({begin, size});
+        return line({begin, size});
       }
       refill();
     }
@@ -51,9 +52,11 @@ class LineReader {
   bool too_long() const { return too_long_; }
 
  private:
-  static std::string_view trimmed(std::string_view line) {
-    if (line.ends_with('\r')) line.remove_suffix(1);
-    return line;
+  std::string_view line(std::string_view bytes) {
+    if (bytes.ends_with('\r')) bytes.remove_suffix(1);
+    if (is_first_) bytes = without_mark(bytes);
+    is_first_ = false;
+    return bytes;
   }
   void refill() {
     std::memmove(buffer_.data(), buffer_.data() + first_, last_ - first_);
@@ -71,6 +74,7 @@ class LineReader {
   std::size_t first_ = 0;
   std::size_t last_ = 0;
   std::size_t searched_ = 0;  // of the line that begins at first_
+  bool is_first_ = true;      // the line that comes next
   bool ended_ = false;
   bool too_long_ = false;
 };

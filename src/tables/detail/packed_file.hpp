@@ -12,8 +12,10 @@ namespace detail {
 
 class PackedFile {
  public:
+  enum class Pipes { rejected, read };
+
   // DomainError where it cannot be opened, or is a folder.
-  explicit PackedFile(const std::string& path);
+  explicit PackedFile(const std::string& path, Pipes pipes = Pipes::rejected);
   ~PackedFile();
   PackedFile(const PackedFile&) = delete;
   PackedFile& operator=(const PackedFile&) = delete;
@@ -25,6 +27,10 @@ class PackedFile {
   std::string shown_;
   void* stream_ = nullptr;  // gzFile
 };
+
+// The whole of a file or pipe, unpacked; "-" is standard input as it is. DomainError when it cannot
+// be read or has more than `largest` bytes.
+std::string text_of_file(const std::string& path, std::size_t largest);
 
 }  // namespace detail
 }  // namespace v0

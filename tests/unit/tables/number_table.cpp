@@ -80,6 +80,11 @@ TEST_F(NumberTableFile, HeaderAndRowsMayBeSeparatedEachInItsWay) {
   EXPECT_THAT(table.columns[1], ElementsAre(1.0, 2.0));
 }
 
+TEST_F(NumberTableFile, AByteOrderMarkIsNoPartOfTheFirstName) {
+  write(path_, "\xef\xbb\xbft,x\n1,2\n");
+  EXPECT_EQ(table_columns(path_), (std::vector<std::string>{"t", "x"}));
+}
+
 TEST_F(NumberTableFile, CompressedFilesReadTheSame) {
   std::string text = "t,x\n";
   for (int k = 0; k < 100000; ++k) text += std::to_string(k) + "," + std::to_string(-2 * k) + "\n";

@@ -72,7 +72,7 @@ constexpr Key keys[] = {
      .presence = Presence::alternative,
      .example = "\"moon.csv.gz\"",
      .help = "A table of positions, CSV or separated by blanks, .gz or not, or a CCSDS Orbit "
-             "Ephemeris Message (.oem); the path is from the folder of this file.",
+             "Ephemeris Message (.oem, .oem.gz); the path is from the folder of this file.",
      .is_file = true},
     {.path = "columns",
      .type = KeyType::columns,
@@ -265,7 +265,7 @@ ScenarioOrbit file_orbit(const OrbitContext& at, int order) {
       refuse(at.values(), at.key_path(own), at.file(), "expected keys times, x, y and z as well");
   if (has_two_line_elements(path))
     throw DomainError("it holds two-line elements, no table: " + std::string(satellites_command));
-  if (path.ends_with(".oem")) return oem_orbit(at, path, order);
+  if (path.ends_with(".oem") || path.ends_with(".oem.gz")) return oem_orbit(at, path, order);
   const std::vector<std::string> columns = columns_of(at, path);
   const NumberTable file = read_number_table(path, columns, time_reader(at));
   require_header(at, file, columns);

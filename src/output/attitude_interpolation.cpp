@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "output/detail/attitude_interpolation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "polhode/rotor/attitude.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+namespace {
+
+using Row = InterpolationError::Row;
+
+// Newton's divided differences: a node with a slope stands twice.
+double polynomial(const std::vector<double>& t, std::vector<double> x,
+                  const std::vector<double>& slope, double at) {
+  const std::size_t count = t.size();
+  std::vector<double> top{x[0]};
+  for (std::size_t order = 1; order < count; ++order) {
+    for (std::size_t i = 0; i + order < count; ++i) {
+      const double step = t[i + order] - t[i];
+      x[i] = step == 0.0 ? slope[i] : (x[i + 1] - x[i]) / step;
+    }
+    top.push_back(x[0]);
+  }
+  double value = top.back();
+  for (std::size_t order = count - 1; order-- > 0;) value = value * (at - t[order]) + top[order];
+  return value;
+}
+
+double angle_between(const Quaternion& a, const Quaternion& b) {
+  const Quaternion d = conj(a) * b;
+  return 2.0 * std::atan2(std::hypot(d.x, d.y, d.z), std::fabs(d.w));
+}
+
+}  // namespace
+
+// Of the row in the middle of 2 `nodes` - 1 rows, from those at even places.
+double InterpolationError::of_middle(std::size_t first, std::size_t nodes) const {
+  const bool slopes = interpolation_.method == "HERMITE";
+  const bool angles = interpolation_.method == "LINEAR";
+  const Row& middle = rows_[first + nodes - 1];
+  std::array<double, 4> value{};
+  for (std::size_t c = 0; c < (angles ? 3U : 4U); ++c) {
+    std::vector<double> t, x, slope;
+    for (std::size_t k = 0; k < nodes; ++k) {
+      const Row& node = rows_[first + 2 * k];
+      const double jump = angles ? 360.0 * std::round((node.x[c] - middle.x[c]) / 360.0) : 0.0;
+      for (int twice = 0; twice < (slopes ? 2 : 1); ++twice) {
+        t.push_back(node.t);
+        x.push_back(node.x[c] - jump);
+        slope.push_back(node.slope[c]);
+      }
+    }
+    value[c] = polynomial(t, x, slope, middle.t);
+  }
+  if (!angles) return angle_between({value[0], value[1], value[2], value[3]}, middle.q);
+  constexpr double degree = std::numbers::pi / 180.0;
+  return angle_between(
+      attitude(EulerAngles{degree * value[0], degree * value[1], degree * value[2]}), middle.q);
+}
+
+double InterpolationError::at_spacing(double found, std::size_t nodes) const {
+  constexpr double resolved = 0.3;  // rad
+  if (!(found < resolved)) return found;
+  const int degree =
+      static_cast<int>(nodes) * (interpolation_.degree + 1) / static_cast<int>(interpolation_.rows);
+  // rows that hardly resolve the rotation gain less by half the spacing
+  const int margin = degree > 2 ? 2 : 0;
+  return interpolation_.ends * std::ldexp(found, margin - degree);
+}
+
+void InterpolationError::add(const Row& row) {
+  rows_.push_back(row);
+  if (rows_.size() < span_) return;
+  is_full_ = true;
+  largest_ = std::max(largest_, at_spacing(of_middle(0, interpolation_.rows), interpolation_.rows));
+  rows_.pop_front();
+}
+
+double InterpolationError::estimate() const {
+  if (is_full_ || rows_.size() < 3) return largest_;
+  const std::size_t nodes = (rows_.size() + 1) / 4 * 2;  // even, of fewer rows
+  if (nodes == 0) return 0.0;
+  double largest = 0.0;
+  for (std::size_t first = 0; first + 2 * nodes - 1 <= rows_.size(); ++first)
+    largest = std::max(largest, at_spacing(of_middle(first, nodes), nodes));
+  return largest;
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode
