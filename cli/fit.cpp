@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -28,7 +29,7 @@ struct FitCommand {
   std::vector<std::string> set, residuals, covariance, landscape, at, predict;
   std::string solution;
   int threads = 0;
-  bool json = false;
+  bool json = false, scans_only = false;
 };
 
 // PATH.toml of the first solution, then PATH-2.toml and so on; also of .csv and .h5.
@@ -51,6 +52,8 @@ int threads_of(const FitCommand& options) {
                                        scenario.document.name, starts, failure));
 }
 
+void say(const std::string& line) { std::fputs((line + "\n").c_str(), stderr); }
+
 // Whether a table takes the place of the text on standard output.
 bool prints_table(const FitCommand& options) {
   for (const std::vector<std::string>* const paths :
@@ -66,7 +69,16 @@ bool writes_files(
     void (&residuals)(const Scenario&, const Report&, std::size_t, const std::string&),
     void (&covariance)(const Scenario&, const Report&, std::size_t, const std::string&),
     void (&solution)(const Scenario&, const Report&, std::size_t, const std::string&)) {
-  for (std::size_t i = 0; i < report.solutions.size(); ++i) {
+  const std::size_t most = require_fit(scenario).most_solutions;
+  const std::size_t count = std::min(report.solutions.size(), most);
+  const bool writes = !options.residuals.empty() || !options.covariance.empty() ||
+                      !options.predict.empty() || !options.solution.empty();
+  if (writes && count < report.solutions.size())
+    say(fmt::format(
+        "{}: note: files of {} of {} solutions were written; fit.most_solutions = {} is "
+        "the limit",
+        scenario.document.name, count, report.solutions.size(), most));
+  for (std::size_t i = 0; i < count; ++i) {
     for (const std::string& path : options.residuals)
       residuals(scenario, report, i, numbered(path, i));
     for (const std::string& path : options.covariance)
@@ -77,17 +89,25 @@ bool writes_files(
 }
 
 // Whether they went to standard output.
-bool writes_predictions(const FitCommand& options, const Scenario& scenario,
-                        const FitReport& report, const std::vector<double>& at) {
+template <class Report>
+bool writes_predictions(const FitCommand& options, const Scenario& scenario, const Report& report,
+                        const std::vector<double>& at) {
   if (options.predict.empty()) return false;
   const std::vector<double> times = options.at.empty() ? prediction_times(scenario) : at;
-  for (std::size_t i = 0; i < report.solutions.size(); ++i)
+  const std::size_t count = std::min(report.solutions.size(), require_fit(scenario).most_solutions);
+  for (std::size_t i = 0; i < count; ++i)
     for (const std::string& path : options.predict)
-      write_predictions(scenario, report, i, times, numbered(path, i));
+      write_predictions(scenario, fit_predictions(report, i, times), numbered(path, i));
   return std::count(options.predict.begin(), options.predict.end(), "-") > 0;
 }
 
+// Those of --at, and what is wrong with what is to be predicted, before the fit.
 std::vector<double> times_at(const FitCommand& options, const Scenario& scenario) {
+  if (!options.predict.empty() && options.at.empty()) prediction_times(scenario);
+  if (!options.at.empty() && options.predict.empty() && prints_table(options))
+    throw DomainError(scenario.document.name +
+                      ": --at: another table goes to standard output and not the text with what is "
+                      "predicted; expected --predict PATH as well");
   try {
     return prediction_times(scenario, options.at);
   } catch (const DomainError& error) {
@@ -96,16 +116,12 @@ std::vector<double> times_at(const FitCommand& options, const Scenario& scenario
 }
 
 void fit_snapshots(const FitCommand& options, const Scenario& scenario) {
-  if (!options.landscape.empty())
+  if (!options.landscape.empty() || options.scans_only)
     throw DomainError(scenario.document.name +
-                      ": --landscape: there is none; expected light curves and fit.from = "
+                      (options.scans_only ? ": --scan-only" : ": --landscape") +
+                      ": there is none; expected light curves and fit.from = "
                       "\"search\"");
   const std::vector<double> times = times_at(options, scenario);
-  if (!options.predict.empty() && options.at.empty()) prediction_times(scenario);  // said early
-  if (!options.at.empty() && options.predict.empty() && prints_table(options))
-    throw DomainError(scenario.document.name +
-                      ": --at: another table goes to standard output and not the text with what is "
-                      "predicted; expected --predict PATH as well");
   const StopSignals signals;
   std::optional<ProgressLine> progress;
   FitOptions how;
@@ -136,10 +152,7 @@ void fit_snapshots(const FitCommand& options, const Scenario& scenario) {
 }
 
 void fit_light_curves(const FitCommand& options, const Scenario& scenario) {
-  if (!options.at.empty() || !options.predict.empty())
-    throw DomainError(scenario.document.name +
-                      ": --at and --predict are for fits of attitudes, directions or rates; for "
-                      "light curves write --solution PATH and run it");
+  const std::vector<double> times = times_at(options, scenario);
   const LightPlan& plan = require_fit(scenario).light;
   const bool scans = plan.searches && plan.periods.empty();
   if (!options.landscape.empty() && !scans)
@@ -148,6 +161,11 @@ void fit_light_curves(const FitCommand& options, const Scenario& scenario) {
                       "fit.from = \"search\" without fit.periods");
   LightFitOptions how;
   how.threads = threads_of(options);
+  how.scans_only = options.scans_only;
+  if (options.scans_only && !scans)
+    throw DomainError(scenario.document.name +
+                      ": --scan-only: no scan is made; expected fit.from = \"search\" without "
+                      "fit.periods");
   const StopSignals signals;
   how.stop = [] { return StopSignals::came() != 0; };
   std::optional<ProgressLine> progress;
@@ -170,16 +188,23 @@ void fit_light_curves(const FitCommand& options, const Scenario& scenario) {
   }
   progress.reset();
   for (const std::string& path : options.landscape) write_landscape(scenario, report, path);
-  if (!report.is_found() && report.start) fail(scenario, "its start", report.failure);
+  if (report.start && !report.is_found() && report.chosen.empty() && report.notes.empty())
+    fail(scenario, "its start", report.failure);
   if (!report.is_found()) {
     // minima, pairs and what they came to are worth reading without a solution
     print(options.json ? light_json(scenario, report) : light_text(scenario, report));
+    if (options.scans_only) return;
+    if (report.start) fail(scenario, "its start", report.failure);
     throw std::runtime_error(
         fmt::format("{}: no solution: {}", scenario.document.name, report.failure));
   }
+  if (prints_table(options) && !report.verdict.empty())
+    say(scenario.document.name + ": note: " + report.verdict);
+  const bool predicted = writes_predictions(options, scenario, report, times);
   if (!writes_files<LightReport>(options, scenario, report, write_light_residuals,
-                                 write_light_covariance, write_light_solution))
-    print(options.json ? light_json(scenario, report) : light_text(scenario, report));
+                                 write_light_covariance, write_light_solution) &&
+      !predicted)
+    print(options.json ? light_json(scenario, report, times) : light_text(scenario, report, times));
 }
 
 void fit_file(const FitCommand& options, const Kinds& kinds) {
@@ -245,6 +270,8 @@ void add_fit(CLI::App& app, const Kinds& kinds) {
                    "How many starts at a time; left out: one on each processor. The result does "
                    "not depend on it")
       ->check(whole_number());
+  command->add_flag("--scan-only", options->scans_only,
+                    "Of light curves: the scan for periods alone, without a search");
   command->add_flag("--json", options->json, "For programs: every digit");
   command->footer("Example:\n  " + full_name(*command) +
                   " examples/toutatis-1992.toml --solution fitted.toml");

@@ -297,6 +297,18 @@ class LightScenarioSolution(ScenarioSolution):
         return _of_light(self._found["rotation_period"])
 
     @property
+    def short_axis_period(self) -> FitNumber:
+        """That of the short axis about the momentum, which most papers give; 0 where the regime has
+        none."""
+        return _of_light(self._found["short_axis_period"])
+
+    @property
+    def describes_data(self) -> bool:
+        """Whether chi-square per degree of freedom (under a robust loss the square of the spread)
+        is at most 10. If that is so of no solution, the report has no errors: they are infinite."""
+        return self._found["describes_data"]
+
+    @property
     def scaled_covariance(self) -> Array | None:
         """The same with scaled errors; None without degrees of freedom."""
         factor = self.error_factor
@@ -412,7 +424,8 @@ class FitResults:
         found = getattr(self._compiled, "scan", None)
         if found is None:
             return None
-        return scan_of(found, self._report["scan"]["order"], self._report["points"])
+        unit = self._report["units"]["time"]
+        return scan_of(found, self._report["scan"]["order"], self._report["points"], unit)
 
     @property
     def starts(self) -> int:
@@ -483,7 +496,7 @@ def _factor(units: Any, name: str, error: float, core_error: float) -> float:
         return units.from_core(1.0, "angle")
     if name.startswith("w_"):
         return units.from_core(1.0, "rate")
-    return error / core_error if 0.0 < core_error < np.inf else 1.0
+    return error / core_error if 0.0 < core_error < np.inf and np.isfinite(error) else 1.0
 
 
 def _loaded(scenario: Scenario | Path, function: str) -> Scenario:

@@ -194,6 +194,8 @@ class LightSolution(FitSolution):
 
     def _rank(self) -> str:
         """What solutions are ranked by."""
+        if hasattr(self.body, "coefficients"):
+            return f"cost {self.cost:.5g} with chi-square {self.chi_square:.5g}"
         if self.loss[0] == "squared":
             return f"chi-square {self.chi_square:.5g}"
         return f"loss {self.cost:.5g}"

@@ -60,7 +60,7 @@ class FourierScan:
     f1, f2 : (M,), (N,), turns per unit of time.
     chi_square : (M, N); of a file with fit.scan.sessions = "separate" the sum over sessions.
     minima : ScanMinimum by chi-square, the lowest first.
-    order : of the series. points : how many there are.
+    order : of the series. points : how many there are. unit : of time, empty if none is known.
     """
 
     f1: Array
@@ -70,6 +70,7 @@ class FourierScan:
     order: int
     points: int
     _compiled: Any = None
+    unit: str = ""
 
     def periods(self, pairs: int = 5, labels: int = 20) -> list[tuple[str, float, float]]:
         """(mode, P_phi, P_psi) that the lowest minima may be of an ellipsoid, for search_light:
@@ -80,8 +81,8 @@ class FourierScan:
     def __reduce__(self) -> tuple[Any, tuple[Any, ...]]:
         if self._compiled is None:
             return FourierScan, (self.f1, self.f2, self.chi_square, self.minima, self.order,
-                                 self.points)  # fmt: skip
-        return scan_of, (self._compiled, self.order, self.points)
+                                 self.points, None, self.unit)  # fmt: skip
+        return scan_of, (self._compiled, self.order, self.points, self.unit)
 
     def to_xarray(self) -> Any:
         """The landscape as an xarray.DataArray along f1 and f2."""
@@ -164,9 +165,9 @@ def fourier_scan(
     return scan_of(found, n, sum(len(table) for *_, table in parts))
 
 
-def scan_of(found: Any, order: Any, points: Any) -> FourierScan:
+def scan_of(found: Any, order: Any, points: Any, unit: str = "") -> FourierScan:
     minima = [ScanMinimum(**m) for m in found.minima]
-    return FourierScan(found.f1, found.f2, found.chi_square, minima, order, points, found)
+    return FourierScan(found.f1, found.f2, found.chi_square, minima, order, points, found, unit)
 
 
 class LikelyPeriods(NamedTuple):

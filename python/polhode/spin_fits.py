@@ -200,7 +200,8 @@ class FitSolution:
     cost : the sum that was minimised: of the data under the loss, and of priors.
     converged : whether this is a solution; `sentence` says what happened.
     bound : unknowns that are on a bound.
-    notes : combinations that the data do not determine, observations that come twice.
+    notes : combinations that the data do not determine, observations that come twice, and moments
+        that stay at their start, with infinite variances, where no wobble is seen.
     """
 
     names: tuple[str, ...]

@@ -51,8 +51,13 @@ class BrightConvex:
     spin : SpinState; body axes are those of the facets, and principal.
     degree, rows : of the series of areas, 1 to 40, and of the 8 rows^2 normals.
     coefficients : ((degree + 1)^2,), c_lm at l^2 + l + m: an area is w exp(sum of c_lm Y_lm(n)),
-        w the solid angle of its normal n.
+        w the solid angle of its normal n. Y_lm is sqrt(4 pi) times the real orthonormal harmonic,
+        so that Y_00 is 1.
     law : weights of the laws of Lommel and Seeliger, and of Lambert.
+
+    Fluxes (`model_fluxes`, fits) are those of patches: each facet stands for a small range of
+    normals, so that its light fades smoothly at the terminator. The plain sum over `normals` and
+    `areas` differs by 0.1 to 2.5 %.
     """
 
     spin: SpinState

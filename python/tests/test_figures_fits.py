@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Figures of fits: what is drawn is what the functions returned."""
 
+import dataclasses
+
 import budgets
 import matplotlib
 import pytest
@@ -80,6 +82,15 @@ def test_a_landscape_has_the_least_of_its_cells_and_its_minima():
         mark = marks[f"minimum-{k}"]
         assert (mark.get_xdata()[0], mark.get_ydata()[0]) == (best.f2, best.f1)
     assert [text.get_text() for text in axis.texts] == ["1", "2"]
+    best = scan.minima[0]
+    near = figures.scan_landscape(dataclasses.replace(scan, unit="h"), zoom=1)
+    left, right = near.get_xlim()
+    assert left < best.f2 < right and right - left < 32 * 0.005
+    low, high = near.get_ylim()
+    assert low < best.f1 < high and high - low < 32 * 0.0004
+    assert near.get_xlabel() == "$f_2$ (1/h)"
+    with pytest.raises(ValueError, match="zoom: got 99; expected 0, or the place of a minimum"):
+        figures.scan_landscape(scan, zoom=99)
     with pytest.raises(TypeError, match="expected what fourier_scan returns"):
         figures.scan_landscape(3)
 
@@ -120,6 +131,10 @@ def test_poles_of_all_solutions_are_on_the_sky(solution):
     with pytest.raises(TypeError, match="expected a solution"):
         figures.pole_sky(3)
     assert len(lines(figures.pole_sky(polhode.fit(fit_calls.TOUTATIS)))) == 2
+    marks = lines(figures.pole_sky([solution] * 17))
+    looks = {(marks[f"pole-{k}"].get_marker(), marks[f"pole-{k}"].get_color())
+             for k in range(1, 18)}  # fmt: skip
+    assert len(looks) == 17
 
 
 def test_a_body_is_seen_where_its_ellipsoid_is():

@@ -118,6 +118,9 @@ def test_a_start_nearby_and_any_number_of_threads():
     assert found.scan is None and found.failed == 0 and one.converged
     assert abs(one.precession_period.value - 12.0) < 4 * one.precession_period.error
     assert one.unknowns["w_x"].start != one.unknowns["w_x"].value
+    short = one.short_axis_period
+    assert abs(short.value - 7.5) < 4 * short.error < 0.1 and one.describes_data
+    assert list(one.predicted([0.0, 90.0])["t"]) == [0.0, 90.0]
     assert polhode.fit(near, threads=2).text == found.text
     with pytest.raises(ValueError, match="threads: got 0"):
         polhode.fit(near, threads=0)
@@ -131,8 +134,9 @@ def test_figures_take_them(night):
     same, of_arrays = pole_and_covariance(found[0].light)
     assert_allclose(pole, same)
     assert_allclose(covariance, of_arrays)
-    assert figures.light_curve_fit(found.curves, found[0]).shape == (1, 2)
-    assert figures.scan_landscape(found.scan, minima=2, unit="min").get_xlabel()
+    axes = figures.light_curve_fit(found.curves, found[0])
+    assert axes.shape == (1, 2) and axes[0, 1].get_xlabel() == "$t$ (min)"
+    assert figures.scan_landscape(found.scan, minima=2).get_xlabel() == "$f_2$ (1/min)"
     assert len(figures.body_as_seen(found[0], [0.0, 3.0], [1, 0.2, 0.3], [0.8, 0.6, 0.1])) == 2
 
 

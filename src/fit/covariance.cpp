@@ -58,6 +58,20 @@ double UnknownsCovariance::correlation(std::size_t i, std::size_t j) const {
   return matrix[i * names.size() + j] / (error(i) * error(j));
 }
 
+UnknownsCovariance UnknownsCovariance::without(std::span<const std::string> held) const {
+  if (held.empty()) return *this;
+  UnknownsCovariance found;
+  const std::size_t n = names.size();
+  const auto stays = [&](std::size_t i) { return std::ranges::count(held, names[i]) == 0; };
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!stays(i)) continue;
+    found.names.push_back(names[i]);
+    for (std::size_t j = 0; j < n; ++j)
+      if (stays(j)) found.matrix.push_back(matrix[i * n + j]);
+  }
+  return found;
+}
+
 UnknownsCovariance covariance(const LeastSquares& problem, const LeastSquaresResult& result) {
   UnknownsCovariance found;
   for (const Unknown& u : problem.unknowns) found.names.push_back(u.name);

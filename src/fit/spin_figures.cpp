@@ -9,6 +9,7 @@
 
 #include "fit/detail/snapshot_residuals.hpp"
 #include "fit/detail/spin_motion.hpp"
+#include "fit/detail/turn_covariance.hpp"
 #include "fit/free_rotation_of.hpp"
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
@@ -43,6 +44,15 @@ Parts parts_of_shape(std::string_view unknown, const Ellipsoid& shape) {
   } else if (unknown == "c/b") {
     parts[detail::first_ratio] = parts[detail::first_ratio + 1] = b * by_c;
   }
+  return parts;
+}
+
+std::vector<Parts> parts_of(const LightSolution& solution, const LightUnknowns& unknowns) {
+  std::vector<Parts> parts;
+  for (const std::string& name : solution.covariance.names)
+    parts.push_back(unknowns.moments == MomentSource::shape
+                        ? parts_of_shape(name, solution.body.shape)
+                        : parts_of(name));
   return parts;
 }
 
@@ -143,6 +153,13 @@ class Figures {
     });
     f.precession_error = error_of(by_phi, c_);
     f.rotation_error = error_of(by_psi, c_);
+    // 1/P_short = 1/P_phi + 1/P_psi
+    f.short_period = turn / motion_.precession_rate_short();
+    std::vector<double> by_short(by_phi.size());
+    for (std::size_t i = 0; i < by_short.size(); ++i)
+      by_short[i] = f.short_period * f.short_period *
+                    (by_phi[i] / (P_phi * P_phi) + by_psi[i] / (P_psi * P_psi));
+    f.short_error = error_of(by_short, c_);
     f.correlation = product(by_phi, c_, by_psi) / (f.precession_error * f.rotation_error);
   }
 
@@ -188,12 +205,38 @@ SpinFigures spin_figures(const SpinState& state, const UnknownsCovariance& covar
 }
 
 SpinFigures spin_figures(const LightSolution& solution, const LightUnknowns& unknowns) {
-  std::vector<Parts> parts;
-  for (const std::string& name : solution.covariance.names)
-    parts.push_back(unknowns.moments == MomentSource::shape
-                        ? parts_of_shape(name, solution.body.shape)
-                        : parts_of(name));
+  const std::vector<Parts> parts = parts_of(solution, unknowns);
   return Figures(solution.body.spin, solution.covariance, parts).found();
+}
+
+SpinFigures spin_figures(const SpinSolution& solution) {
+  SpinFigures f = spin_figures(solution.state, solution.covariance.without(solution.held));
+  if (solution.held.empty()) return f;
+  f.rotation_error = infinite;
+  f.correlation = std::numeric_limits<double>::quiet_NaN();
+  return f;
+}
+
+std::vector<PredictedAttitude> predicted(const LightSolution& solution,
+                                         const LightUnknowns& unknowns,
+                                         std::span<const double> times) {
+  const std::vector<Parts> parts = parts_of(solution, unknowns);
+  const std::vector<double> at(times.begin(), times.end());
+  std::vector<detail::MotionPoint> points;
+  if (!detail::free_motion(solution.body.spin, at, {true, false}, points))
+    throw DomainError(
+        "predicted: the state of the solution is none that a body may have, or its motion has no "
+        "derivatives");
+  std::vector<PredictedAttitude> found;
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    std::vector<Vec3> turn(parts.size());
+    for (std::size_t k = 0; k < parts.size(); ++k)
+      for (std::size_t j = 0; j < spin_parameters; ++j)
+        if (parts[k][j] != 0.0) turn[k] = turn[k] + parts[k][j] * points[i].turn[j];
+    found.push_back(
+        {at[i], points[i].q, points[i].w_F, detail::turn_covariance(turn, solution.covariance)});
+  }
+  return found;
 }
 
 }  // namespace v0

@@ -44,10 +44,7 @@ std::string flaw_of(const LightPoint& p, const LightCurveNeeds& needs) {
 // Of a time after the one before.
 std::string flaw_of(const LightCurve& curve, std::size_t k) {
   const double t = curve.points[k].t, before = curve.points[k - 1].t;
-  if (t > before) return {};
-  if (t == before)
-    return "time " + number_text(t) + " stands twice, here and in " + place(k - 1) +
-           "; expected each once";
+  if (t >= before) return {};
   return "time " + number_text(t) + " comes after " + number_text(before) + " of " + place(k - 1) +
          "; expected rising times, or points that are to be sorted";
 }
@@ -74,11 +71,23 @@ std::optional<LightCurveFlaw> flaw_inside(const LightCurve& curve, std::size_t i
                                            [](const LightPoint& p) { return p.sigma == 0.0; });
   if (without_errors)
     return LightCurveFlaw{index, std::nullopt,
-                          "has no errors; expected those of the points, or one of all"};
+                          "has no errors; expected those of the points, or one of all",
+                          LightCurveFlaw::Kind::error};
+  using enum LightCurveFlaw::Kind;
   for (std::size_t k = 0; k < curve.points.size(); ++k) {
-    std::string text = flaw_of(curve.points[k], needs);
-    if (text.empty() && k > 0) text = flaw_of(curve, k);
-    if (!text.empty()) return LightCurveFlaw{index, k, std::move(text)};
+    const LightPoint& p = curve.points[k];
+    if (std::string text = flaw_of(p, needs); !text.empty())
+      return LightCurveFlaw{index, k, std::move(text), p.sigma > 0.0 ? other : error};
+    if (k == 0) continue;
+    if (std::string text = flaw_of(curve, k); !text.empty())
+      return LightCurveFlaw{index, k, std::move(text), order};
+    for (std::size_t j = k; j-- > 0 && curve.points[j].t == p.t;)
+      if (curve.points[j].flux == p.flux && curve.points[j].sigma == p.sigma)
+        return LightCurveFlaw{index, k,
+                              "time " + number_text(p.t) + " and flux " + number_text(p.flux) +
+                                  " stand twice, here and in " + place(j) +
+                                  "; expected each observation once",
+                              twice};
   }
   std::string text = flaw_of(curve);
   if (text.empty()) return std::nullopt;
@@ -108,7 +117,8 @@ std::optional<LightCurveFlaw> shared_point(std::span<const LightCurve> curves) {
                         "time " + number_text(again.t) + " and flux " + number_text(again.flux) +
                             " are those of " + place(first.point) + " of light curve " +
                             std::to_string(first.curve + 1) +
-                            "; expected each observation in one session"};
+                            "; expected each observation in one session",
+                        LightCurveFlaw::Kind::twice};
 }
 
 }  // namespace

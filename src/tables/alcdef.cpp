@@ -29,6 +29,10 @@ std::string upper(std::string_view text) {
   return result;
 }
 
+constexpr std::string_view read_keywords[] = {
+    "OBJECTNUMBER", "OBJECTNAME", "MPCDESIG", "DELIMITER", "DIFFERMAGS",  "STANDARD",   "LTCAPP",
+    "REDUCEDMAGS",  "LTCDAYS",    "MAGBAND",  "FILTER",    "SESSIONDATE", "SESSIONTIME"};
+
 class AlcdefReader {
  public:
   AlcdefReader(std::string_view text, const std::string& shown, const std::optional<Date>& epoch)
@@ -77,7 +81,12 @@ class AlcdefReader {
       }
       if (line->kind != KvnLine::Kind::pair) unexpected(*line, "KEYWORD=VALUE or ENDMETADATA");
       std::string key = upper(line->key);
-      if (note(session, key) != nullptr) lines_.fail(detail::printable(key) + " is there twice");
+      // keywords that are not read may come twice: EPOCH is also that of the comparison star
+      const std::string* const before = note(session, key);
+      if (before != nullptr && *before != line->value &&
+          std::ranges::find(read_keywords, key) != std::end(read_keywords))
+        lines_.fail(detail::printable(key) + " is there twice, \"" + detail::printable(*before) +
+                    "\" and \"" + detail::printable(line->value) + "\"");
       session.notes.emplace_back(std::move(key), line->value);
     }
     lines_.fail("the file ends before ENDMETADATA");

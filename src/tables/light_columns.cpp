@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <utility>
 
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
+#include "polhode/light/magnitudes.hpp"
 #include "polhode/tables/number_table.hpp"
 #include "tables/detail/light_sessions.hpp"
 #include "tables/detail/light_times.hpp"
@@ -58,6 +58,16 @@ void require_writable(std::span<const LightCurve> curves) {
   }
 }
 
+// In place of a flux, in the same members.
+Flux magnitude_in_place(std::size_t curve, const Flux& flux) {
+  const Magnitude m = magnitude_of(flux);
+  if (!std::isfinite(m.value))
+    fail_to_write("light curve " + std::to_string(curve + 1) + " has the flux " +
+                  detail::number_text(flux.value) +
+                  ", which has no magnitude; expected less noise");
+  return {m.value, m.sigma};
+}
+
 // A table of the columns that are asked for, and where in it each of them is.
 class ColumnReader {
  public:
@@ -72,15 +82,15 @@ class ColumnReader {
     const std::optional<std::size_t> session = optional(columns_.session);
     const std::optional<std::size_t> sun = optional(columns_.to_sun);
     const std::optional<std::size_t> observer = optional(columns_.to_observer);
-    const NumberTable table = read_table();
+    const NumberTable table = read_table(sigma, session);
     const auto vector = [&](std::optional<std::size_t> first, std::size_t row) {
       return first ? Vec3{table.columns[*first][row], table.columns[*first + 1][row],
                           table.columns[*first + 2][row]}
                    : Vec3{};
     };
     for (std::size_t row = 0; row < table.rows(); ++row) {
-      LightSession& to = session_of(session ? table.columns[*session][row] : 0.0,
-                                    session.has_value(), table.lines[row]);
+      LightSession& to = session_of(
+          session ? static_cast<std::size_t>(table.columns[*session][row]) : 0, table.lines[row]);
       const double x = table.columns[value][row];
       if (const std::string flaw = detail::magnitude_flaw(x);
           columns_.flux.empty() && !flaw.empty())
@@ -131,9 +141,20 @@ class ColumnReader {
     return first;
   }
 
-  NumberTable read_table() {
+  // Of sessions the place of the name, of errors that are left empty 0: require_sound names them.
+  NumberTable read_table(std::optional<std::size_t> sigma, std::optional<std::size_t> session) {
     result_.file = detail::printable(path_, longest_path);
-    if (columns_.form == LightColumns::Times::numbers) return read_number_table(path_, names_);
+    std::vector<FieldReader> readers(names_.size(), number_from_field);
+    if (sigma)
+      readers[*sigma] = [](std::string_view field) {
+        return field.empty() ? 0.0 : number_from_field(field);
+      };
+    if (session)
+      readers[*session] = [this](std::string_view field) {
+        return static_cast<double>(place_of_session(field));
+      };
+    if (columns_.form == LightColumns::Times::numbers)
+      return read_number_table(path_, names_, readers);
     std::optional<detail::LightTimes> times;
     try {
       times.emplace(columns_.scale, columns_.epoch, columns_.julian_zero);
@@ -141,18 +162,34 @@ class ColumnReader {
       fail(error.what());
     }
     const bool julian = columns_.form == LightColumns::Times::julian_dates;
-    NumberTable table = read_number_table(path_, names_, [&](std::string_view field) {
+    readers.front() = [&](std::string_view field) {
       return julian ? times->of_julian_date(field) : times->of_date(field);
-    });
+    };
+    NumberTable table = read_number_table(path_, names_, readers);
     result_.epoch = times->epoch();
     return table;
   }
 
-  LightSession& session_of(double number, bool is_named, std::size_t line) {
-    const auto [found, is_new] = places_.emplace(number, result_.sessions.size());
-    if (is_new) {
+  // Names of sessions are text; numbers are the same however they are written.
+  std::size_t place_of_session(std::string_view field) {
+    std::string name(field);
+    try {
+      name = detail::number_text(number_from_field(field));
+    } catch (const DomainError&) {
+      if (name.empty()) throw DomainError("is empty; expected the name of a session");
+    }
+    const auto found = std::ranges::find(session_names_, name);
+    if (found != session_names_.end())
+      return static_cast<std::size_t>(found - session_names_.begin());
+    session_names_.push_back(std::move(name));
+    return session_names_.size() - 1;
+  }
+
+  LightSession& session_of(std::size_t place, std::size_t line) {
+    if (place == result_.sessions.size()) {
       LightSession session;
-      if (is_named) session.curve.name = detail::number_text(number);
+      if (!session_names_.empty())
+        session.curve.name = detail::printable(session_names_[place], longest_note);
       session.curve.is_calibrated = columns_.is_calibrated;
       session.times = columns_.times;
       session.distances = columns_.distances;
@@ -160,7 +197,7 @@ class ColumnReader {
       session.line = line;
       result_.sessions.push_back(std::move(session));
     }
-    return result_.sessions[found->second];
+    return result_.sessions[place];
   }
 
   LightCurveFile finished() {
@@ -175,7 +212,7 @@ class ColumnReader {
   const std::string& path_;
   const LightColumns& columns_;
   std::vector<std::string> names_;
-  std::map<double, std::size_t> places_;
+  std::vector<std::string> session_names_;  // in the order in which they come
   LightCurveFile result_;
 };
 
@@ -186,6 +223,13 @@ LightCurveFile read_light_columns(const std::string& path, const LightColumns& c
 }
 
 std::string light_csv(std::span<const LightCurve> curves, std::span<const std::string> notes) {
+  return light_csv(curves, notes, light_csv_columns(has_vectors(curves)),
+                   [](double t) { return detail::number_text(t); });
+}
+
+std::string light_csv(std::span<const LightCurve> curves, std::span<const std::string> notes,
+                      const LightColumns& columns,
+                      const std::function<std::string(double t)>& time_text) {
   require_writable(curves);
   std::string text;
   for (const std::string& note : notes) text += "# " + detail::printable(note, longest_note) + "\n";
@@ -193,21 +237,34 @@ std::string light_csv(std::span<const LightCurve> curves, std::span<const std::s
     text += "# session " + std::to_string(c + 1) + ": " +
             (curves[c].name.empty() ? "" : detail::printable(curves[c].name, longest_note) + ", ") +
             (curves[c].is_calibrated ? "calibrated\n" : "relative\n");
-  const bool vectors = has_vectors(curves);
-  text += "session,t,flux,sigma";
-  if (vectors)
-    for (const Three* three : {&csv_to_sun, &csv_to_observer})
-      for (const std::string& name : *three) text += "," + name;
-  text += "\n";
-  const auto add = [&](double x) { text += "," + detail::number_text(x); };
+  std::string row;
+  const auto add = [&](const std::string& column, const std::string& field) {
+    if (!column.empty()) row += (row.empty() ? "" : ",") + field;
+  };
+  const auto end_row = [&] {
+    text += row + "\n";
+    row.clear();
+  };
+  const std::string& value = columns.flux.empty() ? columns.magnitude : columns.flux;
+  for (const std::string* name : {&columns.session, &columns.time, &value, &columns.sigma})
+    add(*name, *name);
+  for (const Three* three : {&columns.to_sun, &columns.to_observer})
+    for (const std::string& name : *three) add(name, name);
+  end_row();
   for (std::size_t c = 0; c < curves.size(); ++c)
     for (const LightPoint& p : curves[c].points) {
-      text += std::to_string(c + 1);
-      for (const double x : {p.t, p.flux, p.sigma}) add(x);
-      if (vectors)
-        for (const Vec3& v : {p.to_sun, p.to_observer})
-          for (int i = 0; i < 3; ++i) add(v[i]);
-      text += "\n";
+      add(columns.session, std::to_string(c + 1));
+      add(columns.time, time_text(p.t));
+      const Flux seen{p.flux, p.sigma};
+      const Flux written = columns.flux.empty() ? magnitude_in_place(c, seen) : seen;
+      add(value, detail::number_text(written.value));
+      add(columns.sigma, detail::number_text(written.sigma));
+      for (int i = 0; i < 3; ++i)
+        add(columns.to_sun[static_cast<std::size_t>(i)], detail::number_text(p.to_sun[i]));
+      for (int i = 0; i < 3; ++i)
+        add(columns.to_observer[static_cast<std::size_t>(i)],
+            detail::number_text(p.to_observer[i]));
+      end_row();
     }
   return text;
 }

@@ -2,6 +2,7 @@
 #include "polhode/tables/light_curve_file.hpp"
 
 #include <cmath>
+#include <cstdio>
 
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
@@ -21,6 +22,15 @@ constexpr double faintest = 100.0;
 
 const char* in_words(Distances distances) {
   return distances == Distances::unit ? "at unit distances" : "at the distances of the time";
+}
+
+// " (JD 2459274.5)" of a time of a file with dates.
+std::string dated(const LightCurveFile& file, double t) {
+  if (!file.epoch || !std::isfinite(t)) return {};
+  const Date date = converted(date_after(*file.epoch, t), file.epoch->scale);
+  char text[32];
+  std::snprintf(text, sizeof text, " (JD %.6f)", date.day + date.fraction);
+  return text;
 }
 
 // What calibrated fluxes are must be the same in all sessions.
@@ -64,7 +74,8 @@ void require_sound(const LightCurveFile& file, const LightCurveNeeds& needs) {
     const bool has_line = flaw->point && *flaw->point < session.lines.size();
     if (flaw->point)
       fail(file, has_line ? session.lines[*flaw->point] : session.line,
-           which + ", point " + std::to_string(*flaw->point + 1) + ": " + flaw->text);
+           which + ", point " + std::to_string(*flaw->point + 1) +
+               dated(file, session.curve.points[*flaw->point].t) + ": " + flaw->text);
     fail(file, session.line, which + " " + flaw->text);
   }
   require_one_scale(file);

@@ -33,16 +33,24 @@ std::string_view unquoted(std::string_view field) {
   return quoted ? detail::trimmed(field.substr(1, field.size() - 2)) : field;
 }
 
-void split(std::string_view line, bool commas, Fields& fields) {
+// What separates fields: a semicolon, a comma, or blanks.
+char separator_of(std::string_view line) {
+  for (const char c : {';', ','})
+    if (line.find(c) != std::string_view::npos) return c;
+  return ' ';
+}
+
+void split(std::string_view line, char separator, Fields& fields) {
   fields.clear();
   line = detail::trimmed(line);
-  if (commas && line.ends_with(',')) line.remove_suffix(1);
+  const bool is_blank = separator == ' ';
+  if (!is_blank && line.ends_with(separator)) line.remove_suffix(1);
   while (!line.empty()) {
-    const std::size_t end = commas ? line.find(',') : line.find_first_of(blanks);
+    const std::size_t end = is_blank ? line.find_first_of(blanks) : line.find(separator);
     fields.push_back(unquoted(line.substr(0, end)));
     if (end == std::string_view::npos) return;
     line.remove_prefix(end + 1);
-    if (!commas)
+    if (is_blank)
       line = detail::trimmed(line);
     else if (line.empty())
       fields.emplace_back();
@@ -110,13 +118,13 @@ class TableReader {
         continue;
       }
       if (text == "$$EOE") return false;
-      if (!commas_) commas_ = text.find(',') != std::string_view::npos;
-      split(text, *commas_, fields_);
+      if (!separator_) separator_ = separator_of(text);
+      split(text, *separator_, fields_);
       if (started_) return has_rows_ = true;
       started_ = true;
       if (is_header(fields_)) {
         names_.assign(fields_.begin(), fields_.end());
-        commas_.reset();
+        separator_.reset();
         continue;
       }
       name_by_comment(above);
@@ -142,7 +150,7 @@ class TableReader {
       if (text == "$$SOE") {
         if (above.find(',') == std::string::npos)
           fail("names no columns above; expected what Horizons sends with CSV_FORMAT = YES");
-        split(above, true, fields_);
+        split(above, ',', fields_);
         names_.assign(fields_.begin(), fields_.end());
         started_ = true;
         return;
@@ -160,7 +168,7 @@ class TableReader {
   }
   void name_by_comment(std::string_view comment) {
     Fields words;
-    split(comment, comment.find(',') != std::string_view::npos, words);
+    split(comment, separator_of(comment), words);
     if (words.size() == fields_.size() && is_header(words))
       names_.assign(words.begin(), words.end());
   }
@@ -171,7 +179,7 @@ class TableReader {
   detail::LineReader lines_;
   Fields fields_;
   std::vector<std::string> names_;
-  std::optional<bool> commas_;
+  std::optional<char> separator_;
   std::vector<NumberTable::Comment> comments_;
   bool started_ = false;  // names or rows
   bool has_rows_ = false;
@@ -230,6 +238,13 @@ std::vector<std::string> table_columns(const std::string& path) {
 
 NumberTable read_number_table(const std::string& path, std::span<const std::string> columns,
                               const FieldReader& first) {
+  std::vector<FieldReader> readers(columns.size(), number_from_field);
+  if (!readers.empty()) readers.front() = first;
+  return read_number_table(path, columns, readers);
+}
+
+NumberTable read_number_table(const std::string& path, std::span<const std::string> columns,
+                              std::span<const FieldReader> readers) {
   TableReader reader(path);
   NumberTable table{reader.shown(), std::vector<std::vector<double>>(columns.size()), {}, {}, {}};
   std::vector<std::size_t> indices;
@@ -242,7 +257,7 @@ NumberTable read_number_table(const std::string& path, std::span<const std::stri
                     " fields; expected one in column " + detail::printable(columns[k]));
       const std::string_view field = reader.fields()[indices[k]];
       try {
-        table.columns[k].push_back(k == 0 ? first(field) : number_from_field(field));
+        table.columns[k].push_back(readers[k](field));
       } catch (const DomainError& error) {
         reader.fail("column " + detail::printable(columns[k]) + ": \"" + detail::printable(field) +
                     "\" " + error.what());

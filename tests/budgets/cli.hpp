@@ -48,6 +48,8 @@ inline constexpr double cli_mean_of_noise = 0.01;
 // chi-square of a scan with its frequencies exchanged
 inline constexpr double cli_landscape = 1e-12;
 inline constexpr double cli_light_noise = 5e-9;
+// chi-square of light without noise, of dates to 1e-7 s and errors of 2 %
+inline constexpr double cli_light_of_itself = 1e-6;
 // Where the numbers of a chart hold half the digits of the state.
 inline constexpr double cli_half_the_digits = 1e-7;
 // Every method against double-double, at the steps of that test.

@@ -149,3 +149,70 @@ def test_alcdef_through_a_scenario(run, fit_file, tmp_path):
     assert found["chi_square"] == pytest.approx(expected["chi_square"], rel=budgets.cli_julian)
     (tmp_path / "seen.alcdef").write_text(ALCDEF % "POINT" + data + "ENDDATA\n")
     assert 'expected "at-body", as the file says of its times' in refused(run, read)
+    # its own errors, dates that the format implies, and EPOCH of the star it was compared with
+    (tmp_path / "seen.alcdef").write_text((ALCDEF % "NONE").replace(
+        "FILTER=C", "EPOCH=2013.0\nEPOCH=J2000.0\nFILTER=C") + data + "ENDDATA\n")
+    bare = fit_file(observed.replace("seen.csv", "seen.alcdef") + 'format = "alcdef"\n', ORBITS,
+                    head=HEAD, name="bare.toml")
+    found = fitted(run, bare)["solutions"][0]
+    assert found["chi_square"] == pytest.approx(expected["chi_square"], rel=budgets.cli_julian)
+
+
+def test_files_as_they_are(run, night, fit_file, tmp_path):
+    """Out of order, a point twice, an error that is missing, a bad line: the key that mends each."""
+    light, expected = night
+    lines = [f"{t!r};{f!r};{s!r};A night" for t, f, s in zip(
+        *(light[n].tolist() for n in ("t", "flux", "sigma")), strict=True)]
+    table = (TABLE % "odd.csv" + VECTORS + 'columns = ["t", "f"]\nsigma_columns = ["e"]\n'
+             'session_column = ["night"]\n')
+
+    def file_of(rows, keys=""):
+        (tmp_path / "odd.csv").write_text("\n".join(["t;f;e;night", *rows]) + "\n")
+        return fit_file(table + keys, head=HEAD, name="odd.toml")
+
+    same(run, file_of(lines), expected)
+    turned = lines[40:] + lines[:40]
+    assert "sort = true sorts them" in refused(run, file_of(turned))
+    same(run, file_of(turned, "sort = true\n"), expected)
+    twice = [*lines[:20], lines[19], *lines[20:]]
+    said = refused(run, file_of(twice))
+    assert "odd.csv:22: light curve 1, point 21" in said
+    assert "stand twice, here and in point 20" in said and "leave_out = [22] leaves it out" in said
+    same(run, file_of(twice, "leave_out = [22]\n"), expected)
+    empty = [*lines[:3], lines[3].replace("0.02", ""), *lines[4:]]
+    assert "sigma gives points without an error one" in refused(run, file_of(empty))
+    assert lines[3].count("0.02") == 1
+    found = fitted(run, file_of(empty, "sigma = 0.02\n"))["solutions"][0]
+    assert found["chi_square"] == pytest.approx(expected["chi_square"], rel=budgets.cli_julian)
+    assert "expected one above 0 for a fit" in refused(run, file_of(lines, "sigma = 0\n"))
+
+
+@pytest.mark.parametrize(("keys", "first"), [
+    ('time_format = "JD"\ntime_scale = "UTC"\ncolumns = ["when", "light"]\n', str(JULIAN)),
+    ('time_format = "date"\ntime_scale = "UTC"\n', "2013-01-05T00:00:00"),
+    ('brightness = "magnitude"\n', "0"),
+])
+def test_a_file_that_was_fitted_can_be_simulated(run, fit_file, tmp_path, keys, first):
+    """In its own columns and dates, without noise, with sessions as dates; and is fitted again."""
+    head = HEAD.replace("sessions = [0, 120]",
+                        'sessions = ["2013-01-05T00:00:00", "2013-01-05T02:00:00"]')
+    table = TABLE % "sim.csv" + VECTORS + keys
+    done = run("simulate", fit_file(table + "sigma = 0\n", head=head), "--into", tmp_path)
+    assert done.returncode == 0, done.stderr
+    row = next(x for x in (tmp_path / "sim.csv").read_text().splitlines()[1:]
+               if x.startswith("1,"))
+    assert row.split(",")[1].startswith(first)
+    solution = fitted(run, fit_file(table + "sigma = 0.02\n", head=head))["solutions"][0]
+    assert solution["chi_square"] < budgets.cli_light_of_itself
+
+
+def test_light_of_an_ephemeris_that_ends_with_the_run(run, fit_file, tmp_path):
+    """Light that leaves at the last row arrives after it."""
+    head = HEAD.replace("start = -60\nstop = 180", "start = 0\nstop = 120")
+    table = (TABLE % "late.csv").replace("at-body", "at-observer") + (
+        'orbit = "body"\nobserver_orbit = "earth"\nsigma = 0.02\n')
+    path = fit_file(table, ORBITS, head=head)
+    done = run("simulate", path, "--into", tmp_path)
+    assert done.returncode == 0, done.stderr
+    found = fitted(run, path)["solutions"][0]
+    assert 0.4 < found["chi_square"] / found["degrees_of_freedom"] < 1.7

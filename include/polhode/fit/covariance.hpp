@@ -38,6 +38,8 @@ struct UnknownsCovariance {
   };
   std::vector<Combination> weak;
 
+  // Without the unknowns of these names: as if they were known.
+  UnknownsCovariance without(std::span<const std::string> held) const;
   double variance(std::size_t i) const { return matrix[i * names.size() + i]; }
   double error(std::size_t i) const;
   double correlation(std::size_t i, std::size_t j) const;

@@ -64,6 +64,16 @@ struct LightFit {
   double first_step = 0.0;  // as LeastSquares
 };
 
+// A part of the sum that was minimised.
+struct CostTerm {
+  std::string name;
+  double value;
+};
+
+// The greatest chi-square per degree of freedom, or square of the spread under a robust loss, at
+// which a model is taken to describe the data.
+inline constexpr double most_chi_square = 10.0;
+
 // What every fit of light curves says beside its body.
 struct LightOutcome {
   LeastSquaresResult result;
@@ -77,6 +87,8 @@ struct LightOutcome {
 
   Loss loss;               // that was minimised
   std::size_t points = 0;  // numbers of data, with which those of the result begin
+  // Terms of result.cost: "data" under the loss, and for convex bodies those that regularise them.
+  std::vector<CostTerm> terms;
 
   // By which all errors of fluxes, and so those of the unknowns, would be as large as residuals: by
   // chi-square, or under a robust loss by the spread, as chi-square is that of the points it
@@ -84,6 +96,8 @@ struct LightOutcome {
   double error_factor() const;
   // The standard deviation of the residuals, in their errors, by the median of their sizes.
   double spread() const;
+  // Whether error_factor()^2 is at most most_chi_square. Otherwise errors mean nothing.
+  bool describes_data() const;
   // Nothing that did not converge counts as found.
   bool is_found() const { return result.is_converged(); }
 };

@@ -2,8 +2,8 @@
 // SpinFigures: what a fitted spin state is known by, with its errors: the two periods of a tumbler
 // and its pole.
 //
-// Equations   var f = (df/dx)^T C df/dx for f = P_phi of the long axis, P_psi, and the direction of
-//             the momentum; df/dx by dual numbers through the preparation of free motion.
+// Equations   var f = (df/dx)^T C df/dx for f = P_phi (long axis), P_psi, P_short and the pole;
+//             1/P_short = 1/P_phi + 1/P_psi; df/dx by dual numbers through prepared free motion.
 // Corrections none.
 // Units       those of the fit; errors of the pole in rad, along the axes of the ellipse that they
 //             are on the sky.
@@ -18,6 +18,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "polhode/fit/bodies_with_periods.hpp"
@@ -30,6 +31,8 @@ inline namespace v0 {
 struct SpinFigures {
   TumblerPeriods periods;
   double precession_error, rotation_error;
+  // Of precession of the short axis, which most papers give for tumblers; 0 as those of `periods`.
+  double short_period, short_error;
   double correlation;  // of the two
   // Of the periods, by the unknowns of the covariance; empty where they are 0.
   std::vector<double> precession_slope, rotation_slope;
@@ -41,6 +44,12 @@ struct SpinFigures {
 SpinFigures spin_figures(const SpinState& state, const UnknownsCovariance& covariance);
 // Of an ellipsoid whose moments follow from its axes, if the fit had them so.
 SpinFigures spin_figures(const LightSolution& solution, const LightUnknowns& unknowns);
+// Of a fit of attitudes: with moments that are held, the period of a wobble has no error.
+SpinFigures spin_figures(const SpinSolution& solution);
+// Attitudes with the errors that a fit of light curves leaves.
+std::vector<PredictedAttitude> predicted(const LightSolution& solution,
+                                         const LightUnknowns& unknowns,
+                                         std::span<const double> times);
 
 }  // namespace v0
 }  // namespace polhode

@@ -74,6 +74,10 @@ struct SpinSolution {
   double attitude_rms = 0.0;
   // Observations that come twice, unknowns that are not determined: a sentence each.
   std::vector<std::string> notes;
+  // Ratios of moments and products that stay at the start, as one rotation about a fixed axis of
+  // the body describes the data as well. Their variances are infinite; errors of the rest, those of
+  // predictions included, are for these moments.
+  std::vector<std::string> held;
 
   // Nothing that did not converge counts as found.
   bool is_found() const { return result.is_converged(); }

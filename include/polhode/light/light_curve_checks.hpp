@@ -4,11 +4,11 @@
 // Equations   none.
 // Units       those of the light curves.
 // Domain      any sessions. A flaw is: no points; a number that is not finite; sigma that is not
-//             above 0; times that fall or stand twice in a session; one observation in two
-//             sessions; a relative session of one point, or of a mean flux that is not above 0,
-//             which determines nothing; and where vectors are needed, one that is missing. Nothing
-//             is mended here: times out of order are most often a typing error, or two nights in
-//             one session; who knows better asks for in_order_of_time.
+//             above 0; times that fall in a session; an observation that stands twice (others at
+//             one time are of two telescopes); a relative session of one point, or of a mean flux
+//             that is not above 0; and where vectors are needed, one that is missing. Nothing is
+//             mended here: times out of order are most often a typing error, or two nights in one
+//             session; who knows better asks for in_order_of_time.
 // Accuracy    times are compared as they are, without a tolerance.
 // Errors      require_sound throws a DomainError with the name of the session and the point, from
 //             1.
@@ -33,6 +33,8 @@ struct LightCurveFlaw {
   std::size_t curve = 0;             // its place among the sessions, from 0
   std::optional<std::size_t> point;  // its place in the session, from 0; none: the session as such
   std::string text;                  // what is wrong, and what was expected
+  enum class Kind { other, order, twice, error };
+  Kind kind = Kind::other;  // what would mend it: sorting, leaving the point out, an error
 };
 
 // The first in the order of sessions and points; those between sessions come last.

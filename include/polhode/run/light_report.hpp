@@ -27,6 +27,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -49,11 +50,19 @@ struct SeparateSessions {
   std::size_t windows;
   std::size_t pairs;  // in the windows
 };
+// The series of one frequency with the lowest chi-square, and whether it describes the data as well
+// as the lowest resolved pair of frequencies does.
+struct OnePeriod {
+  std::size_t order;  // of the series
+  RefinedPair refined;
+  bool suffices;
+};
 struct LightScan {
   ScanAdvice advice;
   Landscape landscape;              // of separate sessions the sum of theirs
   std::vector<ScanMinimum> minima;  // on all of the time
   std::optional<SeparateSessions> separate;
+  std::optional<OnePeriod> one;  // nothing where its grid would have too many frequencies
 };
 
 // The series at a pair of periods of fit.scan.at, and at the minimum next to it.
@@ -100,6 +109,8 @@ struct LightReport {
   std::size_t surfaces = 0, surfaces_converged = 0;      // fits of convex bodies, or of the mesh
   std::vector<std::string> notes;
   std::string failure;  // why there are no solutions
+  // What a reader must know before anything else: one period is enough, or no model fits.
+  std::string verdict;
 
   bool is_found() const { return !solutions.empty(); }
   std::size_t points() const;
@@ -113,6 +124,7 @@ bool observes_light(const Scenario& scenario);
 // any of the threads.
 struct LightFitOptions {
   int threads = 1;
+  bool scans_only = false;  // ends after the scan, without a solution
   std::function<void(const std::string& stage, const std::string& work)> begins = {};
   std::function<void(const std::string& stage, double part)> progress = {};
   std::function<bool()> stop = {};
@@ -133,8 +145,11 @@ LightFit ellipsoid_fit_at(const Scenario& scenario, const LightReport& report,
 ConvexFit convex_fit_at(const Scenario& scenario, const LightReport& report, std::size_t solution);
 MeshFit mesh_fit_at(const Scenario& scenario, const LightReport& report, std::size_t solution);
 
-std::string light_text(const Scenario& scenario, const LightReport& report);
-std::string light_json(const Scenario& scenario, const LightReport& report);
+// With attitudes that are predicted, as those of fit_text.
+std::string light_text(const Scenario& scenario, const LightReport& report,
+                       std::span<const double> times = {});
+std::string light_json(const Scenario& scenario, const LightReport& report,
+                       std::span<const double> times = {});
 
 // f1, f2 and chi-square, a row for each pair of the scan; DomainError without a scan.
 void write_landscape(const Scenario& scenario, const LightReport& report, const std::string& path);

@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "polhode/run/fit.hpp"
+#include "polhode/run/light_report.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -31,6 +32,9 @@ struct AttitudePrediction {
 };
 std::vector<AttitudePrediction> fit_predictions(const FitReport& report, std::size_t solution,
                                                 std::span<const double> times);
+// Of light curves: along the body axes of the solution (light_report.hpp).
+std::vector<AttitudePrediction> fit_predictions(const LightReport& report, std::size_t solution,
+                                                std::span<const double> times);
 
 // From words: numbers in the unit of time of the file ("1500"), dates with a time scale or in that
 // of the epoch ("2004-10-07T13:56:00 UTC").
@@ -39,13 +43,13 @@ std::vector<double> prediction_times(const Scenario& scenario, std::span<const s
 std::vector<double> prediction_times(const Scenario& scenario);
 
 // For people, of a solution: Euler angles, and errors about the three body axes.
-std::string prediction_text(const Scenario& scenario, const FitReport& report, std::size_t solution,
-                            std::span<const double> times);
+std::string prediction_text(const Scenario& scenario,
+                            std::span<const AttitudePrediction> predictions);
 
 // A row for each time: the quaternion of the body axes of the file and the rate along them; errors
 // about them and their correlations, with errors as they were given and scaled.
-void write_predictions(const Scenario& scenario, const FitReport& report, std::size_t solution,
-                       std::span<const double> times, const std::string& path);
+void write_predictions(const Scenario& scenario, std::span<const AttitudePrediction> predictions,
+                       const std::string& path);
 
 }  // namespace v0
 }  // namespace polhode

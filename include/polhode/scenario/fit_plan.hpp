@@ -33,11 +33,12 @@ struct FitPlan {
   std::optional<ObservedAttitude> attitude_prior;
   Loss loss;
   int most_iterations = 200;
-  std::int64_t starts = 1;   // the file's own first
-  double rate_spread = 0.0;  // of the rates of the others, about that of the file
-  double within = 0.0;       // chi-square above the least up to which solutions are reported
-  std::uint64_t seed = 1;    // of starts
-  std::uint64_t noise = 1;   // the seed of what simulations add
+  std::int64_t starts = 1;          // the file's own first
+  double rate_spread = 0.0;         // of the rates of the others, about that of the file
+  double within = 0.0;              // chi-square above the least up to which solutions are reported
+  std::size_t most_solutions = 20;  // that are listed and written
+  std::uint64_t seed = 1;           // of starts
+  std::uint64_t noise = 1;          // the seed of what simulations add
   LightPlan light;
   FitDrive drive;  // what of torques is unknown
 

@@ -60,6 +60,7 @@ struct LightPlan {
   Scattering law;
   LightUnknowns unknowns;  // with where moments come from
   bool searches = false;
+  bool is_tumbler = false;              // also where one period would be enough
   bool one_by_one = false;              // sessions, each joining those before it
   std::vector<TumblerPeriods> periods;  // empty: those of a scan
   ScanPlan scan;

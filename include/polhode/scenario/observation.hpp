@@ -73,6 +73,7 @@ struct Observation {
   std::string orbit;  // of the body about the Sun, from which vectors and light time follow
   std::string observer_orbit;
   bool is_calibrated = false;
+  bool sorts = false;           // points by time, as they are read
   bool is_of_the_time = false;  // fluxes from the distances of the vectors, not from unit ones
 
   // For messages: its name, or else its file.

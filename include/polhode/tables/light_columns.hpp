@@ -17,6 +17,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -58,6 +59,11 @@ LightCurveFile read_light_columns(const std::string& path, const LightColumns& c
 // sun_z, observer_x, observer_y, observer_z. Notes stand above them as comments, then one for each
 // session with its name and whether it is calibrated, as all are or none is.
 std::string light_csv(std::span<const LightCurve> curves, std::span<const std::string> notes = {});
+// The same in the columns that such a reader is told: their names, and magnitudes in place of
+// fluxes; a column without a name is left out. `time_text` writes times.
+std::string light_csv(std::span<const LightCurve> curves, std::span<const std::string> notes,
+                      const LightColumns& columns,
+                      const std::function<std::string(double t)>& time_text);
 // How such a table is read back: whether it is calibrated its columns do not say.
 LightColumns light_csv_columns(bool has_vectors, bool is_calibrated = false);
 

@@ -3,10 +3,10 @@
 //
 // Equations   none.
 // Units       those of the file; what a column means is the caller's to say.
-// Domain      one row per line; fields are separated by commas, or by blanks where the first row
-//             has no comma; a comma at the end of a row is dropped. What follows # is a comment,
-//             blank lines are skipped. The first line that holds no numbers names the columns;
-//             without one, a comment right above the first row does, where it has as many words
+// Domain      one row per line; fields are separated by semicolons or else commas, or by blanks
+//             where the first row has neither; one at the end of a row is dropped. After # is a
+//             comment, blank lines are skipped. The first line without numbers names the columns;
+//             without one, a comment right above the first row does, if it has as many words
 //             ("# t x y z"); comments above the rows are kept for who understands them. Of what
 //             JPL's Horizons sends (CSV_FORMAT = YES) the rows between $$SOE and $$EOE, with the
 //             names above. Numbers as in C or Fortran (1.5e3, 1.5D+03). Lines of at most 1 MiB.
@@ -57,6 +57,9 @@ std::vector<std::string> table_columns(const std::string& path);
 // first of them: times may be dates.
 NumberTable read_number_table(const std::string& path, std::span<const std::string> columns,
                               const FieldReader& first = number_from_field);
+// The same with a reader for each column.
+NumberTable read_number_table(const std::string& path, std::span<const std::string> columns,
+                              std::span<const FieldReader> readers);
 
 // Throws unless a column rises from row to row: "FILE:LINE: time 5 comes twice; ...". `what` is
 // what the column holds.

@@ -11,6 +11,7 @@
 #include "io/work_loop.hpp"
 #include "motion/samples.hpp"
 #include "polhode/run/light_report.hpp"
+#include "polhode/run/predictions.hpp"
 
 namespace polhode::python {
 
@@ -47,6 +48,15 @@ LightScenarioFit light_fit_of(const Scenario& scenario, int threads, nb::handle 
 nb::tuple light_rows(const LightScenarioFit& fit, std::size_t solution) {
   return kept_rows(fit.scenario, [&](const Scenario& scenario, const std::string& path) {
     write_light_residuals(scenario, fit.report, solution, path);
+  });
+}
+
+nb::tuple predicted_light(const LightScenarioFit& fit, std::size_t solution,
+                          const std::vector<std::string>& words) {
+  const std::vector<double> times =
+      words.empty() ? prediction_times(fit.scenario) : prediction_times(fit.scenario, words);
+  return kept_rows(fit.scenario, [&](const Scenario& scenario, const std::string& path) {
+    write_predictions(scenario, fit_predictions(fit.report, solution, times), path);
   });
 }
 
@@ -107,6 +117,7 @@ void bind_light_scenario_fit(nb::module_& m) {
            })
       .def("surface", surface_of)
       .def("residuals", light_rows)
+      .def("predicted", predicted_light)
       .def("raw", [](const F& f, std::size_t k) { return found_dict(f.report.solutions.at(k)); })
       .def("residuals_from", residuals_from);
   m.def("_fit_light_scenario", light_fit_of, "scenario"_a, "threads"_a, "progress"_a.none());

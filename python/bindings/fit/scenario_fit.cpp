@@ -146,7 +146,7 @@ nb::tuple predicted_rows(const ScenarioFit& fit, std::size_t solution,
   const std::vector<double> times =
       words.empty() ? prediction_times(*fit.scenario) : prediction_times(*fit.scenario, words);
   return kept_rows(*fit.scenario, [&](const Scenario& scenario, const std::string& path) {
-    write_predictions(scenario, fit.report, solution, times, path);
+    write_predictions(scenario, fit_predictions(fit.report, solution, times), path);
   });
 }
 

@@ -44,7 +44,8 @@ def light_curve_fit(
     curves : LightCurve, one or several: what was fitted.
     model : a solution of fit_light, fit_convex, fit_mesh, search_light or polhode.fit, or its body.
     ax : two Axes for each session, that of fluxes first, or None for a new figure.
-    unit : of time, for the labels. scale : how many of it are a unit of time of the curves.
+    unit : of time, for the labels; by default that of the scenario of the solution, if it has one.
+    scale : how many of it are a unit of time of the curves.
 
     Returns
     -------
@@ -58,6 +59,8 @@ def light_curve_fit(
     body, loss = (found, "squared")
     if isinstance(found, LightSolution):
         body, loss = found.body, found.loss
+    if not unit and isinstance(model, LightScenarioSolution):
+        unit = model.scenario.units.time
     scale = float(_number(scale, "scale"))
     axes = _axes(ax, len(sessions))
     for (above, below), curve, at_points in zip(axes, sessions, model_fluxes(body, sessions, loss)):

@@ -11,7 +11,14 @@ from matplotlib.axes import Axes
 
 from polhode import FitResults, LightSolution, SpinSolution, SpinState
 from polhode.figures.pole_cloud import set_sky_ticks
-from polhode.figures.style import SINGLE_COLUMN, axes_or_new, legend_above, series, styled
+from polhode.figures.style import (
+    SERIES,
+    SINGLE_COLUMN,
+    axes_or_new,
+    legend_above,
+    series,
+    styled,
+)
 
 CIRCLE = 181
 SMALLEST = 1e-12
@@ -33,10 +40,12 @@ def pole_sky(
     ax : Axes with the projection "mollweide", or None for a new figure.
     scaled : errors as large as the residuals say, where they say it; else as those of the data were
         given.
-    labels : of the solutions, in the legend; by default their place from 1 and their chi-square.
+    labels : of the solutions, in the legend; by default their place from 1 and their chi-square,
+        or what convex bodies are ranked by, their cost.
 
-    Longitude grows from 0 on the left to 360 degrees on the right. Ellipses are of the covariance
-    of the fit; they hold 39 % of it. TypeError for other Axes and other solutions."""
+    From the eighth solution on symbols are the places. Longitude grows from 0 on the left to 360
+    degrees on the right. Ellipses are of the covariance of the fit; they hold 39 % of it. TypeError
+    for other Axes and other solutions."""
     all_of = _solutions(solutions)
     axis = axes_or_new(ax, 1.5 * SINGLE_COLUMN, 0.9 * SINGLE_COLUMN, projection="mollweide")
     if axis.name != "mollweide":
@@ -44,9 +53,11 @@ def pole_sky(
     for k, one in enumerate(all_of):
         pole, covariance = pole_and_covariance(one, scaled)
         look = series(k)
-        said = labels[k] if k < len(labels) else f"{k + 1}: $\\chi^2$ {one.chi_square:.4g}"
+        said = labels[k] if k < len(labels) else f"{k + 1}: {_rank(one)}"
         x, y = _places(pole[None])
         point = {**look.point, "markersize": 5.0}
+        if k >= len(SERIES):
+            point |= {"marker": f"${k + 1}$", "markersize": 7.0}
         axis.plot(x, y, **point, label=said, gid=f"pole-{k + 1}", zorder=3)
         ring = _ellipse(pole, covariance)
         if ring is None:
@@ -60,6 +71,13 @@ def pole_sky(
     if all_of:
         legend_above(axis)
     return axis
+
+
+def _rank(solution: Any) -> str:
+    light = getattr(solution, "light", solution)
+    if hasattr(getattr(light, "body", None), "coefficients"):
+        return f"cost {light.cost:.4g}"
+    return f"$\\chi^2$ {solution.chi_square:.4g}"
 
 
 def pole_and_covariance(solution: Any, scaled: bool = True) -> tuple[np.ndarray, np.ndarray]:

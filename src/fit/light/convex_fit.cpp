@@ -155,6 +155,7 @@ class ConvexFitter {
     }
     found_.result.iterations = fit_.most_iterations - left;
     if (found_.result.end == LeastSquaresResult::End::no_value) return;
+    add_terms();
     found_.factors = first->curves().session_factors(residuals()->brightness_at(found_.result.x));
     detail::describe_motion(found_.body.spin, found_);
   }
@@ -243,6 +244,31 @@ class ConvexFitter {
     std::copy(own.begin(), own.end(), b.coefficients.begin() + 1);
     b.spin = at->spin_at(x);
     b.law = at->law_at(x);
+  }
+
+  // What regularises the body takes its part of the cost.
+  void add_terms() {
+    const LeastSquaresResult& r = found_.result;
+    const std::span<const double> priors = std::span(r.numbers).subspan(found_.points);
+    const auto sum = [&](std::size_t first, std::size_t last) {
+      return std::accumulate(priors.begin() + static_cast<std::ptrdiff_t>(first),
+                             priors.begin() + static_cast<std::ptrdiff_t>(last), 0.0,
+                             [](double all, double x) { return all + x * x; });
+    };
+    std::vector<CostTerm>& terms = found_.terms;
+    terms.push_back({"roughness", sum(6, priors.size())});
+    terms.push_back({"closure", sum(0, 3)});
+    terms.push_back({"axes", sum(3, 6)});
+    if (unknowns_.moments && std::isfinite(fit_.moments_error)) {
+      const Mat3 &T = found_.body.spin.inertia_F, &usual = fit_.start.spin.inertia_F;
+      double moved = 0.0;
+      for (int i = 0; i < 2; ++i) {
+        const double d = T(i, i) / T(2, 2) - usual(i, i) / usual(2, 2);
+        moved += d * d;
+      }
+      terms.push_back({"moments", moved / (fit_.moments_error * fit_.moments_error)});
+    }
+    for (std::size_t k = 1; k < terms.size(); ++k) terms[0].value -= terms[k].value;
   }
 
   // Whether another round is to come: the body that was found has other moments than it was fitted

@@ -21,6 +21,11 @@ double LightOutcome::error_factor() const {
   return spread() * std::sqrt(static_cast<double>(points) / degrees_of_freedom);
 }
 
+bool LightOutcome::describes_data() const {
+  const double factor = error_factor();
+  return !(factor * factor > most_chi_square);
+}
+
 double LightOutcome::spread() const {
   constexpr double of_normal = 1.482602218505602;  // 1 / Phi^-1(3/4)
   const std::size_t n = std::min(points, result.numbers.size());
@@ -110,6 +115,7 @@ void settle(const TurningFit& fit, int most_iterations, std::size_t groups, Ligh
   const LeastSquares problem = fit.problem(most_iterations);
   found.loss = problem.loss;
   found.points = problem.residuals.data;
+  found.terms = {{"data", found.result.cost}};
   found.covariance = covariance(problem, found.result);
   found.degrees_of_freedom =
       degrees_of_freedom(problem, found.result) - static_cast<double>(groups);

@@ -99,6 +99,35 @@ std::string motion_text(const LightSolution& s) {
   return text;
 }
 
+double data_cost(const LightSolution& s) {
+  return s.terms.empty() ? s.result.cost : s.terms.front().value;
+}
+
+// Of the solution with the lowest cost. Where others fit the data better, the best of these and the
+// term of the cost that put it behind.
+std::string first_text(const std::vector<FoundLight>& solutions) {
+  constexpr double lower = 1e-6;  // of the cost
+  const LightSolution& first = solutions.front().solution;
+  const bool is_squared = first.loss.kind == Loss::Kind::squared;
+  if (first.terms.size() < 2) return is_squared ? "the lowest chi-square" : "the lowest loss";
+  const auto best = std::ranges::min_element(
+      solutions, {}, [](const FoundLight& f) { return data_cost(f.solution); });
+  const LightSolution& other = best->solution;
+  const std::string text = "the lowest cost";
+  if (!(data_cost(first) - data_cost(other) > lower * first.result.cost) ||
+      other.terms.size() != first.terms.size())
+    return text;
+  std::size_t term = 1;
+  const auto more = [&](std::size_t k) { return other.terms[k].value - first.terms[k].value; };
+  for (std::size_t k = 2; k < first.terms.size(); ++k)
+    if (more(k) > more(term)) term = k;
+  return text + "; solution " + std::to_string(best - solutions.begin() + 1) + " has a lower " +
+         (is_squared ? "chi-square, " : "loss of the data, ") + rounded_text(data_cost(other)) +
+         " against " + rounded_text(data_cost(first)) + ", but its " + first.terms[term].name +
+         " costs " + rounded_text(other.terms[term].value) + " against " +
+         rounded_text(first.terms[term].value);
+}
+
 std::string beside_text(const FoundLight& f) {
   const std::string of = "solution " + std::to_string(f.of + 1);
   switch (f.beside) {
@@ -111,8 +140,7 @@ std::string beside_text(const FoundLight& f) {
     case FoundLight::Beside::other_pole:
       return "nearly the periods of " + of + ", with another attitude or shape";
     default:
-      return f.solution.loss.kind == Loss::Kind::squared ? "the lowest chi-square"
-                                                         : "the lowest loss";
+      return "alone of its kind";
   }
 }
 
@@ -178,7 +206,7 @@ void describe_relations(std::vector<FoundLight>& solutions, const LightGeometry&
       const bool same = solutions[0].solution.periods.mode == f.solution.periods.mode;
       f.beside = same ? Beside::alias : Beside::other_mode;
     }
-    f.sentence = motion_text(f.solution) + ": " + beside_text(f);
+    f.sentence = motion_text(f.solution) + ": " + (j == 0 ? first_text(solutions) : beside_text(f));
   }
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "polhode/run/fit.hpp"
+#include "polhode/run/predictions.hpp"
 #include "polhode/run/summary.hpp"
 #include "text/json.hpp"
 
@@ -40,8 +41,8 @@ void add_fit_line(std::string& text, std::string_view label, const std::string& 
 std::string counted(std::size_t n, const char* one, const char* many);
 
 // What a solution predicts, as an array: predictions.cpp.
-void add_predictions(JsonWriter& json, const Scenario& scenario, const FitReport& report,
-                     std::size_t solution, std::span<const double> times);
+void add_predictions(JsonWriter& json, const Scenario& scenario,
+                     std::span<const AttitudePrediction> predictions);
 
 }  // namespace detail
 }  // namespace v0

@@ -16,14 +16,11 @@ const char* beside_word(const FoundLight& found);
 const char* image_word(LightImage image);
 const char* loss_word(const Loss& loss);  // as fit.loss has it
 
-// What solutions are ranked by, as tables have it: "chi-square", of the data; of a robust loss
-// "loss", the sum that was minimised.
-const char* rank_word(const Loss& loss);
-double rank_number(const Loss& loss, double chi_square, double cost);
-
-// Of a loss that is not squared: what was minimised, and the points that it spared.
-void add_loss(std::string& text, const Scenario& scenario, const LightReport& report,
-              const LightSolution& s);
+// What solutions are ranked by, the sum that was minimised, as tables name it: "chi-square" of the
+// data; "loss" if it is robust; "cost" of convex bodies, with what regularises them.
+const char* rank_word(const LightReport& report, const Loss& loss);
+// Whether any solution describes the data: otherwise none has errors that mean anything.
+bool has_errors(const LightReport& report);
 
 // Where a direction along the axes of the state points, in rad: longitude or right ascension, 0 to
 // 2 pi, and latitude or declination.
@@ -35,13 +32,14 @@ SkyPlace sky_place(const Vec3& direction);
 // data; where these are one direction there is no such plane, and it is the pole.
 Vec3 mirror_pole(const Vec3& pole, const LightReport& report);
 
-// A number with its errors, as given and scaled, in the unit of the file.
+// A number with its errors, as given and scaled, in the unit of the file. Errors are NaN if no
+// solution describes the data.
 struct WithErrors {
   double value, error, scaled_error;
   std::string unit;
 };
 struct LightFigures {
-  WithErrors precession_period, rotation_period;
+  WithErrors precession_period, rotation_period, short_axis_period;
   SkyPlace pole;                      // in the unit of angles
   WithErrors pole_major, pole_minor;  // the errors; value is not used
 };

@@ -61,11 +61,10 @@ std::vector<SummaryLine> state_lines(const Scenario& scenario, const FitReport& 
 // infinite.
 std::string error_lines(const Scenario& scenario, const FoundSpin& found) {
   const Units& units = scenario.units();
-  const SpinFigures raw = spin_figures(found.raw.state, found.raw.covariance);
+  const SpinFigures raw = spin_figures(found.raw);
   const auto line = [&](const char* label, Dimension dimension, const auto& shown) {
     std::string text = shown(raw);
-    if (found.scaled)
-      text += ", scaled " + shown(spin_figures(found.scaled->state, found.scaled->covariance));
+    if (found.scaled) text += ", scaled " + shown(spin_figures(*found.scaled));
     return fmt::format("{:<37}{} {}\n", label, text, units.label(dimension));
   };
   const auto number = [&](double error, Dimension dimension) {
@@ -77,6 +76,8 @@ std::string error_lines(const Scenario& scenario, const FoundSpin& found) {
                  [&](const SpinFigures& f) { return number(f.precession_error, Dimension::time); });
     text += line("error of P_psi", Dimension::time,
                  [&](const SpinFigures& f) { return number(f.rotation_error, Dimension::time); });
+    text += line("error of the short-axis period", Dimension::time,
+                 [&](const SpinFigures& f) { return number(f.short_error, Dimension::time); });
   }
   return text + line("error of the pole", Dimension::angle, [&](const SpinFigures& f) {
            return number(f.pole_major, Dimension::angle) + " by " +
@@ -146,7 +147,7 @@ void add_solution(std::string& text, const Scenario& scenario, const FitReport& 
   add_table(text, fit_numbers(scenario, report, place));
   add_correlations(text, raw.covariance);
   for (const std::string& note : raw.notes) text += "note: " + note + "\n";
-  if (!times.empty()) text += prediction_text(scenario, report, place, times);
+  if (!times.empty()) text += prediction_text(scenario, fit_predictions(report, place, times));
 }
 
 // null for what is infinite or unknown
@@ -161,7 +162,7 @@ void add_values(detail::JsonWriter& json, const FitNumber& one) {
 
 // With errors as given, in the units of the file.
 void add_figures(detail::JsonWriter& json, const Scenario& scenario, const FoundSpin& found) {
-  const SpinFigures f = spin_figures(found.raw.state, found.raw.covariance);
+  const SpinFigures f = spin_figures(found.raw);
   const Units& units = scenario.units();
   const auto add = [&](const char* key, double value, double error) {
     json.key(key).begin_object();
@@ -172,6 +173,7 @@ void add_figures(detail::JsonWriter& json, const Scenario& scenario, const Found
   if (f.periods.precession_period > 0.0) {
     add("precession_period", f.periods.precession_period, f.precession_error);
     add("rotation_period", f.periods.rotation_period, f.rotation_error);
+    add("short_axis_period", f.short_period, f.short_error);
   }
   json.key("pole").begin_object();
   json.key("direction").begin_array();
@@ -216,7 +218,7 @@ void add_solution(detail::JsonWriter& json, const Scenario& scenario, const FitR
   json.key("covariance_core");
   add_matrix(json, raw.covariance.matrix, raw.covariance.names.size());
   if (!times.empty())
-    detail::add_predictions(json.key("predicted"), scenario, report, place, times);
+    detail::add_predictions(json.key("predicted"), scenario, fit_predictions(report, place, times));
   json.key("notes").begin_array();
   for (const std::string& note : raw.notes) json.value(note);
   json.end_array().end_object();
@@ -262,8 +264,11 @@ std::string fit_text(const Scenario& scenario, const FitReport& report,
   if (report.starts > 1)
     add_fit_line(text, "starts",
                  fmt::format("{}, of which {} did not converge", report.starts, report.failed));
-  for (std::size_t i = 0; i < report.solutions.size(); ++i)
-    add_solution(text, scenario, report, i, times);
+  const std::size_t count = std::min(report.solutions.size(), require_fit(scenario).most_solutions);
+  for (std::size_t i = 0; i < count; ++i) add_solution(text, scenario, report, i, times);
+  if (count < report.solutions.size())
+    text += fmt::format("\nand {} more solutions, which --json has in full\n",
+                        report.solutions.size() - count);
   if (!report.is_found()) add_fit_line(text, "solutions", "none: " + report.failure);
   return text;
 }

@@ -15,6 +15,7 @@
 #include "run/detail/light_scan.hpp"
 #include "run/detail/light_sessions.hpp"
 #include "run/detail/light_surfaces.hpp"
+#include "run/detail/light_verdict.hpp"
 #include "scenario/value_access.hpp"
 #include "scenario/value_reader.hpp"
 #include "text/number_text.hpp"
@@ -121,6 +122,17 @@ void search(const Scenario& scenario, const FitPlan& plan, const LightFitOptions
   how.periods = plan.light.periods;
   if (how.periods.empty()) {
     report.scan = detail::light_scan(scenario, how.curves, options);
+    if (options.scans_only) {
+      report.verdict = detail::one_period_text(scenario, *report.scan);
+      report.failure = "a scan alone was asked for";
+      return;
+    }
+    if (!plan.light.is_tumbler && report.scan->one && report.scan->one->suffices) {
+      report.verdict = detail::one_period_text(scenario, *report.scan);
+      report.failure =
+          "one period is enough, and two were not looked for: fit.rotation = \"tumbler\" does";
+      return;
+    }
     how.periods = labelled_periods(report.scan->minima, plan.light.scan.labels);
   }
   if (how.periods.empty()) {
@@ -229,7 +241,10 @@ LightReport fit_light_scenario(const Scenario& scenario, const LightFitOptions& 
       fit_from_start(scenario, plan, options, report);
     return 0;
   });
+  if (report.verdict.empty()) report.verdict = detail::misfit_text(scenario, report);
   add_light_times(scenario, report);
+  for (std::string& note : detail::data_notes(scenario, report.observed))
+    report.notes.push_back(std::move(note));
   return report;
 }
 

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "run/detail/fit_tables.hpp"
+#include "run/detail/light_verdict.hpp"
 #include "run/detail/light_words.hpp"
 #include "text/json.hpp"
 
@@ -44,6 +46,13 @@ void add_scan(JsonWriter& json, const Scenario& scenario, const LightScan& scan)
     json.key("separate_sessions").value(whole(scan.separate->sessions));
     json.key("windows").value(whole(scan.separate->windows));
     json.key("pairs_in_windows").value(whole(scan.separate->pairs));
+  }
+  if (scan.one) {
+    const FourierFit& fit = scan.one->refined.fit;
+    json.key("one_period").begin_object().key("order").value(whole(scan.one->order));
+    json.key("period").value(time / fit.f2).key("chi_square").value(fit.chi_square);
+    json.key("degrees_of_freedom").value(whole(fit.degrees_of_freedom - 1));
+    json.key("suffices").value(scan.one->suffices).end_object();
   }
   json.key("minima").begin_array();
   for (const ScanMinimum& m : scan.minima) {
@@ -187,7 +196,7 @@ void add_unknowns(JsonWriter& json, const Scenario& scenario, const LightReport&
 }
 
 void add_solution(JsonWriter& json, const Scenario& scenario, const LightReport& report,
-                  std::size_t i) {
+                  std::size_t i, std::span<const double> times) {
   const FoundLight& one = report.solutions[i];
   const LightSolution& s = one.solution;
   const LightFigures f = detail::light_figures(scenario, report, i);
@@ -196,7 +205,11 @@ void add_solution(JsonWriter& json, const Scenario& scenario, const LightReport&
   json.key("image").value(detail::image_word(one.image));
   json.key("sentence").value(one.sentence.empty() ? s.result.sentence : one.sentence);
   json.key("chi_square").value(s.result.chi_square).key("cost").value(s.result.cost);
+  json.key("cost_terms").begin_object();
+  for (const CostTerm& term : s.terms) json.key(term.name).value(term.value);
+  json.end_object();
   json.key("degrees_of_freedom").value(s.degrees_of_freedom);
+  json.key("describes_data").value(s.describes_data());
   if (const double scale = light_error_factor(s); std::isfinite(scale))
     json.key("error_factor").value(scale);
   json.key("starts").value(whole(one.starts));
@@ -205,6 +218,7 @@ void add_solution(JsonWriter& json, const Scenario& scenario, const LightReport&
   if (s.periods.precession_period > 0.0) {
     add_with_errors(json, "precession_period", f.precession_period);
     add_with_errors(json, "rotation_period", f.rotation_period);
+    add_with_errors(json, "short_axis_period", f.short_axis_period);
   }
   add_pole(json, scenario, f);
   json.key("converged").value(true).key("convergence").value(s.result.sentence);
@@ -228,6 +242,15 @@ void add_solution(JsonWriter& json, const Scenario& scenario, const LightReport&
   for (const double factor : s.factors) json.value(factor);
   json.end_array().key("bound").begin_array();
   for (const std::size_t k : s.result.bound) json.value(s.covariance.names.at(k));
+  json.end_array();
+  if (!times.empty())
+    detail::add_predictions(json.key("predicted"), scenario, fit_predictions(report, i, times));
+  json.key("far_points").begin_array();
+  for (const detail::FarPoint& point : detail::far_points(report, s)) {
+    json.begin_object().key("table").value(whole(point.place.table + 1));
+    json.key("line").value(static_cast<std::int64_t>(point.place.line)).key("r").value(point.r);
+    json.end_object();
+  }
   json.end_array().key("notes").begin_array();
   for (const std::string& note : s.notes) json.value(note);
   json.end_array().end_object();
@@ -235,7 +258,8 @@ void add_solution(JsonWriter& json, const Scenario& scenario, const LightReport&
 
 }  // namespace
 
-std::string light_json(const Scenario& scenario, const LightReport& report) {
+std::string light_json(const Scenario& scenario, const LightReport& report,
+                       std::span<const double> times) {
   JsonWriter json;
   json.begin_object();
   json.key("scenario").value(scenario.document.name);
@@ -254,11 +278,13 @@ std::string light_json(const Scenario& scenario, const LightReport& report) {
     json.key("surfaces").value(whole(report.surfaces));
     json.key("surfaces_converged").value(whole(report.surfaces_converged));
   }
+  if (!report.verdict.empty()) json.key("verdict").value(report.verdict);
   if (!report.failure.empty()) json.key("failure").value(report.failure);
   json.key("notes").begin_array();
   for (const std::string& note : report.notes) json.value(note);
   json.end_array().key("solutions").begin_array();
-  for (std::size_t i = 0; i < report.solutions.size(); ++i) add_solution(json, scenario, report, i);
+  for (std::size_t i = 0; i < report.solutions.size(); ++i)
+    add_solution(json, scenario, report, i, times);
   json.end_array().end_object();
   return json.text();
 }

@@ -19,6 +19,8 @@ namespace polhode {
 inline namespace v0 {
 namespace {
 
+constexpr double most_frequencies = 1e7;  // of one period
+
 class Scan {
  public:
   Scan(const Scenario& scenario, std::span<const LightCurve> curves, const LightFitOptions& options)
@@ -38,7 +40,9 @@ class Scan {
   LightScan made() {
     const bool is_joined = plan_.sessions == ScanPlan::Sessions::joined;
     require_points(is_joined);
-    return is_joined ? joined() : separate();
+    LightScan scan = is_joined ? joined() : separate();
+    scan.one = one_period(scan);
+    return scan;
   }
 
  private:
@@ -78,7 +82,8 @@ class Scan {
     begin(fmt::format("{} pairs of frequencies", grid.count * grid.count) +
           (curves_.size() > 1 ? fmt::format(" over {} sessions", curves_.size()) : std::string()));
     const ScanPoints points(curves_);
-    LightScan scan{std::move(advice_), scan_pairs(points, grid, how()), {}, std::nullopt};
+    LightScan scan{
+        std::move(advice_), scan_pairs(points, grid, how()), {}, std::nullopt, std::nullopt};
     scan.minima = scan_minima(
         points, scan.landscape,
         {.most = plan_.minima, .threads = options_.threads, .between = [this] { end_if_asked(); }});
@@ -99,7 +104,46 @@ class Scan {
         curves_, least_, most_, {.scan = how(), .windows = plan_.windows, .most = plan_.minima});
     if (found.minima.size() > plan_.minima) found.minima.resize(plan_.minima);
     return {std::move(advice_), std::move(found.coarse), std::move(found.minima),
-            SeparateSessions{found.sessions, plan_.windows, found.pairs}};
+            SeparateSessions{found.sessions, plan_.windows, found.pairs}, std::nullopt};
+  }
+
+  // The lines of two frequencies to `order` are multiples up to twice that of one. The pair of
+  // frequencies has more coefficients, and the lowest of very many pairs fits some of the noise.
+  std::optional<OnePeriod> one_period(const LightScan& scan) const {
+    constexpr std::size_t most_order = 9, few = 5;
+    const double count = std::floor((most_ - least_) / scan.advice.step) + 1.0;
+    if (count > most_frequencies) return std::nullopt;
+    const std::size_t order = std::min(2 * plan_.order, most_order);
+    const ScanPoints points(curves_);
+    ScanOptions how{.order = order, .threads = options_.threads};
+    how.between = [this] { end_if_asked(); };
+    const std::vector<ScanMinimum> minima = scan_minima(
+        points, scan_periods(points, FrequencyGrid::between(least_, most_, scan.advice.step), how),
+        {.most = few, .threads = options_.threads, .between = [this] { end_if_asked(); }});
+    const auto is_sound = [](const ScanMinimum& m) {
+      return m.resolved && m.refined.converged && m.refined.fit.degrees_of_freedom > 1;
+    };
+    const auto one = std::ranges::find_if(minima, is_sound);
+    if (one == minima.end()) return std::nullopt;
+    const auto pair = std::ranges::find_if(scan.minima, is_sound);
+    const FourierFit* const two = pair == scan.minima.end() ? nullptr : &pair->refined.fit;
+    return OnePeriod{order, one->refined, suffices(one->refined.fit, two, count)};
+  }
+
+  // Whether chi-square falls from one to two frequencies by no more than more coefficients let it
+  // fall, and the choice of the lowest of all pairs of `count` frequencies.
+  static bool suffices(const FourierFit& one, const FourierFit* two, double count) {
+    constexpr double deviations = 3.0, least_noise = 0.1;
+    const auto freedom = [](const FourierFit& fit) {
+      return static_cast<double>(fit.degrees_of_freedom);
+    };
+    if (two == nullptr)
+      return one.chi_square <= freedom(one) + deviations * std::sqrt(2.0 * freedom(one));
+    const double noise = std::fmax(two->chi_square / freedom(*two), least_noise);
+    const double more = freedom(one) - freedom(*two);
+    const double chosen = 2.0 * std::log(0.5 * count * count);
+    return (one.chi_square - two->chi_square) / noise <=
+           more + deviations * std::sqrt(2.0 * more) + chosen;
   }
 
   // What to do about too many pairs.
@@ -121,7 +165,14 @@ class Scan {
   }
 
   void begin(const std::string& work) const {
-    if (options_.begins) options_.begins("scan", work);
+    constexpr std::size_t many = 3000;
+    std::size_t points = 0;
+    for (const LightCurve& one : curves_) points += one.points.size();
+    if (options_.begins)
+      options_.begins("scan", work + (points > many ? fmt::format(" of {} points; bins of several "
+                                                                  "would be as good and quicker",
+                                                                  points)
+                                                    : std::string()));
   }
 
   void end_if_asked() const {

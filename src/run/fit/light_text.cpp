@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "polhode/run/predictions.hpp"
 #include "run/detail/fit_tables.hpp"
+#include "run/detail/light_verdict.hpp"
 #include "run/detail/light_words.hpp"
 
 namespace polhode {
@@ -32,6 +34,7 @@ std::string error_text(double error) {
 }
 
 std::string with_errors(const WithErrors& x) {
+  if (std::isnan(x.error)) return fmt::format("{:.6g} {}", x.value, x.unit);
   return fmt::format("{} {}, error {}, scaled {}", number_text(x.value, x.error), x.unit,
                      error_text(x.error), error_text(x.scaled_error));
 }
@@ -82,6 +85,13 @@ void add_scan(std::string& text, const Scenario& scenario, const LightScan& scan
         text, "all sessions",
         fmt::format("{} pairs of frequencies in {} about the lowest minima of their sum",
                     scan.separate->pairs, counted(scan.separate->windows, "window", "windows")));
+  if (scan.one) {
+    const FourierFit& fit = scan.one->refined.fit;
+    add_fit_line(text, "one frequency",
+                 fmt::format("order {}, {:.7g} {}, chi-square {:.5g} on {} degrees of freedom",
+                             scan.one->order, period_of(scenario, fit.f2), time, fit.chi_square,
+                             fit.degrees_of_freedom - 1));
+  }
   text += fmt::format(
       "\nlowest minima of the scan: lines at sums and multiples of 1/P1 and 1/P2{}\n"
       "{:>4}{:>12}{:>16}{:>11}{:>16}{:>11}\n",
@@ -127,23 +137,19 @@ void add_chosen(std::string& text, const Scenario& scenario, const LightReport& 
   }
 }
 
-std::string surface_rank(const Loss& loss, const PairFound& pair) {
-  if (!pair.surface) return "-";
-  return fmt::format("{:.5g}",
-                     detail::rank_number(loss, pair.surface->chi_square, pair.surface->cost));
-}
-
 // A row for each ellipsoid that pairs of periods came to, with the periods that it has.
 void add_pair_rows(std::string& text, const Scenario& scenario, const LightReport& report) {
   const std::string& time = scenario.units().time();
   const Loss& loss = require_fit(scenario).loss;
-  const char* what = loss.kind == Loss::Kind::squared ? "what" : "the loss that";
+  const char* what = report.shape == LightPlan::Shape::convex ? "the cost that"
+                     : loss.kind == Loss::Kind::squared       ? "what"
+                                                              : "the loss that";
   const bool has_surface = report.shape != LightPlan::Shape::ellipsoid;
   text += has_surface ? fmt::format("\npairs of periods by {} a {} comes to\n{:>12}{:>12}", what,
                                     report.mesh ? "mesh" : "convex body", "ellipsoid",
                                     detail::shape_word(report.shape))
                       : fmt::format("\npairs of periods by {} an ellipsoid comes to\n{:>12}", what,
-                                    detail::rank_word(loss));
+                                    detail::rank_word(report, loss));
   text += fmt::format("{:>6}{:>13}{:>13}{:>9}{:>8}{:>9}{:>8}{:>10}\n", "mode", "P_phi " + time,
                       "P_psi " + time, "pole", "", "mirror", "", "readings");
   const std::vector<detail::PairGroup> groups = detail::groups_of_pairs(report);
@@ -154,8 +160,10 @@ void add_pair_rows(std::string& text, const Scenario& scenario, const LightRepor
     const auto period = [&](double t) {
       return t > 0.0 ? fmt::format("{:.6g}", scenario.units().from_core(t, Dimension::time)) : "-";
     };
-    text += fmt::format("{:>12.5g}", detail::rank_number(loss, s.result.chi_square, s.result.cost));
-    if (has_surface) text += fmt::format("{:>12}", surface_rank(loss, pair));
+    text += fmt::format("{:>12.5g}", s.result.cost);
+    if (has_surface)
+      text +=
+          pair.surface ? fmt::format("{:>12.5g}", pair.surface->cost) : fmt::format("{:>12}", "-");
     text += fmt::format("{:>6}{:>13}{:>13}", detail::mode_word(p.mode), period(p.precession_period),
                         period(p.rotation_period));
     const Vec3 pole = pair.surface ? pair.surface->pole : s.pole;
@@ -194,7 +202,7 @@ void add_joined(std::string& text, const Scenario& scenario, const LightReport& 
       "far\n{:>8}{:>8}{:>14}"
       "{:>8}{:>11}{:>11}{:>12}\n",
       "session", "points", "distance " + scenario.units().time(), "fits", "converged", "solutions",
-      detail::rank_word(require_fit(scenario).loss));
+      detail::rank_word(report, require_fit(scenario).loss));
   for (const JoinedSession& one : report.joined)
     text += fmt::format("{:>8}{:>8}{:>14.6g}{:>8}{:>11}{:>11}{:>12}\n", one.session + 1,
                         report.observed.curves.at(one.session).points.size(),
@@ -211,13 +219,19 @@ std::string pole_words(const Scenario& scenario) {
 
 void add_overview(std::string& text, const Scenario& scenario, const LightReport& report) {
   const std::string& time = scenario.units().time();
-  const Loss& loss = require_fit(scenario).loss;
-  text += fmt::format(
-      "\nsolutions; pole: {} in {}\n{:>4}{:>12}{:>6}{:>13}{:>13}{:>9}{:>8}{:>8}{:>8}"
-      "  {}\n",
-      pole_words(scenario), scenario.units().angle(), "", detail::rank_word(loss), "mode",
-      "P_phi " + time, "P_psi " + time, "pole", "", "b/a", "c/b", "what it is");
-  for (std::size_t i = 0; i < report.solutions.size(); ++i) {
+  const FitPlan& plan = require_fit(scenario);
+  const bool is_convex = report.shape == LightPlan::Shape::convex;
+  const auto cells = [&](const auto& place, const std::string& cost, const std::string& data) {
+    return fmt::format("{:>4}{:>12}", place, cost) +
+           (is_convex ? fmt::format("{:>12}", data) : std::string());
+  };
+  text +=
+      fmt::format("\nsolutions; pole: {} in {}\n", pole_words(scenario), scenario.units().angle()) +
+      cells("", detail::rank_word(report, plan.loss), "chi-square") +
+      fmt::format("{:>6}{:>13}{:>13}{:>13}{:>9}{:>8}{:>8}{:>8}  {}\n", "mode", "P_phi " + time,
+                  "P_psi " + time, "P_short " + time, "pole", "", "b/a", "c/b", "what it is");
+  const std::size_t shown = std::min(report.solutions.size(), plan.most_solutions);
+  for (std::size_t i = 0; i < shown; ++i) {
     const FoundLight& one = report.solutions[i];
     const BrightEllipsoid& body = one.solution.body;
     const LightFigures f = detail::light_figures(scenario, report, i);
@@ -226,24 +240,32 @@ void add_overview(std::string& text, const Scenario& scenario, const LightReport
       what += std::string(" (") + detail::image_word(one.image) + ")";
     if (one.beside != FoundLight::Beside::first) what += fmt::format(" of {}", one.of + 1);
     if (!one.solution.result.bound.empty()) what += ", on a bound";
-    text += fmt::format(
-        "{:>4}{:>12.5g}{:>6}{:>13}{:>13}{:>9.1f}{:>8.1f}{:>8.3f}{:>8.3f}  {}\n", i + 1,
-        detail::rank_number(loss, one.solution.result.chi_square, one.solution.result.cost),
-        detail::mode_word(one.solution.periods.mode), period_text(f.precession_period),
-        period_text(f.rotation_period), f.pole.longitude, f.pole.latitude,
-        body.shape.b / body.shape.a, body.shape.c / body.shape.b, what);
+    text += cells(i + 1, fmt::format("{:.5g}", one.solution.result.cost),
+                  fmt::format("{:.5g}", one.solution.result.chi_square)) +
+            fmt::format("{:>6}{:>13}{:>13}{:>13}{:>9.1f}{:>8.1f}{:>8.3f}{:>8.3f}  {}\n",
+                        detail::mode_word(one.solution.periods.mode),
+                        period_text(f.precession_period), period_text(f.rotation_period),
+                        period_text(f.short_axis_period), f.pole.longitude, f.pole.latitude,
+                        body.shape.b / body.shape.a, body.shape.c / body.shape.b, what);
   }
+  if (shown < report.solutions.size())
+    text += fmt::format(" and {} more; --json has all\n", report.solutions.size() - shown);
 }
 
 void add_numbers(std::string& text, const std::vector<FitNumber>& numbers, bool has_start) {
   text += fmt::format("{:<9}{:<9}", "unknown", "unit");
   if (has_start) text += fmt::format("{:>13}", "start");
-  text += fmt::format("{:>13}{:>11}{:>11}\n", "value", "error", "scaled");
+  const bool has_errors = numbers.empty() || !std::isnan(numbers.front().error);
+  text += fmt::format("{:>13}", "value") +
+          (has_errors ? fmt::format("{:>11}{:>11}\n", "error", "scaled") : std::string("\n"));
   for (const FitNumber& one : numbers) {
     text += fmt::format("{:<9}{:<9}", one.name, one.unit);
     if (has_start) text += fmt::format("{:>13.6g}", one.start);
-    text += fmt::format("{:>13.6g}{:>11.3g}{:>11}\n", one.value, one.error,
-                        one.scaled_error ? fmt::format("{:.3g}", *one.scaled_error) : "-");
+    text += fmt::format("{:>13.6g}", one.value);
+    if (has_errors)
+      text += fmt::format("{:>11.3g}{:>11}", one.error,
+                          one.scaled_error ? fmt::format("{:.3g}", *one.scaled_error) : "-");
+    text += "\n";
   }
 }
 
@@ -301,20 +323,29 @@ void add_solution(std::string& text, const Scenario& scenario, const LightReport
   add_fit_line(text, "chi-square",
                fmt::format("{:.5g} on {:.4g} degrees of freedom", s.result.chi_square,
                            s.degrees_of_freedom));
+  if (s.terms.size() > 1) {
+    std::string terms;
+    for (const CostTerm& term : s.terms)
+      terms += fmt::format("{}{} {:.5g}", terms.empty() ? "" : ", ", term.name, term.value);
+    add_fit_line(text, "cost", fmt::format("{:.5g}: {}", s.result.cost, terms));
+  }
   detail::add_loss(text, scenario, report, s);
-  if (const double scale = light_error_factor(s); std::isfinite(scale))
+  if (const double scale = light_error_factor(s);
+      std::isfinite(scale) && detail::has_errors(report))
     add_fit_line(text, "errors scaled by", fmt::format("{:.4g}", scale));
   add_fit_line(text, "mode", detail::mode_word(s.periods.mode));
   if (s.periods.precession_period > 0.0) {
     add_fit_line(text, "P_phi (long axis)", with_errors(f.precession_period));
     add_fit_line(text, "P_psi", with_errors(f.rotation_period));
+    add_fit_line(text, "P (short axis)", with_errors(f.short_axis_period));
   }
-  add_fit_line(
-      text, "pole",
-      fmt::format("{:.4g}, {:.4g} {} ({}), error {} by {}, scaled {} by {}", f.pole.longitude,
-                  f.pole.latitude, f.pole_major.unit, pole_words(scenario),
-                  error_text(f.pole_major.error), error_text(f.pole_minor.error),
-                  error_text(f.pole_major.scaled_error), error_text(f.pole_minor.scaled_error)));
+  std::string pole = fmt::format("{:.4g}, {:.4g} {} ({})", f.pole.longitude, f.pole.latitude,
+                                 f.pole_major.unit, pole_words(scenario));
+  if (!std::isnan(f.pole_major.error))
+    pole += fmt::format(", error {} by {}, scaled {} by {}", error_text(f.pole_major.error),
+                        error_text(f.pole_minor.error), error_text(f.pole_major.scaled_error),
+                        error_text(f.pole_minor.scaled_error));
+  add_fit_line(text, "pole", pole);
   add_surface(text, scenario, report, i);
   std::vector<FitNumber> numbers = light_numbers(scenario, report, i);
   if (!report.convex.empty())  // coefficients of facets: JSON has them
@@ -326,9 +357,11 @@ void add_solution(std::string& text, const Scenario& scenario, const LightReport
 
 }  // namespace
 
-std::string light_text(const Scenario& scenario, const LightReport& report) {
+std::string light_text(const Scenario& scenario, const LightReport& report,
+                       std::span<const double> times) {
   std::string text;
   if (!scenario.document.title.empty()) text += scenario.document.title + "\n";
+  if (!report.verdict.empty()) text += report.verdict + "\n";
   add_observed(text, report);
   if (report.scan) add_scan(text, scenario, *report.scan);
   if (!report.chosen.empty()) add_chosen(text, scenario, report);
@@ -338,8 +371,12 @@ std::string light_text(const Scenario& scenario, const LightReport& report) {
   }
   if (!report.joined.empty()) add_joined(text, scenario, report);
   if (!report.start && report.is_found()) add_overview(text, scenario, report);
-  const std::size_t shown = std::min(report.solutions.size(), most_shown);
-  for (std::size_t i = 0; i < shown; ++i) add_solution(text, scenario, report, i);
+  const std::size_t shown =
+      std::min({report.solutions.size(), most_shown, require_fit(scenario).most_solutions});
+  for (std::size_t i = 0; i < shown; ++i) {
+    add_solution(text, scenario, report, i);
+    if (!times.empty()) text += prediction_text(scenario, fit_predictions(report, i, times));
+  }
   if (shown < report.solutions.size())
     text += fmt::format("\nand {} more solutions, which --json has in full\n",
                         report.solutions.size() - shown);

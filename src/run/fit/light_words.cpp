@@ -71,45 +71,14 @@ const char* loss_word(const Loss& loss) {
                                 : "squared";
 }
 
-const char* rank_word(const Loss& loss) {
+bool has_errors(const LightReport& report) {
+  return std::ranges::any_of(report.solutions,
+                             [](const FoundLight& one) { return one.solution.describes_data(); });
+}
+
+const char* rank_word(const LightReport& report, const Loss& loss) {
+  if (report.shape == LightPlan::Shape::convex) return "cost";
   return loss.kind == Loss::Kind::squared ? "chi-square" : "loss";
-}
-
-double rank_number(const Loss& loss, double chi_square, double cost) {
-  return loss.kind == Loss::Kind::squared ? chi_square : cost;
-}
-
-void add_loss(std::string& text, const Scenario& scenario, const LightReport& report,
-              const LightSolution& s) {
-  constexpr double far = 4.0;
-  constexpr std::size_t most_far = 10;
-  const Loss& loss = s.loss;
-  if (loss.kind == Loss::Kind::squared) return;
-  const double spread = s.spread();
-  add_fit_line(text, "loss",
-               fmt::format("{:.5g}, which was minimised: {} from {:g} standard errors on",
-                           s.result.cost, loss_word(loss), loss.scale));
-  std::string places;
-  std::size_t count = 0, k = 0;
-  double part = 0.0;
-  for (const std::vector<ObservedRow>& rows : report.observed.curve_rows)
-    for (const ObservedRow& row : rows) {
-      const double r = k < s.result.numbers.size() ? s.result.numbers[k] : 0.0;
-      ++k;
-      if (!(std::fabs(r) > far * spread)) continue;
-      part += r * r;
-      if (++count > most_far) continue;
-      places += (places.empty() ? "" : ", ") +
-                (require_fit(scenario).observations.size() > 1
-                     ? fmt::format("{} of table {}", row.line, row.table + 1)
-                     : fmt::format("{}", row.line));
-    }
-  std::string words = fmt::format("{} beyond {:g} times {:.3g} standard errors, the spread of all",
-                                  counted(count, "point", "points"), far, spread);
-  if (count > 0)
-    words += fmt::format("; {:.4g} of chi-square; lines {}{}", part, places,
-                         count > most_far ? ", ..." : "");
-  add_fit_line(text, "far points", words);
 }
 
 SkyPlace sky_place(const Vec3& d) {
@@ -129,15 +98,17 @@ LightFigures light_figures(const Scenario& scenario, const LightReport& report,
                            std::size_t solution) {
   const LightSolution& s = report.solutions.at(solution).solution;
   const SpinFigures f = spin_figures(s, report.unknowns);
-  const double scale = light_error_factor(s);
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  const double known = has_errors(report) ? 1.0 : none, scale = known * light_error_factor(s);
   const Units& units = scenario.units();
   const auto with = [&](double value, double error, Dimension d) {
-    return WithErrors{units.from_core(value, d), units.from_core(error, d),
+    return WithErrors{units.from_core(value, d), units.from_core(known * error, d),
                       units.from_core(scale * error, d), units.label(d)};
   };
   const SkyPlace pole = sky_place(f.pole_I);
   return {with(f.periods.precession_period, f.precession_error, Dimension::time),
           with(f.periods.rotation_period, f.rotation_error, Dimension::time),
+          with(f.short_period, f.short_error, Dimension::time),
           {units.from_core(pole.longitude, Dimension::angle),
            units.from_core(pole.latitude, Dimension::angle)},
           with(0.0, f.pole_major, Dimension::angle),
@@ -154,12 +125,9 @@ std::vector<PairGroup> groups_of_pairs(const LightReport& report) {
   for (std::size_t i = 0; i < report.pairs.size(); ++i)
     if (report.pairs[i].ellipsoid) order.push_back(i);
   const auto rank = [&](std::size_t i) {
-    // by the numbers that are shown
     const PairFound& pair = report.pairs[i];
-    const LightSolution& s = *pair.ellipsoid;
-    const double ellipsoid = rank_number(s.loss, s.result.chi_square, s.result.cost);
-    if (!pair.surface) return std::pair(ellipsoid, ellipsoid);
-    return std::pair(rank_number(s.loss, pair.surface->chi_square, pair.surface->cost), ellipsoid);
+    const double ellipsoid = pair.ellipsoid->result.cost;
+    return std::pair(pair.surface ? pair.surface->cost : ellipsoid, ellipsoid);
   };
   std::ranges::stable_sort(order, {}, rank);
   std::vector<PairGroup> groups;
@@ -212,7 +180,8 @@ std::vector<FitNumber> light_numbers(const Scenario& scenario, const LightReport
   }
   std::fill_n(start.begin(), 3, 0.0);  // not what rounding leaves
   if (!report.start) std::fill_n(value.begin(), 3, 0.0);
-  const double scale = light_error_factor(found);
+  const double known = detail::has_errors(report) ? 1.0 : std::numeric_limits<double>::quiet_NaN();
+  const double scale = known * light_error_factor(found);
   std::vector<FitNumber> numbers;
   for (std::size_t i = 0; i < value.size(); ++i) {
     const std::string& name = found.covariance.names.at(i);
@@ -222,7 +191,7 @@ std::vector<FitNumber> light_numbers(const Scenario& scenario, const LightReport
                   scenario.units().label(d),
                   shown(start[i]),
                   shown(value[i]),
-                  shown(found.covariance.error(i)),
+                  shown(known * found.covariance.error(i)),
                   std::nullopt,
                   std::nullopt};
     if (std::isfinite(scale)) {

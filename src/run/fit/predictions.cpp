@@ -11,6 +11,7 @@
 #include "polhode/rotor/attitude.hpp"
 #include "run/detail/attitude_errors.hpp"
 #include "run/detail/fit_tables.hpp"
+#include "run/detail/light_words.hpp"
 #include "run/fit/driven.hpp"
 #include "scenario/fit/time_words.hpp"
 
@@ -25,6 +26,11 @@ using detail::error_about;
 constexpr std::pair<int, int> pairs[] = {{0, 1}, {0, 2}, {1, 2}};
 double correlation(const Mat3& c, int i, int j) {
   return c(i, j) / (error_about(c, i) * error_about(c, j));
+}
+
+Mat3 times_number(double k, Mat3 c) {
+  for (Vec3& row : c.row) row = k * row;
+  return c;
 }
 
 // Errors about the three axes, with as many digits as one needs.
@@ -70,6 +76,21 @@ std::vector<AttitudePrediction> fit_predictions(const FitReport& report, std::si
   return all;
 }
 
+std::vector<AttitudePrediction> fit_predictions(const LightReport& report, std::size_t solution,
+                                                std::span<const double> times) {
+  const LightSolution& found = report.solutions.at(solution).solution;
+  std::vector<AttitudePrediction> all;
+  const double factor = light_error_factor(found), known = detail::has_errors(report) ? 1.0 : none;
+  for (PredictedAttitude& one : predicted(found, report.unknowns, times)) {
+    one.covariance = times_number(known, one.covariance);
+    all.push_back({one, std::nullopt});
+    if (!(factor > 0.0)) continue;
+    all.back().scaled = one;
+    all.back().scaled->covariance = times_number(factor * factor, one.covariance);
+  }
+  return all;
+}
+
 std::vector<double> prediction_times(const Scenario& scenario, std::span<const std::string> words) {
   std::vector<double> times;
   for (const std::string& word : words) times.push_back(detail::time_of_word(scenario, word));
@@ -86,13 +107,13 @@ std::vector<double> prediction_times(const Scenario& scenario) {
   return times;
 }
 
-std::string prediction_text(const Scenario& scenario, const FitReport& report, std::size_t solution,
-                            std::span<const double> times) {
+std::string prediction_text(const Scenario& scenario,
+                            std::span<const AttitudePrediction> predictions) {
   const Units& units = scenario.units();
   std::vector<std::vector<std::string>> rows = {
       {"t, " + units.time(), "date", "phi, theta, psi", "error about x, y, z", "scaled"}};
   bool open = false;
-  for (const AttitudePrediction& one : fit_predictions(report, solution, times)) {
+  for (const AttitudePrediction& one : predictions) {
     const PredictedAttitude& raw = one.raw;
     rows.push_back({fmt::format("{:.10g}", units.from_core(raw.t, Dimension::time)),
                     detail::date_of_time(scenario, raw.t), detail::euler_text(scenario, raw.q),
@@ -106,8 +127,8 @@ std::string prediction_text(const Scenario& scenario, const FitReport& report, s
   return text;
 }
 
-void write_predictions(const Scenario& scenario, const FitReport& report, std::size_t solution,
-                       std::span<const double> times, const std::string& path) {
+void write_predictions(const Scenario& scenario, std::span<const AttitudePrediction> predictions,
+                       const std::string& path) {
   const Units& units = scenario.units();
   const std::string angle = units.label(Dimension::angle), rate = units.label(Dimension::rate);
   const std::vector<ColumnGroup> groups = {
@@ -125,7 +146,7 @@ void write_predictions(const Scenario& scenario, const FitReport& report, std::s
       rows.push_back(c ? units.from_core(error_about(*c, k), Dimension::angle) : none);
     for (const auto& [i, j] : pairs) rows.push_back(c ? correlation(*c, i, j) : none);
   };
-  for (const auto& [raw, scaled] : fit_predictions(report, solution, times)) {
+  for (const auto& [raw, scaled] : predictions) {
     rows.insert(rows.end(),
                 {units.from_core(raw.t, Dimension::time), raw.q.w, raw.q.x, raw.q.y, raw.q.z});
     for (int k = 0; k < 3; ++k) rows.push_back(units.from_core(raw.w_F[k], Dimension::rate));
@@ -140,8 +161,8 @@ void write_predictions(const Scenario& scenario, const FitReport& report, std::s
       path);
 }
 
-void detail::add_predictions(JsonWriter& json, const Scenario& scenario, const FitReport& report,
-                             std::size_t solution, std::span<const double> times) {
+void detail::add_predictions(JsonWriter& json, const Scenario& scenario,
+                             std::span<const AttitudePrediction> predictions) {
   const Units& units = scenario.units();
   const auto add_errors = [&](const std::string& scaled, const Mat3& c) {
     json.key(scaled + "errors").begin_array();
@@ -151,7 +172,7 @@ void detail::add_predictions(JsonWriter& json, const Scenario& scenario, const F
     json.end_array();
   };
   json.begin_array();
-  for (const auto& [raw, scaled] : fit_predictions(report, solution, times)) {
+  for (const auto& [raw, scaled] : predictions) {
     json.begin_object().key("t").value(units.from_core(raw.t, Dimension::time));
     if (const std::string date = date_of_time(scenario, raw.t); !date.empty())
       json.key("date").value(date);

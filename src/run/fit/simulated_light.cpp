@@ -102,7 +102,10 @@ std::vector<LightCurve> simulated_sessions(const Scenario& scenario, std::size_t
       LightPoint& p = curves[i].points[k];
       const double unit = of.is_calibrated ? mean : own;
       p.flux /= unit;
-      p.sigma = *of.sigma * (own / unit);  // a part of the mean of its session, as it is read
+      // a part of the mean of its session, or a magnitude, as it is read
+      p.sigma = *of.sigma * (of.brightness == Observation::Brightness::magnitude
+                                 ? magnitude_slope * p.flux
+                                 : own / unit);
       p.flux += noise.at(rows[i][k], {p.sigma, 0.0, 0.0}).x;
     }
   }

@@ -166,6 +166,8 @@ FitPlan fit_plan(const FitContext& at, const Rotation& rotation) {
   plan.rate_spread = number(at.values, "fit.rate_spread");
   require_range(at.values, "fit.within", at.name);
   plan.within = number(at.values, "fit.within");
+  plan.most_solutions =
+      static_cast<std::size_t>(whole_in(at, "fit.most_solutions", 1, most_starts, "from 1 to 1e6"));
   constexpr const char* of_seeds = "from 0 to 2^63 - 1";
   plan.seed = static_cast<std::uint64_t>(whole_in(at, "fit.seed", 0, INT64_MAX, of_seeds));
   plan.noise = static_cast<std::uint64_t>(whole_in(at, "simulate.seed", 0, INT64_MAX, of_seeds));

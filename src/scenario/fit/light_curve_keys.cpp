@@ -7,6 +7,13 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
+void take_format(Observation& o, const KeyValues& table) {
+  if (o.light_format == Observation::LightFormat::columns) return;
+  if (!table.is_explicit("time_format")) o.time_format = Observation::TimeFormat::julian;
+  if (o.light_format == Observation::LightFormat::alcdef && !o.time_scale)
+    o.time_scale = TimeScale::UTC;
+}
+
 void require_light_curve(const Observation& o, const KeyValues& table) {
   if (o.session_column.size() > 1) table.refuse("session_column", "expected one column");
   if (!o.sun_columns.empty() && o.sun_columns.size() != 3)
@@ -22,13 +29,18 @@ void require_light_curve(const Observation& o, const KeyValues& table) {
       table.refuse(key, "expected none: orbits give the vectors");
   if (!o.orbit.empty() && table.units().length() == "1")
     table.refuse("orbit", "expected units.length as well, such as \"au\": light takes its time");
+  const bool is_alcdef = o.light_format == Observation::LightFormat::alcdef;
+  if (!o.sigma && o.sigma_columns.empty() && !is_alcdef)
+    table.refuse("kind", o.light_format == Observation::LightFormat::lc
+                             ? "expected a key sigma as well: lc has no errors"
+                             : "expected a key sigma or sigma_columns as well");
   if (o.light_format == Observation::LightFormat::columns) return;
   if (o.time_format != Observation::TimeFormat::julian)
-    table.refuse("format", "expected time_format = \"JD\" as well, which its files have");
+    table.refuse("format", "expected time_format = \"JD\", which its files have");
   for (const char* const key :
        {"sigma_columns", "session_column", "sun_columns", "observer_columns"})
     if (table.has(key)) table.refuse(key, "expected none: the format has its own columns");
-  if (o.light_format == Observation::LightFormat::alcdef) {
+  if (is_alcdef) {
     if (*o.time_scale != TimeScale::UTC)
       table.refuse("time_scale", "expected \"UTC\", as dates of ALCDEF are");
     return;

@@ -22,7 +22,7 @@ inline constexpr std::array light_curve_keys = {
                Observation::LightFormat::lc, Observation::LightFormat::alcdef>(
         "format", "columns|lc|alcdef",
         "A table of columns; the format lc of DAMIT, whose times are Julian dates at the body; or "
-        "ALCDEF, whose times are Julian dates of UTC.")
+        "ALCDEF, whose times are Julian dates of UTC. The last two imply `time_format`.")
         .otherwise("\"columns\""),
     choice_key<&Observation::brightness, Observation::Brightness::flux,
                Observation::Brightness::magnitude>("brightness", "flux|magnitude",
@@ -36,16 +36,18 @@ inline constexpr std::array light_curve_keys = {
     quantity_key<&Observation::sigma>(
         "sigma", Dimension::number,
         "Standard error of each point: a part of the mean flux of its session, "
-        "or magnitudes.")
-        .alternative()
-        .positive()
-        .example("0.01"),
-    columns_key<&Observation::sigma_columns>("sigma_columns", "The column of the error, one name.")
-        .alternative()
+        "or magnitudes. With `sigma_columns` and in ALCDEF, that of points without an error of "
+        "their own; 0 in simulations alone, for light without noise.")
+        .not_negative()
+        .example("0.01")
+        .shown(),
+    columns_key<&Observation::sigma_columns>("sigma_columns",
+                                             "The column of the error, one name. One of the two is "
+                                             "needed, but for ALCDEF, whose files may have errors.")
         .example("[\"sigma\"]"),
     columns_key<&Observation::session_column>(
         "session_column",
-        "The column whose numbers tell sessions apart, one name; left "
+        "The column whose numbers or words tell sessions apart, one name; left "
         "out, all rows are one.")
         .example("[\"session\"]"),
     columns_key<&Observation::sessions>("sessions",
@@ -56,6 +58,10 @@ inline constexpr std::array light_curve_keys = {
         "leave_out",
         "Lines of the file, from 1, whose points are left out, as residuals name them.")
         .example("[17, 203]"),
+    flag_key<&Observation::sorts>("sort",
+                                  "Whether points of a session are sorted by time, where "
+                                  "the file has them in another order.")
+        .otherwise("false"),
     flag_key<&Observation::is_calibrated>(
         "calibrated",
         "Whether fluxes of all sessions are in one unit; otherwise each "
@@ -93,6 +99,8 @@ inline constexpr std::array light_curve_keys = {
         .otherwise("false"),
 };
 
+// What its format says of the times.
+void take_format(Observation& o, const KeyValues& table);
 // What of such a table does not go together; columns and clock are checked.
 void require_light_curve(const Observation& o, const KeyValues& table);
 

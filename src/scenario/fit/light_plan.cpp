@@ -172,7 +172,7 @@ void require_words(const FitContext& at, bool of_light) {
         refuse(at, "free.unknowns",
                "expected attitude, rate, moments, products: nothing else is seen in what this file "
                "observes");
-    for (const char* const path : {"fit.from", "fit.sessions", "fit.within_factor"})
+    for (const char* const path : {"fit.from", "fit.rotation", "fit.sessions", "fit.within_factor"})
       if (is_explicit(at.values, path)) refuse(at, path, "expected none without light curves");
     return;
   }
@@ -215,6 +215,7 @@ LightPlan light_plan(const FitContext& at, const Rotation& rotation) {
            "expected another law where its weight beside that of Lommel and "
            "Seeliger is unknown");
   plan.searches = word(at.values, "fit.from") == "search";
+  plan.is_tumbler = word(at.values, "fit.rotation") == "tumbler";
   plan.one_by_one = word(at.values, "fit.sessions") == "one-by-one";
   if (plan.one_by_one && plan.shape != LightPlan::Shape::ellipsoid)
     refuse(at, "fit.sessions",

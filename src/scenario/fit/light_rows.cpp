@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "polhode/error.hpp"
@@ -38,8 +39,10 @@ LightColumns columns_of(const ObservationTable& of) {
   columns.time = o.columns.at(0);
   const bool is_flux = o.brightness == Observation::Brightness::flux;
   (is_flux ? columns.flux : columns.magnitude) = o.columns.at(1);
-  if (!o.sigma_columns.empty()) columns.sigma = o.sigma_columns[0];
-  if (!is_flux && o.sigma) columns.one_sigma = *o.sigma;
+  if (!o.sigma_columns.empty())
+    columns.sigma = o.sigma_columns[0];
+  else if (!is_flux && o.sigma)
+    columns.one_sigma = *o.sigma;
   if (!o.session_column.empty()) columns.session = o.session_column[0];
   columns.to_sun = three(o.sun_columns);
   columns.to_observer = three(o.observer_columns);
@@ -71,15 +74,15 @@ void require_declared(const ObservationTable& of, const LightSession& session) {
                        ", as the file says of its times");
 }
 
-// Errors and vectors that the table has and the file has not.
+// Errors and vectors that the table has and points have not.
 void complete(LightCurve& curve, const Observation& of) {
   const bool is_part =
       of.light_format == Format::lc ||
       (of.light_format == Format::columns && of.brightness == Observation::Brightness::flux);
-  if (is_part && of.sigma) curve = with_relative_sigma(std::move(curve), *of.sigma);
+  const double unit = is_part && of.sigma ? std::fabs(mean_flux(curve)) : 0.0;
   for (LightPoint& p : curve.points) {
-    if (of.light_format == Format::alcdef && of.sigma && p.sigma == 0.0)
-      p.sigma = magnitude_slope * p.flux * *of.sigma;
+    if (of.sigma && p.sigma == 0.0)
+      p.sigma = (is_part ? unit : magnitude_slope * p.flux) * *of.sigma;
     if (of.to_sun && of.sun_columns.empty()) p.to_sun = *of.to_sun;
     if (of.to_observer && of.observer_columns.empty()) p.to_observer = *of.to_observer;
   }
@@ -182,38 +185,77 @@ void take_wanted(const ObservationTable& of, LightCurveFile& file) {
   if (file.sessions.empty()) of.keys.refuse("leave_out", "expected some points to stay");
 }
 
-// What light_csv writes is what the keys of the table must read.
-void require_own_columns(const ObservationTable& of, std::size_t sessions) {
+// Those that the keys of the table read, with names of others that are written beside them.
+LightColumns written_columns(const ObservationTable& of, std::size_t sessions, bool has_vectors) {
   const Observation& o = of.of;
-  const LightColumns own = light_csv_columns(true);
-  const auto refuse = [&](const char* key, const char* text) { of.keys.refuse(key, text); };
-  if (o.time_format != TimeFormat::number)
-    refuse("time_format", "expected \"number\" to simulate columns; lc has dates: format = \"lc\"");
-  if (o.columns != std::vector<std::string>{own.time, own.flux})
-    refuse("columns", "expected [\"t\", \"flux\"] to simulate");
-  if (!o.sun_columns.empty() && three(o.sun_columns) != own.to_sun)
-    refuse("sun_columns", "expected [\"sun_x\", \"sun_y\", \"sun_z\"] to simulate");
-  if (!o.observer_columns.empty() && three(o.observer_columns) != own.to_observer)
-    refuse("observer_columns",
-           "expected [\"observer_x\", \"observer_y\", \"observer_z\"] to simulate");
-  const std::vector<std::string> session = {own.session};
-  if (sessions > 1 && o.session_column != session)
+  for (const auto& [key, names] : {std::pair{"columns", &o.columns},
+                                   {"sigma_columns", &o.sigma_columns},
+                                   {"session_column", &o.session_column},
+                                   {"sun_columns", &o.sun_columns},
+                                   {"observer_columns", &o.observer_columns}})
+    for (const std::string& name : *names)
+      if (name.empty() || (name.front() >= '0' && name.front() <= '9'))
+        of.keys.refuse(key, "expected names and no numbers of columns to simulate");
+  if (sessions > 1 && o.session_column.empty())
     of.keys.refuse("file",
                    "expected session_column = [\"session\"] as well, to simulate more than "
                    "one session");
+  const LightColumns usual = light_csv_columns(has_vectors);
+  LightColumns own = columns_of(of);
+  if (own.sigma.empty()) own.sigma = usual.sigma;
+  if (own.session.empty()) own.session = usual.session;
+  if (own.to_sun[0].empty()) own.to_sun = usual.to_sun;
+  if (own.to_observer[0].empty()) own.to_observer = usual.to_observer;
+  return own;
+}
+
+// The first flaw of what was read, with the key that mends it.
+void require_usable(const ObservationTable& of, const LightCurveFile& file) {
+  const LightCurveNeeds needs{.vectors = of.of.orbit.empty()};
+  try {
+    require_sound(file, needs);
+  } catch (const DomainError& error) {
+    const std::optional<LightCurveFlaw> flaw = first_flaw(light_curves(file), needs);
+    if (!flaw) throw;
+    const LightSession& session = file.sessions[flaw->curve];
+    std::string way;
+    if (flaw->kind == LightCurveFlaw::Kind::order)
+      way = "sort = true sorts them";
+    else if (flaw->kind == LightCurveFlaw::Kind::error)
+      way = "sigma gives points without an error one";
+    else if (flaw->point && *flaw->point < session.lines.size())
+      way = "leave_out = [" + std::to_string(session.lines[*flaw->point]) + "] leaves it out";
+    if (way.empty()) throw;
+    throw DomainError(std::string(error.what()) + "; " + way);
+  }
+}
+
+// Points of each session by time, where the table wants that.
+void sort_points(LightSession& session) {
+  std::vector<std::size_t> order(session.curve.points.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, {}, [&](std::size_t k) { return session.curve.points[k].t; });
+  const LightSession given = session;
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    session.curve.points[k] = given.curve.points[order[k]];
+    if (given.lines.size() == order.size()) session.lines[k] = given.lines[order[k]];
+  }
 }
 
 }  // namespace
 
 void detail::read_light_curves(const ObservationTable& of, std::size_t index,
                                ReadObservations& all) {
+  if (of.of.sigma && !(*of.of.sigma > 0.0))
+    of.keys.refuse("sigma", "expected one above 0 for a fit; 0 is for simulations");
   LightCurveFile file = file_of(of);
+  take_wanted(of, file);
   for (LightSession& session : file.sessions) {
     require_declared(of, session);
     complete(session.curve, of.of);
+    if (of.of.sorts) sort_points(session);
   }
-  require_sound(file, {.vectors = of.of.orbit.empty()});
-  take_wanted(of, file);
+  require_usable(of, file);
   for (LightSession& session : file.sessions) {
     LightCurve curve = in_core(of, std::move(session.curve));
     if (of.of.is_of_the_time)
@@ -253,8 +295,7 @@ std::string light_curve_text(const Scenario& scenario, std::size_t index,
   if (of.of.light_format == Format::alcdef)
     of.keys.refuse("format", "expected \"columns\" or \"lc\" to simulate");
   const bool is_lc = of.of.light_format == Format::lc;
-  if (!is_lc) require_own_columns(of, curves.size());
-  const double unit = of.clock ? of.clock->second : of.time_unit;
+  const double unit = is_lc ? of.clock->second : 1.0;
   const bool has_orbit = !of.of.orbit.empty();
   std::vector<LightCurve> written(curves.begin(), curves.end());
   for (LightCurve& curve : written)
@@ -266,7 +307,9 @@ std::string light_curve_text(const Scenario& scenario, std::size_t index,
       p.to_observer = turned(conj(of.to_state), p.to_observer);
       if (has_orbit) p.to_sun = p.to_observer = Vec3{};  // the file is read without them
     }
-  if (!is_lc) return light_csv(written, notes);
+  if (!is_lc)
+    return light_csv(written, notes, written_columns(of, curves.size(), !has_orbit),
+                     [&](double t) { return detail::clock_text(of, t); });
   return lc_text(written, converted(of.clock->epoch, *of.of.time_scale, of.clock->dut1));
 }
 

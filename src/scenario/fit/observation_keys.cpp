@@ -159,7 +159,7 @@ constexpr Row rows[] = {
     {"attitude", "Attitudes.", "sigma|sigmas|sigma_columns", attitude_keys},
     {"direction", "Directions of a body axis.", "sigma|sigma_columns", direction_keys},
     {"rate", "Angular velocities along the body axes.", "sigma|sigmas|sigma_columns", rate_keys},
-    {"light-curve", "Light curves.", "sigma|sigma_columns", light_keys},
+    {"light-curve", "Light curves.", "", light_keys},
 };
 
 std::vector<KindOfTable> made_rows() {
@@ -257,6 +257,7 @@ Observation observation_of(const KeyValues& table) {
   const std::size_t kind = table.choice("kind");
   Observation o = arguments<Observation>(rows[kind].keys, table);
   o.kind = static_cast<Observation::Kind>(kind);
+  if (o.kind == Observation::Kind::light_curve) take_format(o, table);
   if (o.kind == Observation::Kind::direction && !(norm(o.axis) > 0.0))
     table.refuse("axis", "expected a vector that is not 0");
   if (o.columns.empty()) o.columns = usual_columns(o);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The rows of [[observation]]: read for a fit, written for a simulation, with the same columns,
 // units, clock and axes.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -165,35 +163,9 @@ void read_table(const ObservationTable& of, std::size_t index, ReadObservations&
   }
 }
 
-// A Julian date to all its digits: day and fraction as texts.
-std::string julian_text(const Date& date, double zero) {
-  const double day = date.day - std::floor(zero), rest = date.fraction - (zero - std::floor(zero));
-  double whole = std::floor(day), part = (day - whole) + rest;
-  whole += std::floor(part);
-  part -= std::floor(part);
-  std::string digits = fmt::format("{:.12f}", part);
-  if (digits.front() == '1') {  // rounded up to a day
-    whole += 1.0;
-    digits.front() = '0';
-  }
-  return fmt::format("{:.0f}{}", whole, digits.substr(1));
-}
-
-std::string date_text(const Date& date) {
-  const CalendarTime t = calendar_time(date);
-  const double second = std::floor(t.second * 1e9) * 1e-9;
-  return fmt::format("{:04}-{:02}-{:02}T{:02}:{:02}:{:012.9f}", t.year, t.month, t.day, t.hour,
-                     t.minute, second);
-}
-
 // The time of a row as its file has it.
 std::string time_text(const ObservationTable& of, double t) {
-  t += of.light_time();
-  if (!of.clock) return detail::number_text(t / of.time_unit);
-  const Date date = converted(date_after(of.clock->epoch, t / of.clock->second, of.clock->dut1),
-                              *of.of.time_scale, of.clock->dut1);
-  if (of.of.time_format == TimeFormat::date) return date_text(date);
-  return julian_text(date, of.of.time_format == TimeFormat::modified_julian ? modified_zero : 0.0);
+  return detail::clock_text(of, t + of.light_time());
 }
 
 std::vector<double> numbers_of(const ObservationTable& of, const Quaternion& q_state) {

@@ -44,6 +44,9 @@ std::string observation_path(std::size_t table);
 ObservationTable observation_table(const Scenario& scenario, std::size_t index,
                                    const std::string& path);
 
+// A time of its own clock as its file has it: a number in its unit, or a date.
+std::string clock_text(const ObservationTable& of, double t);
+
 // Of a table of this kind, added to what was read.
 void read_light_curves(const ObservationTable& of, std::size_t index, ReadObservations& all);
 

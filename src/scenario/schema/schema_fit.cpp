@@ -150,6 +150,11 @@ constexpr Key keys[] = {
      .help = "Solutions are reported up to this much above the least chi-square; those of light "
              "curves by `fit.within_factor`.",
      .range = Range::not_negative},
+    {.path = "fit.most_solutions",
+     .type = integer,
+     .fallback = "20",
+     .example = "20",
+     .help = "How many solutions are listed, and written to files, at most; `--json` has all."},
     {.path = "fit.seed",
      .type = integer,
      .fallback = "1",

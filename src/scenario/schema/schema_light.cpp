@@ -94,6 +94,13 @@ constexpr Key keys[] = {
      .example = "\"search\"",
      .help = "Of light curves: from the state and shape of this file, or from many that have the "
              "periods of a scan, or those of [[fit.periods]]."},
+    {.path = "fit.rotation",
+     .type = choice,
+     .allowed = "any|tumbler",
+     .fallback = "\"any\"",
+     .example = "\"tumbler\"",
+     .help = "Of light curves: any stops after the scan if one period describes the data as well "
+             "as two do; tumbler goes on to two periods."},
     {.path = "fit.sessions",
      .type = choice,
      .allowed = "together|one-by-one",
@@ -201,8 +208,9 @@ constexpr Key keys[] = {
      .type = numbers,
      .dimension = Dimension::time,
      .example = "[0, 6, 24, 30]",
-     .help = "From when to when each session of light curves is; left out, all rows of [time] are "
-             "one."},
+     .help = "From when to when each session of light curves is, as times or dates; left out, all "
+             "rows of [time] are one.",
+     .takes_date = true},
 };
 
 }  // namespace

@@ -125,6 +125,11 @@ TEST(ConvexFit, FindsABodyThatIsNoEllipsoid) {
   EXPECT_LT(reduced(found), budget::light_noise);
   EXPECT_EQ(found.periods.mode, Regime::short_axis);
   EXPECT_EQ(found.factors.size(), 1u);
+  double cost = 0.0;
+  for (const CostTerm& term : found.terms) cost += term.value;
+  EXPECT_EQ(found.terms.size(), 5u);
+  EXPECT_NEAR(cost, found.result.cost, budget::fit_exact * cost);
+  EXPECT_NEAR(found.terms[0].value, found.result.chi_square, budget::fit_exact * cost);
   // the body itself: closed, its axes near those of the spin
   const FacetShape mesh = found.body.mesh();
   EXPECT_TRUE(mesh.is_closed());

@@ -76,6 +76,26 @@ TEST(LightImages, AreThoseOfTheNearest) {
   }
 }
 
+// Number 2 fits the data better, and is rougher: the cost decides, and the sentence says so.
+TEST(LightSolutions, SayWhichTermOfTheCostDecides) {
+  const std::vector<LightCurve> curves{night(in_long_axis_mode, 2.0, 20, 0.02, 3)};
+  const auto with_terms = [](double data, double roughness) {
+    FoundLight f = found_with(in_long_axis_mode);
+    f.solution.result.chi_square = data;
+    f.solution.result.cost = data + roughness + 1.0;
+    f.solution.terms = {{"data", data}, {"roughness", roughness}, {"moments", 1.0}};
+    return f;
+  };
+  std::vector<FoundLight> all{with_terms(643.0, 20.0), with_terms(555.0, 120.0)};
+  describe_solutions(all, curves);
+  EXPECT_EQ(all[0].sentence,
+            "long-axis mode, P_phi 12, P_psi 20: the lowest cost; solution 2 has a lower "
+            "chi-square, 555 against 643, but its roughness costs 120 against 20");
+  all = {with_terms(555.0, 20.0), with_terms(643.0, 120.0)};
+  describe_solutions(all, curves);
+  EXPECT_EQ(all[0].sentence, "long-axis mode, P_phi 12, P_psi 20: the lowest cost");
+}
+
 LightSearch search_of(const DrawnTumbler& t) {
   LightSearch search;
   search.curves = {t.curve};

@@ -68,6 +68,12 @@ void expect_differences(const SpinState& s, std::size_t unknowns) {
     EXPECT_NEAR(f.rotation_error, by_psi,
                 budget::spin_figures * (by_psi + f.periods.rotation_period))
         << names[k];
+    const double by_short = std::fabs(up.short_period - down.short_period) / (2.0 * h);
+    EXPECT_NEAR(f.short_error, by_short, budget::spin_figures * (by_short + f.short_period))
+        << names[k];
+    EXPECT_NEAR(1.0 / f.short_period,
+                1.0 / f.periods.precession_period + 1.0 / f.periods.rotation_period,
+                budget::spin_figures);
     EXPECT_NEAR(f.pole_major, by_pole, budget::spin_figures) << names[k];
     EXPECT_NEAR(f.pole_minor, 0.0, budget::spin_figures) << names[k];
   }

@@ -209,6 +209,31 @@ TEST(FitSpin, ReportsWhatComesTwiceAndWhatIsNotDetermined) {
   EXPECT_TRUE(std::isinf(s.covariance.error(2)));
 }
 
+// Rotation about each principal axis, where noise alone would tell moments; and a wobble of 0.2
+// rad, which tells them.
+TEST(FitSpin, MomentsStayAtTheStartWhereNoWobbleIsSeen) {
+  oracle::Draw draw(20, 1);
+  for (int k = 0; k < 12; ++k) {
+    SpinState truth = spun(0.5, 0.8, {});
+    truth.w_F[k % 3] = 1.0;
+    const SpinFit fit = seen_of(truth, draw, 0.02, 0.2);
+    const SpinSolution found = fit_spin(fit);
+    ASSERT_TRUE(found.is_found());
+    EXPECT_EQ(found.held, (std::vector<std::string>{"Ixx/Izz", "Iyy/Izz"})) << k;
+    EXPECT_EQ(found.state.inertia_F(0, 0), fit.start.inertia_F(0, 0));
+    EXPECT_EQ(found.result.x[7], fit.start.inertia_F(1, 1));
+    EXPECT_EQ(found.covariance.error(6), std::numeric_limits<double>::infinity());
+    EXPECT_LT(found.covariance.error(3), budget::fit_uniform_error);
+    ASSERT_FALSE(found.notes.empty());
+    EXPECT_THAT(found.notes.back(), HasSubstr("not determined: Ixx/Izz and Iyy/Izz; one rotation"));
+    const double late[] = {100.0};
+    if (k % 3 == 1) continue;  // about the middle axis errors grow
+    EXPECT_LT(predicted(fit, found, late)[0].covariance(0, 0), budget::fit_uniform_late);
+  }
+  SpinState wobbling = spun(0.5, 0.8, {0.14, 0.14, 1.0});
+  EXPECT_TRUE(fit_spin(seen_of(wobbling, draw, 0.02)).held.empty());
+}
+
 TEST(FitSpin, RefusesWhatMakesNoSense) {
   oracle::Draw draw(5, 5);
   const SpinFit good = seen_of(truths()[0], draw, 0.01);

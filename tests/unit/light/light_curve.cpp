@@ -86,8 +86,15 @@ TEST(LightCurveChecks, ASentenceForEachFlaw) {
             start +
                 ": point 3: time 1.5 comes after 2 of point 2; expected rising times, or points "
                 "that are to be sorted");
-  EXPECT_EQ(said([](LightCurve& c) { c.points[1].t = 1.0; }),
-            start + ": point 2: time 1 stands twice, here and in point 1; expected each once");
+  // two telescopes in the same second
+  EXPECT_EQ(said([](LightCurve& c) { c.points[1].t = 1.0; }), "sound");
+  EXPECT_EQ(said([](LightCurve& c) {
+              c.points[2] = c.points[0];
+              c.points[1].t = c.points[2].t;
+            }),
+            start +
+                ": point 3: time 1 and flux 0.9 stand twice, here and in point 1; expected each "
+                "observation once");
   EXPECT_EQ(said([](LightCurve& c) { c.points.resize(1); }),
             start +
                 " is relative and has one point, which says nothing, as its factor is free; "

@@ -163,7 +163,9 @@ TEST(LightCurvesOfAlcdef, OneLineSaysWhatIsWrongAndWhere) {
             "x.txt:1: got \"REVISEDDATA\"; expected STARTMETADATA");
   EXPECT_EQ(alcdef_refusal("PABB=+12.9", "12.9"),
             "x.txt:15: got \"12.9\"; expected KEYWORD=VALUE or ENDMETADATA");
-  EXPECT_EQ(alcdef_refusal("MAGBAND=R", "FILTER=R"), "x.txt:17: FILTER is there twice");
+  EXPECT_EQ(alcdef_refusal("MAGBAND=R", "FILTER=R"),
+            "x.txt:17: FILTER is there twice, \"C\" and \"R\"");
+  EXPECT_EQ(alcdef_refusal("MAGBAND=R", "COMPNAME1=a\nEPOCH=J2000\nEPOCH=J2000.0"), "");
   EXPECT_EQ(alcdef_refusal("DELIMITER=PIPE\n", ""),
             "x.txt:31: DELIMITER: got \"\"; expected PIPE or TAB");
   EXPECT_EQ(alcdef_refusal("DIFFERMAGS=TRUE", "DIFFERMAGS=PERHAPS"),

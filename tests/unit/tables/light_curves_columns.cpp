@@ -128,6 +128,24 @@ TEST_F(LightColumnFiles, InColumnsSayWhatIsWrong) {
             empty + ": has no rows; expected points of a light curve");
 }
 
+TEST_F(LightColumnFiles, SessionsHaveNamesAndErrorsMayBeEmpty) {
+  LightColumns columns;
+  columns.flux = "f";
+  columns.sigma = "e";
+  columns.session = "s";
+  const LightCurveFile file = read_light_columns(
+      write("named",
+            "t;f;e;s\n1;1.0;;B 2021-03-01\n2;1.1;0.1;1.0\n3;1.2;0.1;B 2021-03-01\n"
+            "4;1.0;0.1;1\n"),
+      columns);
+  ASSERT_EQ(file.sessions.size(), 2U);
+  EXPECT_EQ(file.sessions[0].curve.name, "B 2021-03-01");
+  EXPECT_EQ(file.sessions[1].curve.name, "1");
+  EXPECT_THAT(file.sessions[0].lines, ElementsAre(2U, 4U));
+  EXPECT_EQ(file.sessions[0].curve.points[0].sigma, 0.0);
+  EXPECT_THAT(message_of([&] { require_sound(file); }), HasSubstr("error 0; expected one above 0"));
+}
+
 TEST_F(LightColumnFiles, OfColumnsComeBackBitForBit) {
   const std::vector<LightCurve> curves{
       {"a\nb",

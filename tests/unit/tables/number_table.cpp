@@ -65,6 +65,14 @@ TEST_F(NumberTableFile, BlanksSeparateWhereThereIsNoComma) {
   EXPECT_THAT(table_columns(path_), ElementsAre("1", "2", "3"));
 }
 
+TEST_F(NumberTableFile, SemicolonsSeparateToo) {
+  const NumberTable table =
+      read_number_table(holding("t;x;y;\n0; 1;\n10;2;4\n"), std::vector<std::string>{"x", "t"});
+  EXPECT_THAT(table.columns[0], ElementsAre(1.0, 2.0));
+  EXPECT_THAT(table.columns[1], ElementsAre(0.0, 10.0));
+  EXPECT_EQ(error_of("t;x\n0;1,5\n"), ":2: column 2: \"1,5\" is not a number");
+}
+
 TEST_F(NumberTableFile, ACommentRightAboveNamesTheColumns) {
   holding("# made by hand\n# t rho\n0 1\n");
   EXPECT_THAT(table_columns(path_), ElementsAre("t", "rho"));

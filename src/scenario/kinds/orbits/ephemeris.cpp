@@ -40,7 +40,7 @@ constexpr Key keys[] = {
 };
 
 // Beyond the run on either side, s: what rounds a time must not leave the table.
-constexpr double margin = 60.0;
+constexpr double margin = 60.0, day = 86400.0;
 
 // What one km is in core units; the place of `target` says what is missing.
 double kilometre(const OrbitContext& at) {
@@ -104,9 +104,12 @@ ScenarioOrbit ephemeris_orbit(const OrbitContext& at) {
   if (!span)
     refuse(values, target_key, at.file(),
            "expected a table [time], since the positions are tabulated over the run");
+  // light that is fitted or simulated arrives later than it leaves, by less than a day within the
+  // planets
+  const double light = word(values, "kind") == "fit" ? day : margin;
   const EphemerisTable table = built(values, target_key, at.file(), [&] {
-    return planetary_table(target, centre, clock.epoch, span->first / clock.second - margin,
-                           span->last / clock.second + margin);
+    return planetary_table(target, centre, clock.epoch, span->first / clock.second - light,
+                           span->last / clock.second + light);
   });
   PositionTable rows = table.rows;
   for (double& t : rows.times) t *= clock.second;
