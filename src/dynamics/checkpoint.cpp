@@ -11,7 +11,7 @@ namespace polhode {
 inline namespace v0 {
 namespace {
 
-constexpr std::string_view magic = "polhode checkpoint 4";
+constexpr std::string_view magic = "polhode checkpoint 5";
 
 template <class... X>
 std::string bytes_of(X... x) {
@@ -43,6 +43,12 @@ constexpr double most_steps = 1e12;
 constexpr std::int64_t settled = 1000;
 
 }  // namespace
+
+std::string full_text(double most_bytes, double t) {
+  return "the steps up to t = " + number_text(t) + " fill the " + number_text(most_bytes) +
+         " bytes that a trajectory may take in memory (most_bytes): take samples at fewer times "
+         "and no dense output, a shorter run, or a higher limit";
+}
 
 std::string number_bytes(double x) { return bytes_of(x); }
 

@@ -37,6 +37,12 @@ DueTimes::DueTimes(double start, double stop, std::optional<SaveAt> times)
                         " comes after " + number_text((*times_)[k - 1]));
 }
 
+std::optional<double> DueTimes::last() const {
+  if (is_done()) return std::nullopt;
+  const double last = (*times_)[times_->size() - 1];
+  return is_before(last, stop_) ? std::optional(last) : std::nullopt;
+}
+
 }  // namespace detail
 }  // namespace v0
 }  // namespace polhode

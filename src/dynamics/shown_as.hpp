@@ -61,12 +61,15 @@ BasicSampleSink<From> sink_into(const BasicSampleSink<To>& sink) {
 
 template <MotionState From, MotionState To>
 BasicStreams<From> streams_into(const BasicStreams<To>& streams) {
-  BasicStreams<From> result{{}, {}, streams.checkpoint_due, streams.checkpoint};
+  BasicStreams<From> result{
+      {}, {}, streams.checkpoint_due, streams.checkpoint, streams.steps_to_last_sample, {}};
   if (streams.samples) result.samples = sink_into<From>(streams.samples);
   if (streams.events)
     result.events = [events = streams.events](const BasicEventRecord<From>& e) {
       events(shown_event<To>(e));
     };
+  if (streams.end)
+    result.end = [end = streams.end](const BasicSample<From>& at) { end(shown_sample<To>(at)); };
   return result;
 }
 
@@ -76,6 +79,7 @@ class ShownStep final : public BasicDenseStep<To> {
   explicit ShownStep(std::shared_ptr<const BasicDenseStep<From>> step)
       : BasicDenseStep<To>(step->t0(), step->t1()), step_(std::move(step)) {}
   To at(double t) const override { return shown<To>(step_->at(t)); }
+  std::size_t bytes() const override { return sizeof(*this) + step_->bytes(); }
 
  private:
   std::shared_ptr<const BasicDenseStep<From>> step_;

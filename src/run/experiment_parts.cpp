@@ -3,11 +3,15 @@
 // visited.
 #include "run/detail/experiment_parts.hpp"
 
+#include <optional>
+#include <string>
+#include <utility>
 #include <variant>
 
 #include "polhode/error.hpp"
 #include "polhode/run/citations.hpp"
 #include "polhode/version.hpp"
+#include "text/number_text.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -58,6 +62,23 @@ std::string propagation_text(const Scenario& scenario) {
       scenario.experiment);
 }
 
+namespace {
+
+// That the run goes on behind its last row. Empty: it does not.
+std::string stop_note(const Scenario& scenario) {
+  const std::optional<SaveAt>& rows = row_times(scenario);
+  if (!rows || rows->end() == (*rows)[rows->size() - 1]) return {};
+  const auto time = [&](double t) {
+    return detail::number_text(scenario.units().from_core(t, Dimension::time)) + " " +
+           scenario.units().time();
+  };
+  return "the last row, at t = " + time((*rows)[rows->size() - 1]) +
+         ", lies before stop = " + time(rows->end()) +
+         ", since this is not a whole number of steps; the run goes on to stop";
+}
+
+}  // namespace
+
 Provenance provenance(const Scenario& scenario) {
   Provenance result;
   result.version = version();
@@ -66,6 +87,8 @@ Provenance provenance(const Scenario& scenario) {
   result.scenario_text = scenario.document.text;
   result.notes = std::visit([&](const auto& kind) { return detail::notes_of(kind, scenario); },
                             scenario.experiment);
+  if (std::string note = stop_note(scenario); !note.empty())
+    result.notes.push_back(std::move(note));
   for (const Citation& citation : citations(scenario)) result.citations.emplace_back(citation.text);
   result.run = run_facts(scenario);
   result.options = scenario.output.options;

@@ -23,7 +23,7 @@ RunReport formula_rows(const OwnExperiment& own, const Units& units, RowWriter& 
   constexpr std::int64_t rows_per_block = 1024;
   const SaveAt& rows = *own.rows;
   RunReport report;
-  report.outcome.t = rows[rows.size() - 1];
+  report.outcome.t = rows.end();
   while (writer.rows() < rows.size()) {
     const std::int64_t first = writer.rows();
     const std::int64_t last = std::min(rows.size(), first + rows_per_block);

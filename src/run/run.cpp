@@ -89,7 +89,7 @@ class FreeRun {
                                    inertial_state(system_, 0.0, problem_.initial.rotor))),
         origin_{system_, detail::initial_energy(problem_)},
         rows_(*rotation_.time) {
-    report_.outcome.t = rows_[rows_.size() - 1];
+    report_.outcome.t = rows_.end();
     if (rotation_.events.empty()) return;
     search_.emplace(motion_, rotation_.frame,
                     events_of<RotorState>(scenario, system_, origin_.initial_energy), rows_[0]);
@@ -107,7 +107,7 @@ class FreeRun {
       if (last < rows_.size()) offer_state(rows_[last - 1]);
       if (control_.progress) control_.progress(rows_[last - 1]);
     }
-    if (search_ && goes_on()) keep(search_->finish());
+    if (goes_on() && events_until(rows_.end()) && search_) keep(search_->finish());
     return std::move(report_);
   }
 
@@ -179,7 +179,7 @@ class FreeRun {
 
   // Of rows not yet written.
   std::vector<double> times_until(double end) const {
-    const bool forward = rows_[0] <= rows_[rows_.size() - 1];
+    const bool forward = rows_[0] <= rows_.end();
     std::vector<double> times;
     for (std::int64_t k = writer_.rows(); k < rows_.size(); ++k) {
       const double t = rows_[k];
@@ -230,10 +230,10 @@ RunReport run_integrated(const Scenario& scenario, const RowLayout& layout, RowW
     layout.write_rows(RowOrigin{system, energy_0}, samples, numbers);
   };
   const detail::RowsOfMotion<System, DampedRotorState> motion{problem, *rotation.time, write};
-  auto [report, latest] = detail::integrated_run(motion, writer, control);
-  report.end = latest;
-  if (latest && system.has_energy()) {
-    const auto& [t, end] = *latest;
+  auto [report, last] = detail::integrated_run(motion, writer, control);
+  report.end = last;
+  if (last && system.has_energy()) {
+    const auto& [t, end] = *last;
     report.energy_change = energy(at_damper_rate(system, end.damper_rate), t, end.rotor) - energy_0;
   }
   return report;

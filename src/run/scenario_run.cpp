@@ -180,7 +180,7 @@ class ScenarioRun::Parts {
   RunReport complete_report() const {
     RunReport report;
     report.rows = row_times(scenario_)->size();
-    report.outcome.t = (*row_times(scenario_))[report.rows - 1];
+    report.outcome.t = row_times(scenario_)->end();
     return report;
   }
 

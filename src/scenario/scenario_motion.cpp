@@ -29,7 +29,7 @@ void check_step(const Rotation& rotation, const Values& values, const std::strin
   const std::optional<double> step = method_traits(*rotation.method).step;
   if (!step) return;
   const SaveAt& rows = *rotation.time;
-  const double farthest = std::max(std::fabs(rows[0]), std::fabs(rows[rows.size() - 1]));
+  const double farthest = std::max(std::fabs(rows[0]), std::fabs(rows.end()));
   if (farthest > most_steps * *step)
     refuse(values, has(values, "method.step") ? "method.step" : "method.kind", name,
            "expected a step of which 1e15 at most make the run");

@@ -74,6 +74,12 @@ SaveAt SaveAt::times(std::vector<double> at) {
   return result;
 }
 
+double SaveAt::end() const {
+  const double last = (*this)[size_ - 1];
+  if (is_list()) return last;
+  return start_ <= stop_ ? std::fmax(last, stop_) : std::fmin(last, stop_);
+}
+
 double SaveAt::operator[](std::int64_t k) const {
   if (!at_.empty()) return at_[static_cast<std::size_t>(k)];
   const double row = static_cast<double>(k);

@@ -42,10 +42,16 @@ inline constexpr double adaptive_dense = 1e-10;
 // moves the time by its square root.
 inline constexpr double time_of_zero = 1e-14;
 inline constexpr double time_of_touch = 1e-7;
+// The ends of a stretch at which a function differs from zero by roundings, next to t = 10.
+inline constexpr double time_of_stretch = 1e-13;
+// Of touches like another power: the value there, relative, of which its time is a root.
+inline constexpr double value_of_touch = 1e-13;
 // Times of events of the README's wing nut over ten flips, each of which makes an error of the
 // state some thousand times larger: at 1e-12 and by exact methods; at 1e-6 over two flips.
 inline constexpr double event_time = 1e-7;
 inline constexpr double event_time_loose = 1e-2;
+// Where a momentum that falls in a straight line comes to zero, t up to 10.
+inline constexpr double event_time_of_line = 1e-11;
 // And next to an orbit; at 1e-6; by a splitting of order 2.
 inline constexpr double event_time_beside_orbit = 1e-8;
 inline constexpr double event_time_beside_orbit_loose = 1e-2;
@@ -103,6 +109,9 @@ inline constexpr double collocation_event = 1e-11;
 inline constexpr double collocation_unnamed_edge = 2e-8;
 inline constexpr double collocation_unnamed_edge_of_four = 1e-6;
 inline constexpr double collocation_penumbra = 1e-9;
+// Thirty orbits with penumbras and plates, 0.3 rad: per tolerance, and by rounding.
+inline constexpr double collocation_penumbra_per_tolerance = 1e3;
+inline constexpr double collocation_penumbra_floor = 1e-12;
 inline constexpr double collocation_mesh = 5e-10;
 // A damper of strong friction against 10,000 steps of Adaptive; derivatives against those of
 // Adaptive, relative to the largest entry.

@@ -9,11 +9,15 @@
 //             which is both. It finds every change of sign from one look to the next; two zeros
 //             between two looks, where the function turns around beyond zero; and a touch, where it
 //             turns around at zero to rounding (1e-14 of its values around, and of t), of direction
-//             0, that rising and falling leave out. A function that turns around twice between two
-//             looks, since it varies faster than the body turns, needs an `interval`. A zero at
-//             start or stop is an event; with Problem::continues one at start is not, so that a run
-//             in two parts has it once. A function that stays zero for a while counts once, if its
-//             sign differs afterwards: where it leaves zero.
+//             0, that rising and falling leave out: a kink like |x|, or an even power up to the
+//             20th. A function that turns around twice between two looks, since it varies faster
+//             than the body turns, needs an `interval`. A zero at start or stop is an event; with
+//             Problem::continues one at start is not, so that a run in two parts has it once. A
+//             function that reaches zero and stays there is two events: its first instant at zero,
+//             of the direction in which it came, and the last, of that in which it leaves (0 where
+//             these are start or stop). There it may differ from zero by roundings, 1e-14 of its
+//             largest value so far. Events at one instant are all reported, also if one of them
+//             stops the run.
 // Accuracy    the root of the dense output to rounding of t; its time is as wrong as the state
 //             there, error of g over |dg/dt|. The time of a touch: the square root of that.
 // Errors      what the function throws passes through. NaN, or a step in which more than 1e8 looks

@@ -63,6 +63,8 @@ extern template class BasicTrajectory<DampedRotorState>;
 struct Keep {
   std::optional<SaveAt> samples = std::nullopt;  // none: the end of every step
   bool dense = true;
+  // Of dense output, and of samples at the end of every step. A run that needs more fails there.
+  double most_bytes = 1e9;
 };
 
 }  // namespace v0

@@ -49,6 +49,10 @@ struct BasicStreams {
   // `checkpoint` is called. What that throws ends the run, which can go on from there.
   std::function<bool(double t)> checkpoint_due = {};
   std::function<void(const Checkpoint&)> checkpoint = {};
+  // A step ends at the last sample, whatever comes behind it.
+  bool steps_to_last_sample = false;
+  // Where the run has ended, after all else.
+  std::function<void(const BasicSample<S>&)> end = {};
 };
 using Streams = BasicStreams<RotorState>;
 using DampedStreams = BasicStreams<DampedRotorState>;

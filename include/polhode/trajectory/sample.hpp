@@ -12,6 +12,7 @@
 #pragma once
 
 #include <concepts>
+#include <cstddef>
 #include <functional>
 #include <span>
 #include <string>
@@ -58,6 +59,8 @@ class BasicDenseStep {
   BasicDenseStep(double t0, double t1) : t0_(t0), t1_(t1) {}
   virtual ~BasicDenseStep() = default;
   virtual S at(double t) const = 0;
+  // That it takes in memory.
+  virtual std::size_t bytes() const { return 256; }
   BasicSample<S> sample(double t) const { return {t, at(t)}; }
   double t0() const { return t0_; }
   double t1() const { return t1_; }

@@ -25,6 +25,9 @@ class SaveAt {
 
   std::int64_t size() const { return size_; }
   double operator[](std::int64_t k) const;
+  // Where a run along these rows ends: at `stop`, which may lie behind the last row of a step; at
+  // the last row where rounding puts that beyond `stop`, and of a list.
+  double end() const;
   // Whether the times are a list, in whatever order; steps and counts run one way.
   bool is_list() const { return !at_.empty(); }
   // What made steps and counts; a step of 0 is a count.

@@ -181,14 +181,18 @@ PythonTrajectory integrated(const PythonProblem& python_problem,
                             Typed<"SaveAt | numpy.typing.ArrayLike"> samples, bool dense,
                             const ProgressFunction& progress, const SinkFunction& sink,
                             const EventFunction& events, const CheckpointFunction& checkpoint,
-                            double checkpoint_seconds) {
+                            double checkpoint_seconds, double most_bytes) {
+  if (!(most_bytes > 0.0))
+    throw nb::value_error(
+        ("integrate: most_bytes: got " + number_text(most_bytes) + "; expected a positive number")
+            .c_str());
   if (!sink.is_none())
     return streamed(python_problem, {samples, sink, events, checkpoint, checkpoint_seconds},
                     progress, nullptr);
   if (!events.is_none() || !checkpoint.is_none())
     throw nb::type_error("integrate: events and keep_checkpoint go with a sink; got sink None");
   const DampedProblem problem = problem_of(python_problem);
-  Keep keep{.dense = dense};
+  Keep keep{.dense = dense, .most_bytes = most_bytes};
   if (!samples.is_none()) keep.samples = save_at_of(samples, "samples");
   const Progress look = listener(progress);
   DampedTrajectory trajectory = [&] {
@@ -354,7 +358,7 @@ void bind_dynamics(nb::module_& m) {
   bind_dynamics_values(m);
   m.def("integrate", integrated, "problem"_a, "samples"_a = nb::none(), "dense"_a = true,
         nb::kw_only(), "progress"_a = nb::none(), "sink"_a = nb::none(), "events"_a = nb::none(),
-        "keep_checkpoint"_a = nb::none(), "checkpoint_seconds"_a = 60.0,
+        "keep_checkpoint"_a = nb::none(), "checkpoint_seconds"_a = 60.0, "most_bytes"_a = 1e9,
         R"(Integrates the equations of motion of a problem, by its method.
 
 Parameters
@@ -370,6 +374,8 @@ sink : called as sink(t, states) with blocks of at most 1024 samples, (N,) and a
 events : with a sink: called with every EventRecord, which the trajectory then does not keep.
 keep_checkpoint : with a sink: called with a Checkpoint every `checkpoint_seconds`. What it raises
     ends the run; `resume` goes on from there.
+most_bytes : of memory for dense output, and for samples at the end of every step. A run that needs
+    more fails there, and keeps what it has.
 
 Returns
 -------

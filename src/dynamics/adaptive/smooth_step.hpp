@@ -177,7 +177,8 @@ class SmoothStep {
       const double wanted = solver_.wanted();
       if (!(wanted > 0.0)) return;
       const double rest = (DoubleDouble(stop_) - begin_).hi;
-      const double longest = grading_.longest(switches_, begin_, start_, wanted, rest);
+      const double longest =
+          grading_.longest(switches_, begin_, start_, wanted, rest, solver_.edge_rule());
       if (longest > wanted) solver_.want(longest);
       if (longest < solver_.wanted()) shorten_to(longest);
     }

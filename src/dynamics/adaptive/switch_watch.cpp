@@ -138,6 +138,34 @@ bool SwitchWatch::is_fading(std::size_t which, const DoubleDouble& t, const Roto
   return system_.terms()[term_of(which)].fades_at_switches() && !depends_on_state(which, t, s);
 }
 
+double SwitchWatch::bend(std::size_t which, const DoubleDouble& t, const RotorState& s,
+                         double h) const {
+  const std::size_t term = term_of(which);
+  const double g = norm(s.g);
+  double largest = 0.0;
+  // a torque may happen to vanish at one attitude
+  for (int axis = -1; axis < 3; ++axis) {
+    RotorState turned = s;
+    if (axis >= 0) {
+      Vec3 half{};
+      half[axis] = 0.5;
+      turned.q = normalized(s.q * Quaternion{1.0, half.x, half.y, half.z});
+    }
+    const auto effect = [&](double x) {
+      Setting at = setting_of(system_, t + x * h, turned);
+      at.sides = sides_->of(term);
+      return system_.terms()[term].effect(at);
+    };
+    const Effect a = effect(0.0), b = effect(0.5), c = effect(1.0);
+    const Vec3 u = a.u - 2.0 * b.u + c.u, v = a.v - 2.0 * b.v + c.v;
+    // a body at rest: of the momentum that it gets
+    const double momentum = larger(g, std::fabs(h) * norm(b.u));
+    if (momentum > 0.0) largest = larger(largest, norm(u) / momentum);
+    largest = larger(largest, norm(v));
+  }
+  return largest;
+}
+
 Effect SwitchWatch::change(std::size_t which, const DoubleDouble& t, const RotorState& s) const {
   const std::size_t term = term_of(which);
   SwitchSides sides = *sides_;

@@ -59,6 +59,11 @@ class SwitchWatch {
   // begins like a fractional power.
   bool is_fading(std::size_t which, const DoubleDouble& t, const RotorState& s) const;
 
+  // By how much the effect of its term is off a straight line in the time from t to t + h, on the
+  // sides that hold, per momentum: the largest of a body as it is and turned. Of a fractional power
+  // that begins at t.
+  double bend(std::size_t which, const DoubleDouble& t, const RotorState& s, double h) const;
+
   void transfer(StateBytes& bytes);
   // Sides that the dense output of a step keeps.
   void transfer(StateBytes& bytes, std::shared_ptr<const SwitchSides>& sides) const;

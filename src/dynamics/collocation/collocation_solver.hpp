@@ -11,6 +11,7 @@
 #include <string>
 #include <utility>
 
+#include "dynamics/adaptive/edge_grading.hpp"
 #include "dynamics/collocation/rotor_stages.hpp"
 #include "dynamics/collocation/step_choice.hpp"
 #include "dynamics/collocation/step_estimate.hpp"
@@ -90,10 +91,9 @@ class BasicCollocationSolver {
 
   const DoubleDouble& time() const { return t_; }
   const State& state() const { return state_; }
-  // For what its owner restores between steps.
+  // For what their owner restores or changes between steps.
   State& state() { return state_; }
   const Rates& field() const { return rates_; }
-  // For what of it its owner changes between steps.
   Rates& field() { return rates_; }
   // How long the next step is to be, where it is under control.
   double wanted() const { return control_.is_fixed ? 0.0 : next_.h; }
@@ -109,7 +109,7 @@ class BasicCollocationSolver {
            " from t = " + number_text(t_.hi) +
            " do not converge: take a shorter step, or leave it out for steps under control";
   }
-  // The step tried last, with its sign.
+  EdgeRule edge_rule() const { return {control_.step.tolerance, power_error(stages_.scheme())}; }
   double trial() const { return trial_; }
   std::size_t stages() const { return stages_.scheme().stages; }
   // The step made last.
@@ -286,7 +286,7 @@ class BasicCollocationSolver {
   // and whether the last polynomial has said how it may go.
   double stop_ = 0.0, rest_ = 0.0;
   bool repeated_ = false, is_guessed_ = false;
-  double trial_ = 0.0;
+  double trial_ = 0.0;       // the step tried last, with its sign
   std::int64_t sweeps_ = 0;  // of the step tried last
   std::int64_t steps_ = 0;
   std::int64_t rejected_ = 0;

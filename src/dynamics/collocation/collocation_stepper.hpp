@@ -44,6 +44,8 @@ class CollocationDense final : public BasicDenseStep<typename Stages::Field::Sta
                       [this](std::size_t n, std::size_t m) { return rates_[m * numbers_ + n]; }));
   }
 
+  std::size_t bytes() const override { return sizeof(*this) + rates_.capacity() * sizeof(double); }
+
  private:
   std::shared_ptr<const Field> field_;
   DoubleDouble t_;

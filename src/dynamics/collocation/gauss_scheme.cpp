@@ -71,6 +71,13 @@ const GaussScheme& gauss_scheme(std::size_t stages) {
   }
 }
 
+double power_error(const GaussScheme& scheme) {
+  double error = -0.4;
+  for (std::size_t i = 0; i < scheme.stages; ++i)
+    error += scheme.b[i] * (scheme.c[i] * std::sqrt(scheme.c[i]));
+  return std::abs(error) / (1.0 - std::sqrt(0.5));
+}
+
 StepWeights step_weights(const GaussScheme& scheme, double h) {
   StepWeights w;
   for (std::size_t i = 0; i < scheme.stages; ++i) {

@@ -32,6 +32,10 @@ struct GaussScheme {
 // s = 4, 8, 16 or 32.
 const GaussScheme& gauss_scheme(std::size_t stages);
 
+// How much its quadrature of x^(3/2) over a step of 1 errs, of the bend of that power: its
+// distance from a straight line, 1 - 2 (1/2)^(3/2).
+double power_error(const GaussScheme& scheme);
+
 // The weights of a step of h, and how long it is to the last bit: their sum. They are symmetric, as
 // b is.
 struct StepWeights {

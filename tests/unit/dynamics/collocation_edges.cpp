@@ -133,6 +133,36 @@ TEST(CollocationEdges, LightOfAPenumbraIsFollowed) {
   }
 }
 
+// Steps are long when the spin is slow, and were 2e-6 of them off in every penumbra: 5.8e-7, 7.1e-9
+// and 6.2e-11 rad. The end is that of an extrapolation in 80 bits that is split at the edges of
+// the shadow and of the plates, by a program of its own.
+TEST(CollocationEdges, PenumbrasOfASlowSpinAreAsAccurateAsTheTolerance) {
+  const AnyOrbit orbit("orbit", KeplerOrbit({3.986004418e14, 6.878e6, 0.0, 0.0, 0.6023675687170682,
+                                             2.536708039620767}));
+  const AnyOrbit sun("sun", KeplerOrbit({1.32712440018e20, 1.496e11, 0.0, 0.409}));
+  const Surface panel = Surface::of_plate({0.0, 3.0, 0.0}, {1.0, 0.0, 0.0}, 10.0, {0.2}, true);
+  const Surface dish = Surface::of_plate({1.0, 0.0, 0.2}, {0.0, 0.0, 1.0}, 4.0, {}, true);
+  std::vector<SurfaceFacet> facets(panel.facets().begin(), panel.facets().end());
+  facets.insert(facets.end(), dish.facets().begin(), dish.facets().end());
+  const System system(Body(500.0, 800.0, 1000.0), Frame::inertial(),
+                      {{"sunlight", SolarPressure(Surface(facets), {4.56e-6, 1.496e11}, {orbit},
+                                                  {sun}, Shadow::cone(6.378e6, 6.957e8))}});
+  const RotorState s{normalized(Quaternion{0.9, 0.1, 0.3, 0.2}),
+                     {-2.976e-4, 1.63587e-3, -1.82156e-3}};
+  const RotorState exact{
+      {0.44143581426982374, 0.65283662496654168, -0.45006191811799770, 0.41997980051685988},
+      {0.016525643487597724, 0.091302721345406978, 0.40108896792877018}};
+  for (const double tolerance : {1e-9, 1e-12, 1e-14}) {
+    const Trajectory run = integrate({system, s, 0.0, 170309.4, Collocation{tolerance}},
+                                     {.samples = SaveAt::times({170309.4}), .dense = false});
+    EXPECT_LE(
+        distance(run.samples().back().s, exact),
+        budget::collocation_penumbra_per_tolerance * tolerance + budget::collocation_penumbra_floor)
+        << tolerance;
+    EXPECT_LT(run.statistics().steps, 6000) << tolerance;  // 17510 at 1e-14, of which too few near
+  }
+}
+
 // A mesh of more facets than are watched: their kinks are not named, and were stepped over at 1e-12
 // with an error of 4e-7.
 TEST(CollocationEdges, KinksOfAMeshAreResolved) {

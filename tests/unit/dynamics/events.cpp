@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,7 @@
 
 namespace {
 
+using polhode::test::larger;
 using polhode::test::smaller;
 using namespace polhode;
 using polhode::test::message_of;
@@ -50,6 +52,7 @@ const NamedMethod methods[] = {
 
 class EventsOf : public testing::TestWithParam<NamedMethod> {
  protected:
+  bool is_splitting() const { return GetParam().name.starts_with("Splitting"); }
   bool is_loose() const { return GetParam().name == "AdaptiveLoose"; }
   double budget_of_time() const {
     return is_loose() ? budget::event_time_loose : budget::event_time;
@@ -240,22 +243,79 @@ TEST_P(EventsOf, AtLargeTimesNoneIsLost) {
   }
 }
 
-// A function that is zero for a while counts where it leaves zero, in the order of time.
-TEST_P(EventsOf, AStretchOfZerosEndsARunWhereItIsLeft) {
+// A function that is zero for a while counts where it comes to zero and where it leaves it, in the
+// order of time.
+TEST_P(EventsOf, AStretchOfZerosIsTwo) {
   Problem p =
       sphere(GetParam().method, 100.0, {"stretch", [](double t, const RotorState&) {
                                           return t < 1.0 ? t - 1.0 : (t < 50.0 ? 0.0 : t - 50.0);
                                         }});
   p.start = 0.1;
   p.events.push_back({"other", [](double t, const RotorState&) { return std::sin(t); }});
-  p.events[0].stops = true;
-  const Trajectory run = integrate(p, {.samples = SaveAt::steps(0.1, 100.1, 5.0)});
-  EXPECT_EQ(run.outcome().status, Outcome::Status::stopped_by_event);
-  EXPECT_NEAR(run.outcome().t, 50.0, budget::event_time);
-  EXPECT_EQ(run.samples().back().t, run.outcome().t);
-  EXPECT_EQ(run.events().size(), 16U);  // 15 half turns
+  const Trajectory run = integrate(p, {.samples = SaveAt::steps(0.1, 60.1, 5.0)});
+  EXPECT_EQ(run.events().size(), 33U);  // 31 half turns
+  const std::vector<EventRecord> stretch = of_name(run, "stretch");
+  ASSERT_EQ(stretch.size(), 2U);
+  EXPECT_NEAR(stretch[0].t, 1.0, budget::event_time);
+  EXPECT_NEAR(stretch[1].t, 50.0, budget::event_time);
   EXPECT_TRUE(std::is_sorted(run.events().begin(), run.events().end(),
                              [](const auto& a, const auto& b) { return a.t < b.t; }));
+  p.events[0].stops = true;
+  const Trajectory first = integrate(p, {.samples = SaveAt::steps(0.1, 60.1, 5.0)});
+  EXPECT_EQ(first.outcome().status, Outcome::Status::stopped_by_event);
+  EXPECT_EQ(first.outcome().t, stretch[0].t);
+  EXPECT_EQ(first.samples().back().t, first.outcome().t);
+}
+
+// 12 half turns: every touch of |w| and of its powers.
+TEST_P(EventsOf, TouchesOfAnyPowerAreFound) {
+  if (is_loose()) GTEST_SKIP() << "an error of 1e-6 lifts it off zero, or through";
+  for (const double power : {1.0, 2.0, 4.0, 6.0, 12.0}) {
+    const Event event{"touch", [power](double, const RotorState& s) {
+                        return std::pow(std::fabs(s.q.w), power);
+                      }};
+    const Trajectory run = integrate(sphere(GetParam().method, 40.0, event));
+    ASSERT_EQ(run.events().size(), 6U) << power;
+    for (std::size_t i = 0; i < run.events().size(); ++i) {
+      EXPECT_EQ(run.events()[i].direction, 0);
+      EXPECT_NEAR(run.events()[i].t, pi * static_cast<double>(2 * i + 1),
+                  std::pow(budget::value_of_touch, 1.0 / larger(power, 2.0)));
+    }
+  }
+}
+
+// At one instant all are met, also those behind the one that stops the run in the list, and those
+// whose functions are 0.0 at the end of a step there.
+TEST_P(EventsOf, OnesOfOneInstantAreAllThere) {
+  const double at = 7.25;
+  const std::vector<Event> together = {
+      {"a", [=](double t, const RotorState&) { return t - at; }, Crossing::both, true},
+      {"b", [=](double t, const RotorState&) { return at - t; }},
+      {"c", [=](double t, const RotorState&) { return std::sin(0.3 * (t - at)); }},
+      {"d", [=](double t, const RotorState&) { return std::fabs(t - at); }},
+      {"e", [=](double t, const RotorState&) { return t < at ? at - t : 0.0; }},
+      {"later", [=](double t, const RotorState&) { return t - at - 1e-9; }}};
+  for (const bool lands : {false, true}) {  // a table whose row ends a step there
+    for (std::size_t stop = 0; stop < 2; ++stop) {
+      Problem p = sphere(GetParam().method, 20.0, together[0]);
+      p.events = together;
+      p.events[0].stops = stop == 0;
+      p.events[1].stops = stop == 1;
+      if (lands && is_splitting()) continue;
+      if (lands)
+        p.system = System(
+            p.system.body(), Frame::inertial(),
+            {{"table", TorqueTable({{0.0, {}}, {at, {0.0, 0.0, 1e-3}}},
+                                   {TorqueTable::Between::step, TorqueTable::Outside::hold, {}})}});
+      const Trajectory run = integrate(p);
+      EXPECT_EQ(run.outcome().status, Outcome::Status::stopped_by_event);
+      std::string names;
+      for (const EventRecord& e : run.events()) names += e.name;
+      std::sort(names.begin(), names.end());
+      EXPECT_EQ(names, "abcde") << lands << stop;
+      for (const EventRecord& e : run.events()) EXPECT_NEAR(e.t, at, budget::event_time) << e.name;
+    }
+  }
 }
 
 // Not a number for less time than looks are apart, where the search asks for it.
@@ -393,6 +453,49 @@ TEST_P(EventsOf, MethodsAgreeInAGravityGradient) {
     ASSERT_EQ(found.size(), wanted.size()) << event.name;
     for (std::size_t i = 0; i < found.size(); ++i)
       EXPECT_NEAR(found[i].t, wanted[i].t, allowed) << event.name;
+  }
+}
+
+// A thruster takes the momentum to a rate and goes out: 0.0 or a rounding is left of the function,
+// for good. Nothing was reported.
+TEST(Events, ADespunBodyHasReachedItsRate) {
+  const auto jet = [](const double&, const RotorState&, std::span<const double> sides) {
+    return Vec3{0.0, 0.0, sides[0] > 0.0 ? -0.25 : 0.0};
+  };
+  for (const Method& method : {Method(Collocation{}), Method(Adaptive{})})
+    for (const double rate : {0.125, 0.1, 0.3, 0.7}) {
+      const auto above = [rate](double, const RotorState& s) { return std::vector{s.g.z - rate}; };
+      const System system(Body(1.0, 1.5, 2.0), Frame::inertial(),
+                          {{"jet", SwitchedTorqueTerm(jet, above)}});
+      Problem p{system, {{}, {0.0, 0.0, 1.0}}, 0.0, 10.0, method};
+      p.events = {{"done", [rate](double, const RotorState& s) { return s.g.z - rate; }}};
+      const double time = 4.0 * (1.0 - rate);
+      const Trajectory whole = integrate(p);
+      ASSERT_EQ(whole.events().size(), 2U) << rate;
+      EXPECT_NEAR(whole.events()[0].t, time, budget::event_time_of_line) << rate;
+      EXPECT_EQ(whole.events()[0].direction, -1);
+      EXPECT_EQ(whole.events()[1].t, 10.0);
+      p.events[0].crossing = Crossing::falling;
+      p.events[0].stops = true;
+      const Trajectory run = integrate(p);
+      EXPECT_EQ(run.outcome().status, Outcome::Status::stopped_by_event);
+      EXPECT_EQ(run.stop(), whole.events()[0].t);
+    }
+}
+
+// At rest until a table begins.
+TEST(Events, ABodyLeavesItsRestWhereATableBegins) {
+  const TorqueTable table({{0.0, {}}, {3.0, {}}, {5.0, {0.0, 0.0, 1.0}}}, {});
+  for (const Method& method : {Method(Collocation{}), Method(Adaptive{})}) {
+    Problem p{
+        System(Body(1.0, 1.5, 2.0), Frame::inertial(), {{"table", table}}), {}, 0.0, 4.5, method};
+    p.events = {{"moves", [](double, const RotorState& s) { return s.g.z; }}};
+    const Trajectory run = integrate(p);
+    ASSERT_EQ(run.events().size(), 2U);
+    EXPECT_EQ(run.events()[0].t, 0.0);
+    EXPECT_EQ(run.events()[0].direction, 0);
+    EXPECT_NEAR(run.events()[1].t, 3.0, budget::event_time_of_line);
+    EXPECT_EQ(run.events()[1].direction, 1);
   }
 }
 

@@ -94,16 +94,17 @@ TEST(FreeEvents, AtStartAndStopTheyCountAtAnyTime) {
   }
 }
 
-TEST(FreeEvents, AStretchOfZerosIsLeftOnce) {
-  const Event stretch{
-      .name = "stretch",
-      .function = [](double t,
-                     const RotorState&) { return t < 1.0 ? t - 1.0 : (t < 50.0 ? 0.0 : t - 50.0); },
-      .stops = true};
+TEST(FreeEvents, AStretchOfZerosIsTwo) {
+  const Event stretch{.name = "stretch", .function = [](double t, const RotorState&) {
+                        return t < 1.0 ? t - 1.0 : (t < 50.0 ? 0.0 : t - 50.0);
+                      }};
   const Event other{"other", [](double t, const RotorState&) { return std::sin(t); }};
   const FreeEvents found = free_events(motion, {stretch, other}, 0.1, 100.0);
-  ASSERT_EQ(found.events.size(), 16U);  // 15 half turns
-  EXPECT_NEAR(found.outcome.t, 50.0, budget::time_of_zero * 50.0);
+  ASSERT_EQ(found.events.size(), 33U);  // 31 half turns
+  EXPECT_EQ(found.events[0].name, "stretch");
+  EXPECT_NEAR(found.events[0].t, 1.0, budget::time_of_zero);
+  EXPECT_EQ(found.events[16].name, "stretch");
+  EXPECT_NEAR(found.events[16].t, 50.0, budget::time_of_zero * 50.0);
   for (std::size_t i = 1; i < found.events.size(); ++i)
     EXPECT_LT(found.events[i - 1].t, found.events[i].t);
 }

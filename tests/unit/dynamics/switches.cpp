@@ -344,6 +344,27 @@ TEST(Endless, AStiffDamping) {
   EXPECT_THAT(run.outcome().advice, HasSubstr("damping that stiff"));
 }
 
+// Backwards a damping is a growth: the steps of e^50 rad would fill any memory.
+TEST(Endless, AMotionThatFillsTheMemory) {
+  Problem p{System(Body(1.0, 1.5, 2.0), Frame::inertial(), {{"damping", LinearDamping(1.0)}}),
+            {{}, {0.3, 0.5, 1.0}},
+            0.0,
+            -50.0};
+  for (const Method& method : {Method(Collocation{}), Method(Adaptive{}), Method(Splitting{1e-3})})
+    for (const bool dense : {true, false}) {
+      p.method = method;
+      const Trajectory run = integrate(p, {.dense = dense, .most_bytes = 1e6});
+      EXPECT_EQ(run.outcome().status, Outcome::Status::failed);
+      EXPECT_THAT(run.outcome().advice, HasSubstr("bytes that a trajectory may take in memory"));
+      EXPECT_GT(run.samples().size(), 500U);
+      EXPECT_LE(run.samples().size(), 1'000'000 / sizeof(Sample) + 2);
+      EXPECT_EQ(run.samples().back().t, run.stop());
+      if (dense) {
+        EXPECT_NEAR(run.at(run.stop()).g.z, run.samples().back().s.g.z, budget::adaptive_dense);
+      }
+    }
+}
+
 TEST(Endless, ATorqueThatIsNoise) {
   // changes at every call: no step is good, not one after the other
   const TorqueTerm noise([calls = std::make_shared<int>(0)](const double&, const RotorState&) {

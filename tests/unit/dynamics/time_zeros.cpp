@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "budgets.hpp"
+#include "worst.hpp"
 
 namespace {
 
@@ -39,11 +40,11 @@ std::vector<Zero> zeros_between(const TimeFunction& f, double t0, double t1, int
   return found;
 }
 
-void expect_zeros(const std::vector<Zero>& found, const std::vector<Zero>& wanted) {
+void expect_zeros(const std::vector<Zero>& found, const std::vector<Zero>& wanted,
+                  double time = budget::time_of_zero) {
   ASSERT_EQ(found.size(), wanted.size());
   for (std::size_t i = 0; i < found.size(); ++i) {
-    EXPECT_NEAR(found[i].t, wanted[i].t,
-                wanted[i].direction == 0 ? budget::time_of_touch : budget::time_of_zero)
+    EXPECT_NEAR(found[i].t, wanted[i].t, wanted[i].direction == 0 ? budget::time_of_touch : time)
         << i;
     EXPECT_EQ(found[i].direction, wanted[i].direction) << i;
   }
@@ -154,15 +155,61 @@ TEST(TimeZeros, AtLargeTimesAZeroAtAnEndIsNoStretch) {
   }
 }
 
-TEST(TimeZeros, AStretchOfZerosCountsWhereTheSignChangesOverIt) {
+// |t - t0|^n, as V, parabola and flatter, wherever the looks are.
+TEST(TimeZeros, TouchesOfAnyPower) {
+  for (const double power : {1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0, 12.0, 20.0}) {
+    for (double centre = 0.02; centre < 1.0; centre += 0.0571) {
+      const auto over = [&](double lowest) {
+        return [=](double t) {
+          return lowest + std::pow(std::fabs(2.0 * std::sin(0.5 * (t - centre))), power);
+        };
+      };
+      const std::vector<Zero> found = zeros_between(over(0.0), -1.0, 3.0, 4);
+      ASSERT_EQ(found.size(), 1U) << power << " " << centre;
+      EXPECT_EQ(found[0].direction, 0);
+      const double least = test::larger(power, 2.0);  // roundings of f: 1e-14
+      EXPECT_NEAR(found[0].t, centre, std::pow(budget::value_of_touch, 1.0 / least));
+      EXPECT_THAT(zeros_between(over(1e-9), -1.0, 3.0, 4), IsEmpty()) << power << " " << centre;
+      EXPECT_EQ(zeros_between(over(-1e-9), -1.0, 3.0, 4).size(), 2U) << power << " " << centre;
+    }
+  }
+}
+
+// Its first instant and its last, whichever looks meet it: also none.
+TEST(TimeZeros, AStretchOfZerosIsTwo) {
   const auto pulse = [](double rest) {
     return [rest](double t) { return t < 1.5 ? t - 1.5 : (t < 3.5 ? 0.0 : rest * (t - 3.5)); };
   };
-  // where the function leaves zero, whichever looks meet the stretch: also none
-  for (const int intervals : {1, 2, 3, 6, 60})
-    expect_zeros(zeros_between(pulse(1.0), 0.0, 6.0, intervals), {{3.5, 1}});
-  EXPECT_THAT(zeros_between(pulse(-1.0), 0.0, 6.0, 6), IsEmpty());
-  EXPECT_THAT(zeros_between([](double) { return 0.0; }, 0.0, 6.0, 6), IsEmpty());
+  for (const int intervals : {1, 2, 3, 6, 8, 12, 60}) {
+    expect_zeros(zeros_between(pulse(1.0), 0.0, 6.0, intervals), {{1.5, 1}, {3.5, 1}});
+    expect_zeros(zeros_between(pulse(-1.0), 0.0, 6.0, intervals), {{1.5, 1}, {3.5, -1}});
+    expect_zeros(zeros_between(pulse(1.0), 6.0, 0.0, intervals), {{3.5, -1}, {1.5, -1}});
+    // up to the end, from the start, and all along
+    expect_zeros(zeros_between(pulse(1.0), 0.0, 3.0, intervals), {{1.5, 1}, {3.0, 0}});
+    expect_zeros(zeros_between(pulse(1.0), 2.0, 6.0, intervals), {{3.5, 1}});
+    expect_zeros(zeros_between([](double) { return 0.0; }, 0.0, 6.0, intervals), {{6.0, 0}});
+  }
+  ZeroSearch search;
+  std::vector<Zero> found;
+  search.begin(2.0, 0.0);
+  search.between(pulse(1.0), {2.0, 0.0, 0.0}, {6.0, 2.5, 1.0}, found);
+  expect_zeros(found, {{2.0, 0}, {3.5, 1}});
+}
+
+// What stays next to zero, by roundings of what it is made of, is there: 0.1 + 0.2 - 0.3.
+TEST(TimeZeros, AStretchMayBeOfRoundings) {
+  const auto despun = [](double t) {
+    const double g = t < 2.3 ? 0.3 + 0.25 * (2.3 - t) : (t < 7.1 ? 0.1 + 0.2 : 0.3 + (t - 7.1));
+    return g - 0.3;
+  };
+  for (const int intervals : {8, 10, 20, 100})
+    expect_zeros(zeros_between(despun, 0.0, 10.0, intervals), {{2.3, -1}, {7.1, 1}},
+                 budget::time_of_stretch);
+  // an oscillation that dies away has each of its zeros once, however small it is
+  const auto dying = [](double t) { return std::exp(-4.0 * t) * std::cos(t); };
+  std::vector<Zero> wanted;
+  for (int k = 0; k < 16; ++k) wanted.push_back({(0.5 + k) * pi, k % 2 == 0 ? -1 : 1});
+  expect_zeros(zeros_between(dying, 0.0, 50.0, 60), wanted);
 }
 
 TEST(TimeZeros, TheJumpOfAFoldedAngleIsNone) {

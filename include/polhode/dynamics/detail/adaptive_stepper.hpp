@@ -59,6 +59,8 @@ class ShorterStep final : public BasicDenseStep<typename Field::State> {
     return rates_.field->state(state.y);
   }
 
+  std::size_t bytes() const override { return sizeof(*this); }
+
  private:
   Rates rates_;
   DoubleDouble t0_;

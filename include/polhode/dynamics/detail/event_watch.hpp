@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "polhode/dynamics/detail/met_events.hpp"
 #include "polhode/dynamics/detail/time_zeros.hpp"
 #include "polhode/dynamics/event.hpp"
 #include "polhode/trajectory/state_bytes.hpp"
@@ -62,11 +63,7 @@ class EventWatch {
     if (nan_event_) refuse_nan();
   }
 
-  // The events asked for, in order of time, up to the first that stops the run.
-  struct Found {
-    std::vector<Record> records;
-    bool stops = false;
-  };
+  using Found = FoundEvents<State>;
   // Those of a step from the last end to `end`, and of earlier zeros that it decides on. States
   // come from `step`; `inside`, of the same step, is what is looked at, `intervals` times at least.
   Found search(const Dense& inside, const Dense& step, const Sample& end, int intervals);
@@ -80,7 +77,7 @@ class EventWatch {
       for (const Zero& zero : zeros)
         if (is_asked_for(i, zero.direction)) met.push_back(met_at(i, zero, watched_[i].at_zero));
     }
-    return in_order(met, true);
+    return in_order<State>(met, true);
   }
 
   // Between two looks from a state on.
@@ -112,11 +109,7 @@ class EventWatch {
     double value = 0.0;  // at the last look
     Sample at_zero{};    // where the last zero is that is not decided about
   };
-  // A record, and whether it stops the run.
-  struct Met {
-    Record record;
-    bool stops;
-  };
+  using Met = MetEvent<State>;
   // A step, and the time over which slopes are taken in it.
   struct Looked {
     const Dense& inside;
@@ -126,7 +119,6 @@ class EventWatch {
     double apart_by;
   };
 
-  static bool is_after(double a, double b, bool forward) { return forward ? a > b : a < b; }
   // Methods give an attitude either sign, and a function of the components of q is continuous in
   // one.
   static Sample in_near_form(const Sample& near, const Sample& s) {
@@ -153,27 +145,23 @@ class EventWatch {
     refusal_ = too_many_looks_text(event.name, event.interval, reached_, end);
   }
 
-  static Found in_order(std::vector<Met>& met, bool forward) {
-    std::stable_sort(met.begin(), met.end(), [forward](const Met& a, const Met& b) {
-      return is_after(b.record.t, a.record.t, forward);
-    });
-    Found result;
-    for (Met& one : met) {
-      result.records.push_back(std::move(one.record));
-      result.stops = one.stops;
-      if (one.stops) break;
+  // What is zero at the last look, `at`, if the run stops there: no other look will decide about
+  // it.
+  void meet_undecided(const Looked& step, const Sample& at, std::vector<Met>& met) {
+    const Record* const stop = first_stop<State>(met, step.forward);
+    if (stop == nullptr || !is_same_instant(stop->t, at.t)) return;
+    for (std::size_t i = 0; i < events_.size(); ++i) {
+      std::vector<Zero> zeros;
+      if (!watched_[i].search.is_in_stretch()) watched_[i].search.end(zeros, true);
+      for (const Zero& zero : zeros) meet(i, step, zero, at, met);
     }
-    return result;
   }
 
   // Whether the first event that stops the run does so where none is NaN.
   bool stops_before_nan(const std::vector<Met>& met, bool forward) const {
-    const Met* first = nullptr;
-    for (const Met& one : met)
-      if (one.stops && (first == nullptr || is_after(first->record.t, one.record.t, forward)))
-        first = &one;
+    const Record* const first = first_stop<State>(met, forward);
     if (first == nullptr) return false;
-    const Sample there{first->record.t, first->record.s};
+    const Sample there{first->t, first->s};
     return std::none_of(events_.begin(), events_.end(),
                         [&](const auto& event) { return std::isnan(event.function(there)); });
   }
@@ -190,6 +178,8 @@ class EventWatch {
 
   Look first_look(std::size_t i, const Sample& after, double apart_by) const;
   void look(std::size_t i, const Looked& step, const Sample& at, Look& last, std::vector<Met>& met);
+  void meet(std::size_t i, const Looked& step, const Zero& zero, const Sample& near,
+            std::vector<Met>& met) const;
 
   std::vector<BasicEvent<State>> events_;
   Motion motion_;
@@ -230,12 +220,13 @@ auto EventWatch<Motion>::search(const Dense& inside, const Dense& step, const Sa
     if (nan_event_ && !stops_before_nan(met, forward)) {
       std::erase_if(met, [&](const Met& one) { return is_after(one.record.t, reached_, forward); });
       refuse_nan();
-      return in_order(met, forward);
+      return in_order<State>(met, forward);
     }
     reached_ = t;
   }
+  if (stops) meet_undecided(looked, at, met);
   keep_undecided(step, at);
-  return in_order(met, forward);
+  return in_order<State>(met, forward);
 }
 
 // With the slope after it; but before it where the function turns around so near that neither this
@@ -269,14 +260,19 @@ void EventWatch<Motion>::look(std::size_t i, const Looked& step, const Sample& a
   std::vector<Zero> zeros;
   w.search.between(f, last, now, zeros);
   last = now;
-  for (const Zero& zero : zeros) {
-    if (!is_asked_for(i, zero.direction)) continue;
-    const bool is_new = is_after(zero.t, last_.t, step.forward);
-    const Sample there =
-        is_new ? in_near_form(at, zero.t == step.end.t ? step.end : step.states.sample(zero.t))
-               : w.at_zero;
-    met.push_back(met_at(i, zero, there));
-  }
+  for (const Zero& zero : zeros) meet(i, step, zero, at, met);
+}
+
+// If it is asked for, with the state there, in the form of one near it.
+template <class Motion>
+void EventWatch<Motion>::meet(std::size_t i, const Looked& step, const Zero& zero,
+                              const Sample& near, std::vector<Met>& met) const {
+  if (!is_asked_for(i, zero.direction)) return;
+  const bool is_new = is_after(zero.t, last_.t, step.forward);
+  met.push_back(met_at(
+      i, zero,
+      is_new ? in_near_form(near, zero.t == step.end.t ? step.end : step.states.sample(zero.t))
+             : watched_[i].at_zero));
 }
 
 }  // namespace detail

@@ -4,11 +4,14 @@
 
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "polhode/dynamics/detail/run_span.hpp"
 #include "polhode/dynamics/detail/sample_queue.hpp"
 #include "polhode/dynamics/detail/stepper.hpp"
 #include "polhode/dynamics/resume.hpp"
@@ -39,6 +42,9 @@ Checkpoint made_checkpoint(const Features& features, double t, const std::string
 // The numbers behind the features. DomainError where these are of another problem, saying which.
 StateBytes opened_checkpoint(const Checkpoint& from, const Features& features);
 
+// Why a run ends whose steps are too many for the memory that it may take.
+std::string full_text(double most_bytes, double t);
+
 // Judges by the mean of many steps in a row whether a run will end.
 class EndJudge {
  public:
@@ -50,39 +56,6 @@ class EndJudge {
  private:
   double t_;  // where it was seen last
   std::int64_t steps_ = 0;
-};
-
-// Where a run begins and ends.
-template <MotionState S>
-struct RunSpan {
-  BasicSample<S> initial;
-  double stop;
-  std::string method;  // in words
-  // Where events are first looked at: the very state given, where it is normalised, so that a run
-  // that goes on from another sees the zero, or the side of it, that the other saw last.
-  BasicSample<S> first_look;
-  bool continues = false;
-  // Every sample is the end of a step; otherwise samples come from inside.
-  bool ends_at_samples = false;
-};
-
-// In place of an EventWatch where there are no events.
-template <MotionState S>
-struct NoEvents {
-  using State = S;
-  struct Found {
-    std::vector<BasicEventRecord<S>> records;
-    bool stops = false;
-  };
-  static bool watches() { return false; }
-  void begin(const BasicSample<S>&, bool) {}
-  Found search(const BasicDenseStep<S>&, const BasicDenseStep<S>&, const BasicSample<S>&, int) {
-    return {};
-  }
-  Found finish() { return {}; }
-  std::string refusal() const { return {}; }
-  static std::int64_t evaluations() { return 0; }
-  void transfer(StateBytes&) {}
 };
 
 template <MotionState S, class Watch>
@@ -108,6 +81,7 @@ class Run {
   // What it emits in addition to samples, and what a checkpoint of it says of its problem.
   void connect(const BasicStreams<S>& streams, Features features) {
     streams_ = &streams;
+    if (streams.steps_to_last_sample) last_sample_ = samples_.last_due();
     features_ = std::move(features);
     if (!streams.checkpoint_due) return;
     inside_progress_ = [this](double t) {
@@ -115,6 +89,9 @@ class Run {
       if (progress_) progress_(t);
     };
   }
+
+  // It fails where what it keeps in memory is more.
+  void limit_memory(double most_bytes) { most_bytes_ = most_bytes; }
 
   // Goes on where a checkpoint was made.
   void restore(const Checkpoint& from) {
@@ -144,6 +121,7 @@ class Run {
     parts_.method = span_.method;
     if (!continued_) {
       parts_.outcome.t = span_.initial.t;
+      end_ = span_.initial;
       samples_.begin(parts_.initial);
       watch_.begin(span_.first_look, !span_.continues);
       if (refused()) return false;
@@ -153,7 +131,13 @@ class Run {
     return !at_stop();
   }
   // where to, at the farthest,
-  double next_stop() { return span_.ends_at_samples ? samples_.next(span_.stop) : span_.stop; }
+  double next_stop() {
+    if (span_.ends_at_samples) return samples_.next(span_.stop);
+    const double t = stepper_->time();
+    if (last_sample_ && (span_.initial.t <= span_.stop ? t >= *last_sample_ : t <= *last_sample_))
+      last_sample_.reset();
+    return last_sample_.value_or(span_.stop);
+  }
   // and after the stepper has made it, or has said why not, whether there is another.
   bool stepped(const std::string& advice) {
     if (!advice.empty()) {
@@ -167,6 +151,7 @@ class Run {
     samples_.flush();
     parts_.statistics = stepper_->statistics();
     parts_.statistics.evaluations += watch_.evaluations();
+    if (streams_ != nullptr && streams_->end) streams_->end(end_);
     return std::move(parts_);
   }
 
@@ -192,6 +177,8 @@ class Run {
       if (stopped_) end = {found.records.back().t, found.records.back().s};
     }
     if (keep_dense_) parts_.dense.push_back(dense);
+    bytes_ += static_cast<double>((keep_dense_ ? dense->bytes() + sizeof(dense) : 0) +
+                                  (samples_.keeps_every_step() ? sizeof(Sample) : 0));
     end_ = end;
     return samples_of_step(dense.get());
   }
@@ -220,7 +207,7 @@ class Run {
       parts_.outcome.status = Outcome::Status::stopped_by_event;
     }
     parts_.outcome.t = end_.t;
-    const bool goes_on = !stopped_ && !endless();
+    const bool goes_on = !stopped_ && !endless() && !is_full();
     if (goes_on && end_.t != span_.stop) offer_checkpoint(end_.t);
     if (progress_) progress_(end_.t);
     return goes_on;
@@ -256,6 +243,12 @@ class Run {
     return !advice.empty();
   }
 
+  bool is_full() {
+    if (!(bytes_ > most_bytes_) || end_.t == span_.stop) return false;
+    fail(full_text(most_bytes_, end_.t));
+    return true;
+  }
+
   bool refused() {
     if (watch_.refusal().empty()) return false;
     fail(watch_.refusal());
@@ -278,6 +271,8 @@ class Run {
   const BasicStreams<S>* streams_ = nullptr;
   Features features_;
   bool continued_ = false;
+  std::optional<double> last_sample_;  // at which a step is to end
+  double bytes_ = 0.0, most_bytes_ = std::numeric_limits<double>::infinity();
   // The step made last, while its samples are pushed.
   bool inside_step_ = false;
   bool stopped_ = false;  // by an event, at

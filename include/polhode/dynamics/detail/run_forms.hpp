@@ -25,7 +25,9 @@ BasicTrajectory<S> kept_run(const BasicProblem<M, S>& problem, const Keep& keep,
     kept.insert(kept.end(), block.begin(), block.end());
   };
   SampleQueue<S> samples(problem.start, problem.stop, keep.samples, into_memory);
-  typename BasicTrajectory<S>::Parts parts = make(keep.dense, samples)->result();
+  const auto run = make(keep.dense, samples);
+  run->limit_memory(keep.most_bytes);
+  typename BasicTrajectory<S>::Parts parts = run->result();
   parts.samples = std::move(kept);
   return BasicTrajectory<S>(std::move(parts));
 }

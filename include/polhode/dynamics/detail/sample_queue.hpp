@@ -29,6 +29,8 @@ class DueTimes {
   bool is_due(double t) const { return !is_done() && !is_before(reach(t), due()); }
   // Whether one may be due elsewhere than at t, the end of the step.
   bool wants_dense(double t) const { return !is_done() && (t == stop_ || is_before(due(), t)); }
+  // The last one that a run to `stop` passes, if any is left.
+  std::optional<double> last() const;
   void pass() { ++next_; }
   bool is_before(double a, double b) const { return forward_ ? a < b : a > b; }
   void transfer(StateBytes& bytes) { bytes(next_); }
@@ -60,10 +62,13 @@ class SampleQueue {
     for (; !times_.is_done() && times_.due() == initial.t; times_.pass()) push(initial);
   }
   bool wants_dense(double t) const { return times_.wants_dense(t); }
+  bool keeps_every_step() const { return !times_.is_given(); }
   // Whether the end of a step, at t, is a sample or has some behind it.
   bool is_due(double t) const { return !times_.is_given() || times_.is_due(t); }
   // The sample that is due next, `stop` where there is none.
   double next(double stop) const { return times_.is_done() ? stop : times_.due(); }
+  // The last one, if any is left before `stop`.
+  std::optional<double> last_due() const { return times_.last(); }
   // Samples due up to `end`; those not at it come from the step, each a step itself.
   void step(const BasicDenseStep<S>* dense, const BasicSample<S>& end, const Progress& progress) {
     if (!times_.is_given()) return push(end);

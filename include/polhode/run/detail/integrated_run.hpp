@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The run of whatever integrate() moves, a rotor or a model of any state: from t = 0 to the first
-// row, then along the rows, into the sinks; watched, kept and continued.
+// row, then along the rows into the sinks and on to `stop`; watched, kept and continued.
 #pragma once
 
 #include <functional>
@@ -30,7 +30,7 @@ struct RowsOfMotion {
 template <MotionState S>
 struct IntegratedEnd {
   RunReport report;
-  std::optional<BasicSample<S>> latest;  // of the rows; none where it did not get to the first
+  std::optional<BasicSample<S>> latest;  // where it ended; none where it did not get to the rows
 };
 
 template <class M, MotionState S>
@@ -50,7 +50,7 @@ class IntegratedRun {
       if (!report_.outcome.ok()) return {std::move(report_), std::nullopt};
     }
     go_along_rows();
-    return {std::move(report_), kept_.latest};
+    return {std::move(report_), latest_};
   }
 
  private:
@@ -60,9 +60,8 @@ class IntegratedRun {
     std::string integration;  // of a Checkpoint
     Statistics before{};      // of the way to the first row
     BasicSample<S> first{};   // where the rows start
-    BasicSample<S> latest{};
 
-    void transfer(StateBytes& bytes) { bytes.all(among_rows, integration, before, first, latest); }
+    void transfer(StateBytes& bytes) { bytes.all(among_rows, integration, before, first); }
   };
 
   void go_to_first_row() {
@@ -73,7 +72,7 @@ class IntegratedRun {
     if (lead_in.start != lead_in.stop)
       integrate_on(lead_in, SaveAt::times({lead_in.stop}),
                    [&](std::span<const BasicSample<S>> samples) { there = samples.back(); });
-    kept_.first = kept_.latest = {lead_in.stop, there.s};
+    kept_.first = {lead_in.stop, there.s};
     kept_.before = report_.statistics;
     kept_.among_rows = true;
     from_.reset();
@@ -83,12 +82,12 @@ class IntegratedRun {
     report_.statistics = kept_.before;
     BasicProblem<M, S> along = motion_.from_zero;
     along.start = motion_.rows[0];
+    along.stop = motion_.rows.end();
     along.initial = kept_.first.s;
     const BasicTrajectory<S> trajectory =
         integrate_on(along, motion_.rows, [&](std::span<const BasicSample<S>> samples) {
           writer_.push(samples.size(),
                        [&](std::span<double> numbers) { motion_.write(samples, numbers); });
-          kept_.latest = samples.back();
         });
     for (const BasicEventRecord<S>& event : trajectory.events())
       report_.events.push_back(run_event(event));
@@ -96,7 +95,9 @@ class IntegratedRun {
 
   BasicTrajectory<S> integrate_on(const BasicProblem<M, S>& problem, const SaveAt& times,
                                   BasicSampleSink<S> samples) {
-    BasicStreams<S> streams{std::move(samples), {}, control_.due, {}};
+    BasicStreams<S> streams{std::move(samples), {}, control_.due};
+    streams.steps_to_last_sample = true;  // rows do not depend on what comes behind them
+    streams.end = [this](const BasicSample<S>& at) { latest_ = at; };
     if (control_.event)
       streams.events = [this](const BasicEventRecord<S>& event) {
         control_.event(run_event(event));
@@ -129,6 +130,7 @@ class IntegratedRun {
   const RunControl& control_;
   Kept kept_;
   std::optional<Checkpoint> from_;
+  std::optional<BasicSample<S>> latest_;
   RunReport report_;
 };
 

@@ -29,6 +29,7 @@ class LockstepRun {
     stepper_->tried().put_off_guesses();
     run_ =
         run_by<RotorState>(problem, checked_, std::move(stepper), keep.dense, samples_, progress_);
+    run_->limit_memory(keep.most_bytes);
     goes_on_ = run_->begin() && begins();
   }
   LockstepRun(const LockstepRun&) = delete;
