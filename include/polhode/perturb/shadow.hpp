@@ -3,8 +3,8 @@
 //
 // Equations   cylinder: dark where the centre of the body lies towards the Sun, nearer than its
 //             radius to the ray; the axis of the cylinder is the direction from the lit body to the
-//             Sun, not that from the shading one: for a low orbit they differ by 5e-5 rad. cone: the
-//             fraction of the Sun's disc that the body's disc leaves, discs of angular radii
+//             Sun, not that from the shading one: in a low orbit they differ by 5e-5 rad. cone:
+//             the fraction of the Sun's disc that the body's disc leaves, discs of angular radii
 //             asin(R/d) as circles in a plane (Montenbruck & Gill 2000, section 3.4.2): total,
 //             annular, partial. Borders: away^2 - max(ahead, 0)^2 = radius^2 for the cylinder; for
 //             the cone the distance of the centres of the discs is the sum of their radii, or the

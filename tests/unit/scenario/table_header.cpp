@@ -6,7 +6,6 @@
 #include <string>
 
 #include "polhode/scenario/scenario.hpp"
-#include "run/detail/table_error.hpp"
 #include "temp_folder.hpp"
 
 namespace polhode {
