@@ -83,13 +83,18 @@ def _write(asked: argparse.Namespace) -> None:
     first, last = seconds_between(epoch, start), seconds_between(epoch, stop)
     satellite = _chosen(_read(asked.elements), asked, epoch, 0.5 * (first + last))
     days = satellite._age(epoch, first, last) / 86400
-    if days > _OLD and not asked.any_age:
+    away = satellite._distance(epoch, first, last) / 86400
+    if away > _OLD and not asked.any_age:
         raise ValueError(
             f"{asked.elements}: the elements of {satellite.name} are of "
-            f"{satellites._text(satellite.epoch)}, {days:.0f} days from the interval: SGP4 is "
-            f"off by kilometres in a week, by hundreds after {_OLD:g} days; take elements of the "
+            f"{satellites._text(satellite.epoch)}, {away:.0f} days from the interval: SGP4 is "
+            f"off by kilometres in a week, by hundreds after {_OLD:g} days; use elements of the "
             "time, or --any-age"
         )
+    if days > _OLD and not asked.any_age:
+        print(f"warning: {asked.elements}: the interval goes on until {days:.1f} days from the "
+              f"elements of {satellite.name}: SGP4 is off by hundreds of kilometres after "
+              f"{_OLD:g} days", file=sys.stderr)  # fmt: skip
     spacing = satellite.spacing if asked.step is None else _seconds(asked.step)
     if (last - first) / spacing > _MOST_ROWS:
         raise ValueError(f"{(last - first) / spacing:.3g} rows; expected at most {_MOST_ROWS}: a "

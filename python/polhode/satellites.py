@@ -121,6 +121,11 @@ class Satellite:
         begin = seconds_between(self.epoch, _date(epoch))
         return max(abs(begin + _number(first, "first")), abs(begin + _number(last, "last")))
 
+    def _distance(self, epoch: Date | str, first: float, last: float) -> float:
+        """The seconds from its elements to the interval: 0 inside of it."""
+        begin = seconds_between(self.epoch, _date(epoch))
+        return max(begin + min(first, last), -begin - max(first, last), 0.0)
+
     def orbit(
         self, epoch: Date | str, first: float, last: float, spacing: float | None = None
     ) -> TableOrbit:

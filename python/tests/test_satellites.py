@@ -415,7 +415,7 @@ OTHER = LINES.replace("00005U", "00006U").replace("4753", "4754").replace(
     (LINES + OTHER, [], "a.tle: holds several satellites; expected --satellite with one of 00005"),
     (LINES, [*FROM_TO, "--satellite", "ISS"], "a.tle: no satellite is ISS; there are 00005"),
     (LINES, ["--from", "2001-06-28Z", "--to", "2001-06-29Z"], "a.tle: the elements of 00005 are of "
-     "2000-06-27T18:50:19.734 UTC, 366 days from the interval"),
+     "2000-06-27T18:50:19.734 UTC, 365 days from the interval"),
     (LINES, ["--from", "2000-06-28", "--to", "2000-06-29Z"], "--from: Date: got "),
     (LINES, ["--from", "2000-06-28Z", "--to", "2000-06-31Z"], "--to: Date: got "),
     (LINES, ["--from", "2000-06-29Z", "--to", "2000-06-28Z"], "--to 2000-06-28Z must be later"),
@@ -439,6 +439,13 @@ def test_the_command_says_in_one_line_what_is_wrong(command, text, words, what):
 def test_a_number_tells_satellites_of_one_name_apart(command, number):
     text = "DEB\n" + LINES + "DEB\n" + OTHER
     assert command(text, *FROM_TO, "--satellite", number)[0] == 0
+
+
+def test_a_month_that_begins_at_the_elements_is_a_table_with_a_warning(command):
+    month = ["--from", "2000-06-28Z", "--to", "2000-07-28T12:00:00Z", "--step", "1 h"]
+    status, _, err = command(LINES, *month)
+    assert status == 0
+    assert err.startswith("warning: a.tle: the interval goes on until 30.7 days from the elements")
 
 
 def test_old_elements_are_taken_where_that_is_asked_for(command):
