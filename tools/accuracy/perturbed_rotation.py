@@ -95,7 +95,8 @@ def main():
     text += table([row for row in rows if row not in floor])
     text += FLOOR.format(first=steps[0], last=steps[-1], median=f"{statistics.median(errors):.1e}",
                          largest=f"{max(errors):.1e}")
-    arguments.page.write_text(text + "\n" + table(floor), encoding="ascii")
+    penumbras = (pathlib.Path(__file__).parent / "penumbras.md").read_text(encoding="ascii")
+    arguments.page.write_text(text + "\n" + table(floor) + "\n" + penumbras, encoding="ascii")
 
 
 if __name__ == "__main__":

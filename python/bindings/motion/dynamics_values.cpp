@@ -156,9 +156,11 @@ interval : no two looks at the function are farther apart: for one that varies f
 
 The function is looked at inside every step, twelve times in the fastest turn at least, with its
 slope. It finds changes of sign, two zeros between two looks where it turns around beyond zero, and
-touches (direction 0, with crossing both); zeros at start and stop too. Each is solved on the dense
-output to rounding. What the function raises ends the run and passes through; NaN ends it with an
-outcome that says so.)",
+touches (direction 0, with crossing both; as abs(x) or an even power up to the 20th); zeros at start
+and stop too. A function that reaches zero and stays there is two events, its first instant and its
+last. Events at one instant are all reported, also if one of them stops the run. Each is solved on
+the dense output to rounding. What the function raises ends the run and passes through; NaN ends it
+with an outcome that says so.)",
                           nb::type_slots(object_slots<PythonEvent, &PythonEvent::function>()))
       .def(
           "__init__",
