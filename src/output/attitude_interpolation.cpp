@@ -14,20 +14,22 @@ namespace {
 
 using Row = InterpolationError::Row;
 
+constexpr std::size_t most_nodes = 8;
+using Nodes = std::array<double, most_nodes>;
+
 // Newton's divided differences: a node with a slope stands twice.
-double polynomial(const std::vector<double>& t, std::vector<double> x,
-                  const std::vector<double>& slope, double at) {
-  const std::size_t count = t.size();
-  std::vector<double> top{x[0]};
+double polynomial(std::size_t count, const Nodes& t, Nodes x, const Nodes& slope, double at) {
+  Nodes top{x[0]};
   for (std::size_t order = 1; order < count; ++order) {
     for (std::size_t i = 0; i + order < count; ++i) {
-      const double step = t[i + order] - t[i];
-      x[i] = step == 0.0 ? slope[i] : (x[i + 1] - x[i]) / step;
+      const double step = t.at(i + order) - t.at(i);
+      x.at(i) = step == 0.0 ? slope.at(i) : (x.at(i + 1) - x.at(i)) / step;
     }
-    top.push_back(x[0]);
+    top.at(order) = x[0];
   }
-  double value = top.back();
-  for (std::size_t order = count - 1; order-- > 0;) value = value * (at - t[order]) + top[order];
+  double value = top.at(count - 1);
+  for (std::size_t order = count - 1; order-- > 0;)
+    value = value * (at - t.at(order)) + top.at(order);
   return value;
 }
 
@@ -45,17 +47,19 @@ double InterpolationError::of_middle(std::size_t first, std::size_t nodes) const
   const Row& middle = rows_[first + nodes - 1];
   std::array<double, 4> value{};
   for (std::size_t c = 0; c < (angles ? 3U : 4U); ++c) {
-    std::vector<double> t, x, slope;
+    Nodes t{}, x{}, slope{};
+    std::size_t count = 0;
     for (std::size_t k = 0; k < nodes; ++k) {
       const Row& node = rows_[first + 2 * k];
-      const double jump = angles ? 360.0 * std::round((node.x[c] - middle.x[c]) / 360.0) : 0.0;
+      const double jump =
+          angles ? 360.0 * std::round((node.x.at(c) - middle.x.at(c)) / 360.0) : 0.0;
       for (int twice = 0; twice < (slopes ? 2 : 1); ++twice) {
-        t.push_back(node.t);
-        x.push_back(node.x[c] - jump);
-        slope.push_back(node.slope[c]);
+        t.at(count) = node.t;
+        x.at(count) = node.x.at(c) - jump;
+        slope.at(count++) = node.slope.at(c);
       }
     }
-    value[c] = polynomial(t, x, slope, middle.t);
+    value.at(c) = polynomial(count, t, x, slope, middle.t);
   }
   if (!angles) return angle_between({value[0], value[1], value[2], value[3]}, middle.q);
   constexpr double degree = std::numbers::pi / 180.0;
@@ -78,7 +82,8 @@ void InterpolationError::add(const Row& row) {
   if (rows_.size() < span_) return;
   is_full_ = true;
   largest_ = std::max(largest_, at_spacing(of_middle(0, interpolation_.rows), interpolation_.rows));
-  rows_.pop_front();
+  // the next windows show hardly another error
+  for (std::size_t k = 0; k < interpolation_.rows / 2; ++k) rows_.pop_front();
 }
 
 double InterpolationError::estimate() const {

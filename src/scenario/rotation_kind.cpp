@@ -232,7 +232,10 @@ class RotationBuilder {
     if (const TumblerState* tumbler = std::get_if<TumblerState>(&rotation.state))
       require_psi(values, body, *tumbler, at_.units, name);
     built(values, "state." + chart, name, [&] { return free_rotation(rotation); });
-    if (has_automatic_rows(values)) rotation.time = automatic_times(rotation, values, name);
+    // members of an ensemble share the rows of the file
+    if (has_automatic_rows(values))
+      rotation.time =
+          keeps({"time."}) ? base_->rotation.time : automatic_times(rotation, values, name);
     return made;
   }
 

@@ -361,7 +361,7 @@ class ObjReader {
     }
     const FlatPolygon polygon(corners);
     const auto name = [&](std::size_t k) {
-      return std::to_string(corners_[face.first + k % face.count].vertex + 1);
+      return std::to_string(corners_[face.first + (k < face.count ? k : 0)].vertex + 1);
     };
     if (!polygon.has_area())
       fail(face.line, "a face with no area, or one that crosses itself: " + first_corners(face));

@@ -144,6 +144,16 @@ def test_what_is_wrong_with_automatic_rows(run, scenario, time, message):
     assert result.stderr.count("\n") == 1
 
 
+def test_members_of_an_ensemble_share_the_automatic_rows(run, scenario, ensemble, table, tmp_path):
+    time = 'stop = 10\nstep = "auto"\nerror = 1e-3'
+    t = columns(run, table, scenario(time=time))["t"]
+    result = run("ensemble", ensemble('size = 6\nkeep = "statistics"', time=time), "--out",
+                 tmp_path / "e.csv")
+    assert result.returncode == 0, result.stderr
+    names, rows = table((tmp_path / "e.csv").read_text(encoding="utf-8"))
+    assert names[0] == "t" and [row[0] for row in rows] == list(t)
+
+
 def test_hdf5_holds_what_csv_holds(run, scenario, table, tmp_path):
     path = scenario(columns='"q", "serret", "andoyer"', time="stop = 5000\nstep = 1")
     result = run("run", path, "--out", tmp_path / "a.csv", "--out", tmp_path / "a.h5")

@@ -13,7 +13,6 @@
 #include <cstddef>
 #include <deque>
 #include <string_view>
-#include <vector>
 
 #include "polhode/math/quaternion.hpp"
 
