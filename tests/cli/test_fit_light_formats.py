@@ -159,7 +159,7 @@ def test_alcdef_through_a_scenario(run, fit_file, tmp_path):
 
 
 def test_files_as_they_are(run, night, fit_file, tmp_path):
-    """Out of order, a point twice, an error that is missing, a bad line: the key that mends each."""
+    """Out of order, a point twice, an error that is missing: the key that mends each."""
     light, expected = night
     lines = [f"{t!r};{f!r};{s!r};A night" for t, f, s in zip(
         *(light[n].tolist() for n in ("t", "flux", "sigma")), strict=True)]

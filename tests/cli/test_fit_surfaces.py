@@ -129,7 +129,11 @@ def test_a_search_of_convex_bodies_has_every_pair_of_periods(run, night, fit_fil
     assert images == {"normal", "bisector", "difference"}
     assert all(s["converged"] for s in found["solutions"])
     text = run("fit", path).stdout
-    assert "pairs of periods by what a convex body comes to" in text
+    assert "pairs of periods by the cost that a convex body comes to" in text
+    assert "        cost  chi-square  mode" in text and "the lowest cost" in first["sentence"]
+    for s in found["solutions"]:
+        assert sum(s["cost_terms"].values()) == pytest.approx(s["cost"], rel=budgets.cli_carried)
+        assert s["cost"] >= first["cost"] * (1 - budgets.cli_fit_images)
     assert "convex bodies" in text and "image (normal) of 1" in text
 
 
