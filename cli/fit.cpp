@@ -192,7 +192,8 @@ void fit_light_curves(const FitCommand& options, const Scenario& scenario) {
     fail(scenario, "its start", report.failure);
   if (!report.is_found()) {
     // minima, pairs and what they came to are worth reading without a solution
-    print(options.json ? light_json(scenario, report) : light_text(scenario, report));
+    if (!prints_table(options))
+      print(options.json ? light_json(scenario, report) : light_text(scenario, report));
     if (options.scans_only) return;
     if (report.start) fail(scenario, "its start", report.failure);
     throw std::runtime_error(
@@ -271,7 +272,7 @@ void add_fit(CLI::App& app, const Kinds& kinds) {
                    "not depend on it")
       ->check(whole_number());
   command->add_flag("--scan-only", options->scans_only,
-                    "Of light curves: the scan for periods alone, without a search");
+                    "Stop after the period scan (light curves)");
   command->add_flag("--json", options->json, "For programs: every digit");
   command->footer("Example:\n  " + full_name(*command) +
                   " examples/toutatis-1992.toml --solution fitted.toml");

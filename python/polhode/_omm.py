@@ -15,9 +15,9 @@ Fields = dict[str, str]
 # What these fields must say, if they are there, of elements for SGP4.
 _EXPECTED = {
     "TIME_SYSTEM": ("UTC",),
-    "REF_FRAME": ("TEME",),
+    "REF_FRAME": ("TEME", "TEMEOFDATE"),
     "CENTER_NAME": ("EARTH",),
-    "MEAN_ELEMENT_THEORY": ("SGP4", "SGP/SGP4", "SGP4/SDP4", "SGP"),
+    "MEAN_ELEMENT_THEORY": ("SGP4", "SDP4", "SGP/SGP4", "SGP4/SDP4", "SGP"),
     "EPHEMERIS_TYPE": ("0", "2"),
 }
 _RANGES = {
@@ -67,9 +67,16 @@ def _from_xml(text: str) -> list[Fields]:
     # a message has one segment; some files have none of these levels
     found = named("segment") or named("omm") or [root]
     return [
-        _once((_tag(leaf), leaf.text or "") for leaf in one.iter() if not len(leaf))
+        _once((_field(leaf), leaf.text or "")
+              for leaf in one.iter() if not len(leaf) and _tag(leaf) != "COMMENT")
         for one in found
-    ]
+    ]  # fmt: skip
+
+
+def _field(leaf: ElementTree.Element) -> str:
+    """Each parameter of a user is a field of its own."""
+    name = _tag(leaf)
+    return f"{name}_{leaf.get('parameter', '')}" if name == "USER_DEFINED" else name
 
 
 def _tag(node: ElementTree.Element) -> str:

@@ -236,7 +236,11 @@ def as_xml(*found):
         '<omm id="CCSDS_OMM_VERS" version="2.0"><header><CREATION_DATE/><ORIGINATOR/></header>'
         f"<body><segment><metadata>{leaves(one, 'OBJECT_NAME', 'OBJECT_ID')}</metadata><data>"
         f"<meanElements>{leaves(one, *ELEMENTS)}</meanElements>"
-        f"<tleParameters>{leaves(one, *PARAMETERS)}</tleParameters></data></segment></body></omm>"
+        f"<tleParameters>{leaves(one, *PARAMETERS)}</tleParameters><userDefinedParameters>"
+        "<COMMENT>a</COMMENT><COMMENT>b</COMMENT>"
+        '<USER_DEFINED parameter="PERIOD">92</USER_DEFINED>'
+        '<USER_DEFINED parameter="SEMIMAJOR_AXIS">6796</USER_DEFINED>'
+        "</userDefinedParameters></data></segment></body></omm>"
         for one in found)
     return f'<?xml version="1.0"?>\n<ndm>{segments}</ndm>\n'
 

@@ -188,6 +188,7 @@ std::optional<SpinSolution> with_moments_held(const SpinFit& fit, const SpinSolu
   if (!fit.unknowns.attitude || !fit.unknowns.rate || has_prior_of_moments(fit) ||
       !(fit.unknowns.moment_ratios || fit.unknowns.products))
     return std::nullopt;
+  if (!(found.degrees_of_freedom > 0)) return std::nullopt;  // nothing to judge it by
   SpinFit uniform = fit;
   uniform.unknowns.moment_ratios = uniform.unknowns.products = false;
   if (uniform.seen.numbers() < 6) return std::nullopt;

@@ -142,23 +142,27 @@ double interpolation_error(const TableOrbit& orbit, ErrorSize size) {
   constexpr std::size_t most_looks = 50000;
   const PositionTable& table = orbit.table();
   const std::vector<double>& t = table.times;
-  const int step = orbit.has_velocities() ? 4 : 2;  // two rows
-  // the lowest order has none below it: the next two above tell as much
-  const int least = std::max(step, orbit.order() - 2 * step);
-  const auto rows_for = [&](int order) { return static_cast<std::size_t>(2 * order / step); };
-  if (orbit.order() == step && t.size() < rows_for(2 * step))
+  const int step = orbit.has_velocities() ? 4 : 2, per_row = step / 2;  // of two rows
+  const int order = orbit.order(), above = order + step;
+  // two orders below show how fast the error falls; of a low order, the one above how large it is
+  const bool falls = order > 2 * step;
+  if (!falls && (t.size() < static_cast<std::size_t>(above / per_row)))
     return std::numeric_limits<double>::quiet_NaN();
-  const TableOrbit lower(table, orbit.order() == step ? 2 * step : orbit.order() - step);
-  const TableOrbit lowest(table, least);
+  const TableOrbit other(table, falls ? order - step : above);
+  const TableOrbit lowest(table, falls ? order - 2 * step : order);
+  double largest_size = 0.0;
+  for (const Vec3& x : table.positions) largest_size = std::fmax(largest_size, norm(x));
   const std::size_t stride = 1 + (t.size() - 2) / most_looks;
   double largest = 0.0;
   for (std::size_t k = 1; k < t.size(); k += stride) {
     const double middle = t[k - 1] + 0.5 * (t[k] - t[k - 1]);
-    const Vec3 x = orbit.position(middle), below = lower.position(middle);
-    const double gap = norm(x - below), before = norm(below - lowest.position(middle));
-    const double error = gap < before ? gap * (gap / before) : gap;
-    const double of_size = size == ErrorSize::relative ? error / norm(x) : error;
-    if (of_size > largest) largest = of_size;
+    const Vec3 x = orbit.position(middle), near = other.position(middle);
+    const double gap = norm(x - near), before = norm(near - lowest.position(middle));
+    const double error = falls && gap < before ? gap * (gap / before) : gap;
+    // through the centre a part of the distance means nothing
+    const double whole =
+        size == ErrorSize::relative ? std::fmax(norm(x), 1e-3 * largest_size) : 1.0;
+    if (error > largest * whole) largest = error / whole;
   }
   return largest;
 }

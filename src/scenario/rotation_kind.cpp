@@ -235,7 +235,7 @@ class RotationBuilder {
     // members of an ensemble share the rows of the file
     if (has_automatic_rows(values))
       rotation.time =
-          keeps({"time."}) ? base_->rotation.time : automatic_times(rotation, values, name);
+          base_ != nullptr ? base_->rotation.time : automatic_times(rotation, values, name);
     return made;
   }
 

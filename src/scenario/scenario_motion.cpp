@@ -187,6 +187,8 @@ std::optional<SaveAt> automatic_times(const Rotation& rotation, const Values& va
     if (period < std::fabs(span)) look(start + std::copysign(part * period, span));
   }
   const double step = std::min(margin * std::sqrt(8.0 * error / acceleration), largest_turn / rate);
+  if (std::isnan(acceleration))
+    refuse(values, "time.step", name, "expected torques that are numbers along the free rotation");
   const double steps = std::isnan(step) ? 1.0 : std::max(std::ceil(std::fabs(span) / step), 1.0);
   if (!(steps < most_rows))
     refuse(values, "time.step", name,

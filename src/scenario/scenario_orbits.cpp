@@ -46,6 +46,7 @@ std::optional<TimeSpan> OrbitContext::run_span() const {
     span = {std::min(span.first, rows[k]), std::max(span.last, rows[k])};
     if (rows.size() == 1) break;
   }
+  if (!listed) span = {std::min(span.first, rows.end()), std::max(span.last, rows.end())};
   return span;
 }
 

@@ -15,7 +15,7 @@ namespace detail {
 FacetShape mesh_of(const Values& values, const std::string& path, const std::string& name) {
   const std::string scale_key = path + ".scale", shape_key = path + ".shape";
   if (!has(values, scale_key))
-    refuse(values, scale_key, name, "expected what one unit of the mesh is, such as \"1 m\"");
+    refuse(values, scale_key, name, "expected the length of one unit of the mesh, such as \"1 m\"");
   require_range(values, scale_key, name);
   const double scale = number(values, scale_key);
   const std::filesystem::path file =

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -134,14 +135,14 @@ ElementTable::ElementTable(std::vector<double> times, std::span<const OrbitEleme
       plane_({std::move(times), planes(rows)}, order) {}
 
 double ElementTable::interpolation_error() const {
-  double worst = 0.0;
+  constexpr double least = 1e-6;  // a circle in the plane of reference has no size of its own
+  double size = least, worst = 0.0;
   for (const TableOrbit* const part : {&ellipse_, &plane_}) {
-    double size = 0.0;
-    for (const Vec3& x : part->table().positions) size = std::max<double>(size, norm(x));  // no NaN
+    for (const Vec3& x : part->table().positions) size = std::fmax(size, norm(x));
     const double error = polhode::interpolation_error(*part, ErrorSize::absolute);
-    if (!(error <= worst * size)) worst = error / size;
+    if (!(error <= worst)) worst = error;
   }
-  return worst;
+  return worst / size;
 }
 
 ElementSeries::ElementSeries(std::vector<SeriesTerm> ellipse, std::vector<SeriesTerm> plane)

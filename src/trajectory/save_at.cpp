@@ -77,6 +77,10 @@ SaveAt SaveAt::times(std::vector<double> at) {
 double SaveAt::end() const {
   const double last = (*this)[size_ - 1];
   if (is_list()) return last;
+  // a whole number of steps, to the rounding of start and stop
+  constexpr double roundings = 4.0 * std::numeric_limits<double>::epsilon();
+  if (std::fabs(stop_ - last) <= roundings * std::fmax(std::fabs(start_), std::fabs(stop_)))
+    return last;
   return start_ <= stop_ ? std::fmax(last, stop_) : std::fmin(last, stop_);
 }
 

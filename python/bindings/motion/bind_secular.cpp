@@ -2,6 +2,7 @@
 // Spin axes over ages.
 #include <cstring>
 #include <tuple>
+#include <utility>
 
 #include "interface/records.hpp"
 #include "interface/signals.hpp"
@@ -11,6 +12,7 @@
 #include "polhode/secular/spin_on_orbit.hpp"
 #include "polhode/secular/spin_precession.hpp"
 #include "polhode/secular/tidal_spin.hpp"
+#include "terms/orbit_value.hpp"
 
 namespace polhode::python {
 
@@ -112,14 +114,22 @@ inclination, node, argument : (N,), rad, along the reference axes; argument of t
     cos(Omega) and their like.
 order : of the interpolation, as of a TableOrbit; 0: 10.
 
-ValueError names the row of elements of no ellipse, and times that do not rise.)");
+A UserWarning for rows that are too far apart: interpolation_error above 1e-4. ValueError names the
+row of elements of no ellipse, and times that do not rise.)");
   table
       .def(
           "__init__",
           [](ElementTable* self, const ArrayLike& times, const ArrayLike& e, const ArrayLike& i,
-             const ArrayLike& node, const ArrayLike& argument,
-             int order) { new (self) ElementTable(table_of(times, e, i, node, argument, order)); },
+             const ArrayLike& node, const ArrayLike& argument, int order) {
+            ElementTable made = table_of(times, e, i, node, argument, order);
+            warn_of_coarse_rows("ElementTable", made.interpolation_error(),
+                                "the largest eccentricity or inclination");
+            new (self) ElementTable(std::move(made));
+          },
           "times"_a, "eccentricity"_a, "inclination"_a, "node"_a, "argument"_a, "order"_a = 0)
+      .def_prop_ro("interpolation_error", &ElementTable::interpolation_error,
+                   "About the largest error between rows, of the largest eccentricity or "
+                   "inclination; NaN for too few rows to tell.")
       .def_prop_ro("first_time", &ElementTable::first_time, "Where the table begins.")
       .def_prop_ro("last_time", &ElementTable::last_time, "Where it ends.")
       .def("__repr__", [](const ElementTable& t) {

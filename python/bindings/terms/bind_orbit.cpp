@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Kepler orbits, tables, and Python functions that serve as orbits.
+#include <array>
+#include <cstdio>
+#include <string>
+#include <utility>
+
 #include "interface/batch.hpp"
 #include "interface/dual_number.hpp"
 #include "interface/value.hpp"
@@ -258,6 +263,22 @@ nb::tuple arguments_of(const TableOrbit& o) {
                         o.overhang());
 }
 
+}  // namespace
+
+void warn_of_coarse_rows(const char* what, double error, const char* of) {
+  constexpr double noticeable = 1e-4;
+  if (!(error > noticeable)) return;
+  std::array<char, 32> number{};
+  std::snprintf(number.data(), number.size(), "%.1g", error);
+  const std::string text = std::string(what) +
+                           ": rows that are too far apart: between them the interpolation errs by "
+                           "about " +
+                           number.data() + " of " + of;
+  if (PyErr_WarnEx(PyExc_UserWarning, text.c_str(), 1) != 0) throw nb::python_error();
+}
+
+namespace {
+
 void bind_table(nb::module_& m) {
   using O = TableOrbit;
   nb::class_<O> c(m, "TableOrbit", R"(A path through tabulated positions, of high order.
@@ -270,16 +291,23 @@ velocities : (N, 3), or None: with them the polynomials are Hermite's.
 order : even, up to 16; with velocities a multiple of 4, up to 32. 0 stands for 10 and 12.
 overhang : a time, at most the mean spacing: so far the polynomials at the ends go on beyond them.
 
-position(t) is NaN outside the table. ValueError for times that do not rise, numbers that are not
-finite, too few rows.)");
+position(t) is NaN outside the table. A UserWarning for rows that are too far apart:
+interpolation_error above 1e-4. ValueError for times that do not rise, numbers that are not finite,
+too few rows.)");
   c.def(
        "__init__",
        [](O* self, ArrayLike times, ArrayLike positions, ArrayLike velocities, int order,
           double overhang) {
-         new (self) O(table_of(times, positions, velocities), order, overhang);
+         O made(table_of(times, positions, velocities), order, overhang);
+         warn_of_coarse_rows("TableOrbit", interpolation_error(made), "the distance");
+         new (self) O(std::move(made));
        },
        "times"_a, "positions"_a, "velocities"_a = nb::none(), "order"_a = 0, "overhang"_a = 0.0)
       .def_prop_ro("order", &O::order, "Of the interpolation: degree plus one.")
+      .def_prop_ro(
+          "interpolation_error", [](const O& o) { return interpolation_error(o); },
+          "About the largest error between rows, as a fraction of the distance, estimated from the "
+          "neighbouring orders; NaN for too few rows to tell.")
       .def_prop_ro("first_time", &O::first_time, "Where the table begins.")
       .def_prop_ro("last_time", &O::last_time, "Where it ends.")
       .def_prop_ro("overhang", &O::overhang, "How far the polynomials at the ends go on.")

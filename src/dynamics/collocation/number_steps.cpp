@@ -30,6 +30,7 @@ class Curve final : public NumberCurve {
                          (DoubleDouble(t) - t_).hi / h_,
                          [this](std::size_t n, std::size_t m) { return rates_[m * numbers_ + n]; });
   }
+  std::size_t bytes() const override { return sizeof(*this) + rates_.capacity() * sizeof(double); }
 
  private:
   DoubleDouble t_;

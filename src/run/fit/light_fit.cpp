@@ -124,13 +124,12 @@ void search(const Scenario& scenario, const FitPlan& plan, const LightFitOptions
     report.scan = detail::light_scan(scenario, how.curves, options);
     if (options.scans_only) {
       report.verdict = detail::one_period_text(scenario, *report.scan);
-      report.failure = "a scan alone was asked for";
+      report.failure = "only the scan was requested";
       return;
     }
     if (!plan.light.is_tumbler && report.scan->one && report.scan->one->suffices) {
       report.verdict = detail::one_period_text(scenario, *report.scan);
-      report.failure =
-          "one period is enough, and two were not looked for: fit.rotation = \"tumbler\" does";
+      report.failure = "one period is enough; set fit.rotation = \"tumbler\" to search for two";
       return;
     }
     how.periods = labelled_periods(report.scan->minima, plan.light.scan.labels);

@@ -127,7 +127,9 @@ class Scan {
     if (one == minima.end()) return std::nullopt;
     const auto pair = std::ranges::find_if(scan.minima, is_sound);
     const FourierFit* const two = pair == scan.minima.end() ? nullptr : &pair->refined.fit;
-    return OnePeriod{order, one->refined, suffices(one->refined.fit, two, count)};
+    // a series of a period longer than half of the data has harmonics enough for any curve
+    const bool is_covered = one->refined.fit.f2 * scan.advice.time_base >= 2.0;
+    return OnePeriod{order, one->refined, is_covered && suffices(one->refined.fit, two, count)};
   }
 
   // Whether chi-square falls from one to two frequencies by no more than more coefficients let it

@@ -37,7 +37,7 @@ inline constexpr std::array light_curve_keys = {
         "sigma", Dimension::number,
         "Standard error of each point: a part of the mean flux of its session, "
         "or magnitudes. With `sigma_columns` and in ALCDEF, that of points without an error of "
-        "their own; 0 in simulations alone, for light without noise.")
+        "their own; 0 only in simulations, for light without noise.")
         .not_negative()
         .example("0.01")
         .shown(),

@@ -110,11 +110,25 @@ TEST(ToStop, AContinuedRunIsTheStraightOne) {
   }
 }
 
+// An ephemeris is tabulated over the run, behind the last row too.
+TEST(ToStop, OrbitsCoverTheWholeRun) {
+  const Ran run = ran(scenario_from_text(
+      "schema = 1\n[units]\ntime = \"d\"\nlength = \"km\"\nmoment = \"kg m2\"\n[body]\n"
+      "moments = [1, 2, 2.5]\n[state]\nepoch = \"2013-01-05T00:00:00 UTC\"\n"
+      "axes = \"equator-J2000\"\n[state.attitude-rate]\nquaternion = [1, 0, 0, 0]\n"
+      "omega_body = [0, 0, 1]\n[orbit.moon]\nkind = \"ephemeris\"\ntarget = \"moon\"\n"
+      "centre = \"earth\"\n[[perturbation]]\nkind = \"gravity-gradient\"\norbit = \"moon\"\n"
+      "[time]\nstop = 3.9\nstep = 1\n",
+      "f.toml"));
+  EXPECT_TRUE(run.report.outcome.ok()) << run.report.outcome.advice;
+  EXPECT_EQ(run.numbers.size() % 4, 0U);
+}
+
 TEST(ToStop, ANoteSaysWhereTheRowsEnd) {
   EXPECT_THAT(provenance(scenario("stop = 3.9\nstep = 1\n", "")).notes,
               Contains(HasSubstr("t = 3 s, lies before stop = 3.9 s")));
   for (const char* const time : {"stop = 3\nstep = 1\n", "stop = 3.9\ncount = 3\n", "at = [1, 3]\n",
-                                 "stop = 0.3\nstep = 0.1\n"})
+                                 "stop = 0.3\nstep = 0.1\n", "stop = 2.1\nstep = 0.7\n"})
     EXPECT_THAT(provenance(scenario(time, "")).notes, Not(Contains(HasSubstr("lies before stop"))));
 }
 

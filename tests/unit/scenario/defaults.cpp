@@ -47,13 +47,13 @@ TEST(Defaults, ThatChangeThePhysicsAreRequired) {
        {Row{drag, "air_rate"},
         Row{dipole, "perturbation[0].gauss: got nothing; expected the Gauss coefficients"},
         Row{dipole + numbers,
-            "perturbation[0].rotation_rate: got nothing; expected how fast the field turns"},
+            "perturbation[0].rotation_rate: got nothing; expected the rotation rate of the field"},
         Row{dipole + numbers + "rotation_rate = 0\n",
-            "perturbation[0].meridian: got nothing; expected where longitude 0 is"},
+            "perturbation[0].meridian: got nothing; expected the angle of the prime meridian"},
         Row{dipole + numbers + "field = \"earth\"\n",
-            "perturbation[0].gauss: got [-29442.0, -1501.0, 4797.1] nT; expected none"},
+            "perturbation[0].gauss: got [-29442.0, -1501.0, 4797.1] nT; expected it to be left out"},
         Row{plate + "[[surface]]\nshape = \"box.obj\"\n",
-            "surface[1].scale: got nothing; expected what one unit of the mesh is"}})
+            "surface[1].scale: got nothing; expected the length of one unit of the mesh"}})
     EXPECT_THAT(said(row.rest), HasSubstr(row.message)) << row.rest;
   EXPECT_THAT(said(dipole + "field = \"earth\"\n", no_axes), HasSubstr("expected axes = "));
   // a dipole along the pole is the same however it turns

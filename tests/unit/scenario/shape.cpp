@@ -71,7 +71,7 @@ TEST(ScenarioShape, RefusesInOneLine) {
   EXPECT_THAT(said("moments = [1, 2, 2]\nscale = 2\n"), HasSubstr("body.scale: got 2; expected"));
   EXPECT_THAT(said("shape = \"box.obj\"\nscale = 1\n"), HasSubstr("density"));
   EXPECT_THAT(said("shape = \"box.obj\"\ndensity = 1\n"),
-              HasSubstr("body.scale: got nothing; expected what one unit of the mesh is"));
+              HasSubstr("body.scale: got nothing; expected the length of one unit of the mesh"));
 }
 
 // The torque of the file's term is that of the term built by hand, in the body axes of its tensor.

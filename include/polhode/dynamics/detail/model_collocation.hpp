@@ -86,6 +86,7 @@ class ModelCollocation final : public BasicStepper<typename M::State> {
     State at(double t) const override {
       return t == this->t1() ? end_.s : state_of(*numbers_, curve_->at(t));
     }
+    std::size_t bytes() const override { return sizeof(*this) + curve_->bytes(); }
 
    private:
     std::shared_ptr<const Numbers> numbers_;

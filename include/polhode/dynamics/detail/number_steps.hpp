@@ -33,6 +33,7 @@ class NumberCurve {
   virtual ~NumberCurve() = default;
   virtual double begin() const = 0;
   virtual std::vector<double> at(double t) const = 0;
+  virtual std::size_t bytes() const = 0;  // of memory
 };
 
 class NumberSteps {

@@ -33,7 +33,7 @@ PrimaryRotation earth_at_epoch(const TermContext& at, const Clock& clock, const 
 NamedDipole earth_dipole(const TermContext& at) {
   for (const char* const key :
        {"gauss", "reference_radius", "pole", "rotation_rate", "meridian", "meridian_epoch"})
-    if (at.is_explicit(key)) at.refuse(key, "expected none of it together with field = \"earth\"");
+    if (at.is_explicit(key)) at.refuse(key, "expected it to be left out with field = \"earth\"");
   const std::string& axes = word(at.values(), "state.axes");
   if (axes == "inertial")
     at.refuse("field",
@@ -64,9 +64,9 @@ NamedDipole dipole_of(const DipoleArguments& a, const TermContext& at) {
     at.refuse("reference_radius", "expected the radius that belongs to gauss");
   const bool turns_show = a.gauss->y != 0.0 || a.gauss->z != 0.0;
   if (turns_show && !a.rotation_rate)
-    at.refuse("rotation_rate", "expected how fast the field turns, 0 if it does not");
+    at.refuse("rotation_rate", "expected the rotation rate of the field; 0 for a fixed field");
   if (turns_show && !a.meridian)
-    at.refuse("meridian", "expected where longitude 0 is at t = meridian_epoch");
+    at.refuse("meridian", "expected the angle of the prime meridian at t = meridian_epoch");
   const PrimaryRotation primary{.pole = a.pole,
                                 .rate = a.rotation_rate.value_or(0.0),
                                 .meridian = a.meridian.value_or(0.0),
