@@ -141,7 +141,7 @@ class TableOrbit {
 
 // About the largest error of the polynomials half-way between rows, as a fraction of the distance
 // from the centre, or absolute: the difference from those through two rows less, carried on by how
-// much smaller it is than the one before; at the two lowest orders, that from those through two more
+// much smaller it is than the one before; at the two lowest orders, that from those of two more
 // rows. NaN for tables that are too short to tell.
 enum class ErrorSize { relative, absolute };
 double interpolation_error(const TableOrbit& orbit, ErrorSize size = ErrorSize::relative);
