@@ -7,11 +7,11 @@
 //             its epochs (Alken et al. 2021; IAGA 2024).
 // Units       nT; the coefficients belong to the radius 6371.2 km.
 // Domain      the field from 1900 to 2030, DomainError outside. UT1 is taken for UTC if dut1 = UT1
-//             - UTC (s) is not given: 0.004 deg at most.
+//             - UTC (s) is not given: 0.004 deg at most since 1972, 0.2 deg in 1900.
 // Accuracy    0.0001 deg with dut1 (the motion of the pole). The dipole is 0.8 to 0.9 of the field
 //             of a low orbit, and more farther out.
 // Errors      DomainError for a date outside the domain.
-// Cost        some 50 us.
+// Cost        about 50 us.
 #pragma once
 
 #include <optional>

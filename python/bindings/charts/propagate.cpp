@@ -186,8 +186,10 @@ class Failures {
   std::vector<FailedBody> all_;
 };
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr RotorState nowhere{{nan, nan, nan, nan}, {nan, nan, nan}};
+constexpr RotorState nowhere = [] {
+  constexpr double x = std::numeric_limits<double>::quiet_NaN();
+  return RotorState{{x, x, x, x}, {x, x, x}};
+}();
 
 // Of one motion at a time: between two looks at signals.
 constexpr std::size_t most_times = 512;
