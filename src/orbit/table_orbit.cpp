@@ -158,7 +158,7 @@ double interpolation_error(const TableOrbit& orbit, ErrorSize size) {
     const double middle = t[k - 1] + 0.5 * (t[k] - t[k - 1]);
     const Vec3 x = orbit.position(middle), near = other.position(middle);
     const double gap = norm(x - near), before = norm(near - lowest.position(middle));
-    const double error = falls && gap < before ? gap * (gap / before) : gap;
+    const double error = falls && 4.0 * gap < before ? 4.0 * gap * (gap / before) : gap;
     // through the centre a part of the distance means nothing
     const double whole =
         size == ErrorSize::relative ? std::fmax(norm(x), 1e-3 * largest_size) : 1.0;

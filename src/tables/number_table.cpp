@@ -33,12 +33,12 @@ std::string_view unquoted(std::string_view field) {
   return quoted ? detail::trimmed(field.substr(1, field.size() - 2)) : field;
 }
 
-// What separates fields: commas, or semicolons if there are more of them, or blanks.
+// What separates fields: semicolons, unless there are more commas, or blanks.
 char separator_of(std::string_view line) {
   const auto commas = std::count(line.begin(), line.end(), ',');
   const auto semicolons = std::count(line.begin(), line.end(), ';');
   if (commas == 0 && semicolons == 0) return ' ';
-  return semicolons > commas ? ';' : ',';
+  return semicolons >= commas ? ';' : ',';
 }
 
 void split(std::string_view line, char separator, Fields& fields) {

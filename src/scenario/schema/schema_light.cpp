@@ -98,7 +98,7 @@ constexpr Key keys[] = {
      .type = choice,
      .allowed = "any|tumbler",
      .fallback = "\"any\"",
-     .example = "\"tumbler\"",
+     .example = "\"any\"",
      .help = "Of light curves: any stops after the scan if one period describes the data as well "
              "as two do; tumbler goes on to two periods."},
     {.path = "fit.sessions",

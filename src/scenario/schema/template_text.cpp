@@ -381,7 +381,8 @@ std::string value_in(const Schema& schema, const Key& key, const TemplateSubject
 }
 
 // Keys that say something of light curves alone, of everything else alone, and of neither here.
-constexpr std::string_view for_light[] = {"fit.from", "fit.sessions", "fit.within_factor"};
+constexpr std::string_view for_light[] = {"fit.from", "fit.rotation", "fit.sessions",
+                                          "fit.within_factor"};
 constexpr std::string_view for_others[] = {"fit.iterations", "fit.tolerance", "fit.starts",
                                            "fit.rate_spread", "fit.within"};
 constexpr std::string_view for_sessions = "simulate.sessions";

@@ -322,7 +322,6 @@ perturbation = [
   { kind = "solar-pressure", orbit = "planet", pressure = 10, pressure_distance = 5 }]
 [[surface]]
 shape = "box.obj"
-scale = 1
 scale = @surface[0].scale@
 centre_of_mass = [0.3, 0.2, 0.1]
 specular = @surface[0].specular@

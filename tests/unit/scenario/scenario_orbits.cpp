@@ -314,10 +314,10 @@ TEST_F(ScenarioOrbits, ACoarseTableIsCalledOne) {
   };
   EXPECT_THAT(said(4, "allow_coarse = true\n"),
               HasSubstr("of the distance: rows are too far apart\n"));
-  EXPECT_THAT(said(12),
+  EXPECT_THAT(said(8),
               HasSubstr("rows that are too far apart: between them the interpolation errs"));
   EXPECT_THAT(said(20), HasSubstr("orbit moon: interpolation error"));
-  EXPECT_THAT(said(20), HasSubstr("1e-06 of the distance\n"));
+  EXPECT_THAT(said(20), HasSubstr("3e-07 of the distance\n"));
   EXPECT_THAT(said(20), HasSubstr("table moon.csv, 60 rows, t = 0 to 5900 s\n"));
   // two rows with velocities: nothing to hold them against
   EXPECT_TRUE(std::isnan(interpolation_error(TableOrbit(

@@ -152,7 +152,8 @@ TEST(ScenarioSurface, RefusesInOneLine) {
               HasSubstr("surface[0].emitted: got 2; expected a fraction from 0 to 1"));
   EXPECT_THAT(said(plate + sunlight + "shadow = \"cone\"\nshadow_radius = 1\n"),
               HasSubstr("shadow: got \"cone\"; expected a key sun_radius as well"));
-  EXPECT_THAT(said(plate + "[[perturbation]]\nkind = \"drag\"\norbit = \"sat\"\ndensity = -1\n"),
+  EXPECT_THAT(said(plate + "[[perturbation]]\nkind = \"drag\"\norbit = \"sat\"\ndensity = -1\n"
+                           "air_rate = 0\n"),
               HasSubstr("density: got -1; expected a density that is not negative"));
   EXPECT_THAT(said("[[surface]]\nposition = [0, 0, 0]\nnormal = [0, 0, 0]\narea = 1\n"),
               HasSubstr("surface[0].normal: got"));

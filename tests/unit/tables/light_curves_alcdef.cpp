@@ -126,7 +126,7 @@ TEST(LightCurvesOfAlcdef, MagnitudesBecomeFluxes) {
   EXPECT_NEAR(calibrated.flux / std::pow(10.0, -5.44), 1.0, budget::light_flux);
   EXPECT_EQ(file.sessions[1].zero_magnitude, 0.0);
   EXPECT_EQ(message_of([&] { require_sound(file); }),
-            "x.txt:36: light curve 1, point 4: error 0; expected one above 0");
+            "x.txt:36: light curve 1, point 4 (JD 2451425.657000): error 0; expected one above 0");
 }
 
 TEST(LightCurvesOfAlcdef, WhatIsNotDeclaredIsNotGuessed) {

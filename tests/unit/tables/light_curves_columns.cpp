@@ -60,7 +60,8 @@ TEST_F(LightColumnFiles, InColumnsAreWhatTheCallerSays) {
   EXPECT_EQ(message_of([&] { require_sound(file); }), "");
   EXPECT_EQ(message_of([&] { require_sound(file, {.vectors = true}); }),
             table +
-                ":3: light curve 1, point 1: there is no vector to the observer; expected one, "
+                ":3: light curve 1, point 1 (JD 2451545.000000): there is no vector to the "
+                "observer; expected one, "
                 "in the file or from an orbit");
   columns.is_calibrated = false;
   EXPECT_NEAR(mean_flux(read_light_columns(table, columns).sessions[1].curve), 1.0,

@@ -147,7 +147,7 @@ TEST(LightCurvesOfDamit, PointsOutOfOrderAreNamedByTheirLines) {
   };
   EXPECT_EQ(said("2443846.053", "2443846.053"), "");
   EXPECT_THAT(said("2443846.053", "2443846.032"),
-              HasSubstr("x.lc:5: light curve 1, point 3: time "));
+              HasSubstr("x.lc:5: light curve 1, point 3 (JD 2443846.032000): time "));
   EXPECT_EQ(said("2443846.053", "2443846.042"), "");  // two telescopes
   EXPECT_THAT(said("2443846.053", "2443846.032"), HasSubstr(", point 3 (JD 2443846.032000): "));
 }
