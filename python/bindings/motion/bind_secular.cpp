@@ -114,7 +114,7 @@ inclination, node, argument : (N,), rad, along the reference axes; argument of t
     cos(Omega) and their like.
 order : of the interpolation, as of a TableOrbit; 0: 10.
 
-A UserWarning for rows that are too far apart: interpolation_error above 1e-4. ValueError names the
+A UserWarning for rows that are too far apart: interpolation_error above 1e-3. ValueError names the
 row of elements of no ellipse, and times that do not rise.)");
   table
       .def(
@@ -122,7 +122,7 @@ row of elements of no ellipse, and times that do not rise.)");
           [](ElementTable* self, const ArrayLike& times, const ArrayLike& e, const ArrayLike& i,
              const ArrayLike& node, const ArrayLike& argument, int order) {
             ElementTable made = table_of(times, e, i, node, argument, order);
-            warn_of_coarse_rows("ElementTable", made.interpolation_error(),
+            warn_of_coarse_rows("ElementTable", made.interpolation_error(), 1e-3,
                                 "the largest eccentricity or inclination");
             new (self) ElementTable(std::move(made));
           },

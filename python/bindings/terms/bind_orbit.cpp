@@ -265,8 +265,7 @@ nb::tuple arguments_of(const TableOrbit& o) {
 
 }  // namespace
 
-void warn_of_coarse_rows(const char* what, double error, const char* of) {
-  constexpr double noticeable = 1e-4;
+void warn_of_coarse_rows(const char* what, double error, double noticeable, const char* of) {
   if (!(error > noticeable)) return;
   std::array<char, 32> number{};
   std::snprintf(number.data(), number.size(), "%.1g", error);
@@ -299,7 +298,7 @@ too few rows.)");
        [](O* self, ArrayLike times, ArrayLike positions, ArrayLike velocities, int order,
           double overhang) {
          O made(table_of(times, positions, velocities), order, overhang);
-         warn_of_coarse_rows("TableOrbit", interpolation_error(made), "the distance");
+         warn_of_coarse_rows("TableOrbit", interpolation_error(made), 1e-4, "the distance");
          new (self) O(std::move(made));
        },
        "times"_a, "positions"_a, "velocities"_a = nb::none(), "order"_a = 0, "overhang"_a = 0.0)

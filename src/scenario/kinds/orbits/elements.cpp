@@ -217,7 +217,7 @@ ScenarioHistory elements_orbit(const OrbitContext& at) {
     const DeclaredColumns columns(at, "file", roles);
     Rows rows = rows_of(at, columns);
     ElementTable table(std::move(rows.times), rows.elements, order);
-    std::vector<std::string> warnings = rows_warning(at, "file", table.interpolation_error(),
+    std::vector<std::string> warnings = rows_warning(at, "file", table.interpolation_error(), 1e-3,
                                                      "the largest eccentricity or inclination");
     add_small_angles(at, columns, warnings);
     return {OrbitHistory(std::move(table)),

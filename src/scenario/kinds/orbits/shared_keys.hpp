@@ -2,6 +2,8 @@
 // Keys that several kinds of [orbit.NAME] have.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <string>
 #include <string_view>
@@ -47,21 +49,21 @@ constexpr Key allow_coarse_key = {
     .example = "true",
     .help =
         "Whether rows may be so far apart that the interpolation errs by more than 0.01 of the "
-        "distance, or of the largest eccentricity or inclination. Above 1e-4 there is a "
-        "warning."};
+        "distance, or of the largest eccentricity or inclination. Above 1e-4 (of elements "
+        "1e-3) there is a warning."};
 
-// The warning of rows whose interpolation has this error, or nothing. Refuses coarse rows.
+// The warning of rows whose interpolation errs by more than `noticeable`, or nothing. Refuses
+// coarse rows.
 inline std::vector<std::string> rows_warning(const OrbitContext& at, std::string_view key,
-                                             double error, std::string_view of) {
-  constexpr double noticeable = 1e-4, coarse = 1e-2;
+                                             double error, double noticeable, std::string_view of) {
+  constexpr double coarse = 1e-2;
   if (!(error > noticeable)) return {};
-  const std::string said =
-      "rows that are too far apart: between them the interpolation errs by "
-      "about " +
-      number_text(rounded(error)) + " of " + std::string(of);
+  const std::string said = fmt::format(
+      "rows that are too far apart: between them the interpolation errs by about {:.1g} of {}",
+      error, of);
   if (error > coarse && !at.flag("allow_coarse"))
-    at.refuse(key, said + "; expected at most " + number_text(coarse) +
-                       ", or allow_coarse = true in its table");
+    at.refuse(key, fmt::format("{}; expected at most {}, or allow_coarse = true in its table", said,
+                               coarse));
   return {at.noted(key, said)};
 }
 

@@ -318,7 +318,7 @@ ScenarioOrbit table_orbit(const OrbitContext& at) {
   require_cover(at, rows, table);
   const double error = interpolation_error(table);
   if (!std::isnan(error)) orbit.interpolation_error = error;
-  orbit.warnings = rows_warning(at, rows, error, "the distance");
+  orbit.warnings = rows_warning(at, rows, error, 1e-4, "the distance");
   return orbit;
 }
 
