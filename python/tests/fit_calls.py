@@ -126,7 +126,7 @@ def of_fits():
             {"curves": CURVE},
         ),
         "period_labels": (polhode.period_labels, {"f1": 0.1, "f2": 0.3}, {}),
-        "scan_landscape": (figures.scan_landscape, {"minima": 2}, {"scan": scan}),
+        "scan_landscape": (figures.scan_landscape, {"minima": 2, "zoom": 1}, {"scan": scan}),
         "light_curve_fit": (
             figures.light_curve_fit, {"scale": 1.0}, {"curves": CURVE, "model": BODY},
         ),

@@ -104,7 +104,7 @@ def test_times_have_any_shape_and_order():
 def test_parts_and_defaults():
     assert THEORY.order == 2
     assert THEORY.averages_orbit
-    assert THEORY.least == 1e-11
+    assert THEORY.least == 1e-15
     assert THEORY.gm == WEAK
     assert THEORY.orbit == ORBIT
     assert THEORY.term_count > 100

@@ -168,10 +168,11 @@ class Failures {
       throw nb::type_error(("errors: got a " + class_name(errors) +
                             "; expected an array of objects, numpy.empty(shape, object)")
                                .c_str());
-    if (!errors.attr("shape").equal(shape_tuple(shape)))
+    const nb::object got = errors.attr("shape"), expected = shape_tuple(shape);
+    const auto text = [](const nb::object& x) { return nb::cast<std::string>(nb::repr(x)); };
+    if (!got.equal(expected))
       throw nb::value_error(
-          ("errors: got shape " + std::string(nb::str(errors.attr("shape")).c_str()) +
-           "; expected that of the result, " + std::string(nb::str(shape_tuple(shape)).c_str()))
+          ("errors: got shape " + text(got) + "; expected that of the result, " + text(expected))
               .c_str());
   }
 
@@ -179,7 +180,8 @@ class Failures {
   void fill(nb::handle errors) const {
     errors.attr("fill")(nb::none());
     const nb::object flat = errors.attr("flat");
-    for (const FailedBody& one : all_) flat[one.index] = nb::str(one.reason.c_str());
+    for (const FailedBody& one : all_)
+      flat.attr("__setitem__")(one.index, nb::str(one.reason.c_str()));
   }
 
   std::mutex mutex_;
@@ -324,7 +326,7 @@ void bind_propagate(nb::module_& m) {
       "propagate",
       [](Typed<"Body | collections.abc.Sequence[Body] | numpy.typing.ArrayLike"> bodies,
          const Rotors& states, ArrayLike t, ArrayLike t0, bool short_arc, int threads,
-         Typed<"numpy.typing.NDArray[numpy.object_] | None"> errors) {
+         Typed<"numpy.ndarray | None"> errors) {
         return propagated(bodies, states, t, t0, short_arc, checked_threads(threads), errors);
       },
       "bodies"_a, "states"_a, "t"_a, "t0"_a = 0.0, nb::kw_only(), "short_arc"_a = false,
