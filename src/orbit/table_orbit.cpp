@@ -146,9 +146,9 @@ double interpolation_error(const TableOrbit& orbit, ErrorSize size) {
   const int order = orbit.order(), above = order + step;
   // two orders below show how fast the error falls; of a low order, the one above how large it is
   const bool falls = order > 2 * step;
-  if (!falls && (t.size() < static_cast<std::size_t>(above / per_row)))
-    return std::numeric_limits<double>::quiet_NaN();
-  const TableOrbit other(table, falls ? order - step : above);
+  const bool is_long = t.size() >= static_cast<std::size_t>(above / per_row);
+  if (!falls && !is_long && order == step) return std::numeric_limits<double>::quiet_NaN();
+  const TableOrbit other(table, falls || !is_long ? order - step : above);
   const TableOrbit lowest(table, falls ? order - 2 * step : order);
   double largest_size = 0.0;
   for (const Vec3& x : table.positions) largest_size = std::fmax(largest_size, norm(x));
@@ -158,7 +158,11 @@ double interpolation_error(const TableOrbit& orbit, ErrorSize size) {
     const double middle = t[k - 1] + 0.5 * (t[k] - t[k - 1]);
     const Vec3 x = orbit.position(middle), near = other.position(middle);
     const double gap = norm(x - near), before = norm(near - lowest.position(middle));
-    const double error = falls && 4.0 * gap < before ? 4.0 * gap * (gap / before) : gap;
+    // too short for either, of a curve whose error at the lowest order is `gap`
+    const double squared = 6.0 * gap * (gap / std::fmax(norm(x), 1e-3 * largest_size));
+    const double error = !falls && !is_long            ? std::fmin(gap, squared)
+                         : falls && 4.0 * gap < before ? 4.0 * gap * (gap / before)
+                                                       : gap;
     // through the centre a part of the distance means nothing
     const double whole =
         size == ErrorSize::relative ? std::fmax(norm(x), 1e-3 * largest_size) : 1.0;

@@ -74,7 +74,9 @@ std::string stop_note(const Scenario& scenario) {
   };
   return "the last row, at t = " + time((*rows)[rows->size() - 1]) +
          ", lies before stop = " + time(rows->end()) +
-         ", since this is not a whole number of steps; the run goes on to stop";
+         ", since this is not a whole number of steps; the run goes on to stop, or to an event "
+         "that "
+         "stops it";
 }
 
 }  // namespace

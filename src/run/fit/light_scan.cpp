@@ -139,8 +139,10 @@ class Scan {
     const auto freedom = [](const FourierFit& fit) {
       return static_cast<double>(fit.degrees_of_freedom);
     };
-    if (two == nullptr)
-      return one.chi_square <= freedom(one) + deviations * std::sqrt(2.0 * freedom(one));
+    // within the errors as they are given, unless they are far too large
+    constexpr double far_too_large = 0.5;
+    const bool fits = one.chi_square <= freedom(one) + deviations * std::sqrt(2.0 * freedom(one));
+    if (two == nullptr || (fits && two->chi_square > far_too_large * freedom(*two))) return fits;
     const double noise = std::fmax(two->chi_square / freedom(*two), least_noise);
     const double more = freedom(one) - freedom(*two);
     const double chosen = 2.0 * std::log(0.5 * count * count);

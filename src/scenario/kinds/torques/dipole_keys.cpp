@@ -67,6 +67,7 @@ NamedDipole dipole_of(const DipoleArguments& a, const TermContext& at) {
     at.refuse("rotation_rate", "expected the rotation rate of the field; 0 for a fixed field");
   if (turns_show && !a.meridian)
     at.refuse("meridian", "expected the angle of the prime meridian at t = meridian_epoch");
+  require_pole(at, "pole");
   const PrimaryRotation primary{.pole = a.pole,
                                 .rate = a.rotation_rate.value_or(0.0),
                                 .meridian = a.meridian.value_or(0.0),

@@ -61,6 +61,7 @@ constexpr KindKey<Arguments> keys[] = {
 };
 
 Atmosphere air_of(const Arguments& a, const TermContext& at) {
+  if (a.air_rate != 0.0) require_pole(at, "air_pole");
   const double length = norm(a.air_pole);
   if (!(length > 0.0)) at.refuse("air_pole", "expected a vector that has a direction");
   Atmosphere air{.density = a.density};

@@ -74,6 +74,7 @@ std::optional<Oblateness> oblateness_of(const Arguments& a, const TermContext& a
   if (!a.primary_radius)
     at.refuse("J2",
               "expected a key primary_radius as well, the equatorial radius that J2 belongs to");
+  require_pole(at, "pole");
   return at.built("J2", [&] { return Oblateness{*a.J2, *a.primary_radius, a.pole}; });
 }
 

@@ -2,7 +2,11 @@
 // Keys that several kinds of torque have, each written once.
 #pragma once
 
+#include <string_view>
+
 #include "polhode/scenario/kind_key.hpp"
+#include "polhode/scenario/perturbation_kind.hpp"
+#include "scenario/value_access.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -43,6 +47,12 @@ consteval auto pole_key() {
              "Pole of the attracting body, that J2 belongs to, or about which its magnetic field "
              "turns; in inertial axes, of any length.")
       .otherwise("[0.0, 0.0, 1.0]");
+}
+
+// Along the ecliptic a pole that is left out is that of no planet.
+inline void require_pole(const TermContext& at, std::string_view key) {
+  if (!at.is_explicit(key) && word(at.values(), "state.axes") == "ecliptic-J2000")
+    at.refuse(key, "expected the pole along the ecliptic, in which this file has its axes");
 }
 
 template <auto at>
