@@ -86,7 +86,7 @@ class EdgeGrading {
       bool is_there = border->has_value();
       visit(is_there);
       if (!is_there) border->reset();
-      if (is_there && !*border) border->emplace();
+      if (is_there && !*border) *border = Border{};
       if (is_there) (*border)->transfer(visit);
     }
   }
