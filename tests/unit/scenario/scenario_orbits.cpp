@@ -181,24 +181,29 @@ TEST_F(ScenarioOrbits, TablesThatCannotServeSayWhy) {
 TEST_F(ScenarioOrbits, AFewRowsMayStandInTheScenario) {
   write("moon.csv", "0,1.1,2,3,1,0,7\n1,2,4,3,1,3,0\n2,3,8,2,1,5,0\n3.5,3,8,2,1,0,0\n");
   const std::string rows =
-      "kind = \"table\"\nallow_coarse = true\ntimes = [0, 1, 2, 3.5]\nx = [1.1, 2, 3, 3]\ny = [2, 4, 8, 8]\n"
+      "kind = \"table\"\nallow_coarse = true\ntimes = [0, 1, 2, 3.5]\nx = [1.1, 2, 3, 3]\ny = [2, "
+      "4, 8, 8]\n"
       "z = [3, 3, 2, 2]\n";
   const std::string slopes = "vx = [1, 1, 1, 1]\nvy = [0, 3, 5, 0]\nvz = [7, 0, 0, 0]\n";
   const auto table = [&](const std::string& orbit) {
     return std::get<TableOrbit>(read(orbit).rotation().orbits.at(0).motion);
   };
-  EXPECT_EQ(table(rows + slopes), table("kind = \"table\"\nallow_coarse = true\nfile = \"moon.csv\"\n"));
+  EXPECT_EQ(table(rows + slopes),
+            table("kind = \"table\"\nallow_coarse = true\nfile = \"moon.csv\"\n"));
   EXPECT_FALSE(table(rows).has_velocities());
   const std::string along = "axes = \"ecliptic-J2000\"\n";
-  EXPECT_EQ(table(rows + slopes + along), table("kind = \"table\"\nallow_coarse = true\nfile = \"moon.csv\"\n" + along));
+  EXPECT_EQ(table(rows + slopes + along),
+            table("kind = \"table\"\nallow_coarse = true\nfile = \"moon.csv\"\n" + along));
   EXPECT_THAT(error_of(rows + "vx = [1, 1, 1, 1]\n"), HasSubstr("expected vx, vy and vz, or none"));
   EXPECT_THAT(error_of(rows + "time_unit = \"s\"\n"), HasSubstr("expected a key file as well"));
   EXPECT_THAT(error_of("kind = \"table\"\nallow_coarse = true\ntimes = [0, 1]\nx = [1, 2]\n"),
               HasSubstr("got times, x; expected exactly one of times with x with y with z, file"));
-  EXPECT_THAT(error_of("kind = \"table\"\nallow_coarse = true\ntimes = [0, 1, 2, 3]\nx = [1, 2]\ny = [1]\nz = [1]\n"),
+  EXPECT_THAT(error_of("kind = \"table\"\nallow_coarse = true\ntimes = [0, 1, 2, 3]\nx = [1, 2]\ny "
+                       "= [1]\nz = [1]\n"),
               HasSubstr("orbit.moon.x: got [1, 2]; expected 4 numbers, as many as times has"));
-  EXPECT_THAT(error_of("kind = \"table\"\nallow_coarse = true\nfile = \"moon.csv\"\nvz = [1, 1, 1, 1]\n"),
-              HasSubstr("expected keys times, x, y and z as well"));
+  EXPECT_THAT(
+      error_of("kind = \"table\"\nallow_coarse = true\nfile = \"moon.csv\"\nvz = [1, 1, 1, 1]\n"),
+      HasSubstr("expected keys times, x, y and z as well"));
   EXPECT_THAT(error_of(rows, "[time]\nstop = 20\ncount = 3\n"),
               HasSubstr("orbit.moon.times: got [0, 1, 2, 3.5]; it covers the times 0 to 3.5"));
 }
