@@ -183,7 +183,8 @@ IN_THE_FILE = {
         "15:1: perturbation[0].kind: got nothing; expected \"gravity-gradient\","),
     "a short name of a key": (
         pulled("kind = \"kepler\"\na = 7000\ngm = 3\n"),
-        "20:1: orbit.earth.a: unknown key; with kind \"kepler\" expected kind, gm, "
+        "20:1: orbit.earth.a: unknown key; did you mean semi_major_axis? with kind \"kepler\" "
+        "expected kind, gm, "
         "semi_major_axis,"),
     "an empty table of an orbit": (
         pulled("kind = \"table\"\nfile = \"empty.csv\"\n"),
