@@ -106,6 +106,8 @@ void print(std::string_view text) {
     throw OutputError(std::string("<stdout>: cannot be written: ") + std::strerror(errno));
 }
 
+void warn(const std::string& text) { std::fputs(("warning: " + text + "\n").c_str(), stderr); }
+
 }  // namespace cli
 
 inline namespace v0 {

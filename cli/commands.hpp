@@ -45,6 +45,8 @@ Scenario changed_scenario(const std::string& path, const std::vector<std::string
 
 // Writes to standard output; OutputError when it cannot.
 void print(std::string_view text);
+// Writes "warning: TEXT" to standard error.
+void warn(const std::string& text);
 
 // Ctrl-C or SIGTERM came, and the command has ended in order: exit status 128 + signal.
 struct Interrupted : std::runtime_error {

@@ -151,7 +151,7 @@ void fit_snapshots(const FitCommand& options, const Scenario& scenario) {
     print(options.json ? fit_json(scenario, report, times) : fit_text(scenario, report, times));
 }
 
-void fit_light_curves(const FitCommand& options, const Scenario& scenario) {
+void fit_light_curves(FitCommand options, const Scenario& scenario) {
   const std::vector<double> times = times_at(options, scenario);
   const LightPlan& plan = require_fit(scenario).light;
   const bool scans = plan.searches && plan.periods.empty();
@@ -201,6 +201,11 @@ void fit_light_curves(const FitCommand& options, const Scenario& scenario) {
   }
   if (prints_table(options) && !report.verdict.empty())
     say(scenario.document.name + ": note: " + report.verdict);
+  if (!options.covariance.empty() && !report.has_errors()) {
+    say(scenario.document.name + ": note: --covariance: no file was written, since no solution " +
+        "describes the data");
+    options.covariance.clear();
+  }
   const bool predicted = writes_predictions(options, scenario, report, times);
   if (!writes_files<LightReport>(options, scenario, report, write_light_residuals,
                                  write_light_covariance, write_light_solution) &&

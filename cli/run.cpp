@@ -154,8 +154,7 @@ void run_scenario(const CommandOptions& options, const Kinds& kinds) {
     }
   }
   if (!report.outcome.ok()) throw std::runtime_error(failure_text(scenario, report, out));
-  for (const std::string& warning : report.warnings)
-    std::fputs(("warning: " + warning + "\n").c_str(), stderr);
+  for (const std::string& warning : report.warnings) warn(warning);
   if (to_standard_output) return;
   std::vector<SummaryLine> lines = summary(scenario);
   if (!table_only)

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -25,8 +24,7 @@ Scenario changed_scenario(const std::string& path, const std::vector<std::string
   try {
     for (const std::string& change : changes) all.push_back(change_of(change));
     Scenario scenario = read_scenario(path, kinds, all);
-    for (const std::string& text : warnings(scenario))
-      std::fputs(("warning: " + text + "\n").c_str(), stderr);
+    for (const std::string& text : warnings(scenario)) warn(text);
     return scenario;
   } catch (const ScenarioError&) {
     throw;

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <cstdio>
 #include <memory>
 #include <string>
 
@@ -18,10 +17,8 @@ void show(const SpectrumCommand& of) {
   const SpectrumReport report = spectrum_report(of.request);
   print(of.csv ? spectrum_csv(report) : spectrum_text(report));
   if (const int close = unresolved(report.spectrum); of.csv && close > 0)
-    std::fputs(("spectrum: warning: " + std::to_string(close) +
-                " lines are closer than 10 turns over the samples to another (column isolation)\n")
-                   .c_str(),
-               stderr);
+    warn("spectrum: " + std::to_string(close) +
+         " lines are closer than 10 turns over the samples to another (column isolation)");
 }
 
 }  // namespace

@@ -253,7 +253,8 @@ def satellites_from_text(text: str, source: str = "text") -> list[Satellite]:
         try:
             satellites.append(_satellite_of_fields(fields))
         except ValueError as wrong:
-            place = f"message {k}: " if len(found) > 1 else ""
+            name = fields.get("OBJECT_NAME") or fields.get("NORAD_CAT_ID") or "no name"
+            place = f"message {k} ({_printable(name)}): " if len(found) > 1 else ""
             raise ValueError(f"{source}: {place}{wrong}") from None
     return satellites
 

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
-#include <optional>
+#include <utility>
 
 #include "fit/detail/rotation_vector.hpp"
 #include "fit/detail/snapshot_residuals.hpp"
 #include "fit/detail/turn_covariance.hpp"
+#include "fit/detail/undetermined_moments.hpp"
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
 #include "polhode/rotor/body.hpp"
@@ -104,35 +104,6 @@ double size_of_turn(const SpinFit& fit, const std::vector<double>& x) {
   return fit.unknowns.attitude ? norm(Vec3{x[0], x[1], x[2]}) : 0.0;
 }
 
-// Moments at their start in place of those that were found.
-SpinSolution with_held(const SpinFit& fit, SpinSolution found) {
-  constexpr double infinite = std::numeric_limits<double>::infinity();
-  const UnknownsCovariance known = std::move(found.covariance);
-  found.covariance = {};
-  std::vector<double> x;
-  const std::vector<std::size_t> parameters = detail::parameters_of(fit.unknowns);
-  const std::size_t n = parameters.size(), m = known.names.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    found.covariance.names.emplace_back(detail::parameter_name(parameters[i]));
-    x.push_back(i < m ? found.result.x[i] : detail::parameter_of(fit.start, parameters[i]));
-    if (i >= m) found.held.push_back(found.covariance.names.back());
-    for (std::size_t j = 0; j < n; ++j)
-      found.covariance.matrix.push_back(i < m && j < m ? known.matrix[i * m + j]
-                                        : i == j       ? infinite
-                                                       : std::numeric_limits<double>::quiet_NaN());
-  }
-  found.result.x = std::move(x);
-  found.covariance.weak = known.weak;
-  for (UnknownsCovariance::Combination& one : found.covariance.weak) one.direction.resize(n, 0.0);
-  std::string names;
-  for (const std::string& name : found.held)
-    names += (names.empty() ? "" : name == found.held.back() ? " and " : ", ") + name;
-  found.notes.push_back("not determined: " + names +
-                        "; one rotation about a fixed axis of the body describes the data as well, "
-                        "so that they stay at their start, and other errors are for these moments");
-  return found;
-}
-
 SpinSolution fitted(const SpinFit& fit) {
   SpinFit about = fit;
   const std::vector<std::size_t> parameters = detail::parameters_of(fit.unknowns);
@@ -169,54 +140,13 @@ SpinSolution fitted(const SpinFit& fit) {
   return found;
 }
 
-// By how much the sum may fall with unknown moments where only noise makes the body wobble: by the
-// two numbers of the wobble, its period and its form, and the choice of the period.
-constexpr double most_of_noise = 25.0;
-constexpr int uniform_iterations = 50;
-
-bool has_prior_of_moments(const SpinFit& fit) {
-  return std::ranges::any_of(fit.priors, [](const NormalPrior& prior) {
-    return std::ranges::any_of(prior.unknowns,
-                               [](const std::string& name) { return name.starts_with("I"); });
-  });
-}
-
-// The solution with moments at their start, if a rotation about a fixed axis of the body, that of a
-// ball, describes the data as well as the solution does, and so do the moments of the start. Then
-// what was found for them is noise.
-std::optional<SpinSolution> with_moments_held(const SpinFit& fit, const SpinSolution& found) {
-  if (!fit.unknowns.attitude || !fit.unknowns.rate || has_prior_of_moments(fit) ||
-      !(fit.unknowns.moment_ratios || fit.unknowns.products))
-    return std::nullopt;
-  if (!(found.degrees_of_freedom > 0)) return std::nullopt;  // nothing to judge it by
-  SpinFit uniform = fit;
-  uniform.unknowns.moment_ratios = uniform.unknowns.products = false;
-  if (uniform.seen.numbers() < 6) return std::nullopt;
-  SpinFit held = uniform;
-  uniform.error_factor = found.error_factor;
-  uniform.scales_errors = false;
-  uniform.most_iterations = std::min(uniform.most_iterations, uniform_iterations);
-  uniform.start = found.state;
-  uniform.start.inertia_F = Mat3::identity();
-  const double per_number = std::fmax(1.0, found.result.cost / found.degrees_of_freedom);
-  const auto is_as_good = [&](const SpinSolution& other) {
-    return other.result.end != LeastSquaresResult::End::no_value &&
-           other.result.cost - found.result.cost <= most_of_noise * per_number;
-  };
-  if (!is_as_good(fitted(uniform))) return std::nullopt;
-  SpinSolution solution = fitted(held);
-  return solution.is_found() && is_as_good(solution) ? std::optional(with_held(fit, solution))
-                                                     : std::nullopt;
-}
-
 }  // namespace
 
 SpinSolution fit_spin(const SpinFit& fit) {
   check(fit.seen);
   require_start(fit);
   SpinSolution found = fitted(fit);
-  if (std::optional<SpinSolution> held = with_moments_held(fit, found)) return *held;
-  return found;
+  return detail::with_undetermined_moments(fit, std::move(found), fitted);
 }
 
 LeastSquares least_squares_of(const SpinFit& fit) {

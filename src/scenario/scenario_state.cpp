@@ -74,7 +74,7 @@ DampedProblem rotor_problem(const Rotation& rotation) {
   return {rotor_system(rotation),
           {initial_state(rotation), rotation.damper_rate},
           0.0,
-          rows[rows.size() - 1],
+          rows.end(),
           propagation_method(rotation).value_or(default_rotor_method)};
 }
 

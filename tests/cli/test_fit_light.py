@@ -339,7 +339,7 @@ def test_one_period_is_enough_for_a_rotator_and_not_for_a_tumbler(run, night, fi
     first = done.stdout.splitlines()[0]
     assert first.startswith("one period describes these data: 2.1"), first
     assert "if the light has two maxima in a rotation, that takes 4.2" in first
-    assert "search " not in done.stdout and "one frequency     order 2, 2.1" in done.stdout
+    assert "\nsearch " not in done.stdout and "one frequency     order 1, 2.1" in done.stdout
     one = json.loads(run("fit", path, "--json").stdout)["scan"]["one_period"]
     assert one["suffices"] and abs(one["period"] - 2.1) < 0.01
     assert one["chi_square"] < 1.4 * one["degrees_of_freedom"]

@@ -216,7 +216,7 @@ def test_a_mesh_is_found_where_no_ellipsoid_leads_to_it(run, fit_file, tmp_path)
     (tmp_path / "seen.obj").write_text(knobs())
     head = HEAD
     for given, instead in (("moments = [0.5625, 1.2025, 1.36]  # of the ellipsoid 1 : 0.6 : 0.45",
-                            'shape = "seen.obj"\ndensity = 1'),
+                            'shape = "seen.obj"\nscale = "1 m"\ndensity = 1'),
                            ("[units]", '[units]\nlength = "m"'), ('"LAM"', '"SAM"'),
                            ("period = 20", "period = 97.253149"),
                            ("longitude = 50", "longitude = 206.813"),
@@ -280,7 +280,8 @@ def test_a_mesh_beside_a_solution_is_no_file_that_is_read(run, night, fit_file, 
     truth = tmp_path / "egg-seen.obj"
     truth.write_text(egg())
     (tmp_path / "egg.obj").write_text("mine")
-    head = HEAD.replace("moments = [0.5625, 1.2025, 1.36]", 'shape = "egg-seen.obj"\ndensity = 1')
+    head = HEAD.replace("moments = [0.5625, 1.2025, 1.36]", 
+                        'shape = "egg-seen.obj"\nscale = 1\ndensity = 1')
     path = fit_file(CONVEX, FREE, head=head, name="of-shape.toml")
     done = run("fit", path, "--solution", tmp_path / "egg.toml")
     assert done.returncode == 2 and "egg-seen.obj" in done.stderr, done.stderr
@@ -310,7 +311,7 @@ def test_a_mesh_thinner_than_any_ellipsoid_of_a_start_is_found(run, fit_file, tm
         f"v {x[1]} {0.2 * float(x[2])} {0.2 * float(x[3])}\n" if x[0] == "v"
         else " ".join(x) + "\n" for x in lines))  # fmt: skip
     body = TUMBLER[TUMBLER.index("[body]"):TUMBLER.index("[state.tumbler]")]
-    head = (HEAD.replace(body, '[body]\nshape = "seen.obj"\ndensity = 1\n')
+    head = (HEAD.replace(body, '[body]\nshape = "seen.obj"\nscale = "1 m"\ndensity = 1\n')
             .replace('angle = "deg"', 'angle = "deg"\nlength = "m"')
             .replace("rotation_period = 20", "rotation_period = 0.9"))
     one = '[fit]\nfrom = "search"\nstarts = 30\n[[fit.periods]]\nmode = "LAM"\n' \

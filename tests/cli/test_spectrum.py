@@ -60,7 +60,7 @@ def test_close_lines_get_a_warning(run, tmp_path):
     done = run("spectrum", path, "--column", "x", "--lines", 2)
     assert done.returncode == 0 and "* closer than 0.0" in done.stdout
     done = run("spectrum", path, "--column", "x", "--lines", 2, "--csv")
-    assert "spectrum: warning: 2 lines are closer than 10 turns" in done.stderr
+    assert "warning: spectrum: 2 lines are closer than 10 turns" in done.stderr
 
 
 @pytest.mark.parametrize(("arguments", "said"), [

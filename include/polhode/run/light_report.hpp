@@ -56,6 +56,7 @@ struct OnePeriod {
   std::size_t order;  // of the series
   RefinedPair refined;
   bool suffices;
+  std::vector<double> aliases;  // frequencies that fit as well to 3 sigma
 };
 struct LightScan {
   ScanAdvice advice;
@@ -113,6 +114,8 @@ struct LightReport {
   std::string verdict;
 
   bool is_found() const { return !solutions.empty(); }
+  // Whether any solution describes the data: otherwise errors mean nothing.
+  bool has_errors() const;
   std::size_t points() const;
 };
 

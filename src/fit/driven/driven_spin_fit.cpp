@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "fit/detail/turn_covariance.hpp"
+#include "fit/detail/undetermined_moments.hpp"
 #include "fit/driven/driven_residuals.hpp"
 #include "math/is_finite.hpp"
 #include "math/number_text.hpp"
@@ -119,12 +120,7 @@ detail::DrivenMotion motion_of(const SpinDrive& solved, const SpinSolution& solu
   return {solved, solution.state, detail::starts_of(solved), detail::changes_of(solved)};
 }
 
-}  // namespace
-
-SpinSolution fit_driven_spin(const SpinFit& fit, const SpinDrive& drive) {
-  check(fit.seen);
-  require_state(fit, drive);
-  require_drive(fit, drive);
+SpinSolution fitted(const SpinFit& fit, const SpinDrive& drive) {
   SpinFit about = fit;
   SpinDrive driven = drive;
   SpinSolution found;
@@ -157,6 +153,16 @@ SpinSolution fit_driven_spin(const SpinFit& fit, const SpinDrive& drive) {
   std::ranges::move(notes_on_errors(problem, found.result, found.covariance),
                     std::back_inserter(found.notes));
   return found;
+}
+
+}  // namespace
+
+SpinSolution fit_driven_spin(const SpinFit& fit, const SpinDrive& drive) {
+  check(fit.seen);
+  require_state(fit, drive);
+  require_drive(fit, drive);
+  return detail::with_undetermined_moments(
+      fit, fitted(fit, drive), [&](const SpinFit& other) { return fitted(other, drive); });
 }
 
 LeastSquares least_squares_of(const SpinFit& fit, const SpinDrive& drive) {
@@ -194,6 +200,7 @@ std::vector<PredictedAttitude> predicted(const SpinFit& fit, const SpinDrive& dr
   const SpinDrive solved = solved_drive(fit, drive, solution);
   SpinFit about = fit;
   about.start = solution.state;
+  if (!solution.held.empty()) about.unknowns.moment_ratios = false;
   const std::vector<double> x(solution.result.x);
   const std::vector<detail::DrivenColumn> columns =
       detail::DrivenResiduals(about, solved).columns(x);
@@ -203,11 +210,11 @@ std::vector<PredictedAttitude> predicted(const SpinFit& fit, const SpinDrive& dr
         "predicted: the motion of the solution does not reach all of the times, or "
         "has no derivatives there");
   }
+  const UnknownsCovariance known = solution.covariance.without(solution.held);
   std::vector<PredictedAttitude> found;
   for (std::size_t i = 0; i < times.size(); ++i) {
     const detail::MovedPoint& point = (*points)[i];
-    found.push_back(
-        {times[i], point.q, point.w_F, detail::turn_covariance(point.turn, solution.covariance)});
+    found.push_back({times[i], point.q, point.w_F, detail::turn_covariance(point.turn, known)});
   }
   return found;
 }

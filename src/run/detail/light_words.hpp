@@ -19,8 +19,6 @@ const char* loss_word(const Loss& loss);  // as fit.loss has it
 // What solutions are ranked by, the sum that was minimised, as tables name it: "chi-square" of the
 // data; "loss" if it is robust; "cost" of convex bodies, with what regularises them.
 const char* rank_word(const LightReport& report, const Loss& loss);
-// Whether any solution describes the data: otherwise none has errors that mean anything.
-bool has_errors(const LightReport& report);
 
 // Where a direction along the axes of the state points, in rad: longitude or right ascension, 0 to
 // 2 pi, and latitude or declination.

@@ -212,6 +212,11 @@ std::size_t LightReport::points() const {
   return n;
 }
 
+bool LightReport::has_errors() const {
+  return std::ranges::any_of(solutions,
+                             [](const FoundLight& one) { return one.solution.describes_data(); });
+}
+
 bool observes_light(const Scenario& scenario) {
   const FitPlan* const plan = fit_plan(scenario);
   return plan != nullptr && plan->has_light();

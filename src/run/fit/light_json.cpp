@@ -52,7 +52,9 @@ void add_scan(JsonWriter& json, const Scenario& scenario, const LightScan& scan)
     json.key("one_period").begin_object().key("order").value(whole(scan.one->order));
     json.key("period").value(time / fit.f2).key("chi_square").value(fit.chi_square);
     json.key("degrees_of_freedom").value(whole(fit.degrees_of_freedom - 1));
-    json.key("suffices").value(scan.one->suffices).end_object();
+    json.key("suffices").value(scan.one->suffices).key("aliases").begin_array();
+    for (const double f : scan.one->aliases) json.value(time / f);
+    json.end_array().end_object();
   }
   json.key("minima").begin_array();
   for (const ScanMinimum& m : scan.minima) {

@@ -107,13 +107,24 @@ class Scan {
             SeparateSessions{found.sessions, plan_.windows, found.pairs}, std::nullopt};
   }
 
-  // The lines of two frequencies to `order` are multiples up to twice that of one. The pair of
-  // frequencies has more coefficients, and the lowest of very many pairs fits some of the noise.
+  // The series with the fewest harmonics that describes the data, or else the one with the most.
+  // Series with more harmonics also fit at multiples of the period, and at aliases of evenly spaced
+  // observations.
   std::optional<OnePeriod> one_period(const LightScan& scan) const {
-    constexpr std::size_t most_order = 9, few = 5;
+    constexpr std::size_t most_order = 9;
     const double count = std::floor((most_ - least_) / scan.advice.step) + 1.0;
     if (count > most_frequencies) return std::nullopt;
-    const std::size_t order = std::min(2 * plan_.order, most_order);
+    // lines of two frequencies to an order, if they are multiples of one, are those to twice it
+    const std::size_t most = std::min(2 * plan_.order, most_order);
+    for (std::size_t order = 1; order < most; order *= 2)
+      if (std::optional<OnePeriod> one = one_period(scan, order, count); one && one->suffices)
+        return one;
+    return one_period(scan, most, count);
+  }
+
+  std::optional<OnePeriod> one_period(const LightScan& scan, std::size_t order,
+                                      double count) const {
+    constexpr std::size_t few = 5;
     const ScanPoints points(curves_);
     ScanOptions how{.order = order, .threads = options_.threads};
     how.between = [this] { end_if_asked(); };
@@ -125,11 +136,26 @@ class Scan {
     };
     const auto one = std::ranges::find_if(minima, is_sound);
     if (one == minima.end()) return std::nullopt;
+    const FourierFit& fit = one->refined.fit;
     const auto pair = std::ranges::find_if(scan.minima, is_sound);
     const FourierFit* const two = pair == scan.minima.end() ? nullptr : &pair->refined.fit;
     // a series of a period longer than half of the data has harmonics enough for any curve
-    const bool is_covered = one->refined.fit.f2 * scan.advice.time_base >= 2.0;
-    return OnePeriod{order, one->refined, is_covered && suffices(one->refined.fit, two, count)};
+    const bool is_covered = fit.f2 * scan.advice.time_base >= 2.0;
+    OnePeriod found{order, one->refined, is_covered && suffices(fit, two, count), {}};
+    for (const ScanMinimum& other : minima)
+      if (is_sound(other) && is_alias(other.refined.fit, fit, scan.advice.step))
+        found.aliases.push_back(other.refined.fit.f2);
+    return found;
+  }
+
+  // Whether another frequency, no multiple or part of the lowest one, fits as well to 3 sigma.
+  static bool is_alias(const FourierFit& other, const FourierFit& lowest, double step) {
+    constexpr double three_sigma = 9.0;
+    const double noise =
+        lowest.chi_square / std::fmax(1.0, static_cast<double>(lowest.degrees_of_freedom));
+    if (other.chi_square - lowest.chi_square > three_sigma * noise) return false;
+    const double high = std::fmax(other.f2, lowest.f2), low = std::fmin(other.f2, lowest.f2);
+    return std::fabs(high - low * std::round(high / low)) > 2.0 * step;
   }
 
   // Whether chi-square falls from one to two frequencies by no more than more coefficients let it
@@ -169,14 +195,7 @@ class Scan {
   }
 
   void begin(const std::string& work) const {
-    constexpr std::size_t many = 3000;
-    std::size_t points = 0;
-    for (const LightCurve& one : curves_) points += one.points.size();
-    if (options_.begins)
-      options_.begins("scan", work + (points > many ? fmt::format(" of {} points; bins of several "
-                                                                  "would be as good and quicker",
-                                                                  points)
-                                                    : std::string()));
+    if (options_.begins) options_.begins("scan", work);
   }
 
   void end_if_asked() const {

@@ -331,7 +331,7 @@ void add_solution(std::string& text, const Scenario& scenario, const LightReport
   }
   detail::add_loss(text, scenario, report, s);
   if (const double scale = light_error_factor(s);
-      std::isfinite(scale) && detail::has_errors(report))
+      std::isfinite(scale) && report.has_errors())
     add_fit_line(text, "errors scaled by", fmt::format("{:.4g}", scale));
   add_fit_line(text, "mode", detail::mode_word(s.periods.mode));
   if (s.periods.precession_period > 0.0) {

@@ -178,6 +178,12 @@ std::string one_period_text(const Scenario& scenario, const LightScan& scan) {
   if (strongest != fit.terms.end() && strongest->k == 1)
     text += fmt::format("; if the light has two maxima in a rotation, that takes {:.7g} {}",
                         2.0 * period, time);
+  std::string aliases;
+  for (const double f : scan.one->aliases)
+    aliases += fmt::format("{}{:.7g}", aliases.empty() ? "" : ", ", period_in(scenario, f));
+  if (!aliases.empty())
+    text += fmt::format("; {} {} fit as well: the times of the observations leave these aliases",
+                        aliases, time);
   return text;
 }
 
@@ -223,8 +229,16 @@ std::string misfit_text(const Scenario& scenario, const LightReport& report) {
 std::vector<std::string> data_notes(const Scenario& scenario, const ReadObservations& observed) {
   constexpr double isolated = 8.0, least_spread = 1.0 / 3.0;
   constexpr std::size_t least_points = 20;  // for a spread that means something
+  constexpr std::size_t many_points = 3000;
   std::vector<std::string> notes;
   add_magnitude_notes(scenario, observed, notes);
+  std::size_t points = 0;
+  for (const LightCurve& curve : observed.curves) points += curve.points.size();
+  if (points > many_points && require_fit(scenario).light.searches)
+    notes.push_back(
+        fmt::format("{} points: means of neighbouring points, a hundredth of a period apart, would "
+                    "give the same solutions in less time",
+                    points));
   std::vector<std::vector<double>> all;
   std::vector<double> sizes;
   for (const LightCurve& curve : observed.curves) {

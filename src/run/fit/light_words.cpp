@@ -71,11 +71,6 @@ const char* loss_word(const Loss& loss) {
                                 : "squared";
 }
 
-bool has_errors(const LightReport& report) {
-  return std::ranges::any_of(report.solutions,
-                             [](const FoundLight& one) { return one.solution.describes_data(); });
-}
-
 const char* rank_word(const LightReport& report, const Loss& loss) {
   if (report.shape == LightPlan::Shape::convex) return "cost";
   return loss.kind == Loss::Kind::squared ? "chi-square" : "loss";
@@ -99,7 +94,7 @@ LightFigures light_figures(const Scenario& scenario, const LightReport& report,
   const LightSolution& s = report.solutions.at(solution).solution;
   const SpinFigures f = spin_figures(s, report.unknowns);
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  const double known = has_errors(report) ? 1.0 : none, scale = known * light_error_factor(s);
+  const double known = report.has_errors() ? 1.0 : none, scale = known * light_error_factor(s);
   const Units& units = scenario.units();
   const auto with = [&](double value, double error, Dimension d) {
     return WithErrors{units.from_core(value, d), units.from_core(known * error, d),
@@ -180,7 +175,7 @@ std::vector<FitNumber> light_numbers(const Scenario& scenario, const LightReport
   }
   std::fill_n(start.begin(), 3, 0.0);  // not what rounding leaves
   if (!report.start) std::fill_n(value.begin(), 3, 0.0);
-  const double known = detail::has_errors(report) ? 1.0 : std::numeric_limits<double>::quiet_NaN();
+  const double known = report.has_errors() ? 1.0 : std::numeric_limits<double>::quiet_NaN();
   const double scale = known * light_error_factor(found);
   std::vector<FitNumber> numbers;
   for (std::size_t i = 0; i < value.size(); ++i) {

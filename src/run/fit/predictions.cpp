@@ -80,7 +80,7 @@ std::vector<AttitudePrediction> fit_predictions(const LightReport& report, std::
                                                 std::span<const double> times) {
   const LightSolution& found = report.solutions.at(solution).solution;
   std::vector<AttitudePrediction> all;
-  const double factor = light_error_factor(found), known = detail::has_errors(report) ? 1.0 : none;
+  const double factor = light_error_factor(found), known = report.has_errors() ? 1.0 : none;
   for (PredictedAttitude& one : predicted(found, report.unknowns, times)) {
     one.covariance = times_number(known, one.covariance);
     all.push_back({one, std::nullopt});

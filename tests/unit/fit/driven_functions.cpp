@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "message_of.hpp"
+#include "oracle/random_draw.hpp"
 #include "polhode/fit/driven_spin_fit.hpp"
 #include "polhode/perturb/constant_torque.hpp"
 #include "polhode/perturb/user_terms.hpp"
@@ -140,6 +141,42 @@ TEST(FitDrivenSpin, PredictsWhatIsOpenAsOpen) {
   open.covariance.matrix[9 * 11 + 9] = std::numeric_limits<double>::infinity();
   const Mat3 o = predicted(fit, drive, open, times)[0].covariance;
   for (int k = 0; k < 3; ++k) EXPECT_TRUE(std::isinf(o(k, k)));
+}
+
+// A torque along the axis of rotation and an unknown rate leave the moments open.
+TEST(FitDrivenSpin, MomentsStayAtTheStartWithoutAWobble) {
+  SpinDrive drive;
+  drive.parameters = {{"z", 1e-3}};
+  drive.terms = [](std::span<const double> p) {
+    return std::vector<AnyPerturbation>{{"body", ConstantTorque::in_body({0.0, 0.0, p[0]})}};
+  };
+  const auto held = [&](const Vec3& w_F) {
+    SpinFit fit = seen_of(drive);
+    fit.start.w_F = w_F;
+    std::vector<double> times;
+    for (const ObservedAttitude& one : fit.seen.attitudes) times.push_back(one.t);
+    const auto seen = driven_attitudes(fit.start, drive, times);
+    oracle::Draw draw(7, 1);
+    for (std::size_t i = 0; i < seen.size(); ++i)
+      fit.seen.attitudes[i].q = normalized(
+          seen[i].q * Quaternion{1.0, 0.005 * draw.normal(), 0.005 * draw.normal(), 0.0});
+    fit.start.inertia_F(0, 0) = 0.6;
+    SpinDrive start = drive;
+    start.parameters[0].start = 0.0;
+    const SpinSolution found = fit_driven_spin(fit, start);
+    EXPECT_TRUE(found.is_found()) << found.result.sentence;
+    EXPECT_NEAR(found.result.x[8], 1e-3, 4.0 * found.covariance.error(8));
+    EXPECT_LT(found.covariance.error(8), 1e-3);
+    if (!found.held.empty()) {
+      EXPECT_EQ(found.result.x[6], 0.6);
+      EXPECT_TRUE(std::isinf(found.covariance.error(6)));
+      const double late[] = {30.0};
+      EXPECT_LT(predicted(fit, start, found, late)[0].covariance(2, 2), 1e-2);
+    }
+    return found.held;
+  };
+  EXPECT_EQ(held({0.0, 0.0, 0.9}), (std::vector<std::string>{"Ixx/Izz", "Iyy/Izz"}));
+  EXPECT_TRUE(held({0.2, -0.1, 0.9}).empty());
 }
 
 }  // namespace
