@@ -227,7 +227,7 @@ void make_ensemble(const EnsembleOfFile& options, const Kinds& kinds) {
   if (options.begin.resume)
     announce(ensemble.scenario().document.name, run.continues(), run.members(), ensemble.size(),
              "members");
-  progress.emplace(ensemble.size(), "members", run.members());
+  progress.emplace(ensemble.size(), "members");
   const auto begun = std::chrono::steady_clock::now();
   EnsembleReport report;
   try {

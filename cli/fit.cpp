@@ -128,7 +128,7 @@ void fit_snapshots(const FitCommand& options, const Scenario& scenario) {
   how.threads = threads_of(options);
   how.stop = [] { return StopSignals::came() != 0; };
   if (const FitPlan* const plan = fit_plan(scenario); plan != nullptr && plan->starts > 1) {
-    progress.emplace(plan->starts, "starts", 0);
+    progress.emplace(plan->starts, "starts");
     how.progress = [&progress](std::int64_t starts) { (*progress)(static_cast<double>(starts)); };
   }
   FitReport report;

@@ -58,7 +58,7 @@ void make_map(const ManyRuns& options, const Kinds& kinds) {
   if (run.is_complete()) return print_nothing_to_do(map.scenario().document.name, out);
   if (options.begin.resume)
     announce(map.scenario().document.name, run.continues(), run.cells(), map.size(), "cells");
-  progress.emplace(map.size(), "cells", run.cells());
+  progress.emplace(map.size(), "cells");
   MapReport report;
   try {
     report = run.run();

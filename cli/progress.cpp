@@ -48,21 +48,21 @@ std::string on_line(const std::string& text, double done, int columns) {
 
 }  // namespace
 
-ProgressLine::ProgressLine(double start, double stop, std::string unit, double from)
+ProgressLine::ProgressLine(double start, double stop, std::string unit)
     : start_(start),
       stop_(stop),
-      from_(from),
+      from_(start),
       unit_(std::move(unit)),
       terminal_(isatty(STDERR_FILENO) == 1),
       next_(begun_ + quiet) {}
 
-ProgressLine::ProgressLine(std::int64_t count, std::string things, std::int64_t from)
-    : ProgressLine(0.0, static_cast<double>(count), std::move(things), static_cast<double>(from)) {
+ProgressLine::ProgressLine(std::int64_t count, std::string things)
+    : ProgressLine(0.0, static_cast<double>(count), std::move(things)) {
   form_ = Form::count;
 }
 
 ProgressLine::ProgressLine(std::string stage, std::string work)
-    : ProgressLine(0.0, 1.0, std::move(stage), 0.0) {
+    : ProgressLine(0.0, 1.0, std::move(stage)) {
   work_ = std::move(work);
   form_ = Form::part;
 }
@@ -72,7 +72,12 @@ ProgressLine::~ProgressLine() {
 }
 
 void ProgressLine::operator()(double t) {
-  if (form_ != Form::time || ++steps_ % stride == 0) look(t);
+  if (steps_++ == 0) {
+    from_ = t;
+    begun_ = Clock::now();
+    return;
+  }
+  if (form_ != Form::time || steps_ % stride == 0) look(t);
 }
 
 void ProgressLine::look(double t) {
@@ -87,9 +92,10 @@ void ProgressLine::show(double t, double seconds) {
   const auto part = [&](double x) { return span == 0.0 ? 0.0 : std::clamp(x / span, 0.0, 1.0); };
   const double done = part(t - start_), made = part(t - from_);
   const double rate = std::abs(t - from_) / seconds, percent = std::floor(100.0 * done);
-  if (!work_.empty() && made > 0.0) {
-    const std::string all = duration_text(seconds / made);
-    const std::string said = fmt::format("{}: {}, about {}", unit_, work_, all);
+  const bool is_known = made > 0.0;
+  if (!work_.empty()) {
+    std::string said = unit_ + ": " + work_;
+    if (is_known) said += ", about " + duration_text(seconds / made);
     std::fputs((terminal_ ? "\r" + said + "\033[K\n" : said + "\n").c_str(), stderr);
     work_.clear();
   }
@@ -102,7 +108,7 @@ void ProgressLine::show(double t, double seconds) {
                                     : fmt::format("t = {:.6g} {}", t, unit_);
     text = fmt::format("{:3.0f} %, {}, {:.3g} {} per second", percent, reached, rate, unit_);
   }
-  if (made > 0.0) text += ", " + duration_text((1.0 - done) * seconds / made) + " left";
+  if (is_known) text += ", " + duration_text((1.0 - done) * seconds / made) + " left";
   if (terminal_) text = on_line(text, done, columns());
   shown_ = true;
   const std::string line = terminal_ ? "\r" + text + "\033[K" : text + "\n";

@@ -12,10 +12,10 @@ namespace polhode::cli {
 
 class ProgressLine {
  public:
-  // From start to stop, in the unit of time `unit` names; a run that is continued begins at `from`.
-  ProgressLine(double start, double stop, std::string unit, double from);
-  // So many "members", of which `from` are done.
-  ProgressLine(std::int64_t count, std::string things, std::int64_t from);
+  // From start to stop, in the unit of time `unit` names.
+  ProgressLine(double start, double stop, std::string unit);
+  // So many "members".
+  ProgressLine(std::int64_t count, std::string things);
   // Parts, up to 1, of a "scan". Where it takes seconds its work is said first, with an estimate.
   ProgressLine(std::string stage, std::string work);
   // Leaves a terminal clean.
@@ -33,7 +33,7 @@ class ProgressLine {
 
   double start_;
   double stop_;
-  double from_;
+  double from_;  // at the first call, from which the rate is measured
   std::string unit_;
   std::string work_;
   enum class Form { time, count, part };

@@ -106,7 +106,7 @@ RunReport run_into_files(const CommandOptions& options, const Scenario& scenario
   if (run.is_complete()) throw NothingToDo();
   announce(options, scenario, run);
   warn_of_room(scenario, out, run);
-  progress.emplace(0.0, rows.end(), scenario.units().time(), run.t());
+  progress.emplace(0.0, rows.end(), scenario.units().time());
   try {
     return report_of(scenario, run);
   } catch (const RunInterrupted& stopped) {

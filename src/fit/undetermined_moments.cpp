@@ -53,10 +53,10 @@ SpinSolution with_held(const SpinFit& fit, const std::vector<std::string>& names
   found.covariance.names = names;
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = 0; j < n; ++j)
-      found.covariance.matrix.push_back(
-          place[i] < m && place[j] < m ? known.matrix[place[i] * m + place[j]]
-          : i == j                     ? infinite
-                                       : nan);
+      found.covariance.matrix.push_back(place[i] < m && place[j] < m
+                                            ? known.matrix[place[i] * m + place[j]]
+                                        : i == j ? infinite
+                                                 : nan);
   found.covariance.weak = known.weak;
   for (UnknownsCovariance::Combination& one : found.covariance.weak) {
     std::vector<double> direction;

@@ -2,6 +2,7 @@
 // How well light curves are described: by one period, by a model, and which points are not.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,9 @@
 namespace polhode {
 inline namespace v0 {
 namespace detail {
+
+// From so many points on, means of neighbouring points are recommended.
+inline constexpr std::size_t many_points = 3000;
 
 // A point whose residual is more than four times the spread of all.
 struct FarPoint {

@@ -11,6 +11,7 @@
 
 #include "polhode/fit/session_scan.hpp"
 #include "run/detail/fit_tables.hpp"
+#include "run/detail/light_verdict.hpp"
 #include "scenario/value_access.hpp"
 #include "scenario/value_reader.hpp"
 #include "text/number_text.hpp"
@@ -195,7 +196,14 @@ class Scan {
   }
 
   void begin(const std::string& work) const {
-    if (options_.begins) options_.begins("scan", work);
+    if (!options_.begins) return;
+    std::size_t points = 0;
+    for (const LightCurve& one : curves_) points += one.points.size();
+    options_.begins("scan", work + (points > detail::many_points
+                                        ? fmt::format(" of {} points; means of neighbouring points "
+                                                      "would take less time",
+                                                      points)
+                                        : std::string()));
   }
 
   void end_if_asked() const {

@@ -330,8 +330,7 @@ void add_solution(std::string& text, const Scenario& scenario, const LightReport
     add_fit_line(text, "cost", fmt::format("{:.5g}: {}", s.result.cost, terms));
   }
   detail::add_loss(text, scenario, report, s);
-  if (const double scale = light_error_factor(s);
-      std::isfinite(scale) && report.has_errors())
+  if (const double scale = light_error_factor(s); std::isfinite(scale) && report.has_errors())
     add_fit_line(text, "errors scaled by", fmt::format("{:.4g}", scale));
   add_fit_line(text, "mode", detail::mode_word(s.periods.mode));
   if (s.periods.precession_period > 0.0) {

@@ -229,7 +229,6 @@ std::string misfit_text(const Scenario& scenario, const LightReport& report) {
 std::vector<std::string> data_notes(const Scenario& scenario, const ReadObservations& observed) {
   constexpr double isolated = 8.0, least_spread = 1.0 / 3.0;
   constexpr std::size_t least_points = 20;  // for a spread that means something
-  constexpr std::size_t many_points = 3000;
   std::vector<std::string> notes;
   add_magnitude_notes(scenario, observed, notes);
   std::size_t points = 0;
