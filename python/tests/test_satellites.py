@@ -12,7 +12,8 @@ import polhode
 import pytest
 import sgp4
 from closeness import assert_allclose
-from polhode import _satellites_command, satellites
+from polhode import satellites
+from polhode.satellites.__main__ import main
 
 VANGUARD = (
     "1 00005U 58002B   00179.78495062  .00000023  00000-0  28098-4 0  4753",
@@ -351,7 +352,7 @@ def command(tmp_path, monkeypatch, capsys):
 
     def go(elements, *words):
         pathlib.Path("a.tle").write_text(elements)
-        status = _satellites_command.main(["a.tle", *(words or FROM_TO), "--out", "a.csv"])
+        status = main(["a.tle", *(words or FROM_TO), "--out", "a.csv"])
         said = capsys.readouterr()
         return status, said.out, said.err
 
