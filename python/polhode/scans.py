@@ -12,7 +12,7 @@ import numpy as np
 from polhode import _core
 from polhode._core import _number
 from polhode._observed import one_of, whole
-from polhode.light_fits import LightCurve, curve_parts
+from polhode.light_bodies import LightCurve, curve_parts
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

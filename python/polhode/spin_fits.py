@@ -17,7 +17,7 @@ from polhode.residual_functions import ResidualFunction
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
-    from polhode import Body, FreeRotation
+    from polhode._core import Body, FreeRotation
     from polhode._observed import Loss
 
     Array = NDArray[np.float64]

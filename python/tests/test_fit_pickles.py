@@ -149,7 +149,7 @@ def test_what_differs_is_not_alike():
 
 def test_no_class_is_left_out():
     root = pathlib.Path(polhode.__file__).parent
-    of_fits = ("fits", "fit_tables", "light_fits", "light_extensions", "surface_fits",
+    of_fits = ("fits", "fit_tables", "light_fits", "light_bodies", "surface_fits",
                "spin_fits", "scans", "residual_functions", "posterior")  # fmt: skip
     classes = {
         node.name

@@ -6,7 +6,7 @@ from __future__ import annotations
 import numpy as np
 from matplotlib.axes import Axes
 
-from polhode.ensembles import columns_with_quantiles, quantiles_in
+from polhode._ensemble_columns import columns_with_quantiles, quantiles_in
 from polhode.figures.ensemble_data import Source, read_ensemble
 from polhode.figures.style import (
     SINGLE_COLUMN,
