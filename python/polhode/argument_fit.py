@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from polhode._core import _numbers
-from polhode._legendre import legendre_columns, powers_of_time
+from polhode.harmonics import legendre_columns, powers_of_time
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray

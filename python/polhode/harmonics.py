@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from polhode._core import _numbers
-from polhode._legendre import legendre_columns, powers_of_time
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -234,3 +233,23 @@ def _in_time(linear: Array, rates: Array, middle: float, half: float, rms: Array
 def _only(fit: HarmonicFit) -> HarmonicFit:
     return HarmonicFit(fit.polynomial[:, 0], fit.periods, fit.cosine[:, 0], fit.sine[:, 0],
                        float(fit.rms[0]))  # fmt: skip
+
+
+# NumPy imports its module of polynomials when one is made: it takes 5 ms.
+def legendre_columns(x: Array, degree: int) -> Array:
+    """(N, degree + 1): the Legendre polynomials at x (N,), from -1 to 1."""
+    from numpy.polynomial import legendre
+
+    return legendre.legvander(x, degree)
+
+
+def powers_of_time(coefficients: Array, middle: float, half: float) -> Array:
+    """(degree + 1, K): sums of Legendre polynomials of x = (t - middle)/half in powers of t."""
+    from numpy.polynomial import Polynomial, legendre
+
+    x = Polynomial([-middle / half, 1 / half])
+    power = np.zeros_like(coefficients)
+    for k, of_one in enumerate(coefficients.T):
+        in_t = Polynomial(legendre.leg2poly(of_one))(x).coef
+        power[: len(in_t), k] = in_t
+    return power

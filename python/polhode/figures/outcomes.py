@@ -5,8 +5,7 @@ from __future__ import annotations
 
 from matplotlib.axes import Axes
 
-from polhode.figures.ensemble_data import Source, read_ensemble
-from polhode.figures.ensemble_points import draw_points
+from polhode.figures.ensemble_data import Source, draw_points, read_ensemble
 from polhode.figures.style import SINGLE_COLUMN, axes_or_new, styled
 
 
