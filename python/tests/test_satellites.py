@@ -209,17 +209,17 @@ def test_lines_that_are_wrong_say_where(line1, line2, what):
         satellites.satellite_from_tle(line1, line2)
 
 
-def test_messages_that_are_wrong_say_where():
-    with pytest.raises(ValueError, match="the field BSTAR is missing"):
-        satellites.satellite_from_omm({k: v for k, v in OMM.items() if k != "BSTAR"})
-    with pytest.raises(ValueError, match="OMM: .*x"):
-        satellites.satellite_from_omm({**OMM, "INCLINATION": "x"})
-    with pytest.raises(ValueError, match="not XML"):
-        satellites.satellite_from_omm("<omm>")
-    with pytest.raises(ValueError, match="0 messages"):
-        satellites.satellite_from_omm("A,B\n")
-    with pytest.raises(ValueError, match="2 messages; expected one"):
-        satellites.satellite_from_omm(as_csv(OMM, OMM))
+@pytest.mark.parametrize(("call", "message"), [
+    (lambda: satellites.satellite_from_omm({k: v for k, v in OMM.items() if k != "BSTAR"}),
+     "the field BSTAR is missing"),
+    (lambda: satellites.satellite_from_omm({**OMM, "INCLINATION": "x"}), "OMM: .*x"),
+    (lambda: satellites.satellite_from_omm("<omm>"), "not XML"),
+    (lambda: satellites.satellite_from_omm("A,B\n"), "0 messages"),
+    (lambda: satellites.satellite_from_omm(as_csv(OMM, OMM)), "2 messages; expected one"),
+])  # fmt: skip
+def test_messages_that_are_wrong_say_where(call, message):
+    with pytest.raises(ValueError, match=message):
+        call()
 
 
 def message(number, name="", **fields):
