@@ -44,7 +44,7 @@ def convex():
 
 @functools.cache
 def searched():
-    return polhode.search_light(CURVE, [("SAM", 10.0, 25.0)], starts=4, within=100.0)
+    return polhode.search_light(CURVE, [("SAM", 10.0, 25.0)], starts=4)
 
 
 @functools.cache

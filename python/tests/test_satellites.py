@@ -14,6 +14,7 @@ import sgp4
 from closeness import assert_allclose
 from polhode import satellites
 from polhode.satellites.__main__ import main
+from scenario_texts import BODY, STATE
 
 VANGUARD = (
     "1 00005U 58002B   00179.78495062  .00000023  00000-0  28098-4 0  4753",
@@ -465,9 +466,6 @@ def test_old_elements_are_taken_where_that_is_asked_for(command):
 ])  # fmt: skip
 def test_a_scenario_says_how_elements_become_an_orbit(tmp_path, file, keys):
     (tmp_path / file).write_text("VANGUARD 1\n" + LINES)
-    text = (
-        "schema = 1\n[body]\nmoments = [1, 2, 2.5]\n[state.attitude-rate]\n"
-        "quaternion = [1, 0, 0, 0]\nomega_body = [0, 0, 1]\n[orbit.earth]\n" + keys
-    )
+    text = BODY + STATE + "[orbit.earth]\n" + keys
     with pytest.raises(ValueError, match="python -m polhode.satellites TLE --from DATE --to DATE"):
         polhode.Scenario.from_text(text, str(tmp_path / "a.toml"))
