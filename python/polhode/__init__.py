@@ -16,7 +16,6 @@ from polhode._signatures import (
     with_signature,
 )
 from polhode._summary import Summary
-from polhode.argument_fit import ArgumentFit, argument_fit
 from polhode.ensembles import ensemble
 from polhode.fits import (
     FitNumber,
@@ -29,7 +28,7 @@ from polhode.fits import (
     simulate,
 )
 from polhode.free_wobble import FreeWobble, without_free_wobble
-from polhode.harmonics import HarmonicFit, harmonic_fit
+from polhode.harmonics import ArgumentFit, HarmonicFit, argument_fit, harmonic_fit
 from polhode.interchange import to_scipy
 from polhode.light_bodies import (
     BrightConvex,

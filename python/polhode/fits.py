@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from polhode import _core
+from polhode._arguments import column, whole
 from polhode._notebook import html_rows
-from polhode._observed import column, whole
 from polhode.fit_tables import FitPredictions, FitResiduals
 from polhode.light_bodies import (
     BrightConvex,

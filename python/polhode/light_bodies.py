@@ -10,14 +10,14 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from polhode import _core
+from polhode._arguments import column, loss_of, of_shape, rows, whole
 from polhode._core import FacetShape, _number
-from polhode._observed import column, loss_of, of_shape, rows, whole
 from polhode.spin_fits import SpinState
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
-    from polhode._observed import Loss
+    from polhode._arguments import Loss
 
     Array = NDArray[np.float64]
 

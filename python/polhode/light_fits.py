@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from polhode import _core
+from polhode._arguments import loss_of, one_of, whole
 from polhode._core import _number
-from polhode._observed import loss_of, one_of, whole
 from polhode.light_bodies import (
     BrightConvex,
     BrightEllipsoid,
@@ -26,7 +26,7 @@ from polhode.spin_fits import FitSolution, common_parts
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
-    from polhode._observed import Loss
+    from polhode._arguments import Loss
 
     Array = NDArray[np.float64]
 

@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from polhode._arguments import whole
 from polhode._columns import Columns
 from polhode._core import _number
 from polhode._notebook import html_rows
-from polhode._observed import whole
 from polhode._tables import imported
 from polhode.residual_functions import ResidualFunction
 

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from polhode import _core
+from polhode._arguments import loss_of, one_of, whole
 from polhode._core import _number
-from polhode._observed import loss_of, one_of, whole
 from polhode.light_bodies import (
     BrightConvex,
     BrightEllipsoid,
@@ -31,7 +31,7 @@ from polhode.residual_functions import ResidualFunction
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
-    from polhode._observed import Loss
+    from polhode._arguments import Loss
     from polhode.light_fits import Periods
 
     Array = NDArray[np.float64]

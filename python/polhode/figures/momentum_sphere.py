@@ -12,9 +12,9 @@ from matplotlib.lines import Line2D
 from numpy.typing import ArrayLike, NDArray
 
 from polhode import Body, Regime, RotorState
+from polhode._arguments import require_positive
 from polhode._core import _numbers
 from polhode.figures import arrows, polhodes, style
-from polhode.figures.arguments import require_positive
 from polhode.figures.labels import HALO
 from polhode.figures.view import Ellipsoid, View, parts, sphere
 
