@@ -1,12 +1,14 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Layers: who may include whom. Fails on a forbidden include, an unknown folder, a cycle, a public
-header with a detail of its own, or a folder with too many sources.
+"""Layers: who may include whom. Fails on a forbidden include, an unknown folder, a cycle of headers
+or of Python modules, a public header with a detail of its own, or a folder with too many sources.
 
 A header of include/polhode/LAYER is for everybody, one of src/LAYER for the other layers that may
 include this one, and what is in a folder detail/, public or not, for its own layer alone."""
 
+import ast
 import graphlib
+import importlib.util
 import pathlib
 import re
 import sys
@@ -167,6 +169,41 @@ def resolved(name):
     return None
 
 
+def python_imports():
+    """Module of the Python package -> modules of it that it imports, also within functions and for
+    type checkers alone."""
+    base, graph = ROOT / "python", {}
+    modules = {
+        ".".join(path.relative_to(base).with_suffix("").parts).removesuffix(".__init__"): path
+        for path in sorted((base / "polhode").rglob("*.py"))
+    }
+    inner = {*modules, "polhode._core"}  # the extension imports none of them
+    for module, path in modules.items():
+        package = module if path.name == "__init__.py" else module.rpartition(".")[0]
+        found = graph[module] = set()
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.Import):
+                found |= {alias.name for alias in node.names}
+            elif isinstance(node, ast.ImportFrom):
+                of = "." * node.level + (node.module or "")
+                of = importlib.util.resolve_name(of, package)
+                names = {f"{of}.{alias.name}" for alias in node.names}
+                found |= names & inner
+                if names - inner:
+                    found.add(of)
+        found &= modules.keys()
+    return graph
+
+
+def cycle_in(graph):
+    """The nodes around a cycle, each followed by one that it names; empty without one."""
+    try:
+        graphlib.TopologicalSorter(graph).prepare()
+    except graphlib.CycleError as cycle:
+        return cycle.args[1][::-1]
+    return []
+
+
 def main():
     allowed, errors, graph = allowed_layers(), list(crowded_folders()), {}
     files = [p for base in ("include", "src", "cli", "web/core")
@@ -185,10 +222,9 @@ def main():
         errors += [f"{where}: {message}" for message in found if message]
         if message := detail_complaint(path, layer, text):
             errors.append(f"{where}: {message}")
-    try:
-        graphlib.TopologicalSorter(graph).prepare()
-    except graphlib.CycleError as cycle:
-        errors.append("cycle: " + " -> ".join(str(p.relative_to(ROOT)) for p in cycle.args[1]))
+    headers = [str(path.relative_to(ROOT)) for path in cycle_in(graph)]
+    for cycle in (headers, cycle_in(python_imports())):
+        errors += ["cycle: " + " -> ".join(cycle)] if cycle else []
     print("\n".join(errors), end="\n" if errors else "")
     return 1 if errors else 0
 

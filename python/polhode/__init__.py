@@ -16,8 +16,7 @@ from polhode._signatures import (
     with_signature,
 )
 from polhode._summary import Summary
-from polhode.argument_fit import ArgumentFit, argument_fit
-from polhode.ensembles import EnsembleResults, ensemble
+from polhode.ensembles import ensemble
 from polhode.fits import (
     FitNumber,
     FitPredictions,
@@ -29,24 +28,28 @@ from polhode.fits import (
     simulate,
 )
 from polhode.free_wobble import FreeWobble, without_free_wobble
-from polhode.harmonics import HarmonicFit, harmonic_fit
+from polhode.harmonics import ArgumentFit, HarmonicFit, argument_fit, harmonic_fit
 from polhode.interchange import to_scipy
-from polhode.light_extensions import JoinedSession, LightExtensionResult, extend_light
-from polhode.light_fits import (
+from polhode.light_bodies import (
+    BrightConvex,
     BrightEllipsoid,
-    FoundLight,
+    BrightMesh,
     LightCurve,
+    model_fluxes,
+)
+from polhode.light_fits import (
+    FoundLight,
+    JoinedSession,
+    LightExtensionResult,
     LightResiduals,
     LightSearchResult,
     LightSolution,
+    extend_light,
     fit_light,
-    model_fluxes,
     search_light,
 )
-from polhode.maps import MapResults
 from polhode.posterior import Posterior, posterior
 from polhode.residual_functions import ResidualFunction
-from polhode.results import Results
 from polhode.scans import (
     FourierScan,
     LikelyPeriods,
@@ -58,7 +61,14 @@ from polhode.scans import (
     period_labels,
     scan_advice,
 )
-from polhode.scenarios import Citation, Scenario, load
+from polhode.scenarios import (
+    Citation,
+    EnsembleResults,
+    MapResults,
+    Results,
+    Scenario,
+    load,
+)
 from polhode.spin_fits import (
     FitSolution,
     Snapshots,
@@ -68,8 +78,6 @@ from polhode.spin_fits import (
     fit_spin,
 )
 from polhode.surface_fits import (
-    BrightConvex,
-    BrightMesh,
     ConvexResiduals,
     MeshResiduals,
     fit_convex,

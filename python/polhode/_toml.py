@@ -1,15 +1,32 @@
 # SPDX-License-Identifier: MIT
-"""Texts of scenarios: from nested dicts, to them, and edited so that comments stay."""
+"""Texts of scenarios: compiled, from nested dicts, to them, and edited so that comments stay."""
 
 from __future__ import annotations
 
+import copyreg
+import os
 import re
+import warnings
 from collections.abc import Iterable, Mapping
 from typing import Any
 
 import numpy
 
 from polhode import _core
+
+
+def compiled(text: str | bytes, name: str) -> Any:
+    """The scenario of a text as the extension has it; see Scenario.from_text."""
+    data = text.encode("utf-8") if isinstance(text, str) else text
+    shown = os.fsdecode(name).encode("utf-8", "backslashreplace").decode("utf-8")
+    file = _core._Scenario.from_text(data, shown)
+    for warning in file.warnings:
+        warnings.warn(warning, UserWarning, stacklevel=3)
+    return file
+
+
+# What results hold of the scenario that they are of pickles as its text.
+copyreg.pickle(_core._Scenario, lambda file: (compiled, (file.text, file.name)))
 
 
 def text_from(data: Mapping[str, Any]) -> str:

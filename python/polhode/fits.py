@@ -12,31 +12,27 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from polhode import _core
+from polhode._arguments import column, whole
 from polhode._notebook import html_rows
-from polhode._observed import column, whole
 from polhode.fit_tables import FitPredictions, FitResiduals
-from polhode.light_fits import (
-    BrightEllipsoid,
-    FoundLight,
-    LightCurve,
-    LightResiduals,
-    found_light,
-)
-from polhode.scans import FourierScan, scan_of
-from polhode.spin_fits import SpinResiduals, SpinState
-from polhode.surface_fits import (
+from polhode.light_bodies import (
     BrightConvex,
+    BrightEllipsoid,
     BrightMesh,
-    ConvexResiduals,
-    MeshResiduals,
+    LightCurve,
     surface_of,
 )
+from polhode.light_fits import FoundLight, LightResiduals, found_light
+from polhode.posterior import Posterior, posterior
+from polhode.scans import FourierScan, scan_of
+from polhode.scenarios import Scenario, load
+from polhode.spin_fits import SpinResiduals, SpinState
+from polhode.surface_fits import ConvexResiduals, MeshResiduals
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
-    from polhode.posterior import Posterior
-    from polhode.scenarios import Path, Scenario
+    from polhode.scenarios import Path
 
     Array = NDArray[np.float64]
 
@@ -152,8 +148,6 @@ class ScenarioSolution:
     @property
     def scenario(self) -> Scenario:
         """The same as a Scenario, which runs."""
-        from polhode.scenarios import Scenario
-
         return Scenario.from_text(self.text, self._results.scenario._file.path)
 
     @property
@@ -215,8 +209,6 @@ class ScenarioSolution:
     ) -> Posterior:
         """Draws from the posterior about this solution: polhode.posterior of residual_function(
         scaled, epoch), with its keywords. Needs the packages of `pip install polhode[sample]`."""
-        from polhode.posterior import posterior
-
         return posterior(self.residual_function(scaled, epoch), **keywords)
 
     def __repr__(self) -> str:
@@ -357,8 +349,6 @@ def _residuals(problem: Any, inputs: tuple[Any, ...]) -> SpinResiduals:
 
 
 def _residuals_again(text: str, path: str, parts: tuple[Any, ...]) -> SpinResiduals:
-    from polhode.scenarios import Scenario
-
     problem = _core._spin_problem_of(Scenario.from_text(text, path)._file, parts)
     return _residuals(problem, (text, path, parts))
 
@@ -500,8 +490,6 @@ def _factor(units: Any, name: str, error: float, core_error: float) -> float:
 
 
 def _loaded(scenario: Scenario | Path, function: str) -> Scenario:
-    from polhode.scenarios import Scenario, load
-
     if isinstance(scenario, Scenario):
         return scenario
     if not isinstance(scenario, (str, bytes, os.PathLike)):
@@ -557,8 +545,6 @@ def _fitted(of: Scenario, threads: int, progress: Any = None) -> FitResults:
 
 
 def _fitted_again(text: str, path: str) -> FitResults:
-    from polhode.scenarios import Scenario
-
     return _fitted(Scenario.from_text(text, path), _core._hardware_threads())
 
 

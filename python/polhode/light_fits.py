@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Light curves of tumbling ellipsoids: fits from one start and from many."""
+"""Fits of light curves of tumbling ellipsoids: from one start, from many, session by session."""
 
 from __future__ import annotations
 
@@ -10,16 +10,23 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from polhode import _core
+from polhode._arguments import loss_of, one_of, whole
 from polhode._core import _number
-from polhode._observed import column, loss_of, of_shape, one_of, rows, whole
+from polhode.light_bodies import (
+    BrightConvex,
+    BrightEllipsoid,
+    BrightMesh,
+    LightCurve,
+    curve_parts,
+    model_fluxes,
+)
 from polhode.residual_functions import ResidualFunction
-from polhode.spin_fits import FitSolution, SpinState, common_parts
+from polhode.spin_fits import FitSolution, common_parts
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
-    from polhode._observed import Loss
-    from polhode.surface_fits import BrightConvex, BrightMesh
+    from polhode._arguments import Loss
 
     Array = NDArray[np.float64]
 
@@ -28,126 +35,6 @@ Periods = tuple[str, float, float]
 MOMENTS = ("shape", "start", "fit")
 # A standard deviation over the median of sizes: 1 / Phi^-1(3/4).
 _OF_NORMAL = 1.482602218505602
-
-
-class LightCurve:
-    """How bright a body was during one session of observation. Immutable.
-
-    Parameters
-    ----------
-    t : (N,), times at the body, free of light time, any unit.
-    flux : (N,), at unit distances, any unit: the same in all sessions that are calibrated.
-    sigma : standard errors of the fluxes: a number or (N,).
-    to_sun, to_observer : (3,) or (N, 3), from the body, along inertial axes; any length.
-    name : of the session.
-    calibrated : whether fluxes can be compared with those of other calibrated sessions; else the
-        session has a factor of its own.
-
-    ValueError for shapes that do not fit; a fit says which point is wrong.
-    """
-
-    def __init__(
-        self,
-        t: ArrayLike,
-        flux: ArrayLike,
-        sigma: ArrayLike,
-        to_sun: ArrayLike = (0.0, 0.0, 0.0),
-        to_observer: ArrayLike = (0.0, 0.0, 0.0),
-        *,
-        name: str = "",
-        calibrated: bool = False,
-    ) -> None:
-        times = column(t, "t")
-        n = len(times)
-        values = column(flux, "flux")
-        if len(values) != n:
-            raise ValueError(f"flux: got shape {values.shape}; expected ({n},), as t has")
-        errors = np.array(_core._numbers(sigma, "sigma"), dtype=float)
-        if errors.shape not in ((), (n,)):
-            raise ValueError(f"sigma: got shape {errors.shape}; expected () or ({n},)")
-        self._name, self._calibrated = str(name), bool(calibrated)
-        self._table = np.column_stack([
-            times, values, np.broadcast_to(errors, (n,)), rows(to_sun, "to_sun", n, 3),
-            rows(to_observer, "to_observer", n, 3),
-        ])  # fmt: skip
-        self._table.flags.writeable = False
-
-    name = property(lambda self: self._name, doc="Of the session.")
-    calibrated = property(lambda self: self._calibrated, doc="Whether fluxes can be compared.")
-    t = property(lambda self: self._table[:, 0], doc="(N,)")
-    flux = property(lambda self: self._table[:, 1], doc="(N,)")
-    sigma = property(lambda self: self._table[:, 2], doc="(N,)")
-    to_sun = property(lambda self: self._table[:, 3:6], doc="(N, 3)")
-    to_observer = property(lambda self: self._table[:, 6:9], doc="(N, 3)")
-
-    def __len__(self) -> int:
-        return len(self._table)
-
-    def __repr__(self) -> str:
-        kind = "calibrated" if self.calibrated else "relative"
-        name = f" {self.name}:" if self.name else ""
-        return f"<LightCurve:{name} {len(self)} points, {kind}>"
-
-    def _parts(self) -> tuple[str, bool, Array]:
-        return self._name, self._calibrated, self._table
-
-    @classmethod
-    def _of(cls, parts: Any) -> LightCurve:
-        name, calibrated, table = parts
-        return cls(*table.T[:3], table[:, 3:6], table[:, 6:9], name=name, calibrated=calibrated)
-
-
-def curve_parts(curves: Any) -> list[tuple[str, bool, Array]]:
-    given = [curves] if isinstance(curves, LightCurve) else list(curves)
-    for curve in given:
-        if not isinstance(curve, LightCurve):
-            raise TypeError(f"curves: got {curve!r}; expected LightCurve, one or several")
-    return [curve._parts() for curve in given]
-
-
-@dataclass(frozen=True, eq=False)
-class BrightEllipsoid:
-    """A tumbling ellipsoid that scatters light.
-
-    Attributes
-    ----------
-    spin : SpinState; body axes are those of the ellipsoid. Its inertia is what a fit with
-        moments="start" or "fit" reads; with moments="shape" it is that of an even filling.
-    axes : (3,), semi-axes a, b, c; only ratios act.
-    law : weights of the laws of Lommel and Seeliger, and of Lambert.
-    """
-
-    spin: SpinState
-    axes: Any
-    law: tuple[float, float] = (1.0, 0.0)
-
-    def __post_init__(self) -> None:
-        if not isinstance(self.spin, SpinState):
-            raise TypeError(f"spin: got {self.spin!r}; expected SpinState")
-        object.__setattr__(self, "axes", of_shape(self.axes, "axes", (3,)))
-        single, multiple = (float(_number(weight, "law")) for weight in self.law)
-        object.__setattr__(self, "law", (single, multiple))
-
-    @classmethod
-    def homogeneous(
-        cls,
-        q: ArrayLike,
-        w: ArrayLike,
-        axes: ArrayLike,
-        t0: float = 0.0,
-        law: tuple[float, float] = (1.0, 0.0),
-    ) -> BrightEllipsoid:
-        """With the moments of an even filling."""
-        a, b, c = (x * x for x in of_shape(axes, "axes", (3,)))
-        return cls(SpinState(q, w, [b + c, c + a, a + b], t0), axes, law)
-
-    def _parts(self) -> tuple[Any, ...]:
-        return self.spin._parts(), self.axes, self.law
-
-    @classmethod
-    def _of(cls, parts: Sequence[Any]) -> BrightEllipsoid:
-        spin, axes, law = parts
-        return cls(SpinState._of(spin), axes, law)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -369,27 +256,6 @@ class LightResiduals(ResidualFunction):
         return BrightEllipsoid._of(self._compiled.state(x))
 
 
-def model_fluxes(
-    body: BrightEllipsoid | BrightConvex | BrightMesh,
-    curves: LightCurve | Iterable[LightCurve],
-    loss: Loss = "squared",
-) -> list[Array]:
-    """Fluxes of a body at the points of each light curve, with the best factor of each session
-    under a loss, as in fit_spin."""
-    from polhode.surface_fits import BrightConvex, BrightMesh
-
-    models: dict[type, Any] = {
-        BrightEllipsoid: _core._model_fluxes, BrightConvex: _core._convex_fluxes,
-        BrightMesh: _core._mesh_fluxes,
-    }  # fmt: skip
-    for kind, fluxes in models.items():
-        if isinstance(body, kind):
-            return fluxes(body._parts(), curve_parts(curves), *loss_of(loss))
-    raise TypeError(
-        f"model_fluxes: got {body!r}; expected BrightEllipsoid, BrightConvex or BrightMesh"
-    )
-
-
 def search_light(
     curves: LightCurve | Iterable[LightCurve],
     periods: Iterable[Periods],
@@ -445,3 +311,102 @@ def search_light(
         whole(threads, "threads"),
     )  # fmt: skip
     return search_result(found, wanted)
+
+
+@dataclass(frozen=True)
+class JoinedSession:
+    """What a session came to when it joined those before it.
+
+    Attributes
+    ----------
+    session : its place among the curves.
+    distance : of its middle from that of those before it; 0 of the first.
+    counts : fits that were begun, one for each count of turns and solution; for the first session,
+        one for each start.
+    converged : of them. solutions : within the limit, of all sessions so far. cost : of the lowest.
+    """
+
+    session: int
+    distance: float
+    counts: int
+    converged: int
+    solutions: int
+    cost: float
+
+
+@dataclass(frozen=True, eq=False)
+class LightExtensionResult:
+    """What extend_light found.
+
+    Attributes
+    ----------
+    solutions : FoundLight of all sessions, by what was minimised; all converged.
+    joined : JoinedSession in the order in which they joined.
+    failure : why there are no solutions; else empty. notes : what to know of it.
+    """
+
+    solutions: list[FoundLight]
+    joined: list[JoinedSession]
+    failure: str
+    notes: tuple[str, ...]
+
+    def __repr__(self) -> str:
+        counted = f"{len(self.solutions)} solutions of {len(self.joined)} sessions"
+        said = f": {self.failure}" if self.failure else ""
+        return listed(f"<LightExtensionResult: {counted}{said}", self.solutions)
+
+
+def extend_light(
+    curves: Iterable[LightCurve],
+    starts: BrightEllipsoid | Iterable[BrightEllipsoid],
+    *,
+    first: int = 0,
+    within: float = 1.5,
+    threads: int = 1,
+    shape: bool = True,
+    moments: str = "shape",
+    multiple: bool = False,
+    loss: Loss = "squared",
+    most_counts: int = 5000,
+    most_iterations: int = 200,
+) -> LightExtensionResult:
+    """Solutions of one session of light curves, to all sessions, which join one by one.
+
+    Each solution is fitted with every count of turns until the next session that three of its
+    errors leave; what is within the limit goes on to the session after it.
+
+    Parameters
+    ----------
+    curves : LightCurve, the sessions, with vectors.
+    starts : BrightEllipsoid, one or several, near what the session `first` has: bodies of the
+        solutions of search_light.
+    first : the place of that session.
+    within : chi-square, or the sum under a robust loss, over the lowest, up to which solutions go
+        on and are reported.
+    threads : the bits of the result do not depend on it.
+    shape, moments, multiple, loss : as in fit_light.
+    most_counts : of turns, for one solution and session; where there are more, `failure` says so.
+    most_iterations : of each fit; near the limit it may go on for five times as many.
+
+    Returns
+    -------
+    LightExtensionResult
+
+    DomainError (a ValueError) as fit_light, and without starts. A fit for each count of turns and
+    solution, some milliseconds for each 100 points. Ctrl-C ends it between two fits. Releases the
+    GIL.
+    """
+    bodies = [starts] if isinstance(starts, BrightEllipsoid) else list(starts)
+    for body in bodies:
+        if not isinstance(body, BrightEllipsoid):
+            raise TypeError(f"extend_light: starts: got {body!r}; expected BrightEllipsoid")
+    found = _core._extend_light(
+        curve_parts(curves), [body._parts() for body in bodies], whole(first, "first", 0),
+        float(_number(within, "within")), bool(shape), one_of(moments, "moments", MOMENTS),
+        bool(multiple), *loss_of(loss), whole(most_counts, "most_counts"),
+        whole(most_iterations, "most_iterations"), whole(threads, "threads"),
+    )  # fmt: skip
+    return LightExtensionResult(
+        [found_light(one) for one in found["solutions"]],
+        [JoinedSession(*one) for one in found["joined"]], found["failure"], found["notes"],
+    )  # fmt: skip

@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: MIT
-"""What a run of a scenario leaves: columns by name, as views onto one table, with their units."""
+"""What a run and a map leave: columns by name, as views onto one table, with their units.
+
+They know the compiled file that was run; `.scenario` is added in polhode.scenarios."""
 
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from polhode import _core, _tables
 from polhode._columns import Columns, restored
@@ -18,23 +20,19 @@ if TYPE_CHECKING:
     import pandas
     import xarray
 
-    from polhode import EventRecord, Outcome, RotorState, Statistics
-    from polhode.scenarios import Scenario
+    from polhode._core import EventRecord, Outcome, RotorState, Statistics
 
     Array = numpy.typing.NDArray[numpy.float64]
 
+_Map = TypeVar("_Map", bound="MapColumns")
 
-class Results(Columns):
-    """The rows of a scenario: `results["theta"]` is a column, a read-only view without a copy.
 
-    Columns are named and have the units as in the files of `polhode run`, t first; `results.groups`
-    has those that belong together as one array. Made by `Scenario.run`. `results["date"]` holds
-    texts, which numpy.asarray(..., "datetime64[us]") turns into times.
-    """
+class RunColumns(Columns):
+    """The rows of a run: see polhode.Results."""
 
     def __init__(
         self,
-        scenario: Scenario,
+        file: Any,
         table: Array,
         outcome: Outcome,
         statistics: Statistics,
@@ -43,15 +41,15 @@ class Results(Columns):
         kept: bool = True,
         end: EventRecord | None = None,
     ) -> None:
-        super().__init__(scenario._file.groups, table)
-        self._scenario = scenario
+        super().__init__(file.groups, table)
+        self._file = file
         self._outcome = outcome
         self._statistics = statistics
         self._events = list(events)
         self._energy_change = energy_change
         self._kept = kept
         self._end = end  # the last state of an integrated run
-        self._dates = frozenset(scenario._file.date_columns)
+        self._dates = frozenset(file.date_columns)
 
     def _column(self, name: str, place: int) -> Array:
         column = self._table[:, place]
@@ -60,7 +58,7 @@ class Results(Columns):
     def _dated(self, times: Array) -> Array:
         import numpy
 
-        dates = numpy.array(self._scenario._file.dates(times.tolist()), dtype="<U26")
+        dates = numpy.array(self._file.dates(times.tolist()), dtype="<U26")
         dates.flags.writeable = False
         return dates
 
@@ -84,16 +82,11 @@ class Results(Columns):
         if "q" not in self._spans or "g" not in self._spans:
             raise AttributeError(
                 "results.states needs the column groups q and g; the scenario has "
-                + ", ".join(self._scenario.columns)
+                + ", ".join(self._file.columns)
                 + ": with_columns([\"q\", \"g\"]) makes one that has them"
             )
         q, g = self._spans["q"].start, self._spans["g"].start
-        return self._scenario._file.states_in(self._table, q, g)
-
-    @property
-    def scenario(self) -> Scenario:
-        """What was run."""
-        return self._scenario
+        return self._file.states_in(self._table, q, g)
 
     @property
     def outcome(self) -> Outcome:
@@ -119,11 +112,10 @@ class Results(Columns):
     @property
     def summary(self) -> Summary:
         """What the body does and how the run went: what `polhode run` prints."""
-        file = self._scenario._file
-        lines = file.report_lines(
+        lines = self._file.report_lines(
             self._outcome, self._statistics, self._events, self._energy_change, self._end
         )
-        return Summary([*file.summary, *lines])
+        return Summary([*self._file.summary, *lines])
 
     def to_pandas(self) -> pandas.DataFrame:
         """The columns as a pandas.DataFrame with index t; title, method, units, ... in .attrs."""
@@ -143,12 +135,12 @@ class Results(Columns):
         """
         if not self._kept:
             raise ValueError("write: these results have no rows, by keep=False")
-        self._scenario._file.write(path, self._table)
+        self._file.write(path, self._table)
 
     def _notes(self) -> dict[str, str]:
-        scenario = self._scenario
-        notes = {"title": scenario.title, "scenario": scenario.name, "method": scenario.propagation}
-        return {**notes, "outcome": _text_of(self._outcome, scenario)}
+        file = self._file
+        notes = {"title": file.title, "scenario": file.name, "method": file.propagation}
+        return {**notes, "outcome": _text_of(self._outcome, file)}
 
     def _missing(self, name: object) -> str:
         if not isinstance(name, str):
@@ -164,11 +156,11 @@ class Results(Columns):
         return self._missing_among(name, known, remedy)
 
     def _head(self) -> tuple[str, str, str]:
-        title = self._scenario.title or self._scenario.name
+        title = self._file.title or self._file.name
         n = len(self._table)
         unit = self._units["t"]
         span = f"t = {self.t[0]:.10g} to {self.t[-1]:.10g} {unit}" if n else "none"
-        end = f"{self._scenario.propagation}; {_text_of(self._outcome, self._scenario)}"
+        end = f"{self._file.propagation}; {_text_of(self._outcome, self._file)}"
         return title, f"{n} rows, {span}" if self._kept else "rows in files alone", end
 
     def _group_texts(self) -> list[tuple[str, str]]:
@@ -206,7 +198,7 @@ class Results(Columns):
 
     def __reduce__(self) -> tuple[object, ...]:
         return restored, (
-            type(self), (self._scenario,), self._table.copy(),
+            type(self), (self._file,), self._table.copy(),
             (
                 self._outcome, self._statistics, self._events, self._energy_change, self._kept,
                 self._end,
@@ -214,8 +206,73 @@ class Results(Columns):
         )
 
 
-def _text_of(outcome: Outcome, scenario: Scenario) -> str:
+def _text_of(outcome: Outcome, file: Any) -> str:
     if outcome.status == _core.Outcome.Status.completed:
         return "completed"
-    where = f"at t = {outcome.t!r} {scenario.units.time}"
+    where = f"at t = {outcome.t!r} {file.units.time}"
     return f"stopped by an event {where}" if outcome.ok else f"failed {where}: {outcome.advice}"
+
+
+class MapColumns(Columns):
+    """The rows of a map: see polhode.MapResults."""
+
+    def __init__(
+        self,
+        file: Any,
+        columns: Sequence[tuple[str, str]],
+        axes: int,
+        table: Array,
+        cells: Array,
+        failures: Sequence[tuple[int, str]],
+    ) -> None:
+        super().__init__([(name, [(name, unit)]) for name, unit in columns], table)
+        self._file = file
+        self._axes = axes
+        self._cells = cells
+        self._failures = list(failures)
+
+    @property
+    def axes(self) -> tuple[str, ...]:
+        """The names of the columns that are axes of the grid; the last one runs fastest."""
+        return tuple(list(self._where)[: self._axes])
+
+    @property
+    def cell(self) -> numpy.typing.NDArray[numpy.int64]:
+        """(N,): which cell each row is of. A cell is one row, of a section one for each point."""
+        return self._cells
+
+    @property
+    def failures(self) -> list[tuple[int, str]]:
+        """(cell, why) of the cells that hold NaN, because they could not be or could not go on."""
+        return list(self._failures)
+
+    def __repr__(self) -> str:
+        title = self._file.title or self._file.name
+        columns = ", ".join(n if u == "1" else f"{n} [{u}]" for n, u in self._units.items())
+        failed = f"; {len(self._failures)} cells failed" if self._failures else ""
+        return f"<MapResults: {title}: {len(self._table)} rows of {columns}{failed}>"
+
+    def __reduce__(self) -> tuple[object, ...]:
+        before = (self._file, list(self._units.items()), self._axes)
+        return restored, (
+            type(self), before, self._table.copy(), (self._cells, self._failures)
+        )
+
+
+def run_map(
+    kind: type[_Map],
+    file: Any,
+    paths: Sequence[Any],
+    threads: int | None,
+    resume: bool,
+    restart: bool,
+    progress: Callable[[int, int], object] | None,
+) -> _Map:
+    """The map of a file; see Scenario.map."""
+    import numpy
+
+    done = file.map(list(paths), threads or 0, resume, restart, progress)
+    groups = numpy.array(done.cells_and_rows, dtype=numpy.int64).reshape(-1, 2)
+    rows = numpy.repeat(groups[:, 1], groups[:, 0])  # of each cell
+    cells = numpy.repeat(numpy.arange(len(rows), dtype=numpy.int64), rows)
+    return kind(file, done.columns, done.axes, done.table, cells, done.failures)

@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from polhode import _core
+from polhode._arguments import one_of, whole
 from polhode._core import _number
-from polhode._observed import one_of, whole
-from polhode.light_fits import LightCurve, curve_parts
+from polhode.light_bodies import LightCurve, curve_parts
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Scenarios: files that say what body rotates, how it starts, what acts on it and what to write."""
+"""Scenarios: files that say what body rotates, how it starts, what acts on it and what to write;
+and what their runs, maps and ensembles leave."""
 
 from __future__ import annotations
 
@@ -9,17 +10,17 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple, Union
 
 from polhode import _building, _core, _toml
+from polhode._ensemble_columns import EnsembleColumns, compiled_with, read_ensemble, run_ensemble
 from polhode._summary import Summary
-from polhode.ensembles import EnsembleResults, run_ensemble, with_ensemble
-from polhode.maps import MapResults, run_map
-from polhode.results import Results
+from polhode.results import MapColumns, RunColumns, run_map
 
 if TYPE_CHECKING:
     from concurrent.futures import Executor
 
     from numpy.typing import ArrayLike, NDArray
 
-    from polhode import (
+    from polhode import vary
+    from polhode._core import (
         Adaptive,
         Body,
         Collocation,
@@ -35,7 +36,6 @@ if TYPE_CHECKING:
         TurnedKeplerOrbit,
         Units,
         VariationOfConstants,
-        vary,
     )
 
     Path = Union[str, bytes, os.PathLike[str], os.PathLike[bytes]]
@@ -93,12 +93,7 @@ class Scenario:
         """
         if not isinstance(text, (str, bytes)):
             raise TypeError(f"from_text: got {text!r}; expected a str or bytes")
-        data = text.encode("utf-8") if isinstance(text, str) else text
-        shown = os.fsdecode(name).encode("utf-8", "backslashreplace").decode("utf-8")
-        file = _core._Scenario.from_text(data, shown)
-        for warning in file.warnings:
-            warnings.warn(warning, UserWarning, stacklevel=2)
-        return cls._of(file)
+        return cls._of(_toml.compiled(text, name))
 
     @classmethod
     def from_dict(cls, data: Mapping[str, Any], name: str = "scenario.toml") -> Scenario:
@@ -185,7 +180,7 @@ class Scenario:
 
         ScenarioError for what is no ensemble.
         """
-        return with_ensemble(self, vary, keys)
+        return Scenario._of(compiled_with(self._file, vary, keys))
 
     def replace(self, changes: Mapping[str, Any] | None = None, **tables: Any) -> Scenario:
         """The same scenario with other values of some keys, as `polhode run --set` makes it.
@@ -269,8 +264,8 @@ class Scenario:
         _require_files(paths if events is None else [*paths, events])
         done = self._file.run(paths, events, keep, resume, restart, progress)
         results = Results(
-            self, done.table, done.outcome, done.statistics, done.events, done.energy_change, keep,
-            done.end,
+            self._file, done.table, done.outcome, done.statistics, done.events,
+            done.energy_change, keep, done.end,
         )
         if not done.outcome.ok:
             warnings.warn(_failure(self, done, paths), RuntimeWarning, stacklevel=2)
@@ -316,7 +311,7 @@ class Scenario:
             raise ValueError(f"map: threads: got {threads!r}; expected a whole number from 1")
         if resume and not paths:
             raise ValueError("map: got resume=True; expected it with outputs")
-        return run_map(self, paths, threads, resume, restart, progress)
+        return run_map(MapResults, self._file, paths, threads, resume, restart, progress)
 
     def ensemble(
         self,
@@ -376,7 +371,8 @@ class Scenario:
         if threads is not None and executor is not None:
             raise ValueError("ensemble: got threads and an executor; expected one of them")
         return run_ensemble(
-            self, paths, threads, executor, resume, restart, any_machine, progress
+            EnsembleResults, self._file, paths, threads, executor, resume, restart, any_machine,
+            progress,
         )
 
     @property
@@ -505,6 +501,63 @@ class Scenario:
 
     def _repr_html_(self) -> str:
         return self.summary._repr_html_()
+
+
+class Results(RunColumns):
+    """The rows of a scenario: `results["theta"]` is a column, a read-only view without a copy.
+
+    Columns are named and have the units as in the files of `polhode run`, t first; `results.groups`
+    has those that belong together as one array. Made by `Scenario.run`. `results["date"]` holds
+    texts, which numpy.asarray(..., "datetime64[us]") turns into times.
+    """
+
+    @property
+    def scenario(self) -> Scenario:
+        """What was run."""
+        return Scenario._of(self._file)
+
+
+class MapResults(MapColumns):
+    """The rows of a map: `results["mean_megno"]` is a column, a read-only view without a copy.
+
+    Columns are named and have the units as in the files of `polhode map`: the axes, then the
+    results. Made by `Scenario.map`; figures.chaos_map and figures.poincare_section draw them.
+    """
+
+    @property
+    def scenario(self) -> Scenario:
+        """What was run."""
+        return Scenario._of(self._file)
+
+
+class EnsembleResults(EnsembleColumns):
+    """What an ensemble keeps: `results["P_short_mean"]` is a column, a view without a copy.
+
+    Columns are named and have the units as in the files of `polhode ensemble`. By `keep` a row is a
+    time ("statistics"), a member with what was drawn and its last row ("final"), one row of a
+    member ("rows"), or a chunk whose rows are in a file of its own ("chunks"). Made by
+    polhode.ensemble and Scenario.ensemble, or read from a file.
+    """
+
+    @classmethod
+    def read(cls, path: str | os.PathLike[str]) -> EnsembleResults:
+        """What `polhode ensemble` or a call from Python wrote into a file, CSV or HDF5.
+
+        Of files of chunks, one of them or their index. HDF5 needs the package h5py. A file that is
+        not complete yet, PATH.part, has what is done.
+        OSError for a file that cannot be read, ValueError for one that is not of an ensemble.
+        """
+        return read_ensemble(cls, path)
+
+    @property
+    def scenario(self) -> Scenario:
+        """What was run, with its table [ensemble]; of a file, the scenario inside."""
+        return Scenario._of(self._file)
+
+    def member(self, index: int) -> Scenario:
+        """The scenario of one member, from 0 on: what `polhode ensemble --member` prints. Its run
+        gives the numbers that the ensemble had, to the last bit. ValueError for another index."""
+        return Scenario.from_text(self._ensemble().member_text(index), self._file.path)
 
 
 def _units_of(units: Units | Mapping[str, str] | None) -> Units:

@@ -10,15 +10,15 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from polhode import _core
+from polhode._arguments import column, loss_of, of_shape, prior_rows, rows, some_of, whole
 from polhode._core import _number, _numbers
-from polhode._observed import column, loss_of, of_shape, prior_rows, rows, some_of, whole
 from polhode.residual_functions import ResidualFunction
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
-    from polhode import Body, FreeRotation
-    from polhode._observed import Loss
+    from polhode._arguments import Loss
+    from polhode._core import Body, FreeRotation
 
     Array = NDArray[np.float64]
 

@@ -1,147 +1,40 @@
 # SPDX-License-Identifier: MIT
-"""Light curves of tumbling bodies that are no ellipsoids: convex bodies of facets, given meshes."""
+"""Fits of light curves of tumbling bodies that are no ellipsoids: convex bodies, given meshes."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from polhode import _core
-from polhode._core import FacetShape, _number
-from polhode._observed import column, loss_of, one_of, whole
+from polhode._arguments import loss_of, one_of, whole
+from polhode._core import _number
+from polhode.light_bodies import (
+    BrightConvex,
+    BrightEllipsoid,
+    BrightMesh,
+    LightCurve,
+    curve_parts,
+)
 from polhode.light_fits import (
     MOMENTS,
-    BrightEllipsoid,
-    LightCurve,
     LightSearchResult,
     LightSolution,
-    curve_parts,
     light_parts,
     search_result,
     wanted_periods,
 )
 from polhode.residual_functions import ResidualFunction
-from polhode.spin_fits import SpinState
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
-    from polhode._observed import Loss
+    from polhode._arguments import Loss
     from polhode.light_fits import Periods
 
     Array = NDArray[np.float64]
-
-
-def _checked(body: Any) -> None:
-    if not isinstance(body.spin, SpinState):
-        raise TypeError(f"spin: got {body.spin!r}; expected SpinState")
-    single, multiple = (float(_number(weight, "law")) for weight in body.law)
-    object.__setattr__(body, "law", (single, multiple))
-
-
-@dataclass(frozen=True, eq=False)
-class BrightConvex:
-    """A tumbling convex body that scatters light, by the areas of facets on fixed normals.
-
-    Attributes
-    ----------
-    spin : SpinState; body axes are those of the facets, and principal.
-    degree, rows : of the series of areas, 1 to 40, and of the 8 rows^2 normals.
-    coefficients : ((degree + 1)^2,), c_lm at l^2 + l + m: an area is w exp(sum of c_lm Y_lm(n)),
-        w the solid angle of its normal n. Y_lm is sqrt(4 pi) times the real orthonormal harmonic,
-        so that Y_00 is 1.
-    law : weights of the laws of Lommel and Seeliger, and of Lambert.
-
-    Fluxes (`model_fluxes`, fits) are those of patches: each facet stands for a small range of
-    normals, so that its light fades smoothly at the terminator. The plain sum over `normals` and
-    `areas` differs by 0.1 to 2.5 %.
-    """
-
-    spin: SpinState
-    degree: int
-    rows: int
-    coefficients: Any
-    law: tuple[float, float] = (1.0, 0.0)
-
-    def __post_init__(self) -> None:
-        _checked(self)
-        object.__setattr__(self, "degree", whole(self.degree, "degree"))
-        object.__setattr__(self, "rows", whole(self.rows, "rows"))
-        object.__setattr__(self, "coefficients", column(self.coefficients, "coefficients"))
-
-    @property
-    def normals(self) -> Array:
-        """(M, 3), outward, along the body axes; M = 8 rows^2."""
-        return _core._convex_facets(self._parts())[0]
-
-    @property
-    def areas(self) -> Array:
-        """(M,), in the unit in which the ellipsoid of the start has b = 1."""
-        return _core._convex_facets(self._parts())[1]
-
-    @property
-    def mesh(self) -> FacetShape:
-        """The body itself (Minkowski's problem), its centre of mass in the origin. DomainError (a
-        ValueError) where the areas are far from those of a closed body. Half a second for 512
-        facets."""
-        return _core._convex_mesh(self._parts())
-
-    def _parts(self) -> tuple[Any, ...]:
-        return self.spin._parts(), self.degree, self.rows, self.coefficients, self.law
-
-    @classmethod
-    def _of(cls, parts: Sequence[Any]) -> BrightConvex:
-        spin, degree, rows, coefficients, law = parts
-        return cls(SpinState._of(spin), degree, rows, coefficients, law)
-
-
-@dataclass(frozen=True, eq=False)
-class BrightMesh:
-    """A tumbling body of known shape that scatters light; facets shade each other.
-
-    Attributes
-    ----------
-    spin : SpinState; body axes are those of the mesh.
-    shape : FacetShape, in any unit.
-    law : weights of the laws of Lommel and Seeliger, and of Lambert.
-    """
-
-    spin: SpinState
-    shape: FacetShape
-    law: tuple[float, float] = (1.0, 0.0)
-
-    def __post_init__(self) -> None:
-        _checked(self)
-        if not isinstance(self.shape, FacetShape):
-            raise TypeError(f"shape: got {self.shape!r}; expected FacetShape")
-
-    @classmethod
-    def homogeneous(
-        cls, q: Any, w: Any, shape: FacetShape, t0: float = 0.0,
-        law: tuple[float, float] = (1.0, 0.0),
-    ) -> BrightMesh:  # fmt: skip
-        """With the inertia of an even filling about the centre of mass; the mesh must be closed."""
-        return cls(SpinState(q, w, _core._homogeneous_inertia(shape), t0), shape, law)
-
-    @property
-    def mesh(self) -> FacetShape:
-        """The shape."""
-        return self.shape
-
-    def _parts(self) -> tuple[Any, ...]:
-        return self.spin._parts(), self.shape, self.law
-
-    @classmethod
-    def _of(cls, parts: Sequence[Any]) -> BrightMesh:
-        spin, shape, law = parts
-        return cls(SpinState._of(spin), shape, law)
-
-
-def surface_of(parts: Sequence[Any]) -> BrightConvex | BrightMesh:
-    return BrightConvex._of(parts) if len(parts) == 5 else BrightMesh._of(parts)
 
 
 def _convex_problem(

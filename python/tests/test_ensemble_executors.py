@@ -14,17 +14,10 @@ import pytest
 from interrupts import LATEST, seconds_from_signal
 from open_mpi import ENVIRONMENT
 from polhode import Scenario, vary
+from scenario_texts import FREE
 from slowdown import SLOWDOWN
 
-TEXT = """schema = 1
-[body]
-moments = [1, 1.7, 2.2]
-[state.attitude-rate]
-quaternion = [1, 0, 0, 0]
-omega_body = [0.1, 0.2, 1]
-[time]
-stop = 10
-step = 0.5
+TEXT = FREE.replace("[1, 2, 2.5]", "[1, 1.7, 2.2]") + """
 [output]
 columns = ["q", "omega", "tumbler"]
 """

@@ -15,7 +15,7 @@ from closeness import assert_allclose
 from differences import slope
 from matplotlib.text import Annotation
 from polhode import Regime, figures
-from polhode.figures import arrows, excerpts, polhode_curves, polhodes
+from polhode.figures import arrows, polhode_curves, polhodes
 from polhode.figures.momentum_sphere import DEFAULT_VIEW
 from polhode.figures.view import Ellipsoid, View, parts, sphere
 
@@ -57,12 +57,12 @@ def test_a_motion_over_many_polhodes_is_shown_in_parts():
     g = circuits(body, 300, 1.0)
     ax = figures.momentum_sphere(body, trace=g)
     near = [line for line in ax.lines if line.get_gid() == "trace-near"]
-    assert len(near) == excerpts.PARTS and near[0].get_linewidth() < 1.0
-    parts = excerpts.excerpts(body, g)
+    assert len(near) == polhodes.PARTS and near[0].get_linewidth() < 1.0
+    parts = polhodes.excerpts(body, g)
     assert_allclose([parts[0][0], parts[-1][-1]], [g[0], g[-1]])
     lengths = [np.sum(np.linalg.norm(np.diff(part, axis=0), axis=-1)) for part in parts]
     assert_allclose(lengths, 2 * np.pi, rtol=budgets.figure_bin)
-    axis = np.linspace(0.2, 1.2, excerpts.PARTS)
+    axis = np.linspace(0.2, 1.2, polhodes.PARTS)
     # of even steps along the path, the middle of the run is farther out than its half
     seen = np.arccos([part[0, 0] for part in parts])
     assert np.all(np.diff(seen) > 0.0) and np.all(seen[1:-1] > axis[1:-1])
@@ -72,7 +72,7 @@ def test_a_motion_over_many_polhodes_is_shown_in_parts():
 def test_a_motion_on_one_polhode_or_of_few_circuits_is_whole(turns, drift):
     body = polhode.Body(3.0, 5.0, 5.0)
     g = circuits(body, turns, drift)
-    (whole,) = excerpts.excerpts(body, g)
+    (whole,) = polhodes.excerpts(body, g)
     assert whole is g
     ax = figures.momentum_sphere(body, trace=g)
     assert len([line for line in ax.lines if line.get_gid() == "trace-near"]) == 1

@@ -44,7 +44,7 @@ def convex():
 
 @functools.cache
 def searched():
-    return polhode.search_light(CURVE, [("SAM", 10.0, 25.0)], starts=4, within=100.0)
+    return polhode.search_light(CURVE, [("SAM", 10.0, 25.0)], starts=4)
 
 
 @functools.cache
@@ -149,7 +149,7 @@ def test_what_differs_is_not_alike():
 
 def test_no_class_is_left_out():
     root = pathlib.Path(polhode.__file__).parent
-    of_fits = ("fits", "fit_tables", "light_fits", "light_extensions", "surface_fits",
+    of_fits = ("fits", "fit_tables", "light_fits", "light_bodies", "surface_fits",
                "spin_fits", "scans", "residual_functions", "posterior")  # fmt: skip
     classes = {
         node.name

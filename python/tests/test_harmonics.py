@@ -138,20 +138,27 @@ def test_periods_that_even_rows_cannot_separate_are_named(periods):
     assert np.all(harmonic_fit(uneven, np.sin(uneven), periods).amplitude < 1.0)
 
 
+NOISE = np.random.default_rng(10).normal(size=(len(SPAN), 2000))
+
+
+@pytest.fixture(scope="module", params=[1.0, 3.7, 11.0])
+def alone(request):
+    """A period, and the fits of its term to draws of noise."""
+    return request.param, harmonic_fit(SPAN, NOISE, [request.param])
+
+
 @pytest.mark.parametrize("beats", [0.02, 0.1, 0.3, 0.4, 0.6, 1.0, 3.0])
-@pytest.mark.parametrize("period", [1.0, 3.7, 11.0])
-def test_noise_is_at_most_doubled_or_the_fit_is_refused(beats, period):
+def test_noise_is_at_most_doubled_or_the_fit_is_refused(beats, alone):
     """The scatter of amplitudes over many draws of noise, next to that of the term alone."""
+    period, one = alone
     other = 1.0 / (1.0 / period + beats / 30.0)
-    noise = np.random.default_rng(10).normal(size=(len(SPAN), 2000))
-    alone = harmonic_fit(SPAN, noise, [period])
     try:
-        both = harmonic_fit(SPAN, noise, [period, other])
+        both = harmonic_fit(SPAN, NOISE, [period, other])
     except ValueError as refused:
         assert beats < 1.0 and "do not tell apart" in str(refused)
         return
     assert beats > 0.2
-    for of_both, of_one in ((both.cosine, alone.cosine), (both.sine, alone.sine)):
+    for of_both, of_one in ((both.cosine, one.cosine), (both.sine, one.sine)):
         assert np.all(of_both.std(axis=1) < budgets.harmonic_growth * of_one.std(axis=1))
 
 

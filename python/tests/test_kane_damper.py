@@ -134,21 +134,20 @@ def test_sinks_get_its_rate():
     assert np.array_equal(rates, want.damper_rate)
 
 
-def test_refusals():
-    with pytest.raises(ValueError, match="moment 0 must be positive"):
-        KaneDamper(0.0, 1.0)
-    with pytest.raises(ValueError, match="what is left must be a body"):
-        System(BODY, damper=KaneDamper(0.6, 1.0))
-    with pytest.raises(ValueError, match="take at_damper_rate"):
-        angular_velocity(SYSTEM, 0.0, START)
-    with pytest.raises(ValueError, match="without a damper"):
-        at_damper_rate(System(BODY), RATE)
-    with pytest.raises(ValueError, match="without a damper"):
-        integrate(Problem(System(BODY), START, 0.0, 1.0, damper_rate=RATE))
-    with pytest.raises(ValueError, match="method must be Adaptive or Collocation"):
-        integrate(Problem(SYSTEM, START, 0.0, 1.0, Splitting(0.1)))
-    with pytest.raises(ValueError, match="which integrate alone carries"):
-        polhode.chaos_indicator(problem(1.0), [1.0])
+@pytest.mark.parametrize(("call", "message"), [
+    (lambda: KaneDamper(0.0, 1.0), "moment 0 must be positive"),
+    (lambda: System(BODY, damper=KaneDamper(0.6, 1.0)), "what is left must be a body"),
+    (lambda: angular_velocity(SYSTEM, 0.0, START), "take at_damper_rate"),
+    (lambda: at_damper_rate(System(BODY), RATE), "without a damper"),
+    (lambda: integrate(Problem(System(BODY), START, 0.0, 1.0, damper_rate=RATE)),
+     "without a damper"),
+    (lambda: integrate(Problem(SYSTEM, START, 0.0, 1.0, Splitting(0.1))),
+     "method must be Adaptive or Collocation"),
+    (lambda: polhode.chaos_indicator(problem(1.0), [1.0]), "which integrate alone carries"),
+])  # fmt: skip
+def test_refusals(call, message):
+    with pytest.raises(ValueError, match=message):
+        call()
 
 
 @METHODS

@@ -112,19 +112,17 @@ def test_a_sphere_loses_its_spin_across_the_field():
         assert_allclose(g, want, rtol=budgets.numpy_formula, atol=budgets.numpy_formula)
 
 
-def test_refusals():
-    with pytest.raises(ValueError, match="needs an orbit"):
-        ResidualDipole([1, 0, 0], FIELD)
-    with pytest.raises(ValueError, match="no derivative"):
-        EddyCurrents(1.0, dipole, ORBIT)
-    with pytest.raises(ValueError, match="expected \\(\\), \\(3,\\) or \\(3, 3\\)"):
-        EddyCurrents([1.0, 2.0], FIELD, ORBIT)
-    with pytest.raises(ValueError, match="eigenvalue"):
-        EddyCurrents(-1.0, FIELD, ORBIT)
-    with pytest.raises(ValueError, match="not zero"):
-        DipoleField([1, 0, 0], pole=[0, 0, 0])
-    with pytest.raises(ValueError, match="reference radius"):
-        DipoleField.from_gauss(1, 0, 0, 0)
+@pytest.mark.parametrize(("call", "message"), [
+    (lambda: ResidualDipole([1, 0, 0], FIELD), "needs an orbit"),
+    (lambda: EddyCurrents(1.0, dipole, ORBIT), "no derivative"),
+    (lambda: EddyCurrents([1.0, 2.0], FIELD, ORBIT), "expected \\(\\), \\(3,\\) or \\(3, 3\\)"),
+    (lambda: EddyCurrents(-1.0, FIELD, ORBIT), "eigenvalue"),
+    (lambda: DipoleField([1, 0, 0], pole=[0, 0, 0]), "not zero"),
+    (lambda: DipoleField.from_gauss(1, 0, 0, 0), "reference radius"),
+])  # fmt: skip
+def test_refusals(call, message):
+    with pytest.raises(ValueError, match=message):
+        call()
 
 
 TEXT = """

@@ -293,31 +293,25 @@ def test_a_term_said_to_be_a_kick_can_be_split():
         about(no_kick)
 
 
-def test_wrong_arguments():
-    with pytest.raises(ValueError, match="gm"):
-        GravityGradient(-1.0, ORBIT)
-    with pytest.raises(TypeError, match="expected a function|or a function of time"):
-        GravityGradient(1.0, ELEMENTS)
-    with pytest.raises(ValueError, match="axes: got 'equator'; expected one of inertial reference"):
-        GravityGradient(1.0, ORBIT, "equator")
-    with pytest.raises(TypeError, match="name"):
-        GravityGradient(1.0, ORBIT, name=3)
-    with pytest.raises(ValueError, match=r"u_B: got shape \(2,\)"):
-        ConstantTorque.in_body([1, 2])
-    with pytest.raises(ValueError, match="ConstantTorque"):
-        ConstantTorque.in_space([1, 2, math.nan])
-    with pytest.raises(ValueError, match="needs the body"):
-        LinearDamping(FULL)
-    with pytest.raises(ValueError, match=r"got shape \(2, 3\)"):
-        LinearDamping(np.zeros((2, 3)), BODY)
-    with pytest.raises(ValueError, match="LinearDamping"):
-        LinearDamping(-1.0)
-    with pytest.raises(TypeError, match="body: got float"):
-        LinearDamping(FULL, 1.0)
-    with pytest.raises(TypeError, match="expected a function|or a function of time"):
-        TorqueTerm([1, 2, 3])
-    with pytest.raises(TypeError):
-        polhode.AnyPerturbation()
+@pytest.mark.parametrize(("call", "error", "message"), [
+    (lambda: GravityGradient(-1.0, ORBIT), ValueError, "gm"),
+    (lambda: GravityGradient(1.0, ELEMENTS), TypeError,
+     "expected a function|or a function of time"),
+    (lambda: GravityGradient(1.0, ORBIT, "equator"), ValueError,
+     "axes: got 'equator'; expected one of inertial reference"),
+    (lambda: GravityGradient(1.0, ORBIT, name=3), TypeError, "name"),
+    (lambda: ConstantTorque.in_body([1, 2]), ValueError, r"u_B: got shape \(2,\)"),
+    (lambda: ConstantTorque.in_space([1, 2, math.nan]), ValueError, "ConstantTorque"),
+    (lambda: LinearDamping(FULL), ValueError, "needs the body"),
+    (lambda: LinearDamping(np.zeros((2, 3)), BODY), ValueError, r"got shape \(2, 3\)"),
+    (lambda: LinearDamping(-1.0), ValueError, "LinearDamping"),
+    (lambda: LinearDamping(FULL, 1.0), TypeError, "body: got float"),
+    (lambda: TorqueTerm([1, 2, 3]), TypeError, "expected a function|or a function of time"),
+    (lambda: polhode.AnyPerturbation(), TypeError, None),
+])  # fmt: skip
+def test_wrong_arguments(call, error, message):
+    with pytest.raises(error, match=message):
+        call()
 
 
 TERMS = [

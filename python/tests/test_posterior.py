@@ -13,7 +13,7 @@ import polhode
 import pytest
 from closeness import assert_allclose, largest
 from polhode import Snapshots, SpinResiduals, SpinState
-from polhode._unbounded import Unbounded
+from polhode.posterior import Unbounded
 
 pytest.importorskip("mici")
 pytest.importorskip("arviz_stats")

@@ -9,13 +9,9 @@ import polhode
 import pytest
 from interrupts import grows, seconds_from_signal
 from polhode import Scenario
+from scenario_texts import BODY, STATE
 
-TEXT = """schema = 1
-[body]
-moments = [1, 2, 2.5]
-[state.attitude-rate]
-quaternion = [1, 0, 0, 0]
-omega_body = [0.1, 0.2, 1]
+TEXT = BODY + STATE + """
 [[perturbation]]
 kind = "damping"
 coefficients = [1e-9, 1e-9, 1e-9]

@@ -12,7 +12,9 @@ import polhode
 import pytest
 import sgp4
 from closeness import assert_allclose
-from polhode import _satellites_command, satellites
+from polhode import satellites
+from polhode.satellites.__main__ import main
+from scenario_texts import BODY, STATE
 
 VANGUARD = (
     "1 00005U 58002B   00179.78495062  .00000023  00000-0  28098-4 0  4753",
@@ -208,17 +210,17 @@ def test_lines_that_are_wrong_say_where(line1, line2, what):
         satellites.satellite_from_tle(line1, line2)
 
 
-def test_messages_that_are_wrong_say_where():
-    with pytest.raises(ValueError, match="the field BSTAR is missing"):
-        satellites.satellite_from_omm({k: v for k, v in OMM.items() if k != "BSTAR"})
-    with pytest.raises(ValueError, match="OMM: .*x"):
-        satellites.satellite_from_omm({**OMM, "INCLINATION": "x"})
-    with pytest.raises(ValueError, match="not XML"):
-        satellites.satellite_from_omm("<omm>")
-    with pytest.raises(ValueError, match="0 messages"):
-        satellites.satellite_from_omm("A,B\n")
-    with pytest.raises(ValueError, match="2 messages; expected one"):
-        satellites.satellite_from_omm(as_csv(OMM, OMM))
+@pytest.mark.parametrize(("call", "message"), [
+    (lambda: satellites.satellite_from_omm({k: v for k, v in OMM.items() if k != "BSTAR"}),
+     "the field BSTAR is missing"),
+    (lambda: satellites.satellite_from_omm({**OMM, "INCLINATION": "x"}), "OMM: .*x"),
+    (lambda: satellites.satellite_from_omm("<omm>"), "not XML"),
+    (lambda: satellites.satellite_from_omm("A,B\n"), "0 messages"),
+    (lambda: satellites.satellite_from_omm(as_csv(OMM, OMM)), "2 messages; expected one"),
+])  # fmt: skip
+def test_messages_that_are_wrong_say_where(call, message):
+    with pytest.raises(ValueError, match=message):
+        call()
 
 
 def message(number, name="", **fields):
@@ -351,7 +353,7 @@ def command(tmp_path, monkeypatch, capsys):
 
     def go(elements, *words):
         pathlib.Path("a.tle").write_text(elements)
-        status = _satellites_command.main(["a.tle", *(words or FROM_TO), "--out", "a.csv"])
+        status = main(["a.tle", *(words or FROM_TO), "--out", "a.csv"])
         said = capsys.readouterr()
         return status, said.out, said.err
 
@@ -464,9 +466,6 @@ def test_old_elements_are_taken_where_that_is_asked_for(command):
 ])  # fmt: skip
 def test_a_scenario_says_how_elements_become_an_orbit(tmp_path, file, keys):
     (tmp_path / file).write_text("VANGUARD 1\n" + LINES)
-    text = (
-        "schema = 1\n[body]\nmoments = [1, 2, 2.5]\n[state.attitude-rate]\n"
-        "quaternion = [1, 0, 0, 0]\nomega_body = [0, 0, 1]\n[orbit.earth]\n" + keys
-    )
+    text = BODY + STATE + "[orbit.earth]\n" + keys
     with pytest.raises(ValueError, match="python -m polhode.satellites TLE --from DATE --to DATE"):
         polhode.Scenario.from_text(text, str(tmp_path / "a.toml"))

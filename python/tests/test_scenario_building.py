@@ -222,27 +222,25 @@ def test_axes_of_a_frame_at_rest_are_inertial():
     assert made.system.terms[0].axes == SpaceAxes.inertial
 
 
-def test_wrong_arguments():
-    with pytest.raises(TypeError, match="system: got 3"):
-        Scenario.build(3, STATES[0])
-    with pytest.raises(TypeError, match="state: got"):
-        Scenario.build(BODY, RotorState([[1, 0, 0, 0]] * 2, [1, 2, 3]))
-    with pytest.raises(TypeError, match="state: got"):
-        Scenario.build(BODY, [1, 0, 0, 0])
-    with pytest.raises(TypeError, match="method: got 'adaptive'"):
-        Scenario.build(BODY, STATES[0], method="adaptive")
-    with pytest.raises(TypeError, match=r"time: got \(0, 'a', 1\)"):
-        Scenario.build(BODY, STATES[0], (0, "a", 1))
-    with pytest.raises(TypeError, match="events: got 3"):
-        Scenario.build(BODY, STATES[0], events=[3])
-    for units in ("h", {"tiem": "h"}):
-        with pytest.raises(TypeError, match="units: got"):
-            Scenario.build(BODY, STATES[0], units=units)
-    with pytest.raises(ValueError, match="did you mean h"):
-        Scenario.build(BODY, STATES[0], units={"time": "hours"})
-    with pytest.raises(ValueError, match="first_step 0.1 has no place"):
-        Scenario.build(BODY, STATES[0], method=Adaptive(first_step=0.1))
-    with pytest.raises(polhode.ScenarioError, match="did you mean \"omega\""):
-        Scenario.build(BODY, STATES[0], columns=["omgea"])
-    with pytest.raises(polhode.DomainError, match="a step of -1"):
-        Scenario.build(BODY, STATES[0], (0, 1, -1))
+@pytest.mark.parametrize(("call", "error", "message"), [
+    (lambda: Scenario.build(3, STATES[0]), TypeError, "system: got 3"),
+    (lambda: Scenario.build(BODY, RotorState([[1, 0, 0, 0]] * 2, [1, 2, 3])), TypeError,
+     "state: got"),
+    (lambda: Scenario.build(BODY, [1, 0, 0, 0]), TypeError, "state: got"),
+    (lambda: Scenario.build(BODY, STATES[0], method="adaptive"), TypeError,
+     "method: got 'adaptive'"),
+    (lambda: Scenario.build(BODY, STATES[0], (0, "a", 1)), TypeError, r"time: got \(0, 'a', 1\)"),
+    (lambda: Scenario.build(BODY, STATES[0], events=[3]), TypeError, "events: got 3"),
+    (lambda: Scenario.build(BODY, STATES[0], units="h"), TypeError, "units: got"),
+    (lambda: Scenario.build(BODY, STATES[0], units={"tiem": "h"}), TypeError, "units: got"),
+    (lambda: Scenario.build(BODY, STATES[0], units={"time": "hours"}), ValueError,
+     "did you mean h"),
+    (lambda: Scenario.build(BODY, STATES[0], method=Adaptive(first_step=0.1)), ValueError,
+     "first_step 0.1 has no place"),
+    (lambda: Scenario.build(BODY, STATES[0], columns=["omgea"]), polhode.ScenarioError,
+     "did you mean \"omega\""),
+    (lambda: Scenario.build(BODY, STATES[0], (0, 1, -1)), polhode.DomainError, "a step of -1"),
+])  # fmt: skip
+def test_wrong_arguments(call, error, message):
+    with pytest.raises(error, match=message):
+        call()

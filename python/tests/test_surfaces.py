@@ -35,13 +35,14 @@ def facets_of(surface):
 
 
 def light_torque(surface, e):
-    """Momentum of light on each facet, as in a textbook."""
+    """Momentum of light from directions (..., 3) on each facet, as in a textbook."""
     r, n, area, finish = facets_of(surface)
-    c = np.clip(n @ e, 0.0, None)[:, None]
+    c = np.clip(e @ n.T, 0.0, None)[..., None]
     specular, diffuse, emitted = finish[:, 0:1], finish[:, 1:2], finish[:, 2:3]
     lambert = 2 / 3 * (diffuse + emitted * (1 - specular - diffuse))
-    force = -area[:, None] * c * ((1 - specular) * e + (2 * specular * c + lambert) * n)
-    return np.cross(r, force).sum(0)
+    light = (1 - specular) * np.expand_dims(e, -2)
+    force = -area[:, None] * c * (light + (2 * specular * c + lambert) * n)
+    return np.cross(r, force).sum(-2)
 
 
 def test_mass_by_random_points():
@@ -143,16 +144,12 @@ def test_sunlight_and_air():
 def test_yorp_by_direct_quadrature():
     surface = polhode.Surface.of_shape(shape(), shape().vertices.mean(0), diffuse=0.3, emitted=1.0)
     turns = 2 * np.pi * (np.arange(240) + 0.5) / 240
+    c, s, zero = np.cos(turns), np.sin(turns), np.zeros_like(turns)
+    R = np.array([[c, -s, zero], [s, c, zero], [zero, zero, zero + 1]]).transpose(2, 0, 1)
     for obliquity in (0.2, 1.1):
-        sum_ = np.zeros(3)
-        for f in turns:
-            sun = np.array(
-                [np.cos(f), np.sin(f) * np.cos(obliquity), np.sin(f) * np.sin(obliquity)]
-            )
-            for a in turns:
-                R = np.array([[np.cos(a), -np.sin(a), 0], [np.sin(a), np.cos(a), 0], [0, 0, 1]])
-                sum_ += R @ light_torque(surface, R.T @ sun)
-        want = (sum_ / len(turns) ** 2)[[2, 1, 0]]
+        suns = np.stack([c, s * np.cos(obliquity), s * np.sin(obliquity)], axis=-1)
+        total = sum(turn @ light_torque(surface, suns @ turn).sum(0) for turn in R)
+        want = (total / len(turns) ** 2)[[2, 1, 0]]
         assert_allclose(
             polhode.yorp_torque(surface, obliquity), want, atol=budgets.yorp_brute_force
         )

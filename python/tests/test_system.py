@@ -432,21 +432,20 @@ def test_systems_compare_copy_and_pickle(system):
     assert system != System(Body(1, 2, 2.6)) and system != 1
 
 
-def test_wrong_arguments():
-    with pytest.raises(TypeError, match="frame: got list; expected a Frame"):
-        System(BODY, [GRAVITY])
-    with pytest.raises(TypeError, match="terms: got KeplerOrbit; expected GravityGradient"):
-        System(BODY, terms=[ORBIT])
-    with pytest.raises(TypeError):
-        System((1, 2, 3))
-    with pytest.raises(TypeError):
-        polhode.effect(SYSTEM, 0.0, to_andoyer(STATE))
-    with pytest.raises(TypeError, match="t: got a str"):
-        polhode.effect(SYSTEM, "now", STATE)
-    with pytest.raises(ValueError, match="do not broadcast"):
-        polhode.effect(SYSTEM, np.zeros(3), RotorState(np.ones((2, 4)), [1, 2, 3]))
-    with pytest.raises(AttributeError):
-        SYSTEM.terms = ()
+@pytest.mark.parametrize(("call", "error", "message"), [
+    (lambda: System(BODY, [GRAVITY]), TypeError, "frame: got list; expected a Frame"),
+    (lambda: System(BODY, terms=[ORBIT]), TypeError,
+     "terms: got KeplerOrbit; expected GravityGradient"),
+    (lambda: System((1, 2, 3)), TypeError, None),
+    (lambda: polhode.effect(SYSTEM, 0.0, to_andoyer(STATE)), TypeError, None),
+    (lambda: polhode.effect(SYSTEM, "now", STATE), TypeError, "t: got a str"),
+    (lambda: polhode.effect(SYSTEM, np.zeros(3), RotorState(np.ones((2, 4)), [1, 2, 3])),
+     ValueError, "do not broadcast"),
+    (lambda: setattr(SYSTEM, "terms", ()), AttributeError, None),
+])  # fmt: skip
+def test_wrong_arguments(call, error, message):
+    with pytest.raises(error, match=message):
+        call()
 
 
 def test_times_and_states_broadcast(states, times):

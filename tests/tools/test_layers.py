@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The rules of tools/layers.py: who may include whom, details, and how full a folder may be."""
+"""The rules of tools/layers.py: who may include whom, circles, details, fullness of folders."""
 
 import sys
 
@@ -77,3 +77,43 @@ def test_a_folder_has_25_sources_at_most(messages):
     assert messages(full | {"src/tables/detail/x.hpp": ""}) == []
     assert messages(full | {"src/tables/one_more.cpp": ""}) == [
         "src/tables: 26 sources, at most 25"]
+
+
+# Modules of the Python package by name.
+ONE_WAY = [
+    {"__init__": "from polhode.one import f\nfrom polhode._core import *", "one":
+     "from polhode import _core", "two": "from polhode import f"},
+    {"__init__": "", "one": "import numpy", "inner/__init__": "from polhode.inner import deep",
+     "inner/deep": "from ..one import f"},
+]
+CIRCLES = [
+    {"one": "import polhode.two", "two": "from polhode import one"},
+    {"one": "from polhode.two import f", "two": "def f():\n    from polhode.one import g"},
+    {"one": "from polhode.two import f", "two": "if TYPE_CHECKING:\n    import polhode.one"},
+    {"one": "from . import two", "two": "from .three import f", "three": "from .one import *"},
+    {"__init__": "from polhode.one import f", "one": "from polhode import f"},
+    {"inner/__init__": "from . import deep", "inner/deep": "from polhode.inner import f"},
+]
+
+
+def package(modules):
+    return {f"python/polhode/{name}.py": text + "\n" for name, text in modules.items()}
+
+
+@pytest.mark.parametrize("modules", ONE_WAY)
+def test_python_modules_may_import_one_another(messages, modules):
+    assert messages(package(modules)) == []
+
+
+@pytest.mark.parametrize("modules", CIRCLES)
+def test_python_modules_in_a_circle_are_refused(messages, modules):
+    (line,) = messages(package(modules))
+    names = {".".join(["polhode", *name.split("/")]).removesuffix(".__init__") for name in modules}
+    first, *rest = line.removeprefix("cycle: ").split(" -> ")
+    assert line.startswith("cycle: ") and first == rest[-1] and set(rest) == names
+
+
+def test_a_cycle_of_headers_is_refused(messages):
+    files = {f"src/text/{a}.hpp": f'#include "text/{b}.hpp"\n' for a, b in ("ab", "bc", "ca")}
+    (line,) = messages(files)
+    assert "src/text/a.hpp -> src/text/b.hpp -> src/text/c.hpp" in " -> ".join([line[7:]] * 2)

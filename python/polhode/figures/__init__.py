@@ -13,12 +13,12 @@ from polhode.figures.chaos import chaos_growth, chaos_map
 from polhode.figures.corner_plot import corner_plot
 from polhode.figures.ellipses import orbit_ellipses
 from polhode.figures.energy_error import energy_error
+from polhode.figures.ensembles import outcomes, quantile_fan, regime_fractions
 from polhode.figures.frames import frames_and_angles
 from polhode.figures.landscape import scan_landscape
 from polhode.figures.light_curves import light_curve_fit
 from polhode.figures.momentum_sphere import momentum_sphere
 from polhode.figures.oblate_planet import OblatePlanet
-from polhode.figures.outcomes import outcomes
 from polhode.figures.overview import overview
 from polhode.figures.phase_plane import phase_plane
 from polhode.figures.pole_cloud import pole_cloud
@@ -28,8 +28,6 @@ from polhode.figures.polhode_curves import (
     polhode_and_herpolhode,
     polhode_on_ellipsoid,
 )
-from polhode.figures.quantile_fan import quantile_fan
-from polhode.figures.regime_fractions import regime_fractions
 from polhode.figures.run_data import RunData
 from polhode.figures.section import poincare_section
 from polhode.figures.style import DOUBLE_COLUMN, SINGLE_COLUMN, Look, regime_look, save, series

@@ -15,9 +15,9 @@ from matplotlib.axes import Axes
 from numpy.typing import ArrayLike, NDArray
 
 from polhode import Body, FreeRotation, RotorState, attitude_matrix
+from polhode._arguments import require_positive
 from polhode._core import _numbers
 from polhode.figures import style
-from polhode.figures.arguments import require_positive
 from polhode.figures.attitude import DEFAULT_VIEW, REACH, BodyPicture
 from polhode.figures.run_data import RunData, run_data
 from polhode.figures.view import View, parts

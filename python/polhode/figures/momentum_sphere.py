@@ -12,10 +12,9 @@ from matplotlib.lines import Line2D
 from numpy.typing import ArrayLike, NDArray
 
 from polhode import Body, Regime, RotorState
+from polhode._arguments import require_positive
 from polhode._core import _numbers
 from polhode.figures import arrows, polhodes, style
-from polhode.figures.arguments import require_positive
-from polhode.figures.excerpts import excerpts
 from polhode.figures.labels import HALO
 from polhode.figures.view import Ellipsoid, View, parts, sphere
 
@@ -164,7 +163,7 @@ def as_marked(line: Line2D, look: style.Look) -> Line2D:
 def draw_trace(ax: Axes, view: View, ball: Ellipsoid, body: Body, g: NDArray[np.float64]) -> Line2D:
     """The momenta (n, 3) of a run; the handle for the legend."""
     look, said = trace_look(g), "this motion"
-    drawn = [g[:1]] if look is RING else excerpts(body, g) if look is TRACE else [g]
+    drawn = [g[:1]] if look is RING else polhodes.excerpts(body, g) if look is TRACE else [g]
     if len(drawn) > 1:
         look, said = THIN_TRACE, "parts of this motion"
     for part in drawn:

@@ -17,8 +17,8 @@ import numpy as np
 from numpy.polynomial import chebyshev
 from numpy.typing import ArrayLike, NDArray
 
+from polhode._arguments import require_positive
 from polhode._core import _number, _numbers
-from polhode.figures.arguments import require_positive
 
 Array = NDArray[np.float64]
 NODES = 48

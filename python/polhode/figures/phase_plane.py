@@ -11,8 +11,8 @@ from matplotlib.lines import Line2D
 from numpy.typing import ArrayLike, NDArray
 
 from polhode import AndoyerState, Body, Regime, RotorState, kinetic_energy, to_andoyer, to_rotor
+from polhode._arguments import require_positive
 from polhode.figures import arrows, polhodes, style
-from polhode.figures.arguments import require_positive
 from polhode.figures.momentum_sphere import as_marked, legend, momenta, trace_look
 
 QUARTER = 0.5 * np.pi

@@ -10,8 +10,7 @@ from numpy.typing import NDArray
 
 from polhode import attitude_matrix
 from polhode.figures.columns import radians_in
-from polhode.figures.ensemble_data import EnsembleData, Source, read_ensemble
-from polhode.figures.ensemble_points import draw_points
+from polhode.figures.ensemble_data import EnsembleData, Source, draw_points, read_ensemble
 from polhode.figures.style import SINGLE_COLUMN, axes_or_new, styled
 
 POLES = (("pole_lon", "pole_lat"), ("pole_ra", "pole_dec"))

@@ -167,3 +167,7 @@ def _said(wrong: Any) -> str:
     if isinstance(wrong, UnicodeDecodeError):
         return "the elements are no text in UTF-8"
     return str(wrong)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

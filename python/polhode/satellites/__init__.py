@@ -20,7 +20,6 @@ import math
 import os
 import pathlib
 import re
-import sys
 import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -30,7 +29,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from polhode import _omm
 from polhode._core import (
     Date,
     TableOrbit,
@@ -40,6 +38,7 @@ from polhode._core import (
     j2000_from_teme,
     seconds_between,
 )
+from polhode.satellites import _omm
 
 __all__ = [
     "Satellite",
@@ -454,9 +453,3 @@ def _times(first: float, last: float, spacing: float) -> NDArray[np.float64]:
         raise ValueError("expected first < last and a positive spacing")
     count = max(math.ceil((last - first) / spacing) + 1, _LEAST_ROWS)
     return np.linspace(first, last, count)
-
-
-if __name__ == "__main__":
-    from polhode._satellites_command import main
-
-    sys.exit(main())

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Arguments of fits as arrays, with a sentence where they are no such."""
+"""Arguments as arrays and numbers, with a sentence when they are none."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, Union
 
@@ -86,3 +87,15 @@ def prior_rows(priors: Any) -> list[tuple[list[str], list[float], list[float]]]:
         covariance = of_shape(spread, "priors", (n, n))
         found.append((list(names), means.tolist(), covariance.ravel().tolist()))
     return found
+
+
+def require_positive(function: str, name: str, value: Any) -> None:
+    """ValueError unless the number is positive and finite; TypeError for what is no number."""
+    required = f"{function}: got {name} = {value!r}; expected a positive, finite number"
+    try:
+        finite = math.isfinite(value)
+    except TypeError:
+        raise TypeError(required) from None
+    value = _number(value, f"{function}: {name}")
+    if not (finite and value > 0):
+        raise ValueError(required)
