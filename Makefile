@@ -10,9 +10,8 @@ PACKAGE := PYTHONPATH=build/release/python
 CORES   := $(shell nproc 2>/dev/null || echo 2)
 # A file of tests stays in one process: what its fixtures build is built once.
 PYTEST  := $(PYTHON) -m pytest -n $(CORES) --dist loadfile
-# Fuzzing: inputs per target in `make test`, the same ones every time; seconds in `make fuzz`.
-FUZZ_SAMPLE := 10000
-FUZZ        := 600
+# Seconds of fuzzing for each target.
+FUZZ := 600
 # What `make bits` compares the tree with.
 REV         := HEAD
 
@@ -41,33 +40,33 @@ build/%/build.ninja: CMakePresets.json | deps
 build: build/release/build.ninja ## Build the libraries, build/release/polhode and the Python package
 	cmake --build build/release --target polhode polhode_python polhode_stub
 
-demo: build ## Apophis from ten lines of TOML: its exact rotation in CSV and HDF5, a table, a picture
+demo: build/release/build.ninja ## Apophis from ten lines of TOML: its exact rotation in CSV and HDF5, a table, a picture
+	@echo "Building the program and the Python package; about 5 minutes on two cores the first time"
+	cmake --build build/release --target polhode polhode_python
 	@mkdir -p build/demo
 	$(POLHODE) run examples/apophis.toml --out build/demo/apophis.csv --out build/demo/apophis.h5
 	$(PACKAGE) $(PYTHON) examples/apophis.py build/demo/apophis.png
 
-test: build build/fuzz/build.ninja ## Every test on seeded samples, a short fuzzing included (minutes)
+test: build ## Every test on seeded samples (minutes)
 	cmake --build build/release
-	cmake --build build/fuzz
-	tools/fuzz $(FUZZ_SAMPLE)
-	ctest --preset release -j $(CORES) --progress
+	ctest --preset release -j $(CORES)
 	$(PACKAGE) $(PYTEST) tests
-	$(PACKAGE) $(PYTEST) python/tests --cov=polhode --cov-report=term --cov-fail-under=95
+	$(PACKAGE) $(PYTEST) python/tests
 
 test-full: test-clang test-asan test-tsan test-neon fuzz test-sweeps web ## All that there is, part by part (hours)
 
 test-clang: build/clang/build.ninja ## Part of test-full: the C++ tests as clang 16 compiles them
 	cmake --build --preset clang --target all benchmarks
-	ctest --preset clang -j $(CORES) --progress
+	ctest --preset clang -j $(CORES)
 
 test-asan: build/asan/build.ninja ## Part of test-full: C++ and Python tests under ASan and UBSan
 	cmake --build --preset asan
-	ctest --preset asan -j $(CORES) --progress
+	ctest --preset asan -j $(CORES)
 	tools/sanitized asan $(PYTEST) python/tests
 
 test-tsan: build/tsan/build.ninja ## Part of test-full: what starts threads, under ThreadSanitizer
 	cmake --build --preset tsan
-	ctest --preset tsan -j $(CORES) --progress
+	ctest --preset tsan -j $(CORES)
 	tools/sanitized tsan $(PYTEST) tests/cli/test_map.py tests/cli/test_ensemble.py
 	tools/sanitized tsan $(PYTEST) python/tests -k "(thread or map or ctrl_c) and not mpi"  # Open MPI has races of its own
 
@@ -75,14 +74,14 @@ test-neon: ## Part of test-full: what computes in lanes, for AArch64 (NEON), run
 	tools/install-deps --neon
 	cmake --preset neon
 	cmake --build --preset neon
-	ctest --preset neon -j $(CORES) --progress
+	ctest --preset neon -j $(CORES)
 
 test-sweeps: build ## Part of test-full: the big sweeps
 	cmake --build build/release
-	POLHODE_TEST_FULL=1 ctest --preset release -j $(CORES) --progress
+	POLHODE_TEST_FULL=1 ctest --preset release -j $(CORES)
 	$(PACKAGE) POLHODE_TEST_FULL=1 $(PYTEST) tests
 	$(PYTHON) -m pip install --quiet --disable-pip-version-check 'distributed>=2024.1'  # Dask's
-	$(PACKAGE) POLHODE_TEST_FULL=1 $(PYTEST) python/tests
+	$(PACKAGE) POLHODE_TEST_FULL=1 $(PYTEST) python/tests --cov=polhode --cov-report=term --cov-fail-under=95
 
 check: build/release/build.ninja ## What to run before every commit: style, layers, headers, lint, unit tests
 	tools/check
@@ -121,9 +120,9 @@ bench-peers: build ## polhode beside its peers, time and error: build/bench/peer
 	$(PACKAGE) build/bench/venv/bin/python benchmarks/peers/run.py --seed "$(SEED)" \
 	  --repetitions $(REPETITIONS) --variants $(VARIANTS)
 
-fuzz: build/fuzz-long/build.ninja ## Fuzz the readers for FUZZ seconds each (default 600), under ASan and UBSan
-	cmake --build build/fuzz-long
-	tools/fuzz --for $(FUZZ)
+fuzz: build/fuzz/build.ninja ## Fuzz the readers for FUZZ seconds each (default 600), under ASan and UBSan
+	cmake --build build/fuzz
+	tools/fuzz $(FUZZ)
 
 mutate: build/release/build.ninja ## MUTANTS small changes of the formulas, drawn by SEED: which do the tests catch? (an hour)
 	$(PYTHON) tools/mutate --seed "$(SEED)" --mutants $(MUTANTS) --jobs $(CORES) $(if $(PAGE),--page $(PAGE))
