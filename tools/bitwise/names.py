@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: MIT
+"""Public names that changed: names.tsv has a line OLD TAB NEW for each. They are whole words (keys,
+options, columns, names of Python and C++), or any text that begins and ends with one.
+"""
+
+import pathlib
+import re
+
+TABLE = pathlib.Path(__file__).with_name("names.tsv")
+
+
+def replaced(pairs, text):
+    """All at once, so that two names can change places."""
+    if not pairs:
+        return text
+    longest_first = sorted(pairs, key=len, reverse=True)
+    words = "|".join(map(re.escape, longest_first))
+    return re.sub(rf"(?<![\w-])(?:{words})(?![\w-])", lambda found: pairs[found[0]], text)
+
+
+class Names:
+    def __init__(self, table=TABLE):
+        lines = [line for line in table.read_text(encoding="utf-8").splitlines()
+                 if line and not line.startswith("#")]
+        self.pairs = dict(line.split("\t") for line in lines)
+
+    def to_new(self, text):
+        return replaced(self.pairs, text)
+
+    def to_old(self, data):
+        """An input; one that is no text stays as it is."""
+        try:
+            return replaced({new: old for old, new in self.pairs.items()},
+                            data.decode("utf-8")).encode("utf-8")
+        except UnicodeDecodeError:
+            return data
