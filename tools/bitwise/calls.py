@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""What the public Python package computes: case, field and value of many calls, one a line.
+"""Results of the public Python package, one value a line: case, field, value.
 
-The calls are those of the tests: a valid one of every function that takes numbers
-(python/tests/public_calls.py, fit_calls.py, test_quantities.py). Below are others, of scenarios and
-what comes of them.
+The tests have a valid call of every public function that takes numbers (public_calls.py,
+fit_calls.py, test_quantities.py); these are made, and made again with wrong arguments. Scenarios,
+runs, maps, ensembles and fits are added here.
 """
 
 import inspect
@@ -24,11 +24,11 @@ import public_calls  # noqa: E402
 import test_quantities  # noqa: E402
 
 DEEPEST = 4
-MOST = 4000  # values of one array that are listed
+MOST = 4000  # values listed of one array
 
 
 def said(case, field, text):
-    """One line, without the folders of this side."""
+    """One line; the folders of this side are cut out."""
     for folder in (HERE, pathlib.Path.cwd()):
         text = text.replace(f"{folder}/", "").replace(str(folder), "")
     line = text.replace("\\", "\\\\").replace("\t", "\\t").replace("\n", "\\n").replace("\r", "\\r")
@@ -36,7 +36,7 @@ def said(case, field, text):
 
 
 def listed(case, field, value, depth=0):
-    """Every number, word and public attribute of a value."""
+    """All numbers, texts and public attributes of a value."""
     if isinstance(value, (float, np.floating)):
         said(case, field, float(value).hex())
     elif isinstance(value, (bool, np.bool_, int, np.integer, str, bytes, type(None))):
@@ -81,7 +81,7 @@ def attributes_of(case, field, value, depth):
 
 
 def called(case, function, *arguments, **keywords):
-    """The result, or the refusal; and warnings."""
+    """Lists the result or the exception, and the warnings."""
     with warnings.catch_warnings(record=True) as seen:
         warnings.simplefilter("always")
         try:
@@ -117,7 +117,7 @@ def refused(case, function, **keywords):
 
 
 def refusals():
-    """Each number in turn is NaN, or no number."""
+    """Each number in turn is replaced by NaN, a text and None."""
     for call in public_calls.all_calls():
         for name in call.numbers:
             value = test_quantities.sample(call, name)
@@ -127,7 +127,7 @@ def refusals():
 
 
 def of_figures():
-    """The lines and points that are drawn."""
+    """Coordinates of the lines and points of each figure."""
     for name, (function, numbers, others) in test_quantities.of_figures(pathlib.Path.cwd()).items():
         called(f"figures.{name}", function, **others, **numbers)
         for k, axes in enumerate(axes for n in plt.get_fignums() for axes in plt.figure(n).axes):

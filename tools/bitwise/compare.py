@@ -135,7 +135,7 @@ READERS = {".tsv": probe_cases, ".csv": csv_cases, ".json": json_cases}
 
 
 def read_text(path, rename):
-    """The text as it would be with today's names, and its cases."""
+    """The text with the new names, and its cases."""
     text = rename(path.read_bytes().decode("utf-8", "backslashreplace"))
     try:
         return text, READERS.get(path.suffix, text_cases)(path.name, text)
@@ -144,7 +144,7 @@ def read_text(path, rename):
 
 
 def read_hdf5(path, rename):
-    """Names, attributes and values of every dataset; numbers with all of their bits."""
+    """Names, attributes and values of every dataset; numbers with all their bits."""
     import h5py
     fields = {}
 
@@ -172,7 +172,7 @@ def read_hdf5(path, rename):
 
 
 def compare_files(old, new, rename=str):
-    """Values, and whatever else there is in the bytes."""
+    """Differences of values; if there are none, differences of bytes that names do not explain."""
     if not old.exists() or not new.exists():
         there = [MISSING if not path.exists() else "there" for path in (old, new)]
         return Comparison(1, [Difference(new.name, "file", *there, None)])

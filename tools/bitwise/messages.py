@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""What one side says of bad files and bad command lines: place, text and exit status.
+"""Messages for bad files and bad command lines: place, text and exit status.
 
-messages.toml has [texts], lists of lines, and [rows]: a name and [command line, standard input,
-files]. A file is {name, of, from, to, put}: the text `of` with the lines from..to (the second not
-included) replaced by the lines `put`. Characters stand for bytes.
+messages.toml has [texts], lists of lines, and [rows]: [command line, standard input, files...]. A
+file {name, of, from, to, put} is the text `of` with lines from to `to` - 1, counted from 0,
+replaced by the lines `put`. Each character is one byte (Latin-1).
 """
 
 import concurrent.futures
@@ -24,7 +24,7 @@ def written(texts, file):
 
 
 def placed(side, line, files):
-    """(line:column, the rest); the column as it would be with today's names."""
+    """(file:line:column, text); the column is that of the line with the new names."""
     found = PLACE.match(line)
     if not found:
         return "", line

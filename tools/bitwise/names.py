@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Public names that changed: names.tsv has a line OLD TAB NEW for each. They are whole words (keys,
-options, columns, names of Python and C++), or any text that begins and ends with one.
+"""Renamed public names: names.tsv has a line OLD TAB NEW for each key, option, column or name in
+Python or C++. Only whole words match.
 """
 
 import pathlib
@@ -10,7 +10,7 @@ TABLE = pathlib.Path(__file__).with_name("names.tsv")
 
 
 def replaced(pairs, text):
-    """All at once, so that two names can change places."""
+    """In one pass, so that two names can be exchanged."""
     if not pairs:
         return text
     longest_first = sorted(pairs, key=len, reverse=True)
@@ -28,7 +28,7 @@ class Names:
         return replaced(self.pairs, text)
 
     def to_old(self, data):
-        """An input; one that is no text stays as it is."""
+        """For inputs; binary data stay as they are."""
         try:
             return replaced({new: old for old, new in self.pairs.items()},
                             data.decode("utf-8")).encode("utf-8")

@@ -65,8 +65,8 @@ def printed(command, path, **options):
         path.with_suffix(".failed.txt").write_text(f"status {done.returncode}\n{said}\n")
 
 
-def whole(name, side, path):
-    """A program of ours that must not fail."""
+def require_success(name, side, path):
+    """For our own programs; a failure of the command line is an output."""
     failed = path.with_suffix(".failed.txt")
     if failed.exists():
         raise Failed(f"{name}: the program of {side.name} failed: {failed.read_text()}")
@@ -76,15 +76,15 @@ def run_probe(side, name, folder):
     program = folder.with_suffix(".program")
     side.compile(side.inputs / f"tools/bitwise/{name}.cpp", program)
     printed([program], folder / f"{name}.tsv")
-    whole(name, side, folder / f"{name}.tsv")
+    require_success(name, side, folder / f"{name}.tsv")
 
 
 def run_calls(side, folder):
-    """The calls of the Python package; files that they write stay out of the comparison."""
+    """Calls of the Python package of this side."""
     environment = {**os.environ, "PYTHONPATH": str(side.build / "python"), "MPLBACKEND": "agg",
                    "PYTHONHASHSEED": "0", "PYTHONDONTWRITEBYTECODE": "1"}
     printed([revision.PYTHON, side.inputs / CALLS], folder / "python.tsv", env=environment)
-    whole("python", side, folder / "python.tsv")
+    require_success("python", side, folder / "python.tsv")
 
 
 def run_scenario(side, command, path, folder):
@@ -104,7 +104,7 @@ def run_scenario(side, command, path, folder):
     return []
 
 
-# What scripts of commands.toml may call: `killed` ends a command soon after its first checkpoint.
+# For the scripts of commands.toml: `killed` kills a command soon after its first checkpoint.
 FUNCTIONS = """
 killed() {
   "$@" > /dev/null 2>&1 &
@@ -114,12 +114,12 @@ killed() {
 }
 trap 'echo "status $?"' ERR
 """
-# Lines about the time that something takes, and about where a killed command goes on.
+# Lines that depend on timing: speeds, remaining times, where a killed command continues.
 PACE = re.compile(r"^.*(?: a second|\d s| left|continues (?:at|after) .*)\n", re.MULTILINE)
 
 
 def run_script(side, script, folder):
-    """One case of a table of commands: the files that it leaves, and what it prints."""
+    """One case of commands.toml: the files that the script leaves, standard output and errors."""
     folder.mkdir()
     environment = {**os.environ, "PATH": f"{side.polhode.parent}:{os.environ['PATH']}"}
     done = subprocess.run(["bash", "-c", FUNCTIONS + script], cwd=folder, env=environment,

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""The two sides: programs, Python module and inputs of a revision, a build folder, or the tree.
+"""The two sides: programs, Python package and inputs of a revision, a build folder, or the tree.
 
-A revision is built in a worktree under build/bits. Each side reads the inputs of its own checkout;
-those that it does not have are the working tree's, with the names that this side knows.
+A revision is built in a worktree under build/bits. Each side reads the inputs of its own checkout.
+Inputs that are missing there are copied from the working tree, with the old names.
 """
 
 import dataclasses
@@ -18,7 +18,7 @@ from bitwise.names import Names
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 HOME = ROOT / "build/bits"
 PYTHON = ROOT / ".venv/bin/python"
-# What a side reads: probes, scenarios, tables of commands, and the calls of the Python tests.
+# Inputs: probes, scenarios, tables of commands, and the valid calls that the Python tests share.
 INPUTS = ["tools/bitwise", "examples", "python/tests", "tests/slowdown.py"]
 # As in the preset `release`, for the library and for the probes.
 FLAGS = ["-std=c++20", "-O2", "-DNDEBUG", "-ffp-contract=off"]
@@ -43,14 +43,14 @@ class Side:
     build: pathlib.Path
     tree: pathlib.Path
     keep: bool = False  # whether outputs are kept for the next comparison
-    names: "Names | None" = None  # of an old side: what is called otherwise now
+    names: "Names | None" = None  # of an old side: old and new public names
 
     @property
     def polhode(self):
         return self.build / "polhode"
 
     def command(self, *words):
-        """Words of today's command line, as this side calls them."""
+        """A command line, with the old names on an old side."""
         old = self.names.to_old if self.names else bytes
         return [self.polhode, *(old(str(word).encode()).decode() for word in words)]
 
@@ -85,7 +85,7 @@ class Side:
 
 
     def table(self, name):
-        """Cases of a table in TOML: the working tree's, each as this side has it."""
+        """The cases of the working tree, each as the table of this side has it, if it does."""
         own = table_of(self.inputs / name)
         text = (ROOT / name).read_bytes()
         cases = tomllib.loads((self.names.to_old(text) if self.names else text).decode())
@@ -121,7 +121,7 @@ def working_tree():
 
 
 def built_folder(folder, name):
-    """What is in a build folder, as it is."""
+    """A build folder as it is; nothing is built."""
     cache = (folder / "CMakeCache.txt").read_text(encoding="utf-8")
     (home,) = [line.partition("=")[2] for line in cache.splitlines()
                if line.startswith("CMAKE_HOME_DIRECTORY:")]
