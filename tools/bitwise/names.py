@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Renamed public names: names.tsv has a line OLD TAB NEW for each key, option, column or name in
-Python or C++. Only whole words match.
+Python or C++. Only whole words match; an option has its dashes: --old-name.
 """
 
 import pathlib
