@@ -118,11 +118,16 @@ def test_a_bit_of_an_hdf5_file(compare, folders):
     with h5py.File(folders[1] / "out.h5", "r+") as file:
         file["q"][7] = with_last_bit_flipped(values[7])
     (found,) = compare.compare_folders(*folders).differences
-    assert "/q" in found.field and found.new == "1 differences found"
+    assert (found.case, found.field, found.ulps) == ("out.h5", "q [7]", 1)
     with h5py.File(folders[1] / "out.h5", "r+") as file:
         file["q"][7] = values[7]
         file["q"][0] = -0.0  # equal to 0, with another bit
     assert len(compare.compare_folders(*folders).differences) == 1
+    with h5py.File(folders[1] / "out.h5", "r+") as file:
+        file["q"][0] = 0.0
+        file["q"].attrs["unit"] = "h"
+    (found,) = compare.compare_folders(*folders).differences
+    assert (found.field, found.old, found.new) == ("q@unit", "-", "h")
 
 
 def test_what_was_skipped_is_compared_on_neither_side(compare, folders):
@@ -133,18 +138,92 @@ def test_what_was_skipped_is_compared_on_neither_side(compare, folders):
     assert found.case == "golden.json"
 
 
-@pytest.mark.parametrize("script, message", [
-    (None, "h5diff is not there: it is in the package hdf5-tools"),
-    ("exit 2", "status 2, without a word")])
-def test_h5diff_that_says_nothing(compare, failed, folders, tmp_path, monkeypatch, script, message):
-    for folder in folders:
-        (folder / "out.h5").write_text(folder.name)
-    if script is not None:
-        (tmp_path / "h5diff").write_text(f"#!/bin/sh\n{script}\n")
-        (tmp_path / "h5diff").chmod(0o755)
-    monkeypatch.setenv("PATH", str(tmp_path))
-    with pytest.raises(failed, match=message):
-        compare.compare_folders(*folders)
+@pytest.fixture
+def names(compare, tmp_path):
+    from bitwise.names import Names
+    (tmp_path / "names.tsv").write_text("# OLD, NEW\nrate\tomega\nomega\tspin\n--old-way\t--way\n")
+    return Names(tmp_path / "names.tsv")
+
+
+def test_whole_words_change_their_names_all_at_once(names):
+    old, new = "rate = omega, rates, rate-x, x.rate --old-way", (
+        "omega = spin, rates, rate-x, x.omega --way")
+    assert names.to_new(old) == new and names.to_old(new.encode()).decode() == old
+    assert names.to_old(b"\xff omega") == b"\xff omega"  # no text
+
+
+def test_what_is_called_otherwise_is_equal(compare, folders, names):
+    for folder, name in zip(folders, ("rate", "omega"), strict=True):
+        (folder / "within/out.csv").write_text(f"# {name}\nt,{name}\n0,1\n")
+        with h5py.File(folder / "out.h5", "w") as file:
+            file.create_dataset(name, data=[1.0, 2.0], track_times=False)
+            file[name].attrs["of"] = f"the {name}"
+    assert len(compare.compare_folders(*folders).differences) > 4
+    assert not compare.compare_folders(*folders, rename=names.to_new).differences
+    (folders[1] / "within/out.csv").write_text("# omega\r\nt,omega\n0,1\n")
+    (found,) = compare.compare_folders(*folders, rename=names.to_new).differences
+    assert found.field == "bytes"
+
+
+class Side:
+    """One whose program prints its arguments and what its file holds, as an error."""
+
+    def __init__(self, folder, names=None):
+        self.names, self.polhode = names, folder / "polhode"
+        self.polhode.write_text("#!/bin/sh\necho \"a.toml:1:8: $*\" >&2; cat - a.toml; exit 2\n")
+        self.polhode.chmod(0o755)
+
+
+def test_messages_have_a_place_and_a_status(compare, tmp_path, names):
+    from bitwise import messages
+    table = {"texts": {"t1": ["a", "rate = 1", "c"]},
+             "rows": {"run 1": ["run 'a b'", "in\n", {"name": "a.toml", "of": "t1", "from": 0,
+                                                    "to": 1, "put": ["rate = x"]}]}}
+    expected = ("run 1\tstatus\t2\nrun 1\tout 0 place\t\nrun 1\tout 0\tin\n"
+                "run 1\tout 1 place\t\nrun 1\tout 1\trate = x\n"
+                "run 1\tout 2 place\t\nrun 1\tout 2\trate = 1\n"
+                "run 1\tout 3 place\t\nrun 1\tout 3\tc\n"
+                "run 1\terror 0 place\ta.toml:1:{}\nrun 1\terror 0\trun a b\n")
+    for known, column in ((None, 8), (names, 9)):  # the column that it has with the longer name
+        messages.run(Side(tmp_path, known), table, tmp_path / "messages.tsv")
+        assert (tmp_path / "messages.tsv").read_text() == expected.format(column)
+
+
+def test_rows_of_messages_name_texts_that_are_there(root, compare):
+    from bitwise import messages, revision
+    table = revision.table_of(root / "tools/bitwise/messages.toml")
+    used = {file["of"] for row in table["rows"].values() for file in row[2:] if "of" in file}
+    assert used == set(table["texts"]) and len(table["rows"]) > 400
+    for row in table["rows"].values():
+        for file in row[2:]:
+            messages.written(table["texts"], file).encode("latin-1")
+
+
+def test_a_side_has_its_own_inputs_and_else_those_of_the_tree(names, tmp_path, monkeypatch):
+    from bitwise import revision
+    for tree in ("tree", "old"):
+        (tmp_path / tree / "tools").mkdir(parents=True)
+    (tmp_path / "tree/tools/a.toml").write_text("[g]\nx = 'omega'\nnew = 'omega'\n")
+    (tmp_path / "tree/tools/b.txt").write_text("omega")
+    (tmp_path / "old/tools/a.toml").write_text("[g]\nx = 'own'\ngone = 'own'\n")
+    monkeypatch.setattr(revision, "ROOT", tmp_path / "tree")
+    monkeypatch.setattr(revision, "HOME", tmp_path / "home")
+    monkeypatch.setattr(revision, "INPUTS", ["tools"])
+    side = revision.Side("old", "old", tmp_path, tmp_path / "old", names=names)
+    assert side.table("tools/a.toml") == {"g": {"x": "own", "new": "rate"}}
+    assert (side.inputs / "tools/b.txt").read_text() == "rate"
+    assert side.command("run", "--way") == [tmp_path / "polhode", "run", "--old-way"]
+
+
+def test_a_script_leaves_files_and_no_times(outputs, tmp_path):
+    side = Side(tmp_path)
+    outputs.run_script(side, "echo '5 members a second' >&2\nfalse\necho kept\n", tmp_path / "case")
+    assert (tmp_path / "case/stdout.txt").read_text() == "status 1\nkept\n"
+    assert (tmp_path / "case/stderr.txt").read_text() == ""
+    outputs.run_script(side, "killed sh -c 'touch a.checkpoint; sleep 60'\n", tmp_path / "killed")
+    assert sorted(path.name for path in (tmp_path / "killed").iterdir()) == [
+        "a.checkpoint", "stderr.txt", "stdout.txt"]
+    assert (tmp_path / "killed/stdout.txt").read_text() == ""
 
 
 def test_no_time_and_no_memory_are_told_apart(outputs, failed, tmp_path, monkeypatch):
@@ -165,8 +244,12 @@ def test_a_scenario_that_takes_too_long_is_skipped_and_a_probe_is_not(
     endless.write_text("#!/bin/sh\nwhile :; do :; done\n")
     endless.chmod(0o755)
 
-    class Side:
-        name, polhode = "this side", endless
+    class Endless:
+        name, polhode, inputs = "this side", endless, tmp_path
+
+        @staticmethod
+        def command(*words):
+            return [endless, *words]
 
         @staticmethod
         def compile(source, program):
@@ -175,21 +258,29 @@ def test_a_scenario_that_takes_too_long_is_skipped_and_a_probe_is_not(
     scenario = tmp_path / "slow.toml"
     scenario.write_text("")
     folder = tmp_path / "outputs"
-    folder.mkdir()
-    assert outputs.run_scenario(Side, "map", scenario, folder) == ["slow"]
-    assert not list(folder.iterdir())
+    (folder / "in").mkdir(parents=True)
+    (folder / "in/slow.toml").write_text("")
+    assert outputs.run_scenario(Endless, "map", scenario, folder) == ["slow"]
+    assert [path.name for path in folder.iterdir()] == ["in"]
     with pytest.raises(failed, match="takes more than 1 s"):
-        outputs.run_probe(Side, "free", folder)
+        outputs.run_probe(Endless, "free", folder)
 
 
 def test_outputs_are_kept_only_while_what_makes_them_is_the_same(outputs, tmp_path, monkeypatch):
-    for name in ("outputs.py", "revision.py", "free.cpp", "cases.hpp", "record.hpp"):
-        (tmp_path / name).write_text(name)
-    monkeypatch.setattr(outputs, "PROBES", tmp_path)
-    digests = {outputs.digest("free")}
-    for k, path in enumerate(sorted(tmp_path.iterdir()), 2):
+    folder = tmp_path / "tools/bitwise"
+    folder.mkdir(parents=True)
+    for name in ("outputs.py", "messages.py", "revision.py", "names.tsv", "free.cpp", "cases.hpp",
+                 "record.hpp"):
+        (folder / name).write_text(name)
+    monkeypatch.setattr(outputs, "ROOT", tmp_path)
+
+    class Own:
+        inputs = tmp_path
+
+    digests = {outputs.digest(Own, "free")}
+    for k, path in enumerate(sorted(folder.iterdir()), 2):
         path.write_text("changed")
-        digests.add(outputs.digest("free"))
+        digests.add(outputs.digest(Own, "free"))
         assert len(digests) == k, path.name
 
 
