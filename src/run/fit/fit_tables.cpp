@@ -52,7 +52,10 @@ void write_fit_covariance(const Scenario& scenario, const UnknownsCovariance& c,
   std::vector<ColumnGroup> groups = {{"unknown", {{"unknown", "1"}}}};
   std::string notes = "unknowns:";
   for (std::size_t i = 0; i < n; ++i) {
-    groups.push_back({numbers[i].name, {{numbers[i].name, numbers[i].unit}}});
+    std::string name = numbers[i].name;  // a slash in the name of an HDF5 dataset means a group
+    if (const std::size_t slash = name.find('/'); slash != std::string::npos)
+      name.replace(slash, 1, "_over_");
+    groups.push_back({name, {{numbers[i].name, numbers[i].unit}}});
     notes += " " + std::to_string(i + 1) + " " + numbers[i].name;
   }
   groups.push_back({"errors", {{"error", "1"}, {"scaled_error", "1"}}});
