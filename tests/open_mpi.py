@@ -3,7 +3,7 @@
 
 import os
 
-# For a container with root only, two processors, no ssh and no network. Open MPI 5 reads some of the
+# For a container with root only, two processors, no ssh and no network. Open MPI 5 reads some
 # settings as PRTE_MCA_*.
 ENVIRONMENT = {
     **os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
