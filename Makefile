@@ -40,7 +40,7 @@ deps-clang: ## Install clang and clang-tidy, any version from 16 on: check, tidy
 build/%/build.ninja: CMakePresets.json | deps
 	cmake --preset $*
 
-build/clang/build.ninja build/fuzz/build.ninja build/fuzz-long/build.ninja: | deps-clang
+build/clang/build.ninja build/fuzz/build.ninja: | deps-clang
 
 build: build/release/build.ninja ## Build the libraries, build/release/polhode and the Python package
 	cmake --build build/release --target polhode polhode_python polhode_stub

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Toolchain of the presets clang, fuzz and fuzz-long: the oldest clang from 16 on, the closest to the
+# Toolchain of the presets clang and fuzz: the oldest clang from 16 on, the closest to the
 # version of our tests. `tools/install-deps --clang` installs one.
 
 foreach(version RANGE 16 40)
