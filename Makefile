@@ -26,16 +26,21 @@ MUTANTS := 400
 REPETITIONS := 5
 VARIANTS    := 8
 
-.PHONY: help deps build demo test test-full test-clang test-asan test-tsan test-neon test-sweeps check bits tidy format docs docs-tables figures bench bench-peers fuzz mutate wheel web clean
+.PHONY: help deps deps-clang build demo test test-full test-clang test-asan test-tsan test-neon test-sweeps check bits tidy format docs docs-tables figures bench bench-peers fuzz mutate wheel web clean
 
 help: ## Print this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 
-deps: ## Install what is missing (Debian 12; Ubuntu 24.04 untried); does nothing when all is there
+deps: ## Install what is missing for build and test (Debian 12 or 13); does nothing when all is there
 	@tools/install-deps
+
+deps-clang: ## Install clang and clang-tidy, any version from 16 on: check, tidy, fuzz, test-clang
+	@tools/install-deps --clang
 
 build/%/build.ninja: CMakePresets.json | deps
 	cmake --preset $*
+
+build/clang/build.ninja build/fuzz/build.ninja: | deps-clang
 
 build: build/release/build.ninja ## Build the libraries, build/release/polhode and the Python package
 	cmake --build build/release --target polhode polhode_python polhode_stub
@@ -55,7 +60,7 @@ test: build ## Every test on seeded samples (minutes)
 
 test-full: test-clang test-asan test-tsan test-neon fuzz test-sweeps web ## All that there is, part by part (hours)
 
-test-clang: build/clang/build.ninja ## Part of test-full: the C++ tests as clang 16 compiles them
+test-clang: build/clang/build.ninja ## Part of test-full: the C++ tests as clang compiles them
 	cmake --build --preset clang --target all benchmarks
 	ctest --preset clang -j $(CORES)
 
@@ -83,18 +88,18 @@ test-sweeps: build ## Part of test-full: the big sweeps
 	$(PYTHON) -m pip install --quiet --disable-pip-version-check 'distributed>=2024.1'  # Dask's
 	$(PACKAGE) POLHODE_TEST_FULL=1 $(PYTEST) python/tests --cov=polhode --cov-report=term --cov-fail-under=95
 
-check: build/release/build.ninja ## What to run before every commit: style, layers, headers, lint, unit tests
+check: build/release/build.ninja deps-clang ## What to run before every commit: style, layers, headers, lint, unit tests
 	tools/check
 
 bits: build/release/build.ninja ## Outputs of revision REV and of the tree, bit by bit: make bits REV=HEAD~3
 	tools/bits $(REV)
 
-tidy: build/release/build.ninja ## clang-tidy on every source (slow; `make check` reads the changed ones)
+tidy: build/release/build.ninja deps-clang ## clang-tidy on every source (slow; `make check` reads the changed ones)
 	tools/tidy.py --all
 
-format: ## Format every C++ file; list the public headers in polhode.hpp
+format: deps ## Format every C++ file; list the public headers in polhode.hpp
 	tools/headers.py --fix
-	git ls-files -co --exclude-standard '*.cpp' '*.hpp' | xargs clang-format-16 -i
+	git ls-files -co --exclude-standard '*.cpp' '*.hpp' | xargs .venv/bin/clang-format -i
 
 docs: build ## Build the documentation as a site: build/site/index.html (no network)
 	$(PYTHON) -m sphinx -W --keep-going -q -j auto -b html -d build/doctrees docs build/site

@@ -3,10 +3,12 @@
 """clang-tidy on what differs from HEAD in library, command line and bindings (--all: on all)."""
 
 import concurrent.futures
+import functools
 import json
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 
@@ -45,16 +47,26 @@ def write_commands():
     (COMMANDS / "compile_commands.json").write_text(json.dumps(apart), encoding="utf-8")
 
 
-def tidy(name):
-    command = ["clang-tidy-16", "-p", COMMANDS, "--quiet", name]
+def clang_tidy():
+    """The oldest version from 16 on that is installed."""
+    names = [f"clang-tidy-{version}" for version in range(16, 41)] + ["clang-tidy"]
+    for name in names:
+        if shutil.which(name):
+            return name
+    sys.exit("tools/tidy.py: no clang-tidy of version 16 or later; run: tools/install-deps --clang")
+
+
+def tidy(program, name):
+    command = [program, "-p", COMMANDS, "--quiet", name]
     run = subprocess.run(command, cwd=ROOT, text=True, capture_output=True)
     return "" if run.returncode == 0 else run.stdout or run.stderr
 
 
 def main():
     write_commands()
+    report_of = functools.partial(tidy, clang_tidy())
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        reports = [report for report in pool.map(tidy, sources("--all" in sys.argv)) if report]
+        reports = [report for report in pool.map(report_of, sources("--all" in sys.argv)) if report]
     print("".join(reports), end="")
     return 1 if reports else 0
 

@@ -47,6 +47,36 @@ def time_series(axes, made):
     assert_allclose(drawn, scale * L, atol=budgets.gallery_integrated * size)
 
 
+def apophis_tumbles(axes, made):
+    """The dot of each view is the end of the long axis, by SciPy, if it faces the observer."""
+    moments, state, hours = made["moments"], made["state"], made["hours"]
+    w, x, y, z = state.q
+    columns = np.array([
+        [1 - 2 * (y**2 + z**2), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+        [2 * (x * y + w * z), 1 - 2 * (x**2 + z**2), 2 * (y * z - w * x)],
+        [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x**2 + y**2)],
+    ])  # fmt: skip
+
+    def rate(t, s):
+        turn, w = s[:9].reshape(3, 3), s[9:]
+        return [*np.cross(turn, w).ravel(), *(np.cross(moments * w, w) / moments)]
+
+    tolerance = budgets.oracle_tolerance
+    start = [*columns.ravel(), *(state.g / moments)]
+    motion = solve_ivp(rate, (0, hours[-1]), start, "DOP853", t_eval=hours, rtol=tolerance,
+                       atol=tolerance).y  # fmt: skip
+    views, seen = axes[: hours.size], 0
+    for view, tip in zip(views, motion[[0, 3, 6]].T, strict=True):
+        dots = view.get_lines()
+        assert len(dots) == (tip @ made["observer"] > 0)
+        for dot in dots:
+            (drawn,) = dot.get_xydata()
+            mine = [tip @ np.cross([0, 0, 1], made["observer"]), tip[2]]
+            assert_allclose(drawn, mine, atol=budgets.gallery_integrated)
+            seen += 1
+    assert seen == 6
+
+
 def energy_error(axes, made):
     """The energy in the frame of the planet by hand: T - w_z G_z + (3 x.I x - tr I) / 2."""
     moments = np.array([1.0, 1.6, 2.0])
@@ -123,6 +153,7 @@ def ensemble_fan(axes, made):
 
 
 CHECKS = {
+    "apophis_tumbles": apophis_tumbles,
     "ensemble_fan": ensemble_fan,
     "phase_plane": phase_plane,
     "time_series": time_series,

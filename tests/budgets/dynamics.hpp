@@ -46,8 +46,8 @@ inline constexpr double time_of_touch = 1e-7;
 inline constexpr double time_of_stretch = 1e-13;
 // Of touches like another power: the value there, relative, of which its time is a root.
 inline constexpr double value_of_touch = 1e-13;
-// Times of events of the README's wing nut over ten flips, each of which makes an error of the
-// state some thousand times larger: at 1e-12 and by exact methods; at 1e-6 over two flips.
+// Times of events of a wing nut over ten flips, each of which makes an error of the state some
+// thousand times larger: at 1e-12 and by exact methods; at 1e-6 over two flips.
 inline constexpr double event_time = 1e-7;
 inline constexpr double event_time_loose = 1e-2;
 // Where a momentum that falls in a straight line comes to zero, t up to 10.

@@ -15,7 +15,7 @@ FRAMES = {"inertial": "", "precessing": "[frame.precessing]\naxis = [0, 0.6, 0.8
 
 @pytest.fixture
 def body(scenario):
-    """A scenario of the README's wing nut, with more tables."""
+    """A scenario of a wing nut that flips, with more tables."""
 
     def write(more="", time="stop = 40\nstep = 0.5", columns='"q", "omega", "serret", "sadov"'):
         path = scenario(body=WING_NUT, state=SPINNING, time=time, columns=columns)

@@ -105,8 +105,7 @@ def test_the_page_lists_what_is_needed_and_what_is_installed(root, said_on_a_bar
     assert named - {"libopenmpi-dev"} | {"cmake", "ninja-build", "python3-venv"} == set(command)
 
 
-BLOCKS = [("README.md", "core", 0), ("docs/start/install.md", "core", 0),
-          ("docs/start/install.md", "io", 1)]
+BLOCKS = [("docs/start/install.md", "core", 0), ("docs/start/install.md", "io", 1)]
 
 
 @pytest.mark.parametrize("name, source, number", BLOCKS)

@@ -2,7 +2,6 @@
 """tools/mutate: which mutants a source has, how they are drawn, and what is compiled for them."""
 
 import pathlib
-import shutil
 import subprocess
 import sys
 
@@ -11,6 +10,7 @@ import pytest
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tools"))
 
+import compiler_headers  # noqa: E402
 from mutate import (  # noqa: E402
     campaign,
     draw,
@@ -58,11 +58,7 @@ FLAGS = ["-x", "c++", "-std=c++20"]
 
 @pytest.fixture(scope="module")
 def clang_flags():
-    if shutil.which("clang++-16") is None:
-        pytest.skip("needs clang++-16")
-    where = subprocess.run(["clang++-16", "-print-resource-dir"], text=True, check=True,
-                           stdout=subprocess.PIPE).stdout.strip()
-    return [*FLAGS, "-resource-dir", where]
+    return [*FLAGS, *compiler_headers.arguments()]
 
 
 @pytest.fixture(scope="module")

@@ -94,7 +94,7 @@ WING_NUT = polhode.Body(30.53, 83.87, 113.3)
 TUMBLER = polhode.Body(0.61, 0.965, 1.0)
 W1 = polhode.Body(0.9, 1.0, 1.1)
 CASES = {
-    "wing nut of the README, free": (
+    "wing nut, free": (
         System(WING_NUT), RotorState([1, 0, 0, 0], [0.3053, 526.7036, 0]), 20.0),
     "tumbler, free": (System(TUMBLER), RotorState([0.5, 0.5, -0.5, 0.5], [0.3, 0.5, 0.9]), 200.0),
     "W1, ten orbits": (gravity(W1, 1.0), RotorState([1, 0, 0, 0], [4.5, 4.0, 8.25]), 62.8),
@@ -153,7 +153,7 @@ def shift(found, best):
 
 
 def free_rows():
-    motion = polhode.FreeRotation(WING_NUT, CASES["wing nut of the README, free"][1])
+    motion = polhode.FreeRotation(WING_NUT, CASES["wing nut, free"][1])
     half = motion.polhode_period / 2
     turn = 2 * np.pi / motion.precession_rate_short
     for start in (0.0, 1e3, 1e6, 1e9, 1e12):

@@ -35,8 +35,8 @@ SECTIONS = {
         "momentum_sphere", "andoyer_frames", "euler_frames", "phase_plane", "orbit_ellipses",
     ],
     "A body that turns": [
-        "polhode_herpolhode", "attitude_of_body", "attitude_animation", "overview",
-        "long_run",
+        "apophis_tumbles", "polhode_herpolhode", "attitude_of_body", "attitude_animation",
+        "overview", "long_run",
     ],
     "Runs": ["time_series", "energy_error", "mujoco_drift"],
     "Chaos": ["poincare_section", "andoyer_section", "chaos_map", "chaos_growth"],

@@ -7,8 +7,8 @@ import json
 import pathlib
 import re
 import shlex
-import subprocess
 
+import compiler_headers
 from clang import cindex
 
 from . import operators
@@ -61,9 +61,7 @@ def flags_of(database):
             flags.append(word)
         elif word == "-isystem":
             flags += [word, next(words)]
-    resources = subprocess.run(["clang++-16", "-print-resource-dir"], text=True, check=True,
-                               stdout=subprocess.PIPE).stdout.strip()
-    return ["-x", "c++", *flags, "-resource-dir", resources, "-Wno-pragma-once-outside-header"]
+    return ["-x", "c++", *flags, *compiler_headers.arguments(), "-Wno-pragma-once-outside-header"]
 
 
 def candidates(root, file, layer, flags):

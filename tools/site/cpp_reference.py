@@ -8,7 +8,6 @@ Bodies of functions, private members, namespaces detail and explicit instantiati
 import functools
 import pathlib
 import re
-import subprocess
 import sys
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -24,6 +23,7 @@ from sphinx.util.nodes import make_refnode
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 INCLUDE = ROOT / "include/polhode"
 sys.path.insert(0, str(ROOT / "tools"))
+import compiler_headers  # noqa: E402
 from headers import LABELS  # noqa: E402
 
 LABEL = re.compile(rf"^({'|'.join(LABELS)})(?: {{2,}}|$)|^(Corrections) ")
@@ -38,7 +38,7 @@ CLASSES = {
 }  # fmt: skip
 VALUES = {CursorKind.VAR_DECL, CursorKind.FIELD_DECL}
 ALIASES = {CursorKind.TYPE_ALIAS_DECL, CursorKind.TYPE_ALIAS_TEMPLATE_DECL}
-CONCEPT = CursorKind(604)  # the bindings of clang 16 do not name it
+CONCEPT = CursorKind(604)  # these bindings do not name it
 LEFT_OUT = re.compile(r"//[^\n]*|/\*.*?\*/|\binline\b|\[\[gnu::\w+\]\]")
 LONG = 60  # of an initial value
 
@@ -199,10 +199,8 @@ def text_of(cursors: Iterable[Cursor], inside: bool = False) -> str:
 
 
 def arguments() -> list[str]:
-    resources = subprocess.run(["clang++-16", "-print-resource-dir"], text=True, check=True,
-                               stdout=subprocess.PIPE).stdout.strip()  # fmt: skip
     return ["-x", "c++", "-std=c++20", "-fparse-all-comments", f"-I{INCLUDE.parent}",
-            "-resource-dir", resources]  # fmt: skip
+            *compiler_headers.arguments()]  # fmt: skip
 
 
 def headers(layer: str) -> list[pathlib.Path]:

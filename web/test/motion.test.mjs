@@ -16,7 +16,7 @@ const near = (a, b, tolerance, what) => {
   assert.equal(x.length, y.length);
   x.forEach((value, i) => assert.ok(Math.abs(value - y[i]) <= tolerance, `${what ?? ""} ${value} ${y[i]}`));
 };
-// README.md
+// docs/index.md
 const nut = new Body(30.53, 83.87, 113.3);
 const nutMotion = () => new FreeRotation(nut, rotorState(nut, [1, 0, 0, 0], [0.01, 6.28, 0]));
 // examples/toutatis.toml

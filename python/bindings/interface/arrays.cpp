@@ -19,7 +19,7 @@ namespace {
 
 using Array = nb::ndarray<const double, nb::c_contig, nb::device::cpu>;
 
-std::size_t product(const Shape& shape) {
+std::size_t product(std::span<const std::size_t> shape) {
   std::size_t n = 1;
   for (const std::size_t extent : shape) n *= extent;
   return n;
@@ -247,7 +247,7 @@ nb::object keeper(std::shared_ptr<const void> memory) {
 }
 
 Result::Result(Shape shape, std::initializer_list<std::size_t> inner)
-    : shape_(std::move(shape)), step_(product(inner)) {
+    : shape_(std::move(shape)), step_(product({inner.begin(), inner.size()})) {
   shape_.insert(shape_.end(), inner.begin(), inner.end());
   numbers_ = std::make_unique_for_overwrite<double[]>(product(shape_));
 }

@@ -63,7 +63,7 @@ INSTANTIATE_TEST_SUITE_P(Methods, EventsOf, testing::ValuesIn(methods),
 
 Vec3 axis_of(const RotorState& s, const Vec3& b) { return rotate(s.q, b); }
 
-// The README's wing nut, which turns over and over.
+// A wing nut, which flips again and again.
 const Body wing_nut(30.53, 83.87, 113.3);
 const RotorState spinning{{1.0, 0.0, 0.0, 0.0}, {0.01 * 30.53, 6.28 * 83.87, 0.0}};
 
