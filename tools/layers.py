@@ -51,8 +51,6 @@ IO = {"text", "tables", "output", "scenario", "run"}
 PROGRAMS = {"cli", "web"}
 # Those that wait for others, and have a clock to sleep by.
 WAITS = {"mpi"}
-# Sources side by side in one folder.
-MOST_SOURCES = 25
 # Headers that belong to no layer, for everybody.
 TOP = {"polhode/error.hpp", "polhode/version.hpp"}
 # Other people's libraries, by the folder of src/ that may use them. Public headers use none.
@@ -153,15 +151,6 @@ def detail_complaint(path, layer, text):
     return f"what is in namespace detail belongs into include/polhode/{layer}/detail/"
 
 
-def crowded_folders():
-    """Folders with more sources than one reads at a glance."""
-    for base in ("include", "src", "python/bindings"):
-        for folder in sorted({p.parent for p in (ROOT / base).rglob("*.[ch]pp")}):
-            count = len(list(folder.glob("*.[ch]pp")))
-            if count > MOST_SOURCES:
-                yield f"{folder.relative_to(ROOT)}: {count} sources, at most {MOST_SOURCES}"
-
-
 def resolved(name):
     for base in ("include", "src", "cli", "web/core"):
         if (ROOT / base / name).exists():
@@ -205,7 +194,7 @@ def cycle_in(graph):
 
 
 def main():
-    allowed, errors, graph = allowed_layers(), list(crowded_folders()), {}
+    allowed, errors, graph = allowed_layers(), [], {}
     files = [p for base in ("include", "src", "cli", "web/core")
              for p in sorted((ROOT / base).rglob("*.[ch]pp"))]
     for path in files:

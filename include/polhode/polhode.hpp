@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Every public header of polhode::polhode. polhode::io and polhode::ensemble have their own.
 //
-// Equations   none.
 // Units       any consistent units: the library is scale-free. Angles in radians.
 // Domain      see each header.
 // Accuracy    see each header.

@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The version of polhode. These three numbers are its only source: CMake reads them from here.
 //
-// Equations   none.
-// Units       none.
 // Domain      semantic versioning; while the major number is 0, a minor number may break the API.
-// Accuracy    none.
-// Errors      none.
-// Cost        none.
 #pragma once
 
 #if __cplusplus < 202002L

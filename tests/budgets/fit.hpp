@@ -34,6 +34,8 @@ inline constexpr double fit_exact = 1e-9, fit_improbable = 1e-2;
 // Twenty attitudes of 0.02 rad in 26 rad of rotation: the error of a rate across the axis, and the
 // variance of an attitude 74 later.
 inline constexpr double fit_uniform_error = 0.02, fit_uniform_late = 1.0;
+// the error of a torque along the axis of that rotation, and the variance of a later attitude
+inline constexpr double fit_uniform_torque = 1e-3, fit_uniform_torque_late = 1e-2;
 
 // --- Toutatis 1992: half a unit of the last digit of an independent fit and a little more; deg ---
 inline constexpr double toutatis_free = 0.011, toutatis_prior = 0.0011, toutatis_rms = 0.06;

@@ -71,14 +71,6 @@ def test_is_refused(messages, name, text, why):
     assert line.startswith(name) and why in line
 
 
-def test_a_folder_has_25_sources_at_most(messages):
-    full = {f"src/tables/x{k}.cpp": "" for k in range(24)} | {"src/tables/x.hpp": ""}
-    assert messages(full) == []
-    assert messages(full | {"src/tables/detail/x.hpp": ""}) == []
-    assert messages(full | {"src/tables/one_more.cpp": ""}) == [
-        "src/tables: 26 sources, at most 25"]
-
-
 # Modules of the Python package by name.
 ONE_WAY = [
     {"__init__": "from polhode.one import f\nfrom polhode._core import *", "one":

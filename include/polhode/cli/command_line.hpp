@@ -5,11 +5,8 @@
 //       return polhode::command_line(argc, argv, polhode::default_kinds().with(my_torque()));
 //     }
 //
-// Equations   none.
-// Units       none.
 // Domain      the arguments of `polhode`; `polhode --help` lists them. Messages and help name the
 //             program as argv[0] does, without its folder.
-// Accuracy    none.
 // Errors      none are thrown: a message on standard error, and exit status 2 for bad input, 1 for
 //             a run that failed, 128 + signal for one that was stopped.
 // Cost        that of the command.

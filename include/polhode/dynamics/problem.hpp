@@ -6,10 +6,8 @@
 // Domain      any model of polhode/dynamics/model.hpp; of a System the type of the state says which
 //             motion is meant. Problem: a rotor. DampedProblem: a rotor whose system may have a
 //             damper, with the rate of the damper.
-// Accuracy    none.
 // Errors      DomainError where it is made with a time that is not finite. It is a plain value:
 //             functions that integrate it check it, all of it.
-// Cost        none.
 #pragma once
 
 #include <optional>

@@ -8,14 +8,12 @@
 //             (Bulirsch 1969): one loop for all of them, with positive terms when a, b, p are.
 //             Pi(n) at n > 1 is Cauchy's principal value -(m/n) int sin^2/((1 - (m/n) sin^2) D)
 //             [DLMF 19.7.8 at pi/2]: one term, not K - Pi(m/n).
-// Units       none.
 // Domain      agm: a, b >= 0. cel: kc >= 0, p > 0, otherwise NaN; at kc = 0 it returns its limit,
 //             a RC(1, p) if b = 0 and +-inf otherwise. Arguments of any size: beyond 2^+-270 they
 //             are led through WideRange. K, E, B, D: any m <= 1, m < 0 too; NaN at m > 1, where
 //             they are complex. Pi: any n; inf at n = 1. At m1 = 0: K = D = Pi = inf (-inf for n >
 //             1), E = B = 1 (and derivatives with respect to m are infinite: not given).
 // Accuracy    budget elliptic_complete: relative, for all m1 down to the smallest double.
-// Errors      none.
 // Cost        each step one root and two divisions; quadratic: 2 to 5 steps for m < 0.99, at most
 //             12 in double and 13 in DoubleDouble.
 #pragma once

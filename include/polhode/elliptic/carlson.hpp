@@ -17,7 +17,6 @@
 //             the result is no subnormal number. RJ with p < 0 has a zero: in double it is computed
 //             in DoubleDouble and so keeps its digits there; elsewhere the error is relative to the
 //             largest of its three terms.
-// Errors      none.
 // Cost        RC: a root and an arctangent or a logarithm. RJ: the trips of RF, each with four
 //             roots, a division and, while p is far from the others, an arctangent or a logarithm.
 #pragma once

@@ -14,7 +14,6 @@
 //             constant.
 // Accuracy    budget elliptic_carlson: relative, also for extreme ratios of the arguments, wherever
 //             the result is no subnormal number.
-// Errors      none.
 // Cost        4 to 7 trips in double (at most 14 for ratios up to 1e300), 7 to 10 in DoubleDouble;
 //             a trip is three roots.
 #pragma once

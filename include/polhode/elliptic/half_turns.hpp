@@ -8,7 +8,6 @@
 // Domain      any phi; NaN for infinities. Beyond 2^52 half turns the number is good to its own
 //             rounding, its parity is that of the cosine.
 // Accuracy    that of sincos, for every phi in double and for |phi| <= 1e10 in DoubleDouble.
-// Errors      none.
 // Cost        one sincos and a division.
 #pragma once
 

@@ -9,7 +9,6 @@
 //             sin psi; at m1 = 0: 2 psi/pi; at psi = pi/2: 1. P is given to cel as it is, since P^2
 //             underflows next to pi/2.
 // Accuracy    budget elliptic_heuman: relative, for every m1.
-// Errors      none.
 // Cost        one sincos, two roots and one cel.
 #pragma once
 

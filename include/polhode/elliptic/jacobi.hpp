@@ -13,7 +13,6 @@
 // Domain      any finite u (infinite u: NaN), any modulus. dn and cn keep their relative accuracy
 //             for every m1: they are quotients of positive terms, never 1 - m sn^2 or 1 - sn^2.
 // Accuracy    budget elliptic_jacobi: relative to u's own rounding, eps (1 + |u|) times the slope.
-// Errors      none.
 // Cost        jacobi: one sincos, a root and two divisions per step, 0 to 8 steps in double. The
 //             amplitude: that of jacobi and of K, and one atan2.
 #pragma once

@@ -2,10 +2,8 @@
 // Jacobi: the values of Jacobi's three elliptic functions at one argument.
 //
 // Equations   sn^2 + cn^2 = 1, dn^2 + m sn^2 = 1.
-// Units       none.
 // Domain      any number type; of packs, one set of values per lane.
 // Accuracy    that of the function that made it (jacobi.hpp).
-// Errors      none.
 // Cost        three numbers.
 #pragma once
 

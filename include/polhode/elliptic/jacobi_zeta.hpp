@@ -8,7 +8,6 @@
 // Domain      any phi (of period pi, odd), m <= 1, m < 0 too; m > 1: NaN. At m1 = 0 its limit: s
 //             for c > 0, -s for c < 0.
 // Accuracy    budget elliptic_beyond: relative, for every modulus, also next to its zeros.
-// Errors      none.
 // Cost        one sincos, an agm and a cel.
 #pragma once
 

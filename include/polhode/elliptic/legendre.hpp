@@ -16,7 +16,6 @@
 // Accuracy    budgets elliptic_legendre and elliptic_beyond: relative, for any phi in double (in
 //             DoubleDouble for |phi| <= 1e10). Of an angle in double with m > 1, where 1 - m sin^2
 //             cancels, the work is done in DoubleDouble.
-// Errors      none.
 // Cost        F, D, B: one RF or RD. E: one RF and one RD. Beyond pi/2 the complete integral as
 //             well.
 #pragma once

@@ -21,7 +21,6 @@
 //             have opposite signs, and their sum has a zero: an angle in double is taken in
 //             DoubleDouble there and keeps its digits; otherwise the error is relative to the
 //             larger term.
-// Errors      none.
 // Cost        one RF or RC and one RJ. Beyond pi/2 the complete integral as well.
 #pragma once
 

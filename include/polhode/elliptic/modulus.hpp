@@ -3,7 +3,6 @@
 //
 // Equations   m + m1 = 1, both in [0, 1] but for from_any_pair. Everything that is delicate near
 //             the separatrix hangs on m1, so no function of polhode takes m alone.
-// Units       none.
 // Domain      from_ratio(a, b): a, b >= 0, not both 0, a + b finite. m = 1 (m1 = 0) is ordinary.
 //             In DoubleDouble a member is 0 or above 1e-230: below, its low part has no room.
 //             from_any_pair: any finite m: m < 0 is an imaginary modulus, m > 1 (m1 < 0) a modulus

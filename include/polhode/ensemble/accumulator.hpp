@@ -2,7 +2,6 @@
 // Accumulator: what a statistic of an ensemble keeps of the members that it has seen: a value of
 // bounded size that grows by members, takes in that of later members, and is a list of numbers.
 //
-// Equations   none.
 // Units       those of what is added.
 // Domain      every class of this folder with `restored`. Members are numbered from 0 and added in
 //             their order; `merge` takes the accumulator of members that come later, of the same

@@ -5,7 +5,6 @@
 // Equations   M = (1/n) sum of q q^T / |q|^2. Its eigenvectors are attitudes, its eigenvalues l1 >=
 //             l2 >= l3 >= l4 of sum 1 the mean squares of cos(half the angle to them). The mean is
 //             the first: it makes the mean of sin^2(half the angle) least, 1 - l1.
-// Units       none.
 // Domain      any quaternions but 0; those that are 0 or not finite are left out and named. Uniform
 //             attitudes have l = 1/4 each; turning evenly about an axis, l1 = l2 = 1/2. Such clouds
 //             have no mean: it is told where r = (l1 - l2)/(l1 + l2) is 0.9 or more, or exp(-n r^2)

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // run_cells: one function for many indices, on the processors of one machine, results in order.
 //
-// Equations   none.
-// Units       none.
 // Domain      `cell` may be called from any thread, for several indices at a time, and must depend
 //             on its index alone; `sink` is called for first, first + 1, ... one after the other.
 // Accuracy    the results are those of a plain loop, to the last bit, whatever the threads.

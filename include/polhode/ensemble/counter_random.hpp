@@ -5,11 +5,9 @@
 // Equations   Philox4x64-10 (Salmon, Moraes, Dror and Shaw 2011) of counter (draw / 4, member, 0,
 //             0) under key (seed, key): draw has word draw % 4. A key is made of a name by FNV-1a
 //             of 64 bits.
-// Units       none.
 // Domain      any seed, key, member and draw.
 // Accuracy    the bits are the same on any machine, thread and rank. A uniform number is one of the
 //             2^52 odd multiples of 2^-53, so that 1 - u and u - 1/2 are exact.
-// Errors      none.
 // Cost        time/number of benchmarks/draws.cpp: four uniform numbers take the time of one.
 #pragma once
 

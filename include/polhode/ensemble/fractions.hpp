@@ -4,7 +4,6 @@
 //
 // Equations   Wilson's interval of a part k of n at z deviations: (k + z^2/2 -+ z sqrt(k (n - k)/n
 //             + z^2/4))/(n + z^2).
-// Units       none.
 // Domain      classes 0 to size - 1, which the caller names; those of regimes are the numbers of
 //             the enum. A member without a class is left out and named.
 // Accuracy    exact, in any order.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Histogram and Histogram2D: how many members have their number, or pair of numbers, in each bin.
 //
-// Equations   none.
 // Units       those of the bins.
 // Domain      any numbers; those below and above all bins are counted (bins 0 and count() + 1),
 //             those that are not finite left out and named: a pair by either.

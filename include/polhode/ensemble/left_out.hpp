@@ -2,8 +2,6 @@
 // LeftOut: the members that a statistic leaves out, because their run failed or their numbers are
 // not finite: how many, and the first few by name.
 //
-// Equations   none.
-// Units       none.
 // Domain      indices of members, 0 or more.
 // Accuracy    exact.
 // Errors      DomainError from restored for other numbers than those of numbers().

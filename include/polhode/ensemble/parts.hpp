@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // run_parts: one function for the parts of many items, on the processors of one machine.
 //
-// Equations   none.
-// Units       none.
 // Domain      `part(begin, end)` may be called from any thread, for several parts at a time, and
 //             does for each item what depends on that item alone: where a part begins depends on
 //             the number of threads. `sink(begin, result)` is called part after part, in order.

@@ -2,8 +2,6 @@
 // Team: processes that share the cells of one piece of work, as run_cells shares them among
 // threads. What a process must know comes as bytes, and so does what a cell gives.
 //
-// Equations   none.
-// Units       none.
 // Domain      each process has a TeamWork of its own, made from the same input. The leader runs
 //             stages one after the other: before the cells of a stage every process that computes
 //             some of them begins it; `cell` may be called from any thread, for several indices at

@@ -11,7 +11,6 @@
 // Domain      mean ecliptic and equinox of date, |T| up to some centuries.
 // Accuracy    Moon: that of eraMoon98 to 15 arcsec, which is the term of Venus; Sun: some 20 arcsec
 //             (perturbations by the planets).
-// Errors      none.
 // Cost        0.5 us for the Moon.
 #pragma once
 

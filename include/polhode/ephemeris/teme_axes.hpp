@@ -8,7 +8,6 @@
 // Domain      dates of the two theories, some centuries about 2000.
 // Accuracy    budget teme_arcsec, against the axes of the ICRS: those of 1976 and 1980 are without
 //             the corrections observed since. docs/guide/orbits.md has what that is in metres.
-// Errors      none.
 // Cost        some 4 us (benchmarks/ephemeris.cpp).
 #pragma once
 

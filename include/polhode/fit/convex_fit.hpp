@@ -10,7 +10,6 @@
 //             ratios of moments about those of the start.
 //             Unknowns: the turn and w_F, ratios of moments, the weight of Lambert's law, c_lm with
 //             l > 0; c_00 is part of the factors.
-// Corrections none.
 // Units       as fit_light; areas in units of the start's b = 1, moments in units of Izz.
 // Domain      axes F are principal: inertia_F is diagonal. MomentSource::fit: moments of their own,
 //             about those of the start to moments_error; start: those stay; shape: those of an even

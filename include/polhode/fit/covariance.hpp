@@ -5,7 +5,6 @@
 // Equations   C = (J^T W J / f^2 + P)^-1: J the derivatives of residuals, W what the loss leaves
 //             of each as its weight, f the factor of errors of data, P the inverse covariance of
 //             priors; by the singular values of J with columns scaled to length 1.
-// Corrections none.
 // Units       those of the unknowns.
 // Domain      any result with a value. Where a combination of unknowns changes no residual their
 //             errors are infinite, and correlations with them NaN. On a bound the errors are those

@@ -9,7 +9,6 @@
 //             which is exact since effects are affine in each parameter; of a moment the same at
 //             a fixed rate w. A jump acts just after its time: g + I dw, or g + dL. Residuals and
 //             priors: spin_fit.hpp.
-// Corrections none.
 // Units       t as that of the observations; moments, momenta and torques in one consistent set,
 //             given by the tensor of the start, of which Izz stays: torques over Izz are what data
 //             tell.

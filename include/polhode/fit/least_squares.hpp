@@ -8,7 +8,6 @@
 //             Eigen has it from MINPACK, its trial steps brought back to the bounds (Kanzow,
 //             Yamashita & Fukushima 2004); an unknown that is pressed against its bound is held on
 //             it while the others go on, and let go where it would rather leave.
-// Corrections none.
 // Units       those of the unknowns; residuals are numbers.
 // Domain      a start within its bounds, or on one, at which every residual is finite; at least as
 //             many numbers (data and priors) as unknowns. A step to where the residuals have no

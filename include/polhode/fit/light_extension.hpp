@@ -10,7 +10,6 @@
 //             where that is above 1; widened by 0.35 of a step. Each begins at the likeliest
 //             unknowns of those frequencies, x + C J^T V^-1 d, by Newton's method. What comes to
 //             one state is one solution, and those within the limit go on to the next session.
-// Corrections none.
 // Units       as fit_light.
 // Domain      as fit_light. Where the data do not determine the two periods, or the motion is none
 //             that has two, a solution goes on as it is.

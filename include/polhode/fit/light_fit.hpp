@@ -9,7 +9,6 @@
 //             descent meets from the weighted median of F / B. Motion by dual
 //             numbers as fit_spin has it; brightness by brightness_gradient. Unknowns: the attitude
 //             at t0 as a rotation vector, w_F, b/a and c/b, and what LightUnknowns names.
-// Corrections none.
 // Units       t that of the light curves, w rad per unit of time; fluxes at unit distances
 //             (at_unit_distances in light/aspect.hpp), in any unit; moments in units of Izz.
 // Domain      axes F are those of the ellipsoid and principal. Moments of an even filling: 1 >= b/a

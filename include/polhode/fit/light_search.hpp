@@ -14,7 +14,6 @@
 //             of Sun and observer, about their bisector, and about the difference of their
 //             directions (see LightImage). Moments and a law that are unknown are freed at the end,
 //             from what was found without them: first the law, then both.
-// Corrections none.
 // Units       as fit_light.
 // Domain      periods as the labels of a scan list them (`labelled_periods`). An ellipsoid fits an
 //             alias as well as the truth at times: solutions are all that there are, the lowest

@@ -7,7 +7,6 @@
 //             and few beyond; every line of the series is then j f_phi + k f_psi for some j, k.
 //             Ranked by sum p ln s, p the share of a line in the power of the series, s the share
 //             that the line of these j, k has in the light of ellipsoids on average, by mode.
-// Corrections none.
 // Units       frequencies in turns per unit of time, periods in that unit.
 // Domain      a series with two lines of different directions. In short-axis mode P_psi > P_phi. It
 //             says what is likely for an ellipsoid; bodies without its symmetry have weak lines

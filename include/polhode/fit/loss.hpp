@@ -7,7 +7,6 @@
 //             (huber); 2 (sqrt(1 + z) - 1) (soft_l1); ln(1 + z) (cauchy). A least-squares method
 //             sees f = r sqrt(rho(z) / z), whose square is the loss to the last digit, and the
 //             derivative of that.
-// Corrections none.
 // Units       residuals are in units of their standard errors, and so is scale.
 // Domain      scale > 0; any residual. As z -> 0 every loss is the square.
 // Accuracy    budget loss in tests/budgets/fit.hpp.

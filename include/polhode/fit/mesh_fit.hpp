@@ -7,7 +7,6 @@
 //             between the directions at which a facet goes into shadow or comes out of it; what
 //             comes and goes there is left out of them. Unknowns: the turn and w_F, and what
 //             MeshFit names.
-// Corrections none.
 // Units       as fit_light.
 // Domain      axes F are those of the mesh; inertia_F is any tensor along them
 //             (homogeneous_inertia has that of an even filling), diagonal where moments are

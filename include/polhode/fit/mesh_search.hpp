@@ -12,7 +12,6 @@
 //             the half turn about the bisector of Sun and observer leaves the light of every body
 //             as it is, where the directions stay: it exchanges both, and facets that are lit and
 //             seen do not mind.
-// Corrections none.
 // Units       as fit_mesh.
 // Domain      periods as the labels of a scan list them (labelled_periods, likely_periods).
 // Accuracy    the bits do not depend on threads: a start is drawn by its number. Solutions are all

@@ -6,7 +6,6 @@
 //             numbers: data over the factor of their errors and under their loss, then priors. With
 //             J their derivatives, r the numbers, -r^T r / 2 is the logarithm of the posterior
 //             density but for a constant, and -J^T r its gradient.
-// Corrections none.
 // Units       those of the unknowns; the numbers are in standard errors.
 // Domain      any x: where there is no value, `at` says so. Bounds are not looked at.
 // Accuracy    derivatives are exact: those of fit_spin, fit_light, fit_convex and fit_mesh.

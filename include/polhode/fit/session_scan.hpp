@@ -7,7 +7,6 @@
 //             chi-squares is a landscape without the relation between nights. Around its lowest
 //             minima, 1.5 of its steps to all sides, pairs are scanned on the whole time base.
 //             f1 and f2 exchanged are one minimum.
-// Corrections none.
 // Units       frequencies in turns per unit of time.
 // Domain      sessions with more points than a series has unknowns count in the coarse landscape,
 //             one of them at least; all do in the fine ones. What no single night tells apart is

@@ -4,7 +4,6 @@
 // Equations   q: v_I = q v_F q*, body axes F (those of the shape model, not the principal ones) to
 //             inertial axes I. The error of an attitude is a rotation vector in body axes: true
 //             attitude q exp(dtheta_F / 2).
-// Corrections none.
 // Units       t any unit of time; errors of attitudes and directions rad; of rates rad per unit of
 //             time; covariances the squares of these.
 // Domain      times finite, in any order; several observations may have the same time, and are

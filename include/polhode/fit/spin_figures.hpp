@@ -4,7 +4,6 @@
 //
 // Equations   var f = (df/dx)^T C df/dx for f = P_phi (long axis), P_psi, P_short and the pole;
 //             1/P_short = 1/P_phi + 1/P_psi; df/dx by dual numbers through prepared free motion.
-// Corrections none.
 // Units       those of the fit; errors of the pole in rad, along the axes of the ellipse that they
 //             are on the sky.
 // Domain      a covariance whose unknowns have the names that fit_spin and fit_light give them,

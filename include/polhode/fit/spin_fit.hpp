@@ -7,7 +7,6 @@
 //             Derivatives by dual numbers through prepare() and evaluate(), moments included; the
 //             unknown attitude is a rotation vector about the present one. Least squares:
 //             least_squares.hpp.
-// Corrections none.
 // Units       t as that of the observations, w rad per unit of time; inertia in any unit, since
 //             only ratios act: unknowns are Ixx/Izz, Iyy/Izz, Ixy/Izz, Iyz/Izz, Ixz/Izz.
 // Domain      a start with a rate that is not 0 and an inertia tensor in body axes F that a body

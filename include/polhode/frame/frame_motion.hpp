@@ -5,7 +5,6 @@
 // Units       mu_S in radians per unit of time.
 // Domain      q_IS is a unit quaternion.
 // Accuracy    that of the frame.
-// Errors      none.
 // Cost        a plain value.
 #pragma once
 

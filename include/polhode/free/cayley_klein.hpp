@@ -13,7 +13,6 @@
 // Domain      |chi| <= K chi_per_u, or any chi on the separatrix (nome 0); any x. In a pack each
 //             lane has its own form and its own number of terms: coefficients beyond it are 0.
 // Accuracy    a few units of rounding of T; series are cut at the rounding of T.
-// Errors      none.
 // Cost        at most 8 terms; 2 to 4 in double.
 #pragma once
 

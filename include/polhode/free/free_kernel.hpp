@@ -10,7 +10,6 @@
 //             finite time (see free_rotation.hpp). NaN in, NaN out. T is any Number: in a pack each
 //             lane has its own body, its own form and its own epoch.
 // Accuracy    docs/accuracy/free-rotation.md. Phases are reduced in double-double.
-// Errors      none.
 // Cost        one state: two sincos (or one sincos and one exp next to the separatrix), four short
 //             polynomials; see docs/accuracy/free-rotation.md.
 #pragma once

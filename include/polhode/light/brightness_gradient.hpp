@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: MIT
 // A brightness with its first derivatives.
 //
-// Equations   none.
 // Units       brightness in units of area; by an axis, in units of length.
 // Domain      to_sun and to_observer along the axes of the body, of any length: derivatives are by
 //             their components as given, so at right angles to them. A small rotation d of the
 //             body, along its own axes, turns v into v + v x d: its derivative is by_sun x to_sun
 //             + by_observer x to_observer. By the weights of Scattering: single, multiple.
 // Accuracy    plain values.
-// Errors      none.
-// Cost        none.
 #pragma once
 
 #include "polhode/math/vector.hpp"

@@ -9,7 +9,6 @@
 //             Newton's method for a(h) = A, da_j/dh_k the edge lengths over sines of angles. An
 //             integral over the body changes by that over facet j times dh_j; so do moments, and
 //             their derivatives by A are those by h times the inverse of da/dh.
-// Corrections none.
 // Units       areas in any unit of length squared, vertices in that of length.
 // Domain      areas need not close exactly: what sum A_j n_j is off 0 is taken from the areas, each
 //             by its part along the sum, before the body is looked for.

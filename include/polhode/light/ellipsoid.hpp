@@ -9,7 +9,6 @@
 //             NaN or 0. Moments in units of their largest, and mass 1, give a body of the same
 //             shape: a relative light curve knows no size.
 // Accuracy    a few roundings; a^2 loses what its sum cancels for bodies that are nearly needles.
-// Errors      none.
 // Cost        a few flops and three square roots.
 #pragma once
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // LightCurve: how bright a body was, seen from one place during one session of observation.
 //
-// Equations   none.
 // Units       t in any unit of time from any epoch; flux in any unit, the same throughout a session
 //             and, where sessions are calibrated, in all of them; to_sun and to_observer in any
 //             unit of length, along the inertial axes I.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What keeps light curves from being used: the first flaw, as a sentence, before a fit sees it.
 //
-// Equations   none.
 // Units       those of the light curves.
 // Domain      any sessions. A flaw is: no points; a number that is not finite; sigma that is not
 //             above 0; times that fall in a session; an observation that stands twice (others at

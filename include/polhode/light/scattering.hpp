@@ -12,7 +12,6 @@
 // Domain      mu, mu0 in [-1, 1]; S is 0 unless both are positive. alpha in [0, pi], width > 0.
 //             phase_angle: any vectors but 0; at alpha = 0 and pi it has no derivative by them.
 // Accuracy    a few roundings.
-// Errors      none.
 // Cost        a few flops; an exponential; an arc tangent.
 #pragma once
 

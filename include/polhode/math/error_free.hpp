@@ -4,12 +4,10 @@
 //
 // Equations   hi + lo = a + b (two_sum, quick_two_sum) and hi + lo = a b (two_prod, two_prod_fma),
 //             exactly, with hi the rounded result. Knuth; Dekker and Veltkamp.
-// Units       none.
 // Domain      two_sum: any finite numbers without overflow. quick_two_sum: |a| >= |b| or a = 0.
 //             Products: |a|, |b| < 2^995 and |a b| in [2^-968, 2^1022]; the two of them then return
 //             the same bits. Non-finite input gives a NaN error term.
 // Accuracy    exact. Compile without -ffast-math: reassociation destroys these functions.
-// Errors      none.
 // Cost        6, 3, 17 and 2 flops. F is double or a pack of doubles. two_prod_fma is for callers
 //             compiled for a processor with FMA (flags or a target attribute); elsewhere std::fma
 //             is a slow library call, and two_prod is the fast one.

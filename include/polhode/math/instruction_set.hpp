@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 // InstructionSet: what a processor can do beyond the least of its kind, as far as packs use it.
 //
-// Equations   none.
-// Units       none.
 // Domain      avx2 and avx512 are of x86-64. Elsewhere `baseline` is all there is.
 // Accuracy    results do not depend on the set, to the last bit.
-// Errors      none.
 // Cost        that of a look at what was found when the program started.
 #pragma once
 

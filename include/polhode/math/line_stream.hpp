@@ -2,12 +2,9 @@
 // LineStream: doubles written one after the other; a large array goes past the caches into memory,
 // line by line.
 //
-// Equations   none.
-// Units       none.
 // Domain      any array of doubles, wherever it begins. For sources that are compiled for the set
 //             `isa`.
 // Accuracy    exact.
-// Errors      none.
 // Cost        one load and one store a register. Past the caches memory is not read before it is
 //             written, so that half of its traffic is left out.
 #pragma once

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 // 6x6 matrices: Jacobians of charts and state transition matrices.
 //
-// Equations   none.
 // Units       mixed: row i, column j carries unit(output i) / unit(input j).
 // Domain      any entries.
 // Accuracy    products are plain rounded sums.
-// Errors      none.
 // Cost        a product is 432 flops.
 #pragma once
 

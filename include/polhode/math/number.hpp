@@ -2,7 +2,6 @@
 // The concept Number: what a kernel may ask of the type that it computes with, be it one real
 // number or a pack of them, one per lane.
 //
-// Equations   none.
 // Units       none: a Number is a pure number.
 // Domain      every Real (real.hpp), and packs of lanes. A pack offers + - * / and comparisons lane
 //             by lane, conversion from a double, which goes to all lanes, and, found by
@@ -11,7 +10,6 @@
 //             truth value per lane, with !, && and || lane by lane and construction from a bool.
 //             LaneTraits reads and writes single lanes.
 // Accuracy    select returns one of its arguments, bit by bit.
-// Errors      none.
 // Cost        select of scalars is a conditional expression.
 #pragma once
 

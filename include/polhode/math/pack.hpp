@@ -2,7 +2,6 @@
 // Pack: as many doubles as a register holds, one lane each, that a kernel computes with at a time.
 //
 // Equations   every operation lane by lane.
-// Units       none.
 // Domain      what a Number offers (polhode/math/number.hpp), and what the kernels of free rotation
 //             ask for besides. A source that uses Pack<isa> is compiled for that set; baseline, for
 //             any processor. The set in the type keeps its code apart from that of other sources

@@ -2,11 +2,8 @@
 // Rows of packs: structures of doubles, one after the other in memory, as packs of their members,
 // and back.
 //
-// Equations   none.
-// Units       none.
 // Domain      structures of six or seven doubles; `from` and `to` need no alignment.
 // Accuracy    exact.
-// Errors      none.
 // Cost        one or two shuffles a number and register.
 #pragma once
 

@@ -4,10 +4,8 @@
 //
 // Equations   rotation_matrix(q) is R of [SA (2)] transposed: its columns are the body axes in
 //             inertial components.
-// Units       none.
 // Domain      rotation functions expect |q| = 1 and do not renormalise; normalized(0) is 0/0 = NaN.
 // Accuracy    plain rounded formulas.
-// Errors      none.
 // Cost        product 28 flops; everything is inline.
 #pragma once
 

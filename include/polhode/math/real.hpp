@@ -2,12 +2,10 @@
 // The concept Real: one real number, ordered by <. Decisions, loops to convergence and formulas of
 // the user are written with it; kernels that packs of lanes run too ask for a Number (number.hpp).
 //
-// Equations   none.
 // Units       none: a Real is a pure number.
 // Domain      double, DoubleDouble, Dual<T, N>, and any multiprecision type with the same
 //             operators.
 // Accuracy    constants are correct to the last digit of T.
-// Errors      none.
 // Cost        pi<T>() is a constant for double and DoubleDouble; other types call atan once per
 //             use.
 #pragma once

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Sine and cosine together, as one value.
 //
-// Equations   none.
 // Units       radians.
 // Domain      any angle of double; NaN for infinities.
 // Accuracy    that of <cmath>.
-// Errors      none.
 // Cost        one call of the C library's sincos where the compiler merges the two.
 #pragma once
 

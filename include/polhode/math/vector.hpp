@@ -7,7 +7,6 @@
 // Domain      any components; NaN in, NaN out. norm() scales, so it neither overflows nor
 //             underflows.
 // Accuracy    each operation is the plain rounded formula.
-// Errors      none.
 // Cost        a few flops each; everything is inline.
 #pragma once
 

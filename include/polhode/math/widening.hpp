@@ -2,11 +2,9 @@
 // Widening: which numbers have the exponents of double, and the same numbers with a WideRange in
 // their heart: for the few arguments between which a formula would overflow or underflow.
 //
-// Equations   none.
 // Units       those of the number.
 // Domain      double, DoubleDouble and Duals of them have a wide form; others have none.
 // Accuracy    exact there; back, 0 or inf where T has no room.
-// Errors      none.
 // Cost        a few flops.
 #pragma once
 

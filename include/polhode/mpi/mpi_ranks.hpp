@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // mpi_ranks: the processes that mpirun has started, as a team; rank 0 leads, and computes too.
 //
-// Equations   none.
-// Units       none.
 // Domain      once in a program, and from its main thread, which is the only one that calls MPI.
 //             Any number of ranks on any number of machines with the same kind of processor and
 //             the same build of polhode; each rank reads files for itself.

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Whether a number type carries double-double values: what integrators choose coefficients by.
 //
-// Equations   none.
-// Units       none.
 // Domain      any type.
 // Accuracy    exact.
-// Errors      none.
 // Cost        none at run time.
 #pragma once
 

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 // StepControl: what the steps of an adaptive integrator keep to, and how long one may be.
 //
-// Equations   none.
 // Units       those of the problem.
 // Domain      tolerance > 0; steps and rests are lengths, without sign.
 // Accuracy    smallest_step is eight roundings of t.
-// Errors      none.
 // Cost        a few comparisons.
 #pragma once
 

@@ -4,11 +4,8 @@
 // Equations   J. H. Verner, "Numerically optimal Runge-Kutta pairs with interpolants", Numerical
 //             Algorithms 53 (2010) 383-396: the "most efficient" 9(8) pair of 16 stages. The state
 //             goes on with order 9; `e` weighs the difference to order 8.
-// Units       none.
 // Domain      any number type: published to 40 digits, kept to 32.
 // Accuracy    row sums, quadrature conditions and observed order: tests/unit/ode.
-// Errors      none.
-// Cost        none.
 #pragma once
 
 #include "polhode/math/error_free.hpp"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // AnyOrbit: an orbit of any type, for lists made at run time.
 //
-// Equations   none.
 // Units       those of the orbit.
 // Domain      any Orbit; T = double or DoubleDouble, and Dual times where the orbit takes them.
 // Accuracy    that of the orbit.

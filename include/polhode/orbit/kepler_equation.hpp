@@ -10,7 +10,6 @@
 // Domain      any finite M and 0 <= e < 1 or e > 1. NaN for e = 1, e < 0 and NaN.
 // Accuracy    budget kepler_*: a few roundings of E, sin E and 1 - cos E, each relative, times what
 //             a rounding of M does.
-// Errors      none.
 // Cost        about 120 ns for ellipses, 250 ns for hyperbolas; 1 us in double-double. A fixed
 //             number of steps, whatever the arguments.
 #pragma once

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Positions on an orbit at many times, in rows: for those who ask for several at once.
 //
-// Equations   none.
 // Units       those of the orbit.
 // Domain      any Orbit. One that can use the lanes of the processor has `positions` and, if it has
 //             a velocity, `motions`, with the arguments below; any other is asked time by time.

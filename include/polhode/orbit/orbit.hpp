@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Orbit: a position as a function of time. any_orbit.hpp holds one of any type.
 //
-// Equations   none.
 // Units       those of the orbit: a length, or any unit that the gravitational parameter shares.
 // Domain      T = double (any step of a run) and DoubleDouble (runs in double-double). An orbit
 //             that also takes Dual times has a velocity.

@@ -2,7 +2,6 @@
 // SharedPlaces: what orbits have said of one set of times, so that several who ask for the same
 // orbit have it computed once.
 //
-// Equations   none.
 // Units       those of the orbits.
 // Domain      orbits that can tell whether another is the same: a member shares_with. It is to be
 //             filled and asked while the orbits that it has heard of live, and for the same times

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Files of light curves: DAMIT's `lc`, and CSV.
 //
-// Equations   none.
 // Units       lc: t in seconds of TT from the epoch, vectors in au along the ecliptic of J2000.
 //             CSV: as the light curves have them.
 // Domain      a file is written as PATH.part and renamed when it is complete; "-" is standard

@@ -7,14 +7,11 @@
 //         quantity_option("offset", Dimension::time, "Added to every t.").otherwise("0"),
 //     };
 //
-// Equations   none.
 // Units       a quantity has a dimension, and its value is in core units (polhode/text/units.hpp).
 // Domain      names of letters, digits, - and _. What is asked for of the values is there: the
 //             reader has seen to defaults; ask has() of keys that have none.
-// Accuracy    none.
 // Errors      a key without a name, a dimension or a text does not compile. OptionError is for what
 //             the type of a key lets pass.
-// Cost        none.
 #pragma once
 
 #include <cstdint>

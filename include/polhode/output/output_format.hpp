@@ -5,7 +5,6 @@
 //
 //     const OutputFormats formats = default_output_formats().with(my_format());
 //
-// Equations   none.
 // Units       those that the columns name; options are in core units (polhode/text/units.hpp).
 // Domain      open_sink: "-" (standard output, in the first format that needs no file), or a path
 //             with the extension of a format. With a position, it cuts PATH.part back to it and

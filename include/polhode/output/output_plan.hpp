@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
 // OutputPlan: what the rows of a scenario hold and how they are written.
 //
-// Equations   none.
-// Units       none.
 // Domain      groups of columns by their names (polhode/output/columns.hpp).
-// Accuracy    none.
 // Errors      none; a group that the experiment does not have is refused when the file is read.
-// Cost        none.
 #pragma once
 
 #include <string>

@@ -2,7 +2,6 @@
 // Sink: where a run puts its rows, block by block, so that any number of rows needs constant
 // memory. A file is one, of the format that its extension says (polhode/output/output_format.hpp).
 //
-// Equations   none.
 // Units       those that the columns name.
 // Domain      a file is written as PATH.part, flushed after each block, and renamed by finish(); a
 //             run that fails or is killed leaves PATH.part, readable up to its last block, and PATH

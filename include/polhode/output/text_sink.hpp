@@ -2,7 +2,6 @@
 // text_sink: most of an output format of text: a head that says where the file is from, a line for
 // each row, and perhaps an end.
 //
-// Equations   none.
 // Units       those that the columns name.
 // Domain      a file that goes on is cut back to its position; its head must be the same. The
 //             comments of a head begin with the start of their style.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // read_time_series: columns of an output of polhode, or of any table, and the times of their rows.
 //
-// Equations   none.
 // Units       those that the file names, as it names them.
 // Domain      .h5 and .hdf5: an output of polhode; any other file: a table
 //             (polhode/tables/number_table.hpp), whose units stand in a comment,

@@ -16,7 +16,6 @@
 //             that facets look along, up to `most_edges` of them. A surface of more says none: its
 //             kinks are many and small. `sides` are those of the edges.
 // Accuracy    a few roundings of the sum of the moduli.
-// Errors      none.
 // Cost        some 25 flops per facet; 2 to 4 ns (benchmarks/surface.cpp).
 #pragma once
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Stages: the states inside one step of an implicit method, at which its terms are asked together.
 //
-// Equations   none.
 // Units       those of Effect.
 // Domain      up to most_stages of them, side by side: row[i] is a number of stage i. Rows are
 //             filled up to a whole number of lanes with stages that no result depends on.

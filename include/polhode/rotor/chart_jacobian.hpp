@@ -8,7 +8,6 @@
 //             Jc = [[0, 1], [-1, 0]], so B^-1 = Jc B^T Pi^-1, Pi^-1 = [[hat(g), -1], [1, 0]]: no
 //             angle is ever differentiated. dtheta_B = b3 dl + j dJ + k dg + i dI + s3 dh
 //             [SA (dr1), (dr2)] in body components.
-// Corrections none.
 // Units       entry (i, j): unit of hub coordinate i over unit of chart coordinate j.
 // Domain      any state. The functions of a hub state keep all digits of a small theta, J or I that
 //             the chart itself has rounded away. The Poincare-type sets are regular at their

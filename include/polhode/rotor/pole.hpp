@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Pole: the end of a polar angle that a chart is regular at.
 //
-// Equations   none.
-// Units       none.
 // Domain      J or I near 0, or near pi.
 // Accuracy    exact.
-// Errors      none.
-// Cost        none.
 #pragma once
 
 namespace polhode {

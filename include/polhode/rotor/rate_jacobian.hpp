@@ -5,7 +5,6 @@
 // Equations   B = d(dtheta_B, dg_B)/d(chart) as in chart_jacobian.hpp; g = I omega [SA (24)],
 //             omega_B = phid s3 + thetad node + psid b3 [SA (5)-(7)], omega_I = R^T omega_B
 //             [SA (8)]. The attitude of the second and third set is varied by dtheta_B itself.
-// Corrections none.
 // Units       entry (i, j): unit of hub coordinate i over unit of chart coordinate j.
 // Domain      the Euler rates have no inverse at theta = 0 and pi: entries are infinite there, or
 //             NaN where infinities meet. The other two are regular everywhere.

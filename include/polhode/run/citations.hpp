@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The papers that a scenario rests on.
 //
-// Equations   none.
-// Units       none.
 // Domain      any scenario.
-// Accuracy    none.
-// Errors      none.
-// Cost        none.
 #pragma once
 
 #include <vector>

@@ -2,7 +2,6 @@
 // RunEvent: an event of a run of any state. Its row is what a table of events holds; its state is
 // kept as bytes, and read back by whoever knows what moved.
 //
-// Equations   none.
 // Units       t in the core unit of time; the row in the units of its columns.
 // Domain      record_of: a state of the kind that event_of was given.
 // Accuracy    exact: the state to the last bit.

@@ -6,7 +6,6 @@
 // Units       those given, the units in which the mass properties are.
 // Domain      closed shapes.
 // Accuracy    every digit in the table for a scenario; ten for people.
-// Errors      none.
 // Cost        negligible.
 #pragma once
 

@@ -9,7 +9,6 @@
 //             periods of a motion that has none. Where something acts, mode to modulus are those of
 //             the free motion through the state at t = 0.
 // Accuracy    that of FreeRotation.
-// Errors      none.
 // Cost        negligible.
 #pragma once
 

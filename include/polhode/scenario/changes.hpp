@@ -2,7 +2,6 @@
 // Changes of a scenario before it is read: other values of some keys, in its text, so that comments
 // stay and outputs hold what was run.
 //
-// Equations   none.
 // Units       those of the text: a value is what the file could hold.
 // Domain      keys with dots, tables of arrays by index, from 0: "event.0.value" or
 //             "event[0].value". A value is TOML; a bare word or quantity (LAM, 27.38 h) is a text.

@@ -2,7 +2,6 @@
 // Document: a scenario file that has been read and checked against the table of keys; what it
 // describes is made of it by its kind (polhode/scenario/scenario.hpp).
 //
-// Equations   none.
 // Units       the checked values are in core units (polhode/text/units.hpp).
 // Domain      files of at most 16 MB, UTF-8. Paths of further files are relative to its folder.
 // Accuracy    numbers are read to the nearest double; a unit costs at most two roundings.

@@ -7,7 +7,6 @@
 //             in core units (polhode/text/units.hpp).
 // Domain      numbers of [[perturbation]] and [[surface]], each once; of a key that holds nothing
 //             negative the lower bound is 0.
-// Accuracy    none.
 // Errors      spin_drive: ScenarioError at the place of what has no neighbours.
 // Cost        plain values; a drive makes its torques again for every set of numbers.
 #pragma once

@@ -2,11 +2,9 @@
 // KeyValues: the values of one table of a scenario, by the names of its keys: [[perturbation]],
 // [method]. What a kind of thing is made from.
 //
-// Equations   none.
 // Units       core units (polhode/text/units.hpp).
 // Domain      names of keys of the kind. What is asked for with number, vector, ... is there: the
 //             reader has seen to required keys and defaults; ask has() of others.
-// Accuracy    none.
 // Errors      refuse and built throw a ScenarioError at the place of the key in the file.
 // Cost        a lookup in a map for each value.
 #pragma once

@@ -10,13 +10,11 @@
 //         quantity_key<&SpinBrake::axis>("axis", Dimension::number, "Left out, axis 3."),
 //     };
 //
-// Equations   none.
 // Units       a quantity has a dimension (polhode/text/units.hpp), and A holds it in core units.
 // Domain      members: double, Vec3, std::array<double, N>, std::vector<double>, LinearMap, and
 //             optional ones of them; bool; an enumeration; std::string and std::vector of it. A key
 //             without a default that is left out leaves the member as the struct has it; what
 //             `otherwise` says stands there alone.
-// Accuracy    none.
 // Errors      a key without a name, a dimension or a text does not compile; nor does one for a
 //             member of another type, or a range of what is no number. Arguments of a table that
 //             break `positive` and the like: a ScenarioError at the place of the value.

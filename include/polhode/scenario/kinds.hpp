@@ -4,11 +4,8 @@
 //     const Kinds kinds = default_kinds().with(my_torque());
 //     const Scenario scenario = read_scenario("mine.toml", kinds);
 //
-// Equations   none.
-// Units       none.
 // Domain      a name that no other kind of its sort has, of letters, digits and -; keys of equal
 //             names may differ between kinds.
-// Accuracy    none.
 // Errors      DomainError from with() for a name or an extension that is taken, or not plain, and
 //             for a kind that is not sound: no text, nothing that makes it, two keys of one name,
 //             an example or what stands for a missing key that the key does not take; and for a

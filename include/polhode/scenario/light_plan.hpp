@@ -5,7 +5,6 @@
 // Equations   those of fit_light and search_light (polhode/fit/).
 // Units       core units (polhode/text/units.hpp).
 // Domain      what is left out follows from the data: the limits of the scan, how many starts.
-// Accuracy    none.
 // Errors      none; what is no plan is refused when the file is read. light_mesh: ScenarioError for
 //             a file that is no mesh.
 // Cost        plain values.

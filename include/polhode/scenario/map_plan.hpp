@@ -5,9 +5,7 @@
 // Equations   those of chaos_indicator, of sections and of spectrum.
 // Units       `from` and `to` in the unit that their key has in the file; the rest in core units.
 // Domain      1 to 1e9 cells, counted with the last axis the fastest.
-// Accuracy    none.
 // Errors      none; what is no map is refused when the file is read.
-// Cost        none.
 #pragma once
 
 #include <cstdint>

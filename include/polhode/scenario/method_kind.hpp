@@ -9,7 +9,6 @@
 // Accuracy    that of the method.
 // Errors      a builder throws a DomainError, or says by KeyValues::refuse what it expected: both
 //             become a ScenarioError at the place in the file. It may be called from any thread.
-// Cost        none.
 #pragma once
 
 #include <functional>

@@ -7,7 +7,6 @@
 // Domain      axes of the orbit and the spin: ecliptic-J2000, or inertial ones.
 // Accuracy    that of its method.
 // Errors      none: it is a plain value.
-// Cost        none.
 #pragma once
 
 #include <optional>

@@ -9,7 +9,6 @@
 // Domain      rows in order, on one side of t = 0 or on both; it starts at t = 0.
 // Accuracy    that of its method.
 // Errors      none: it is a plain value.
-// Cost        none.
 #pragma once
 
 #include <functional>

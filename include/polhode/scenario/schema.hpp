@@ -2,11 +2,8 @@
 // The keys of a scenario file: one declarative table. It drives the reader, the JSON Schema, the
 // page docs/reference/scenario.md, "did you mean" and `polhode init`.
 //
-// Equations   none.
 // Units       those of the rows (polhode/text/key.hpp).
 // Domain      schema 1. Rows may be added, never changed: a file of schema 1 stays valid.
-// Accuracy    none.
-// Errors      none.
 // Cost        the table is constant data.
 #pragma once
 

@@ -4,9 +4,7 @@
 // Equations   as in lie_transform.hpp.
 // Units       those of the Hamiltonian's symbols.
 // Domain      as in lie_transform.hpp.
-// Accuracy    none.
 // Errors      none here; lie_transform.hpp and transform_size.hpp throw.
-// Cost        none.
 #pragma once
 
 #include <string>

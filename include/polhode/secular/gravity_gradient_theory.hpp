@@ -9,7 +9,6 @@
 //             Lie transform (Hori) removes phi_l and phi_g, and M if the orbit is averaged too.
 //             Left is K(phi_h, I_h, M) with I_l and I_g constant: dphi/dt = dK/dI, dI_h/dt =
 //             -dK/dphi_h.
-// Corrections none.
 // Units       those of the body, gm, the orbit and the state.
 // Domain      eccentricities up to 0.9; gm may be another than that of the orbit. A motion in
 //             short- or long-axis mode, 1e-4 at least (of I_l / I_g and I_h / I_g) from the

@@ -8,7 +8,6 @@
 //             H_0^(n) / n!. Order by order, K_n is what is kept of all that is known, and the rest
 //             is the flow of H_0 on the generator: w.dS_n/dphi = rest, w = dH_0/dp. The generator
 //             is sum of S_n, or of W_n / (n-1)!.
-// Corrections none.
 // Units       those of the Hamiltonian's symbols.
 // Domain      small parameters: variables in no pair, with weights > 0. H_0 has no angle, and no
 //             coordinate that is a variable, nor its momentum. A clock is an angle without a

@@ -12,7 +12,6 @@
 //             Rotation: the unperturbed formula w = I^-1 g holds in the precessing frame, and
 //             gives the inertial rate [SA 4.4.5]; the rate relative to the ecliptic of date is
 //             less by mu, a constant offset of its axis.
-// Corrections none.
 // Units       any unit of time; rad. gm / distance^3 in 1/time^2, moments in any unit.
 // Domain      bodies that turn about axis 3, the one of largest moment, J = 0 but for what is
 //             forced; 0 < I < pi, not within 1e-3 of either end. Arguments advance evenly; they are

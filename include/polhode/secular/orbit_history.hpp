@@ -5,7 +5,6 @@
 // Units       those of the table or the series.
 // Domain      that of the table; all times for a series.
 // Accuracy    that of the table or the series.
-// Errors      none.
 // Cost        that of what it holds. Copies share.
 #pragma once
 

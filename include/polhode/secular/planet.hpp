@@ -6,7 +6,6 @@
 // Domain      the Earth and Mars at J2000.
 // Accuracy    that of the sources, some 1e-4 of the rates.
 // Errors      DomainError for a planet that is not known, of known_planet.
-// Cost        none.
 #pragma once
 
 #include <span>

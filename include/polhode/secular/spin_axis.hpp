@@ -2,11 +2,9 @@
 // SpinAxis: the state of a body of which only the direction of its spin matters.
 //
 // Equations   s, the unit vector along the angular momentum.
-// Units       none.
 // Domain      any direction.
 // Accuracy    |s| = 1 to rounding.
 // Errors      DomainError for a direction of no length.
-// Cost        none.
 #pragma once
 
 #include "polhode/math/vector.hpp"

@@ -9,7 +9,6 @@
 // Domain      bodies that turn fast against their year.
 // Accuracy    that of the method. Splitting keeps |s| = 1 to rounding: frozen motion is a turn
 //             about n. Budgets averaging_*.
-// Errors      none.
 // Cost        0.4 us for a turn on a HistoryOrbit with a table; steps of a fiftieth of the year.
 #pragma once
 

@@ -7,7 +7,6 @@
 // Domain      as there.
 // Accuracy    rounding.
 // Errors      DomainError for rates that are not finite or out of range.
-// Cost        none.
 #pragma once
 
 #include "polhode/math/vector.hpp"

@@ -7,7 +7,6 @@
 //             triaxiality e = (1/A - 1/B)/(2 b): one series for all bodies. A Lie transform removes
 //             l, exactly in rationals. The mean L and G are Sadov's actions I_l and I_g, the mean
 //             angles his phi_l + pi/2 and phi_g [SA 5].
-// Corrections none.
 // Units       those of the body and the state.
 // Domain      short-axis rotation of a body with its axes sorted, A <= B < C; order 1 to 16. The
 //             series converge as those of 1/(1 - r): from osculating variables r = e (G^2 + (G^2 -

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a series asks of its coefficients, and how they are written and read.
 //
-// Equations   none.
 // Units       none: pure numbers.
 // Domain      double, Rational, DoubleDouble, and any other field of numbers with the same
 //             operators, of the C++ library or of Boost.Multiprecision (cpp_bin_float_50,
@@ -9,7 +8,6 @@
 // Accuracy    text of a double, or of a Rational, is read back as the same number; text of other
 //             types has their max_digits10 digits.
 // Errors      DomainError for text that is no number or out of the range of the type.
-// Cost        none.
 #pragma once
 
 #include <charconv>

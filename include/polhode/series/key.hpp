@@ -3,7 +3,6 @@
 //
 // Equations   exponents and multipliers as in packed_fields.hpp; bit 0 of the multipliers is 1 for
 //             a sine.
-// Units       none.
 // Domain      as in symbols.hpp. The key of a term of a Series is canonical: its first multiplier
 //             that is not zero is positive, and it is no sine of 0.
 // Accuracy    exact.

@@ -4,7 +4,6 @@
 // Equations   a value v in a field of w bits is stored as v + 2^(w-1); the first field is the most
 //             significant. So rows compare as words do, the row of zeros is one constant, and rows
 //             are added by one addition of words.
-// Units       none.
 // Domain      1 to 12 integers, w = min(16, 63 / count); each in [-2^(w-2), 2^(w-2) - 1]. One bit
 //             of each field is left free, so that a sum or a difference of two rows never reaches
 //             the next field, and whether it fits is seen by one comparison. Bit 0 of the word is

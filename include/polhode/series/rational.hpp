@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A rational number of any size: coefficients of exact series.
 //
-// Equations   none.
 // Units       none: a pure number.
 // Domain      numerators and denominators up to 300,000 binary digits; always in lowest terms,
 //             with a positive denominator. Small ones (63 bits) live in the object, longer ones

@@ -6,7 +6,6 @@
 // Domain      weights >= 0, by the names of variables; none keeps all terms.
 // Accuracy    exact orders; sizes are upper bounds.
 // Errors      none here; product.hpp and its companions throw.
-// Cost        none.
 #pragma once
 
 #include <cstddef>

@@ -11,7 +11,6 @@
 //             axes are principal (Body's b1, b2, b3) wherever a term takes the type; `rotated` gets
 //             there from others.
 // Accuracy    sums and products as written.
-// Errors      none.
 // Cost        rotated: some 600 multiplications.
 #pragma once
 

@@ -2,10 +2,8 @@
 // The order in which arrays hold the mass integrals of one degree.
 //
 // Equations   M_abc = int x^a y^b z^c dm, a + b + c the degree, at moment_place(b, c).
-// Units       none.
 // Domain      b, c >= 0.
 // Accuracy    exact.
-// Errors      none.
 // Cost        none at run time where b and c are constants.
 #pragma once
 

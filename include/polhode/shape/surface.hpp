@@ -2,7 +2,6 @@
 // Surface: flat facets with what light and gas need to know of them, from a facet shape or from
 // plates.
 //
-// Equations   none.
 // Units       centres in any unit of length, areas in its square; fractions are pure numbers.
 // Domain      centres are counted from the centre of mass, along the axes in which the surface is
 //             used: `along` gets there from others. A facet has one side, that of its normal; a

@@ -5,7 +5,6 @@
 // Units       those of RotorState; damper_rate in rad per time.
 // Domain      damper_rate is relative to the body, in body axes; zero where there is no damper.
 // Accuracy    none: it is a plain value.
-// Errors      none.
 // Cost        ten numbers.
 #pragma once
 

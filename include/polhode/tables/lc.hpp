@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Light curves in the format `lc` of DAMIT and of convexinv.
 //
-// Equations   none.
 // Units       in the file Julian dates, vectors in au along the axes of ecliptic and equinox of
 //             J2000, fluxes in any unit.
 // Domain      text of at most 256 MiB: how many light curves there are; for each how many points

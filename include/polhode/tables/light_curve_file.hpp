@@ -2,7 +2,6 @@
 // LightCurveFile: the light curves of a file, with what the file or its reader declares of them.
 // Readers: lc.hpp, alcdef.hpp, light_columns.hpp.
 //
-// Equations   none.
 // Units       t in seconds of TT from `epoch`, so that leap seconds are counted; where there is
 //             none, as the file has it. Fluxes of magnitudes: those of a source of `zero_magnitude`
 //             are 1.

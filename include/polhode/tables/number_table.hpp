@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A table of numbers in a text file: CSV or separated by blanks, plain or compressed (.gz).
 //
-// Equations   none.
 // Units       those of the file; what a column means is the caller's to say.
 // Domain      one row per line; fields are separated by semicolons or else commas, or by blanks
 //             where the first row has neither; one at the end of a row is dropped. After # is a

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Facet shapes from and to Wavefront OBJ files.
 //
-// Equations   none.
 // Units       those of the file: OBJ has none.
 // Domain      text of at most 256 MB. `v x y z` and `f i j k ...` are read: indices from 1, or
 //             negative, counted back from the last vertex; i, i/t, i//n and i/t/n. A polygon

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Orbit Ephemeris Messages (CCSDS 502.0-B, text form): positions and velocities of an object.
 //
-// Equations   none.
 // Units       those of the file, km and km/s; seconds from the first row of the file.
 // Domain      versions 1.0, 2.0 and 3.0, any number of segments; accelerations and covariance
 //             matrices are skipped. Time systems UTC, TAI, TT, TDB, GPS.

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Citation: a work that something rests on, and what is taken from it.
 //
-// Equations   none.
-// Units       none.
 // Domain      texts are constant data: they outlive every kind and scenario.
-// Accuracy    none.
-// Errors      none.
 // Cost        bibtex searches 33 kB of text.
 #pragma once
 

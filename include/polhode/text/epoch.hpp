@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // epoch_date: a date as scenarios write it, as an instant.
 //
-// Equations   none.
 // Units       days.
 // Domain      "2013-01-05 UTC", "2013-01-05T18:30:00.25 TT", "JD 2456297.5 TDB": a day of the
 //             calendar, with or without time, or a Julian date, then the scale: UTC, TAI, TT, TDB,

@@ -2,14 +2,11 @@
 // Key: one key of a TOML file as constant data, a row of the table of keys
 // (polhode/scenario/schema.hpp). What a kind of thing says of its keys is said with it.
 //
-// Equations   none.
 // Units       a key with a dimension takes a bare number (in the units of the file), "27.38 h", or
 //             { value = 27.38, unit = "h" }.
 // Domain      in a path, "*" stands for a name that the file chooses (orbit.*; letters, digits, -
 //             and _) and "[]" after a name for each table of an array (perturbation[]). In a table
 //             with a key `kind` a key may belong to some kinds alone.
-// Accuracy    none.
-// Errors      none.
 // Cost        constant data.
 #pragma once
 

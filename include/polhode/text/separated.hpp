@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 // separated: the parts of a text between separators, such as the words of a list of the schema.
 //
-// Equations   none.
-// Units       none.
 // Domain      any text; the parts point into it. An empty text has no parts.
-// Accuracy    none.
-// Errors      none.
 // Cost        one pass.
 #pragma once
 

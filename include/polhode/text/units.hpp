@@ -2,7 +2,6 @@
 // Units of a scenario file: what its bare numbers mean, what its "27.38 h" mean, and what its
 // outputs carry. The only place of polhode that knows units; the library behind it is scale-free.
 //
-// Equations   none.
 // Units       core units: time in the scenario's unit of time, angles in radians, moments in the
 //             scenario's unit of moment, lengths in its unit of length; so rates are rad per unit
 //             of time, momenta moment/time, energies and torques moment/time^2, GM length^3/time^2,

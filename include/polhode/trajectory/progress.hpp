@@ -2,12 +2,10 @@
 // Progress: how far a run has come, reported while it goes on. A caller watches a long run by it,
 // and stops it: what it throws ends the run.
 //
-// Equations   none.
 // Units       the unit of time of the run.
 // Domain      called with the time reached, in the order of the run: after every step of a method,
 //             and after every sample inside a step; by a run of rows without steps, after every
 //             block. Not called at the start. Empty: nobody watches.
-// Accuracy    none.
 // Errors      what it throws passes through unchanged, after the samples so far have been pushed.
 // Cost        its own, and that of a call: a few ns a step. One that looks at a clock does so every
 //             so many calls.

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Samples of a run, the steps between them and the events met, for any state.
 //
-// Equations   none.
 // Units       those of the run.
 // Domain      a MotionState is a value that visits its own numbers: each_number(s, visit) calls
 //             visit(double&) for every one of them, always in the same order, and is found where
 //             the type is. A checkpoint keeps these numbers, so that they must be all of the state.
-// Accuracy    none.
-// Errors      none.
 // Cost        a sample of a rotor is 64 bytes.
 #pragma once
 

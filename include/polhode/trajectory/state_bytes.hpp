@@ -2,7 +2,6 @@
 // StateBytes: the numbers of a state as bytes and back, to the last bit. One function of an object
 // visits its numbers for both ways, so that what is read is what was written.
 //
-// Equations   none.
 // Units       any.
 // Domain      numbers, texts, vectors, quaternions, arrays, lists, pairs, optional ones of them,
 //             samples and events of any state. To write: visit, then bytes(); what is visited
