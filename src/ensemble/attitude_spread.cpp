@@ -18,7 +18,7 @@ inline namespace v0 {
 namespace {
 
 using detail::SpreadSums;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double no_spread = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int most_passes = 50;
 
@@ -137,15 +137,15 @@ void AttitudeSpread::merge(const AttitudeSpread& later) {
 }
 
 Vec3 AttitudeSpread::mean_vector() const {
-  return count_ == 0.0 ? Vec3{nan, nan, nan} : Vec3{mean_[0], mean_[1], mean_[2]};
+  return count_ == 0.0 ? Vec3{no_spread, no_spread, no_spread} : Vec3{mean_[0], mean_[1], mean_[2]};
 }
 
 Mat3 AttitudeSpread::covariance() const {
-  return rows(symmetric(products_) / (count_ < 2.0 ? nan : count_ - 1.0));
+  return rows(symmetric(products_) / (count_ < 2.0 ? no_spread : count_ - 1.0));
 }
 
 Extreme AttitudeSpread::farthest() const {
-  return {count_ == 0.0 ? nan : farthest_, static_cast<std::int64_t>(farthest_member_)};
+  return {count_ == 0.0 ? no_spread : farthest_, static_cast<std::int64_t>(farthest_member_)};
 }
 
 std::optional<FrechetMean> AttitudeSpread::frechet() const {
@@ -162,8 +162,9 @@ std::optional<FrechetMean> AttitudeSpread::frechet() const {
 
   const Eigen::Matrix3d to_mean = one - 0.5 * cross_matrix(d);
   const Eigen::Matrix3d about_mean = to_mean * products * to_mean.transpose();
-  FrechetMean found{turned(reference_, d), rows(about_mean / (count_ < 2.0 ? nan : count_ - 1.0)),
-                    infinity, infinity};
+  FrechetMean found{turned(reference_, d),
+                    rows(about_mean / (count_ < 2.0 ? no_spread : count_ - 1.0)), infinity,
+                    infinity};
   // x + e: |F| <= K d^2 / 2 at x, and the Hessian stays above half of what it is at r
   const double lowest =
       Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(hessian, Eigen::EigenvaluesOnly)
@@ -178,7 +179,7 @@ std::optional<FrechetMean> AttitudeSpread::frechet() const {
                          0.5 * bound.second * step * step + bound.stretch * error;
   const double width = (1.0 + 0.5 * step) * std::sqrt(mean_square);
   found.covariance_error =
-      (2.0 * width + of_each) * of_each * (count_ < 2.0 ? nan : count_ / (count_ - 1.0));
+      (2.0 * width + of_each) * of_each * (count_ < 2.0 ? no_spread : count_ / (count_ - 1.0));
   return found;
 }
 

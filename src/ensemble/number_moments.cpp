@@ -13,11 +13,11 @@ namespace polhode {
 inline namespace v0 {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double no_moment = std::numeric_limits<double>::quiet_NaN();
 // The numbers of a triangle stay few.
 constexpr int most_numbers = 1000;
 
-std::size_t checked_size(int size) {
+std::size_t checked_count(int size) {
   if (size < 1 || size > most_numbers)
     throw DomainError("NumberMoments: got " + std::to_string(size) +
                       " numbers a member; expected 1 to " + std::to_string(most_numbers));
@@ -27,9 +27,9 @@ std::size_t checked_size(int size) {
 }  // namespace
 
 NumberMoments::NumberMoments(int size) : size_(size) {
-  const std::size_t k = checked_size(size);
+  const std::size_t k = checked_count(size);
   sums_.assign(k + k * (k + 1) / 2, 0.0);
-  extremes_.assign(2 * k, {nan, -1});
+  extremes_.assign(2 * k, {no_moment, -1});
 }
 
 void NumberMoments::add(std::int64_t member, std::span<const double> numbers) {
@@ -82,13 +82,13 @@ std::size_t NumberMoments::checked(const char* function, int i) const {
 
 double NumberMoments::mean(int i) const {
   const std::size_t k = checked("mean", i);
-  return count_ == 0 ? nan : sums_[k];
+  return count_ == 0 ? no_moment : sums_[k];
 }
 
 double NumberMoments::covariance(int i, int j) const {
   const std::size_t a = checked("covariance", std::max<int>(i, j));
   const std::size_t b = checked("covariance", std::min<int>(i, j));
-  return count_ < 2 ? nan : products()[a * (a + 1) / 2 + b] / static_cast<double>(count_ - 1);
+  return count_ < 2 ? no_moment : products()[a * (a + 1) / 2 + b] / static_cast<double>(count_ - 1);
 }
 
 double NumberMoments::deviation(int i) const { return std::sqrt(covariance(i, i)); }

@@ -14,8 +14,8 @@ namespace polhode {
 inline namespace v0 {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double no_quantile = std::numeric_limits<double>::quiet_NaN();
+constexpr double unbounded = std::numeric_limits<double>::infinity();
 constexpr std::int64_t most_exact = std::int64_t{1} << 31;
 
 void check_part(const char* function, double p) {
@@ -25,14 +25,14 @@ void check_part(const char* function, double p) {
 }
 
 // a + f (b - a), within them
-double between(double a, double b, double f) {
+double interpolated(double a, double b, double f) {
   return f == 0.0 || a == b ? a : std::clamp(a * (1.0 - f) + b * f, a, b);
 }
 
 }  // namespace
 
 Quantiles::Quantiles(Bins bins, std::int64_t exact)
-    : bins_(std::move(bins)), exact_(exact), least_(infinity), greatest_(-infinity) {
+    : bins_(std::move(bins)), exact_(exact), least_(unbounded), greatest_(-unbounded) {
   if (exact < 0 || exact > most_exact)
     throw DomainError("Quantiles: got " + std::to_string(exact) +
                       " numbers to be exact with; expected 0 to 2^31");
@@ -99,24 +99,25 @@ Bounded Quantiles::ranked(std::int64_t k) const {
   for (std::int64_t before = cells_[0]; before <= k; before += cells_[bin]) ++bin;
   const Bounds within = bounds_of(bin);
   const bool outside = bin == 0 || bin > bins_.count();
-  const double middle = outside ? between(within.lowest, within.highest, 0.5) : bins_.middle(bin);
+  const double middle =
+      outside ? interpolated(within.lowest, within.highest, 0.5) : bins_.middle(bin);
   return {std::clamp(middle, within.lowest, within.highest), within.lowest, within.highest};
 }
 
 Bounded Quantiles::quantile(double p) const {
   check_part("quantile", p);
-  if (count_ == 0) return {nan, nan, nan};
+  if (count_ == 0) return {no_quantile, no_quantile, no_quantile};
   const double h = static_cast<double>(count_ - 1) * p;
   const auto k = std::min(static_cast<std::int64_t>(h), count_ - 1);
   const double f = h - static_cast<double>(k);
   const Bounded a = ranked(k), b = f == 0.0 ? a : ranked(k + 1);
-  return {between(a.value, b.value, f), between(a.lowest, b.lowest, f),
-          between(a.highest, b.highest, f)};
+  return {interpolated(a.value, b.value, f), interpolated(a.lowest, b.lowest, f),
+          interpolated(a.highest, b.highest, f)};
 }
 
 Bounded Quantiles::part_up_to(double x) const {
   const double n = static_cast<double>(count_);
-  if (count_ == 0 || std::isnan(x)) return {nan, nan, nan};
+  if (count_ == 0 || std::isnan(x)) return {no_quantile, no_quantile, no_quantile};
   if (x < least_) return {0.0, 0.0, 0.0};
   if (x >= greatest_) return {1.0, 1.0, 1.0};
   if (cells_.empty()) {
@@ -132,7 +133,7 @@ Bounded Quantiles::part_up_to(double x) const {
   const double low = static_cast<double>(before) / n;
   const double high = static_cast<double>(before + cells_[bin]) / n;
   const double width = within.highest - within.lowest;
-  return {between(low, high, width > 0.0 ? (x - within.lowest) / width : 0.5), low, high};
+  return {interpolated(low, high, width > 0.0 ? (x - within.lowest) / width : 0.5), low, high};
 }
 
 Bounds Quantiles::interval(double p, double z) const {
@@ -142,8 +143,8 @@ Bounds Quantiles::interval(double p, double z) const {
                       "; expected a finite number of deviations, 0 or more");
   const double n = static_cast<double>(count_), reach = z * std::sqrt(n * p * (1.0 - p));
   const double low = std::floor(n * p - reach) - 1.0, high = std::ceil(n * p + reach);
-  return {low < 0.0 ? -infinity : ranked(static_cast<std::int64_t>(low)).lowest,
-          high >= n ? infinity : ranked(static_cast<std::int64_t>(high)).highest};
+  return {low < 0.0 ? -unbounded : ranked(static_cast<std::int64_t>(low)).lowest,
+          high >= n ? unbounded : ranked(static_cast<std::int64_t>(high)).highest};
 }
 
 std::vector<double> Quantiles::numbers() const {
@@ -164,7 +165,7 @@ Quantiles Quantiles::restored(std::span<const double> numbers) const {
   found.greatest_ = reader.number();
   const bool has_range = std::isfinite(found.least_) && std::isfinite(found.greatest_) &&
                          found.least_ <= found.greatest_;
-  if (found.count_ > 0 ? !has_range : !(found.least_ == infinity && found.greatest_ == -infinity))
+  if (found.count_ > 0 ? !has_range : !(found.least_ == unbounded && found.greatest_ == -unbounded))
     reader.refuse("a greatest number not below the least, " + detail::number_text(found.least_) +
                   ", both finite, or -inf of none");
   if (found.count_ > exact_) {

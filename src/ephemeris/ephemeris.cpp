@@ -19,8 +19,8 @@ namespace polhode {
 inline namespace v0 {
 namespace {
 
-constexpr double au_km = 149597870.7;  // IAU 2012
-constexpr double day_in_s = 86400.0;
+constexpr double astronomical_unit = 149597870.7;  // IAU 2012
+constexpr double day = 86400.0;
 constexpr int table_order = 12;
 constexpr std::size_t most_rows = 20'000'000;  // some 500 MB
 
@@ -50,13 +50,13 @@ constexpr std::array<Entry, 10> entries = {
 
 const Entry& entry(Planetary body) { return entries[static_cast<std::size_t>(body)]; }
 
-[[noreturn]] void fail(const char* function, const std::string& what) {
+[[noreturn]] void refuse(const char* function, const std::string& what) {
   throw DomainError(std::string(function) + ": " + what);
 }
 
 void require_two(const char* function, Planetary target, Planetary centre) {
   if (target == centre)
-    fail(function, "target and centre must not both be " + std::string(entry(target).name));
+    refuse(function, "target and centre must not both be " + std::string(entry(target).name));
 }
 
 // From J2000.
@@ -65,14 +65,16 @@ double centuries(const Date& tdb) { return ((tdb.day - 2451545.0) + tdb.fraction
 // What plan94 is meant for; the Moon and the Earth as far as they were compared with something.
 void require_years(const Date& tdb) {
   if (!(std::fabs(centuries(tdb)) <= 10.0))
-    fail("planetary_position", "date JD " + detail::number_text(tdb.day + tdb.fraction) +
-                                   " must be in the years 1000 to 3000");
+    refuse("planetary_position", "date JD " + detail::number_text(tdb.day + tdb.fraction) +
+                                     " must be in the years 1000 to 3000");
 }
 
 using Posvel = std::array<std::array<double, 3>, 2>;
 double (*rows(Posvel& pv))[3] { return reinterpret_cast<double(*)[3]>(pv.data()); }
 
-Vec3 km(const Posvel& pv) { return {au_km * pv[0][0], au_km * pv[0][1], au_km * pv[0][2]}; }
+Vec3 km(const Posvel& pv) {
+  return {astronomical_unit * pv[0][0], astronomical_unit * pv[0][1], astronomical_unit * pv[0][2]};
+}
 
 Vec3 earth_from_sun(const Date& tdb) {
   Posvel heliocentric{}, barycentric{};
@@ -94,7 +96,7 @@ Vec3 from_sun(Planetary body, const Date& tdb) {
   Posvel pv{};
   const int status = eraPlan94(tdb.day, tdb.fraction, entry(body).of_plan94, rows(pv));
   if (status != 0 && status != 1)
-    fail("planetary_position", "no position of " + std::string(entry(body).name));
+    refuse("planetary_position", "no position of " + std::string(entry(body).name));
   return km(pv);
 }
 
@@ -289,18 +291,19 @@ EphemerisTable planetary_table(Planetary target, Planetary centre, const Date& e
                                double last, double tolerance) {
   planetary_position(target, centre, epoch);  // refuses
   if (!(first < last) || !std::isfinite(last - first))
-    fail("planetary_table",
-         "times " + detail::tuple_text({first, last}) + " must rise and be finite");
+    refuse("planetary_table",
+           "times " + detail::tuple_text({first, last}) + " must rise and be finite");
   const Span span{target, centre, converted(epoch, TimeScale::TT), first, last};
-  const double length = (last - first) / day_in_s;
+  const double length = (last - first) / day;
   double spacing = std::min(entry(target).first_day, entry(centre).first_day);
   std::optional<Rows> best;
   Misfit least;
   for (;;) {
     const double needed = std::ceil(length / spacing) + 1.0;
     if (needed > static_cast<double>(most_rows))
-      fail("planetary_table", "a span of " + detail::number_text(length) +
-                                  " days must have at most " + std::to_string(most_rows) + " rows");
+      refuse("planetary_table", "a span of " + detail::number_text(length) +
+                                    " days must have at most " + std::to_string(most_rows) +
+                                    " rows");
     const auto count = std::max(static_cast<std::size_t>(needed), std::size_t{table_order});
     Rows rows(span, count);
     const Misfit worst = rows.misfit();

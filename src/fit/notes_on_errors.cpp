@@ -16,12 +16,12 @@ inline namespace v0 {
 namespace {
 
 // Rises of the sum that are near enough to 1, and the part of the greatest component from which
-// on one is named.
-constexpr double least = 0.5, greatest = 2.0, named = 0.5;
+// on one is named_part.
+constexpr double least = 0.5, greatest = 2.0, named_part = 0.5;
 // Fits that may stop further from the least, in errors: their rises are other ones for that alone.
 constexpr double near_enough = 0.1;
-constexpr double nothing = 1e-10;  // of correlations: their rounding
-constexpr double far = 100.0;      // beyond it the number says no more
+constexpr double no_correlation = 1e-10;  // of correlations: their rounding
+constexpr double far = 100.0;             // beyond it the number says no more
 
 bool is_inside(const LeastSquares& problem, const std::vector<double>& x) {
   for (std::size_t i = 0; i < x.size(); ++i) {
@@ -35,7 +35,7 @@ std::string names_along(const std::vector<std::string>& names, const Eigen::Vect
   const double greatest_part = direction.cwiseAbs().maxCoeff();
   std::vector<std::string> parts;
   for (Eigen::Index i = 0; i < direction.size(); ++i) {
-    if (std::abs(direction[i]) >= named * greatest_part)
+    if (std::abs(direction[i]) >= named_part * greatest_part)
       parts.push_back(names[static_cast<std::size_t>(i)]);
   }
   std::string text = parts.front();
@@ -71,7 +71,7 @@ std::string bend_within_errors(const LeastSquares& problem, const LeastSquaresRe
   double worst = 1.0;
   Eigen::VectorXd where;
   for (Eigen::Index k = 0; k < n; ++k) {
-    if (!(principal.eigenvalues()[k] > nothing)) continue;
+    if (!(principal.eigenvalues()[k] > no_correlation)) continue;
     const Eigen::VectorXd direction = principal.eigenvectors().col(k);
     const Eigen::VectorXd step =
         errors.cwiseProduct(direction) * std::sqrt(principal.eigenvalues()[k]);

@@ -76,12 +76,12 @@ std::array<Vec3, spin_parameters> momentum_changes(const SpinState& s) {
   return found;
 }
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 // Whether it depends on an unknown that the data do not determine.
 bool is_open(const std::vector<double>& a, const UnknownsCovariance& c) {
   for (std::size_t i = 0; i < a.size(); ++i)
-    if (std::fabs(a[i]) > 0.0 && c.variance(i) == infinite) return true;
+    if (std::fabs(a[i]) > 0.0 && c.variance(i) == unbounded) return true;
   return false;
 }
 
@@ -96,7 +96,7 @@ double product(const std::vector<double>& a, const UnknownsCovariance& c,
 }
 
 double error_of(const std::vector<double>& a, const UnknownsCovariance& c) {
-  return is_open(a, c) ? infinite : std::sqrt(product(a, c, a));
+  return is_open(a, c) ? unbounded : std::sqrt(product(a, c, a));
 }
 
 FreeRotation motion_of(const SpinState& s) {
@@ -178,7 +178,7 @@ class Figures {
     };
     const std::vector<double> x = along(east), y = along(north);
     if (is_open(x, c_) || is_open(y, c_)) {
-      f.pole_major = f.pole_minor = infinite;
+      f.pole_major = f.pole_minor = unbounded;
       f.major_I = is_open(x, c_) ? east : north;
       return;
     }
@@ -212,7 +212,7 @@ SpinFigures spin_figures(const LightSolution& solution, const LightUnknowns& unk
 SpinFigures spin_figures(const SpinSolution& solution) {
   SpinFigures f = spin_figures(solution.state, solution.covariance.without(solution.held));
   if (solution.held.empty()) return f;
-  f.rotation_error = infinite;
+  f.rotation_error = unbounded;
   f.correlation = std::numeric_limits<double>::quiet_NaN();
   return f;
 }

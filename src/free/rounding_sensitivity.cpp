@@ -14,7 +14,7 @@ namespace polhode {
 inline namespace v0 {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 // |v| without overflow. Written out, since the last digit of std::hypot of three numbers is that of
 // the standard library, and WebAssembly has another than this machine.
@@ -59,7 +59,7 @@ double rounding_sensitivity(const FreeRotation& motion, double t) {
   if (!(turned < 1.0 / std::numeric_limits<double>::epsilon())) return std::numbers::pi;
   double largest = 0.0;
   for (int component = 0; component < 3; ++component) {
-    for (const double towards : {-infinity, infinity}) {
+    for (const double towards : {-unbounded, unbounded}) {
       const Vec3 g = nudged(s.g, component, towards);
       for (const auto& other : {rotation(nudged(moments, component, towards), s, motion.epoch()),
                                 rotation(moments, {s.q, g}, motion.epoch())}) {

@@ -23,7 +23,7 @@ inline namespace v0 {
 namespace {
 
 using DD = DoubleDouble;
-constexpr double half_pi = 1.5707963267948966;
+constexpr double quarter_turn = 1.5707963267948966;
 
 // Powers of two that bring the moments, and G, to order 1: squares then neither overflow nor run
 // out of low parts, and the scaling is exact.
@@ -128,7 +128,7 @@ RotorState base_state(const Body& body, const SerretState& s) {
   const BasicVec3<DD> I = detail::sorted_moments(body);
   const detail::Discriminants<DD> d = discriminants_of(I, energy_ratio(c));
   const double L = s.sign_g3 * (c.G * sqrt(I.z * d.D1 / (I.z - I.x))).hi;
-  const double l = s.sign_g1 < 0 ? -half_pi : half_pi;
+  const double l = s.sign_g1 < 0 ? -quarter_turn : quarter_turn;
   return detail::in_body_axes(body, to_rotor(AndoyerState{l, s.g0, s.h, L, s.G, s.H}));
 }
 
@@ -343,7 +343,7 @@ SerretState to_serret(const FreeRotation& m, double t) {
   DD elapsed;  // t - t0, scaled
   DD x = phase.x;
   detail::PrimedSense start{long_axis, periodic ? 1.0 : sense.s1, sense.s3};
-  if (periodic && is_near) start.s1 = std::abs(x.hi) > half_pi ? -sense.s1 : sense.s1;
+  if (periodic && is_near) start.s1 = std::abs(x.hi) > quarter_turn ? -sense.s1 : sense.s1;
   const bool from_other_side = start.s1 != sense.s1;
   if (periodic) {
     if (from_other_side) x = x.hi > 0.0 ? x - DD::pi() : x + DD::pi();
@@ -354,7 +354,7 @@ SerretState to_serret(const FreeRotation& m, double t) {
   }
   const detail::FrameAngles frame = detail::frame_angles(phase.frame);
   const DD swept = detail::wrapped(DD(2.0) * k.half_precession * elapsed);
-  const double half_turn = from_other_side ? 2.0 * half_pi : 0.0;
+  const double half_turn = from_other_side ? 2.0 * quarter_turn : 0.0;
   s.t0 = (DD(t) - ldexp(elapsed, -std::ilogb(k.time_scale))).hi;
   require_held_time(s.t0, t);
   s.h = frame.h;

@@ -23,7 +23,7 @@ inline namespace v0 {
 namespace {
 
 using DD = DoubleDouble;
-constexpr double half_pi = 1.5707963267948966;
+constexpr double right_angle = 1.5707963267948966;
 
 // Tumbler axes (intermediate, short, long) <- body axes.
 detail::AxisOrder tumbler_axes(const Body& body) {
@@ -193,7 +193,7 @@ Vec3 unit_pole(const Vec3& momentum) {
 void require_held(const Body& body, const TumblerState& s, const RotorState& state) {
   const FreeRotation motion(body, state);
   const double wanted = s.rotation_period / s.precession_period;
-  const double held = motion.polhode_period() * motion.precession_rate_long() / (4.0 * half_pi);
+  const double held = motion.polhode_period() * motion.precession_rate_long() / (4.0 * right_angle);
   if (motion.regime() == s.mode && std::abs(held - wanted) <= 1e-6 * wanted) return;
   throw DomainError("TumblerState: P_psi/P_phi = " + detail::number_text(wanted) +
                     " is closer to the separatrix than a momentum in double precision can hold");
@@ -225,7 +225,7 @@ double long_axis_period(double short_axis_period, double rotation_period) {
 }
 
 TumblingAngles tumbling_angles(const FreeRotation& m) {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN(), pi = 2.0 * half_pi;
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN(), pi = 2.0 * right_angle;
   const bool long_axis = m.regime() == Regime::long_axis;
   if (!long_axis && m.regime() != Regime::short_axis) return {nan, nan, nan, nan};
   const detail::PolhodeCurve<DD> c = detail::primed_arc<DD>(m.body(), m.initial_state().g).curve;
@@ -252,7 +252,7 @@ RotorState to_rotor(const Body& body, const TumblerState& given) {
   const BasicVec3<DD> sorted = detail::sorted_moments(body);
   const detail::PolhodeCurve<DD> c = curve_reaching(body, s, long_axis);
   const FamilyRates rates = family_rates(c);
-  const double psi = !long_axis && s.sense < 0 ? s.psi0 + 2.0 * half_pi : s.psi0;
+  const double psi = !long_axis && s.sense < 0 ? s.psi0 + 2.0 * right_angle : s.psi0;
   const Inclination incl = inclination(sorted, c, s.psi0, long_axis);
   const double theta = std::atan2(incl.sin, s.branch < 0 ? -incl.cos : incl.cos);
   const Quaternion q =
@@ -260,7 +260,7 @@ RotorState to_rotor(const Body& body, const TumblerState& given) {
 
   // G from the precession, which is never small against the rotation.
   const double unit = std::ldexp(1.0, detail::exponent_of_largest(body.moments()));
-  const double G = unit / rates.precession.hi * (4.0 * half_pi / s.precession_period);
+  const double G = unit / rates.precession.hi * (4.0 * right_angle / s.precession_period);
   const double side = !long_axis && s.sense < 0 ? -1.0 : 1.0;
   const double along = s.branch < 0 ? -incl.cos : incl.cos;
   const Vec3 k = incl.beside_middle_axis ? Vec3{side * incl.k.x, side * incl.k.y, along}
@@ -285,7 +285,7 @@ TumblerState to_tumbler(const FreeRotation& m, double t) {
   const Vec3 k = detail::reordered(tumbler_axes(m.body()), s.g);
   const EulerState e = to_euler(RotorState{q, {}});
   TumblerState d{};
-  d.precession_period = 4.0 * half_pi / m.precession_rate_long();
+  d.precession_period = 4.0 * right_angle / m.precession_rate_long();
   d.rotation_period = m.polhode_period();
   for (const double period : {d.precession_period, d.rotation_period})
     if (!std::isnormal(period))

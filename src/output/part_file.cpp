@@ -22,7 +22,6 @@ inline namespace v0 {
 namespace detail {
 namespace {
 
-constexpr std::size_t longest_path = 500;
 constexpr int most_trips = 100;  // other processes that finish just when a file is opened
 
 }  // namespace

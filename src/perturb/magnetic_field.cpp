@@ -17,12 +17,12 @@ namespace {
 bool finite(const Vec3& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
-std::string text(const Vec3& v) { return detail::tuple_text({v.x, v.y, v.z}); }
+std::string vector_text(const Vec3& v) { return detail::tuple_text({v.x, v.y, v.z}); }
 
 Vec3 unit_pole(const PrimaryRotation& primary) {
   const double length = norm(primary.pole);
   if (!(length > 0.0) || !std::isfinite(length))
-    throw DomainError("PrimaryRotation: pole " + text(primary.pole) +
+    throw DomainError("PrimaryRotation: pole " + vector_text(primary.pole) +
                       " must be finite and not zero");
   return (1.0 / length) * primary.pole;
 }
@@ -54,7 +54,7 @@ Quaternion axes_at_epoch(const PrimaryRotation& primary) {
 DipoleField::DipoleField(const Vec3& strength, const PrimaryRotation& primary)
     : strength_(strength), primary_(primary), angle_(0.0, primary.rate, primary.epoch) {
   if (!finite(strength))
-    throw DomainError("DipoleField: strength " + text(strength) + " must be finite");
+    throw DomainError("DipoleField: strength " + vector_text(strength) + " must be finite");
   const Vec3 K = rotate(axes_at_epoch(primary), strength), pole = unit_pole(primary);
   along_ = dot(pole, K) * pole;
   across_ = K - along_;
@@ -76,7 +76,8 @@ DipoleField DipoleField::from_gauss(const GaussCoefficients& gauss, double refer
 }
 
 ConstantField::ConstantField(const Vec3& field) : field_(field) {
-  if (!finite(field)) throw DomainError("ConstantField: field " + text(field) + " must be finite");
+  if (!finite(field))
+    throw DomainError("ConstantField: field " + vector_text(field) + " must be finite");
 }
 
 template <class F>

@@ -12,7 +12,7 @@ namespace polhode {
 inline namespace v0 {
 namespace {
 
-void require_positive(const std::string& what, double x) {
+void require_positive_value(const std::string& what, double x) {
   if (!(x > 0.0) || !std::isfinite(x))
     throw DomainError(what + " " + detail::number_text(x) + " must be positive and finite");
 }
@@ -20,13 +20,13 @@ void require_positive(const std::string& what, double x) {
 }  // namespace
 
 Shadow Shadow::cylinder(double radius) {
-  require_positive("Shadow: radius", radius);
+  require_positive_value("Shadow: radius", radius);
   return {ShadowShape::cylinder, radius, 0.0};
 }
 
 Shadow Shadow::cone(double radius, double sun_radius) {
-  require_positive("Shadow: radius", radius);
-  require_positive("Shadow: sun_radius", sun_radius);
+  require_positive_value("Shadow: radius", radius);
+  require_positive_value("Shadow: sun_radius", sun_radius);
   return {ShadowShape::cone, radius, sun_radius};
 }
 
@@ -58,8 +58,8 @@ std::vector<double> SolarPressure::switches(const Setting& at) const {
 SolarPressure::SolarPressure(const Surface& surface_B, const Sunlight& light, DirectedPath path,
                              SpaceAxes axes)
     : stream_(surface_B, light_law), light_(light), path_(std::move(path)), axes_(axes) {
-  require_positive("SolarPressure: pressure", light.pressure);
-  require_positive("SolarPressure: distance", light.distance);
+  require_positive_value("SolarPressure: pressure", light.pressure);
+  require_positive_value("SolarPressure: distance", light.distance);
 }
 
 SolarPressure::SolarPressure(const Surface& surface_B, const Sunlight& light, DirectedPath path,

@@ -16,22 +16,23 @@ namespace polhode {
 inline namespace v0 {
 namespace {
 
-constexpr double eps = std::numeric_limits<double>::epsilon();
+constexpr double rounding = std::numeric_limits<double>::epsilon();
 
-// By how many eps of the largest moment I3 may exceed I1 + I2.
+// By how many rounding of the largest moment I3 may exceed I1 + I2.
 constexpr double flat_slack = 4.0;
 // By what part of the largest moment a tensor may exceed it. A plate that was moved by the parallel
-// axis theorem and back has lost (distance / size)^2 eps: 1e-10 when a plate of 1 m went 1 km.
+// axis theorem and back has lost (distance / size)^2 rounding: 1e-10 when a plate of 1 m went 1 km.
 // Digits of a file that were rounded, 1e-6 and more, are still rejected.
 constexpr double tensor_slack = 1e-9;
 
 int largest(const Vec3& m) { return m.x < m.y ? (m.y < m.z ? 2 : 1) : (m.x < m.z ? 2 : 0); }
 
-// Imax - (Imid + Imin) in units of eps Imax; the subtraction comes first, so nothing overflows.
+// Imax - (Imid + Imin) in units of rounding Imax; the subtraction comes first, so nothing
+// overflows.
 double excess(const Vec3& m) {
   const int i = largest(m);
   const double a = m[(i + 1) % 3], b = m[(i + 2) % 3];
-  return ((m[i] - std::max(a, b)) - std::min(a, b)) / m[i] / eps;
+  return ((m[i] - std::max(a, b)) - std::min(a, b)) / m[i] / rounding;
 }
 
 void require_moments(const std::string& function, const Vec3& m) {
@@ -60,7 +61,7 @@ void require_symmetric(const Mat3& t) {
   }
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < i; ++j) {
-      if (std::abs(t(i, j) - t(j, i)) > 8.0 * eps * size) {
+      if (std::abs(t(i, j) - t(j, i)) > 8.0 * rounding * size) {
         const std::string place = std::to_string(j + 1) + std::to_string(i + 1);
         throw DomainError("Body::from_tensor: entries " + detail::tuple_text({t(j, i), t(i, j)}) +
                           " at " + place + " and its mirror must be equal");
@@ -74,7 +75,7 @@ void require_symmetric(const Mat3& t) {
 Vec3 possible(Vec3 m) {
   const double over = excess(m);
   const int i = largest(m);
-  if (over > 0.0 && over * eps <= tensor_slack) m[i] = m[(i + 1) % 3] + m[(i + 2) % 3];
+  if (over > 0.0 && over * rounding <= tensor_slack) m[i] = m[(i + 1) % 3] + m[(i + 2) % 3];
   return m;
 }
 

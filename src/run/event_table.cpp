@@ -14,11 +14,9 @@ namespace polhode {
 inline namespace v0 {
 namespace {
 
-constexpr std::size_t longest_path = 500;
-
 const std::string& csv_path(const std::string& path) {
   if (std::filesystem::path(path).extension() == ".csv") return path;
-  throw DomainError(detail::printable(path, longest_path) +
+  throw DomainError(detail::printable(path, detail::longest_path) +
                     ": events are written as CSV; expected PATH.csv");
 }
 

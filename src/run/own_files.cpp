@@ -13,8 +13,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t longest_path = 500;
-
 bool is_same_file(const fs::path& a, const fs::path& b) {
   std::error_code none;
   if (fs::equivalent(a, b, none)) return true;

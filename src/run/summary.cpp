@@ -38,7 +38,7 @@ std::string mode(Regime regime) {
   return {};
 }
 
-double largest(const Vec3& I) { return std::max({I.x, I.y, I.z}); }
+double largest_moment(const Vec3& I) { return std::max({I.x, I.y, I.z}); }
 
 std::string crossing_text(Crossing crossing) {
   if (crossing == Crossing::both) return "";
@@ -178,7 +178,7 @@ std::vector<SummaryLine> detail::summary(const Rotation& rotation, const Scenari
   const FreeRotation motion = free_rotation(rotation);
   Lines lines(scenario.units());
   const Vec3& I = motion.body().moments();
-  const double I3 = largest(I);
+  const double I3 = largest_moment(I);
   const double turn = 2.0 * std::numbers::pi;
   const bool tumbles =
       motion.regime() == Regime::short_axis || motion.regime() == Regime::long_axis;
@@ -187,8 +187,8 @@ std::vector<SummaryLine> detail::summary(const Rotation& rotation, const Scenari
              rotation.terms.empty() && !rotation.damper ? "mode" : "mode (if free from t = 0 on)",
              mode(motion.regime()));
   lines.numbers("moments", "moments I1, I2, I3", {I.x, I.y, I.z}, Dimension::moment);
-  lines.numbers("moment_ratios", "their ratios to the largest", {I.x / I3, I.y / I3, I.z / I3},
-                Dimension::number);
+  lines.numbers("moment_ratios", "their ratios to the largest_moment",
+                {I.x / I3, I.y / I3, I.z / I3}, Dimension::number);
   lines.number("precession_period", "precession period P_phi (long axis)",
                turn / motion.precession_rate_long(), Dimension::time);
   if (tumbles)

@@ -11,7 +11,6 @@ inline namespace v0 {
 namespace detail {
 namespace {
 
-constexpr std::size_t longest_path = 500;
 constexpr std::size_t longest_text = 600;
 
 }  // namespace

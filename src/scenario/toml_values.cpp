@@ -27,7 +27,7 @@ inline namespace v0 {
 namespace detail {
 namespace {
 
-constexpr std::size_t longest_name = 200;
+constexpr std::size_t longest_description = 200;
 constexpr double largest_angle = 1e10;  // a double of this size has lost six of its digits
 
 class Reader {
@@ -467,7 +467,7 @@ ReadFile read_values(std::string_view text, const Schema& schema, Diagnostics& d
     return Reader(schema, diagnostics).read(file);
   } catch (const toml::parse_error& error) {
     diagnostics.add(position(error.source()), "file",
-                    "not TOML: " + printable(error.description(), longest_name) +
+                    "not TOML: " + printable(error.description(), longest_description) +
                         hint_for(error.description()));
   } catch (const TomlAssertion&) {
     diagnostics.add({}, "file", "not TOML");

@@ -223,7 +223,7 @@ ComplexTaylor operator*(const ActionTaylor& a, const ComplexTaylor& b) {
 ComplexTaylor times_i(const ComplexTaylor& a) { return {-a.im, a.re}; }
 
 // A function of the inclination times a^3/r^3 exp(i (turns (f - phi_h))): turns is 0, 2 or -2.
-struct Pull {
+struct Attraction {
   ActionTaylor of_inclination;
   int turns;
   bool is_imaginary;
@@ -235,7 +235,7 @@ class GradientTerms {
       : symbols_(symbols), orbit_(orbit) {}
 
   // The real part of c exp(i (-k phi_l - m phi_g)) times the pull.
-  void add(const ComplexTaylor& c, int k, int m, const Pull& pull) {
+  void add(const ComplexTaylor& c, int k, int m, const Attraction& pull) {
     const ComplexTaylor turned = pull.of_inclination * (pull.is_imaginary ? times_i(c) : c);
     const int sign = pull.turns < 0 ? -1 : 1;
     for (const OrbitWave& wave : pull.turns == 0 ? orbit_.even : orbit_.turning) {
@@ -271,7 +271,7 @@ Series<ActionTaylor> gradient_series(const Symbols& symbols, const TurningTensor
                      minus = number(0.5) * (number(1.0) - c);
   // With w = n_x + i n_y = plus exp(i u) + minus exp(-i u) and n_z = -s sin u, u = f - phi_h:
   // n.I n = d0 (3 n_z^2 - 1)/2 + 2 Re conj(D1) n_z w + Re conj(D2) w^2, D_m = d_m exp(i m phi_g).
-  const std::array<std::vector<Pull>, 3> pulls = {
+  const std::array<std::vector<Attraction>, 3> pulls = {
       {{{number(0.5) * (number(1.5) * s2 - number(1.0)), 0, false}, {number(-0.75) * s2, 2, false}},
        {{-(s * c), 0, true}, {s * plus, 2, true}, {-(s * minus), -2, true}},
        {{number(0.5) * s2, 0, false}, {plus * plus, 2, false}, {minus * minus, -2, false}}}};
@@ -279,7 +279,7 @@ Series<ActionTaylor> gradient_series(const Symbols& symbols, const TurningTensor
   for (int m = 0; m < 3; ++m)
     for (const TensorWave& wave : tensor.waves[m]) {
       const ComplexTaylor conjugate{number(strength) * wave.re, -(number(strength) * wave.im)};
-      for (const Pull& pull : pulls[static_cast<std::size_t>(m)])
+      for (const Attraction& pull : pulls[static_cast<std::size_t>(m)])
         terms.add(conjugate, wave.multiple, m, pull);
     }
   return std::move(terms).series();

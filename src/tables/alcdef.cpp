@@ -19,7 +19,6 @@ namespace {
 
 using detail::KvnLine;
 
-constexpr std::size_t longest_path = 500;
 constexpr double day_in_s = 86400.0;
 
 std::string upper(std::string_view text) {
@@ -223,7 +222,7 @@ class AlcdefReader {
 
 LightCurveFile alcdef_from_text(std::string_view text, const std::string& name,
                                 const std::optional<Date>& epoch) {
-  const std::string shown = detail::printable(name, longest_path);
+  const std::string shown = detail::printable(name, detail::longest_path);
   detail::require_size(text, shown);
   return AlcdefReader(text, shown, epoch).read();
 }

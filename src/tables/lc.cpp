@@ -22,7 +22,6 @@ namespace {
 using detail::KvnLine;
 using Fields = std::vector<std::string_view>;
 
-constexpr std::size_t longest_path = 500;
 constexpr std::size_t point_fields = 8;
 constexpr int decimals = 12;
 
@@ -155,7 +154,7 @@ bool is_vector(const Vec3& v) { return v != Vec3{} && std::isfinite(v.x + v.y + 
 
 LightCurveFile lc_from_text(std::string_view text, const std::string& name, TimeScale scale,
                             const std::optional<Date>& epoch) {
-  const std::string shown = detail::printable(name, longest_path);
+  const std::string shown = detail::printable(name, detail::longest_path);
   detail::require_size(text, shown);
   return LcReader(text, shown, scale, epoch).read();
 }

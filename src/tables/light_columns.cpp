@@ -19,7 +19,6 @@ namespace {
 
 using Three = LightColumns::Three;
 
-constexpr std::size_t longest_path = 4096;
 constexpr std::size_t longest_note = 10000;
 
 const Three csv_to_sun = {"sun_x", "sun_y", "sun_z"};
@@ -105,7 +104,7 @@ class ColumnReader {
 
  private:
   [[noreturn]] void fail(const std::string& text) const {
-    throw DomainError(detail::printable(path_, longest_path) + ": " + text);
+    throw DomainError(detail::printable(path_, detail::longest_name) + ": " + text);
   }
 
   void require_sense() const {
@@ -143,7 +142,7 @@ class ColumnReader {
 
   // Of sessions the place of the name, of errors that are left empty 0: require_sound names them.
   NumberTable read_table(std::optional<std::size_t> sigma, std::optional<std::size_t> session) {
-    result_.file = detail::printable(path_, longest_path);
+    result_.file = detail::printable(path_, detail::longest_name);
     std::vector<FieldReader> readers(names_.size(), number_from_field);
     if (sigma)
       readers[*sigma] = [](std::string_view field) {

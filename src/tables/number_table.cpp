@@ -24,7 +24,6 @@ namespace {
 using Fields = std::vector<std::string_view>;
 
 constexpr std::string_view blanks = " \t";
-constexpr std::size_t longest_path = 4096;
 constexpr std::size_t most_comments = 10000;
 
 std::string_view unquoted(std::string_view field) {
@@ -92,7 +91,7 @@ bool is_banner(std::string_view line) {
 class TableReader {
  public:
   explicit TableReader(const std::string& path)
-      : shown_(detail::printable(path, longest_path)),
+      : shown_(detail::printable(path, detail::longest_name)),
         file_(path),
         source_([this](std::span<char> bytes) { return file_.read(bytes); }),
         lines_(source_) {}

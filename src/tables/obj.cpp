@@ -21,8 +21,7 @@ namespace polhode {
 inline namespace v0 {
 namespace {
 
-constexpr std::size_t largest_file = std::size_t{256} << 20;
-constexpr std::size_t longest_path = 500;
+constexpr std::size_t largest_mesh = std::size_t{256} << 20;
 constexpr std::size_t most_corners = 4096;  // of a face that is no fan about its first
 constexpr double rounding = 4.0 * 0x1p-52;  // of a coordinate, with those of a few differences
 constexpr double largest_coordinate = 1e75;
@@ -419,8 +418,8 @@ class ObjReader {
 }  // namespace
 
 FacetShape shape_from_obj(std::string_view text, const std::string& name) {
-  const std::string shown = detail::printable(name, longest_path);
-  if (text.size() > largest_file)
+  const std::string shown = detail::printable(name, detail::longest_path);
+  if (text.size() > largest_mesh)
     throw DomainError(shown + ": more than 256 MB; expected a smaller mesh");
   return ObjReader(text, shown).read();
 }
@@ -439,7 +438,7 @@ std::string obj_text(const FacetShape& shape) {
 }
 
 FacetShape read_obj(const std::string& path) {
-  return shape_from_obj(detail::text_of_file(path, largest_file), path);
+  return shape_from_obj(detail::text_of_file(path, largest_mesh), path);
 }
 
 }  // namespace v0

@@ -14,13 +14,13 @@ namespace {
 
 using detail::KvnLine;
 
-constexpr std::size_t largest_file = std::size_t{1} << 30;
-constexpr std::string_view versions[] = {"1.0", "2.0", "3.0"};
+constexpr std::size_t largest_ephemeris = std::size_t{1} << 30;
+constexpr std::string_view oem_versions[] = {"1.0", "2.0", "3.0"};
 
 class OemReader {
  public:
   OemReader(std::string_view text, std::string name)
-      : lines_(text, std::move(name), "OEM", versions) {}
+      : lines_(text, std::move(name), "OEM", oem_versions) {}
   OrbitEphemeris read();
 
  private:
@@ -110,7 +110,8 @@ OrbitEphemeris oem_from_text(std::string_view text, const std::string& name) {
 }
 
 OrbitEphemeris read_oem(const std::string& path) {
-  return oem_from_text(detail::text_of_file(path, largest_file), path == "-" ? "<stdin>" : path);
+  return oem_from_text(detail::text_of_file(path, largest_ephemeris),
+                       path == "-" ? "<stdin>" : path);
 }
 
 }  // namespace v0

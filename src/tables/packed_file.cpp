@@ -20,12 +20,11 @@ namespace detail {
 namespace {
 
 constexpr std::size_t largest_read = std::size_t{1} << 24;
-constexpr std::size_t longest_path = 4096;
 
 }  // namespace
 
 PackedFile::PackedFile(const std::string& path, Pipes pipes)
-    : shown_(printable(path, longest_path)) {
+    : shown_(printable(path, longest_name)) {
   std::error_code ignored;
   const std::filesystem::file_status status = std::filesystem::status(path, ignored);
   if (std::filesystem::is_directory(status))
@@ -62,7 +61,7 @@ std::string text_of_file(const std::string& path, std::size_t largest) {
   std::optional<PackedFile> file;
   std::string text, piece(std::size_t{1} << 16, '\0');
   if (!is_input) file.emplace(path, PackedFile::Pipes::read);
-  const std::string shown = is_input ? "<stdin>" : printable(path, longest_path);
+  const std::string shown = is_input ? "<stdin>" : printable(path, longest_name);
   while (const std::size_t count =
              is_input ? std::fread(piece.data(), 1, piece.size(), stdin) : file->read(piece)) {
     if (text.size() + count > largest)

@@ -13,9 +13,9 @@ namespace {
 // Where the sign next to a zero is looked at, in intervals; and in roundings of the time, where
 // these are coarse.
 constexpr double next_to_zero = 0x1p-20;
-// Zeros for less than so much of an interval are one: a touch is flat by roundings.
+// Zeros for less than so much of an interval are one: a touch is flat by rounding.
 constexpr double stretch_part = 0x1p-7;
-constexpr double roundings = 4.0 * std::numeric_limits<double>::epsilon();
+constexpr double zero_roundings = 4.0 * std::numeric_limits<double>::epsilon();
 // A look that is nearer to zero than so much of the one before has come there at once.
 constexpr double abruptly = 0x1p-36;
 // Of a time next to the lowest value of a function, relative.
@@ -26,7 +26,7 @@ int sign_of(double x) { return x > 0.0 ? 1 : (x < 0.0 ? -1 : 0); }
 // The next time to ask for from `t` on, towards `to`: after that part of the way.
 double next_to(double t, double to, double part = next_to_zero) {
   const double h = to - t, length = std::fabs(h);
-  const double grain = roundings * std::fmax(std::fabs(t), std::fabs(to));
+  const double grain = zero_roundings * std::fmax(std::fabs(t), std::fabs(to));
   const double next =
       t + std::copysign(std::fmin(std::fmax(part * length, grain), 0.5 * length), h);
   return next == t ? to : next;

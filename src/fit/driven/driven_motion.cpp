@@ -19,7 +19,7 @@ inline namespace v0 {
 namespace detail {
 namespace {
 
-constexpr const char* function = "fit_driven_spin";
+constexpr const char* motion_function = "fit_driven_spin";
 // Of the tensor, off the axes of the terms.
 constexpr double diagonal_to = 1e-9;
 
@@ -29,7 +29,7 @@ System system_of(const SpinDrive& drive, const SpinState& start, const Mat3& R,
   const double size = std::abs(T(0, 0)) + std::abs(T(1, 1)) + std::abs(T(2, 2));
   const double off = std::abs(T(0, 1)) + std::abs(T(1, 2)) + std::abs(T(0, 2));
   if (!(off <= diagonal_to * size)) {
-    throw DomainError(std::string(function) + ": the tensor has products " +
+    throw DomainError(std::string(motion_function) + ": the tensor has products " +
                       tuple_text({T(0, 1), T(1, 2), T(0, 2)}) +
                       " in the axes of the terms; expected none: give q_FB");
   }
@@ -259,8 +259,8 @@ std::vector<AnyPerturbation> DrivenMotion::stepped_terms(std::size_t parameter,
       }
     }
   }
-  throw DomainError(std::string(function) + ": " + drive_.parameters[parameter].name + " = " +
-                    number_text(here) +
+  throw DomainError(std::string(motion_function) + ": " + drive_.parameters[parameter].name +
+                    " = " + number_text(here) +
                     " has no neighbours that its torque takes; expected a number that can vary");
 }
 

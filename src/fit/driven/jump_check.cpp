@@ -16,7 +16,7 @@ inline namespace v0 {
 namespace detail {
 namespace {
 
-constexpr std::size_t most_times = 8;
+constexpr std::size_t most_jump_times = 8;
 constexpr int states_at_a_time = 48;
 constexpr int halvings = 80;
 // A kink leaves what the last halving does, a jump a part of the torque or of the rate.
@@ -110,7 +110,7 @@ bool jumps(const AnyPerturbation& term, const Body& body, const RotorState& star
 }  // namespace
 
 void DrivenMotion::require_no_jumps(std::span<const double> times) const {
-  const std::size_t stride = 1 + times.size() / most_times;
+  const std::size_t stride = 1 + times.size() / most_jump_times;
   for (const AnyPerturbation& term : system_.terms()) {
     if (!term.supports_switches()) continue;
     for (std::size_t i = 0; i < times.size(); i += stride) {

@@ -20,7 +20,7 @@ namespace polhode {
 inline namespace v0 {
 namespace {
 
-const std::string who = "extend_light: ";
+const std::string extend_name = "extend_light: ";
 // Solutions that go on to the next session, the lowest ones.
 constexpr std::size_t most_solutions = 100;
 // Of fits, so that they stay at their count of turns.
@@ -56,14 +56,14 @@ BrightEllipsoid at_time(BrightEllipsoid body, double t) {
 
 void check(const LightExtension& e) {
   require_sound(e.curves, {.vectors = true});
-  if (e.starts.empty()) throw DomainError(who + "no starts; expected one body");
+  if (e.starts.empty()) throw DomainError(extend_name + "no starts; expected one body");
   if (e.first >= e.curves.size())
-    throw DomainError(who + "first = " + std::to_string(e.first) + " must be below " +
+    throw DomainError(extend_name + "first = " + std::to_string(e.first) + " must be below " +
                       std::to_string(e.curves.size()) + ", the number of sessions");
-  detail::require_at_least_one(who, "most_counts", e.most_counts);
-  detail::require_at_least_one(who, "most_iterations", e.most_iterations);
-  detail::require_at_least_one(who, "threads", e.threads);
-  detail::require_within(who, e.within);
+  detail::require_at_least_one(extend_name, "most_counts", e.most_counts);
+  detail::require_at_least_one(extend_name, "most_iterations", e.most_iterations);
+  detail::require_at_least_one(extend_name, "threads", e.threads);
+  detail::require_within(extend_name, e.within);
 }
 
 // Where a fit begins, and from which of the starts it came.

@@ -13,27 +13,27 @@ namespace polhode {
 inline namespace v0 {
 namespace {
 
-const std::string who = "fit_light: ";
+const std::string fit_ellipsoid_name = "fit_light: ";
 
 void require_shape(const BrightEllipsoid& body) {
   const Ellipsoid& s = body.shape;
   const std::string axes = detail::tuple_text({s.a, s.b, s.c});
   for (const double axis : {s.a, s.b, s.c})
     if (!(axis > 0.0) || !std::isfinite(axis))
-      throw DomainError(who + "semi-axes " + axes + " must be above 0");
+      throw DomainError(fit_ellipsoid_name + "semi-axes " + axes + " must be above 0");
 }
 
 void require_start(const LightFit& fit) {
-  detail::require_spin(who, fit.start.spin, fit.most_iterations);
+  detail::require_spin(fit_ellipsoid_name, fit.start.spin, fit.most_iterations);
   require_shape(fit.start);
-  detail::require_law(who, fit.start.law, fit.unknowns.multiple);
+  detail::require_law(fit_ellipsoid_name, fit.start.law, fit.unknowns.multiple);
   if (fit.unknowns.moments != MomentSource::shape) {
-    detail::require_diagonal(who, fit.start.spin, "the axes of the ellipsoid");
+    detail::require_diagonal(fit_ellipsoid_name, fit.start.spin, "the axes of the ellipsoid");
     return;
   }
   const Ellipsoid& e = fit.start.shape;
   if (!(e.a >= e.b) || !(e.b >= e.c))
-    throw DomainError(who + "semi-axes " + detail::tuple_text({e.a, e.b, e.c}) +
+    throw DomainError(fit_ellipsoid_name + "semi-axes " + detail::tuple_text({e.a, e.b, e.c}) +
                       " must not rise where moments follow from them");
 }
 
@@ -64,7 +64,7 @@ LightSolution fit_light(const LightFit& fit) {
     return detail::LightResiduals(fit.curves, fit.unknowns, body, fit.loss, detail::Rows::held);
   };
   const detail::LightResiduals first = residuals_about(fit.start);
-  detail::require_points(who, first.points(), first.places().count, first.groups());
+  detail::require_points(fit_ellipsoid_name, first.points(), first.places().count, first.groups());
   const detail::TurningFit turning{
       [&](int most_iterations) {
         return problem_of(fit, residuals_about(found.body), found.body, most_iterations);
@@ -81,7 +81,8 @@ LeastSquares least_squares_of(const LightFit& fit) {
   require_sound(fit.curves, {.vectors = true});
   require_start(fit);
   const detail::LightResiduals residuals(fit.curves, fit.unknowns, fit.start, fit.loss);
-  detail::require_points(who, residuals.points(), residuals.places().count, residuals.groups());
+  detail::require_points(fit_ellipsoid_name, residuals.points(), residuals.places().count,
+                         residuals.groups());
   return problem_of(fit, residuals, fit.start, fit.most_iterations);
 }
 
@@ -112,7 +113,7 @@ std::vector<std::vector<double>> model_fluxes(const BrightEllipsoid& body,
                                               const Loss& loss) {
   require_sound(curves, {.vectors = true});
   require_shape(body);
-  detail::require_law(who, body.law, false);
+  detail::require_law(fit_ellipsoid_name, body.law, false);
   const detail::LightResiduals residuals(curves, {.shape = false, .moments = MomentSource::start},
                                          body, loss);
   return residuals.curves().fluxes(brightness_at(residuals, body));

@@ -24,7 +24,7 @@ using detail::times;
 // Starts of a round for each pair of periods.
 constexpr std::size_t starts_of_round = 50;
 // Of the iterations before it, where a fit that is not at its end goes on, and a start of a round.
-constexpr int more_iterations = 4, more_short_iterations = 3;
+constexpr int more_search_iterations = 4, more_short_iterations = 3;
 
 // What is done, as far as can be told before, after the starts, their finalists and all rounds.
 constexpr double done_at_starts = 0.3, done_at_finalists = 0.6, done_at_rounds = 0.9;
@@ -50,9 +50,9 @@ std::vector<LightUnknowns> models_of(const LightUnknowns& unknowns) {
   return models;
 }
 
-class Search {
+class EllipsoidSearch {
  public:
-  explicit Search(const LightSearch& search)
+  explicit EllipsoidSearch(const LightSearch& search)
       : search_(search),
         geometry_(detail::geometry_of(search.curves)),
         finds_(search.curves, search.periods.size(), search.within, {}, true) {}
@@ -204,7 +204,7 @@ class Search {
       longer.push_back(finalist);
     }
     unfinished_.clear();
-    fit(longer, times(search_.most_iterations, more_iterations), false);
+    fit(longer, times(search_.most_iterations, more_search_iterations), false);
   }
 
   // Keeps what has not come to its end where `goes_on`.
@@ -268,7 +268,7 @@ LightSearchResult search_light(const LightSearch& search) {
   const BrightEllipsoid any =
       BrightEllipsoid::homogeneous(0.0, {}, {1.0, 1.0, 1.0}, {1.0, 0.8, 0.6}, search.law);
   static_cast<void>(least_squares_of(LightFit{search.curves, any, search.unknowns, search.loss}));
-  return Search(search).found();
+  return EllipsoidSearch(search).found();
 }
 
 }  // namespace v0

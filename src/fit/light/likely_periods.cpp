@@ -13,7 +13,7 @@ inline namespace v0 {
 namespace {
 
 constexpr std::size_t strongest = 3;
-constexpr double same_periods = 1e-3;
+constexpr double same_pair = 1e-3;
 // What is off a whole number by less is one.
 constexpr double whole = 1e-6;
 // The share of lines that ellipsoids have, but weak ones; and of those that they do not have.
@@ -107,8 +107,8 @@ double score_of(const Reading& r, std::span<const FourierTerm> terms, double tot
 
 bool are_same(const TumblerPeriods& a, const TumblerPeriods& b) {
   return a.mode == b.mode &&
-         std::abs(a.precession_period / b.precession_period - 1.0) < same_periods &&
-         std::abs(a.rotation_period / b.rotation_period - 1.0) < same_periods;
+         std::abs(a.precession_period / b.precession_period - 1.0) < same_pair &&
+         std::abs(a.rotation_period / b.rotation_period - 1.0) < same_pair;
 }
 
 // All readings of two lines in one mode: the sign of the first pair of j and k is that of both.

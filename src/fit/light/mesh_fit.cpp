@@ -15,7 +15,7 @@ namespace polhode {
 inline namespace v0 {
 namespace {
 
-const std::string who = "fit_mesh: ";
+const std::string mesh_name = "fit_mesh: ";
 
 // In standard errors: a facet that passes a terminator or the edge of a shadow bends the light, and
 // a fit comes to rest between bends, some tenths of an error from the least.
@@ -72,14 +72,14 @@ class MeshSurface {
 using MeshResiduals = detail::SurfaceResiduals<MeshSurface>;
 
 void require_start(const MeshFit& fit) {
-  detail::require_spin(who, fit.start.spin, fit.most_iterations);
-  detail::require_law(who, fit.start.law, fit.multiple);
+  detail::require_spin(mesh_name, fit.start.spin, fit.most_iterations);
+  detail::require_law(mesh_name, fit.start.law, fit.multiple);
   if (fit.moments == MomentSource::shape)
-    throw DomainError(who +
+    throw DomainError(mesh_name +
                       "moments cannot follow a shape that stays; give those of an even filling as "
                       "the start's (homogeneous_inertia), or fit them");
   if (fit.moments == MomentSource::fit)
-    detail::require_diagonal(who, fit.start.spin, "the axes of the mesh");
+    detail::require_diagonal(mesh_name, fit.start.spin, "the axes of the mesh");
   else
     static_cast<void>(Body::from_tensor(fit.start.spin.inertia_F));  // says what is wrong with it
 }
@@ -96,7 +96,7 @@ std::shared_ptr<const MeshResiduals> residuals_about(const MeshFit& fit, const M
 }
 
 void require_points(const MeshResiduals& r) {
-  detail::require_points(who, r.curves().size(), r.unknowns(), r.curves().groups());
+  detail::require_points(mesh_name, r.curves().size(), r.unknowns(), r.curves().groups());
 }
 
 LeastSquares problem_about(const MeshFit& fit, const MeshSurface& surface, const BrightMesh& body,

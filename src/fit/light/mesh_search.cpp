@@ -28,7 +28,7 @@ namespace polhode {
 inline namespace v0 {
 namespace {
 
-const std::string who = "search_mesh: ";
+const std::string search_name = "search_mesh: ";
 // Points that an attitude is tried on, about, and the least of a session.
 constexpr std::size_t most_looked_at = 60, least_of_session = 10;
 // States this near are alike, in rad and of the rate: fits from both would most likely meet.
@@ -244,7 +244,7 @@ class Search {
 }  // namespace
 
 LightSearchResult search_mesh(const MeshSearch& search) {
-  detail::check_search(who, search);
+  detail::check_search(search_name, search);
   // says what is wrong with moments and law before the starts do
   MeshFit first{.curves = search.curves,
                 .start = search.body,

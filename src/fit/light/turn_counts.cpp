@@ -23,7 +23,7 @@ constexpr double widened = 0.35;
 constexpr double precession_turns = 0.5, rotation_turns = 0.25;
 // Of a step, how near the frequencies of a start come; and in how many steps of Newton's.
 constexpr double near = 0.02;
-constexpr int most_steps = 12;
+constexpr int most_newton_steps = 12;
 
 struct Frequencies {
   Regime mode;
@@ -114,7 +114,7 @@ class Counts {
     LightSolution there = solution_;
     std::vector<double> x = light_unknowns_at(unknowns_, solution_.body, solution_.body);
     Eigen::MatrixXd C = C_;  // less what comes to a bound
-    for (int k = 0; k < most_steps; ++k) {
+    for (int k = 0; k < most_newton_steps; ++k) {
       try {
         there.body = body_at(about, x);
         const std::optional<Frequencies> f = frequencies_of(there, unknowns_);

@@ -16,7 +16,7 @@ inline namespace v0 {
 namespace detail {
 namespace {
 
-constexpr CommentStyle comments{"# "};
+constexpr CommentStyle csv_comments{"# "};
 
 // With dates among the numbers.
 void append_dated_row(std::string& out, std::span<const double> row, const RowDates& dates) {
@@ -43,8 +43,8 @@ void append_row(std::string& out, std::span<const double> row) {
   out.resize(static_cast<std::size_t>(end - out.data()));
 }
 
-std::vector<double> rows_of(const std::string& path, const std::vector<ColumnGroup>& groups,
-                            std::int64_t count) {
+std::vector<double> csv_rows(const std::string& path, const std::vector<ColumnGroup>& groups,
+                             std::int64_t count) {
   std::vector<bool> is_date;
   for (const ColumnGroup& group : groups)
     for (const Column& column : group.columns) is_date.push_back(column.is_date);
@@ -85,14 +85,14 @@ RowDates dates_of(const SinkRequest& request) {
 
 std::string csv_head(const std::vector<ColumnGroup>& groups, const Provenance& provenance) {
   std::string out;
-  append_origin(out, comments, provenance);
+  append_origin(out, csv_comments, provenance);
   std::string names, units;
   for (const ColumnGroup& group : groups)
     for (const Column& column : group.columns) {
       names += (names.empty() ? "" : ",") + column.name;
       units += (units.empty() ? "" : ", ") + column.name + " [" + column.unit + "]";
     }
-  append_comment(out, comments, "units: ", units);
+  append_comment(out, csv_comments, "units: ", units);
   return out + names + "\n";
 }
 
@@ -105,15 +105,15 @@ OutputFormat csv_format() {
                             [dates](std::string& text, std::span<const double> row) {
                               append_csv_row(text, row, dates);
                             },
-                            {}, comments);
+                            {}, csv_comments);
                       });
   format.label = "CSV";
   format.number_bytes = {2, 18};  // a digit and a comma; some 17 digits
   format.difference = [](const std::string& path, const std::vector<ColumnGroup>& groups,
                          const Provenance& provenance) {
-    return text_difference(path, comments, csv_head(groups, provenance));
+    return text_difference(path, csv_comments, csv_head(groups, provenance));
   };
-  format.rows = rows_of;
+  format.rows = csv_rows;
   return format;
 }
 

@@ -33,6 +33,9 @@ void add_rows_of(const Scenario& scenario, const std::vector<double>& times,
                  std::vector<ScenarioChange>& changes);
 std::string row_text(double a, double b, double c);
 
+// An error at a key of the scenario.
+[[noreturn]] void refuse(const Scenario& scenario, const std::string& path,
+                         const std::string& text);
 Dimension dimension_of_unknown(std::string_view name);
 // phi, theta, psi from 0 on, with their unit.
 std::string euler_text(const Scenario& scenario, const Quaternion& q);

@@ -15,7 +15,7 @@ inline namespace v0 {
 namespace detail {
 namespace {
 
-constexpr std::size_t longest_path = 1000;
+constexpr std::size_t longest_message_path = 1000;
 
 // A format of the rows of one motion, which those of an ensemble are not.
 void require_tables(const OutputFormats& formats, const std::vector<std::string>& paths) {
@@ -27,7 +27,7 @@ void require_tables(const OutputFormats& formats, const std::vector<std::string>
     const OutputFormat* const format = formats.of_extension(path);
     if (format == nullptr) static_cast<void>(of_tables.of_output(path));  // says what there is
     if (format != nullptr && format->needs.dates)
-      throw DomainError(printable(path, longest_path) + ": " + format->label +
+      throw DomainError(printable(path, longest_message_path) + ": " + format->label +
                         " holds one motion; expected " + paths_in_words(formats, is_table));
   }
 }

@@ -14,11 +14,7 @@
 namespace polhode {
 inline namespace v0 {
 namespace detail {
-namespace {
-
-constexpr std::size_t longest_path = 500;
-
-}  // namespace
+namespace {}  // namespace
 
 std::vector<std::string> histogram_paths(const ScenarioEnsemble& ensemble,
                                          const std::vector<std::string>& outputs) {

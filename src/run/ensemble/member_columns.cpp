@@ -14,7 +14,7 @@ inline namespace v0 {
 namespace detail {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<std::string> events_of(const Rotation& rotation) {
   std::vector<std::string> names;
@@ -62,7 +62,7 @@ std::vector<ColumnGroup> MemberColumns::groups() const {
 }
 
 std::vector<double> MemberColumns::first_times(std::span<const RunEvent> met) const {
-  std::vector<double> first(events_.size(), nan);
+  std::vector<double> first(events_.size(), no_value);
   for (std::size_t i = 0; i < events_.size(); ++i) {
     const auto event = std::find_if(met.begin(), met.end(),
                                     [&](const RunEvent& one) { return one.name == events_[i]; });
@@ -91,7 +91,7 @@ std::vector<double> MemberColumns::indicators(const Rotation& rotation, std::vec
   } catch (const DomainError& error) {
     member.failure = error.what();
   }
-  all.resize(size, nan);
+  all.resize(size, no_value);
   return all;
 }
 
@@ -101,7 +101,7 @@ void MemberColumns::add(const Experiment& experiment, const RunReport& report,
   const std::vector<double> of_run = std::exchange(member.rows, {});
   const std::size_t rows = of_run.size() / run_width_;
   const std::vector<double> first = first_times(report.events);
-  std::vector<double> chaos(rows * indicators_.size(), nan);
+  std::vector<double> chaos(rows * indicators_.size(), no_value);
   if (!indicators_.empty() && member.failure.empty()) {
     const auto& rotation = std::get<Rotation>(experiment);
     std::vector<double> times;
@@ -122,7 +122,7 @@ void MemberColumns::add(const Experiment& experiment, const RunReport& report,
     const double t = of_run[k * run_width_];
     add_part(of_run, k, run_width_);
     for (const double event : first)
-      member.rows.push_back((backwards_ ? event >= t : event <= t) ? event : nan);
+      member.rows.push_back((backwards_ ? event >= t : event <= t) ? event : no_value);
     add_part(chaos, k, indicators_.size());
   }
 }

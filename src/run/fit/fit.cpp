@@ -7,6 +7,7 @@
 #include "polhode/ensemble/cells.hpp"
 #include "polhode/ensemble/counter_random.hpp"
 #include "polhode/error.hpp"
+#include "run/detail/fit_tables.hpp"
 #include "run/fit/driven.hpp"
 #include "scenario/value_access.hpp"
 #include "scenario/value_reader.hpp"
@@ -20,19 +21,14 @@ constexpr double same_distance = 1.0;
 // Fewer degrees of freedom say nothing of errors.
 constexpr double least_freedom = 0.5;
 
-[[noreturn]] void refuse(const Scenario& scenario, const std::string& path,
-                         const std::string& text) {
-  detail::refuse(scenario.document.checked->values, path, scenario.document.path, text);
-}
-
 const FitPlan& plan_of(const Scenario& scenario) {
   const FitPlan& plan = require_fit(scenario);
   if (!scenario.rotation().frame.is_inertial())
-    refuse(scenario, "frame", "expected none: a fit is one relative to inertial axes");
+    detail::refuse(scenario, "frame", "expected none: a fit is one relative to inertial axes");
   if (plan.has_light())
-    refuse(scenario, "observation[0].kind",
-           "expected \"attitude\", \"direction\" or \"rate\"; light curves are fitted by "
-           "fit_light_scenario");
+    detail::refuse(scenario, "observation[0].kind",
+                   "expected \"attitude\", \"direction\" or \"rate\"; light curves are fitted by "
+                   "fit_light_scenario");
   return plan;
 }
 

@@ -14,6 +14,8 @@
 #include "polhode/run/run.hpp"
 #include "run/detail/own_files.hpp"
 #include "run/fit/driven.hpp"
+#include "scenario/value_access.hpp"
+#include "scenario/value_reader.hpp"
 #include "text/number_text.hpp"
 
 namespace polhode {
@@ -21,7 +23,7 @@ inline namespace v0 {
 namespace detail {
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 constexpr std::int64_t rows_without_time = 101;
 
 std::string value_in(double number, const std::string& unit) {
@@ -64,7 +66,7 @@ void write_fit_covariance(const Scenario& scenario, const UnknownsCovariance& c,
     rows.push_back(static_cast<double>(i + 1));
     for (std::size_t j = 0; j < n; ++j) rows.push_back(factor[i] * factor[j] * c.matrix[i * n + j]);
     rows.push_back(numbers[i].error);
-    rows.push_back(numbers[i].scaled_error.value_or(none));
+    rows.push_back(numbers[i].scaled_error.value_or(missing));
   }
   write_fit_rows(scenario, groups, rows,
                  {notes,
@@ -111,6 +113,10 @@ void add_rows_of(const Scenario& scenario, const std::vector<double>& times,
   changes.push_back({"time", "{ start = " + value_in(*first, unit) +
                                  ", stop = " + value_in(*last, unit) +
                                  ", count = " + std::to_string(rows_without_time) + " }"});
+}
+
+void refuse(const Scenario& scenario, const std::string& path, const std::string& text) {
+  refuse(scenario.document.checked->values, path, scenario.document.path, text);
 }
 
 Dimension dimension_of_unknown(std::string_view name) {

@@ -28,11 +28,6 @@ constexpr double speed_of_light = 299792458.0;  // m/s
 // Starts of each pair of periods where the file does not say how many there are.
 constexpr std::size_t starts_of_periods = 20;
 
-[[noreturn]] void refuse(const Scenario& scenario, const std::string& path,
-                         const std::string& text) {
-  detail::refuse(scenario.document.checked->values, path, scenario.document.path, text);
-}
-
 // v_F = R v_B with the numbers k_B rising along F.
 Mat3 sorted_axes(const Vec3& k_B) {
   std::array<int, 3> order = {0, 1, 2};
@@ -225,11 +220,13 @@ bool observes_light(const Scenario& scenario) {
 LightReport fit_light_scenario(const Scenario& scenario, const LightFitOptions& options) {
   const FitPlan& plan = require_fit(scenario);
   detail::require_free_fit(scenario);
-  if (!plan.has_light()) refuse(scenario, "observation[0].kind", "expected \"light-curve\"");
+  if (!plan.has_light())
+    detail::refuse(scenario, "observation[0].kind", "expected \"light-curve\"");
   if (plan.light.unknowns.moments == MomentSource::start && plan.light.searches &&
       plan.light.shape != LightPlan::Shape::mesh)
-    refuse(scenario, "light.moments",
-           "expected \"of-shape\", or moments among free.unknowns: a search has bodies of its own");
+    detail::refuse(
+        scenario, "light.moments",
+        "expected \"of-shape\", or moments among free.unknowns: a search has bodies of its own");
   LightReport report;
   report.unknowns = plan.light.unknowns;
   report.observed = read_observations(scenario);

@@ -16,7 +16,7 @@ using detail::JsonWriter;
 using detail::LightFigures;
 using detail::WithErrors;
 
-constexpr double none = std::numeric_limits<double>::infinity();
+constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 std::int64_t whole(std::size_t n) { return static_cast<std::int64_t>(n); }
 
@@ -116,8 +116,8 @@ void add_periods(JsonWriter& json, const Scenario& scenario, const LightReport& 
   for (const PairFound& pair : report.pairs) {
     json.begin_object();
     add(pair.from);
-    json.key("chi_square").value(pair.ellipsoid ? pair.ellipsoid->result.chi_square : none);
-    json.key("cost").value(pair.ellipsoid ? pair.ellipsoid->result.cost : none);
+    json.key("chi_square").value(pair.ellipsoid ? pair.ellipsoid->result.chi_square : unlimited);
+    json.key("cost").value(pair.ellipsoid ? pair.ellipsoid->result.cost : unlimited);
     if (pair.ellipsoid) {
       const LightSolution& s = *pair.ellipsoid;
       json.key("found").begin_object();

@@ -19,7 +19,7 @@ namespace polhode {
 inline namespace v0 {
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 using detail::error_about;
 
@@ -80,7 +80,7 @@ std::vector<AttitudePrediction> fit_predictions(const LightReport& report, std::
                                                 std::span<const double> times) {
   const LightSolution& found = report.solutions.at(solution).solution;
   std::vector<AttitudePrediction> all;
-  const double factor = light_error_factor(found), known = report.has_errors() ? 1.0 : none;
+  const double factor = light_error_factor(found), known = report.has_errors() ? 1.0 : unknown;
   for (PredictedAttitude& one : predicted(found, report.unknowns, times)) {
     one.covariance = times_number(known, one.covariance);
     all.push_back({one, std::nullopt});
@@ -143,8 +143,8 @@ void write_predictions(const Scenario& scenario, std::span<const AttitudePredict
   std::vector<double> rows;
   const auto add = [&](const std::optional<Mat3>& c) {
     for (int k = 0; k < 3; ++k)
-      rows.push_back(c ? units.from_core(error_about(*c, k), Dimension::angle) : none);
-    for (const auto& [i, j] : pairs) rows.push_back(c ? correlation(*c, i, j) : none);
+      rows.push_back(c ? units.from_core(error_about(*c, k), Dimension::angle) : unknown);
+    for (const auto& [i, j] : pairs) rows.push_back(c ? correlation(*c, i, j) : unknown);
   };
   for (const auto& [raw, scaled] : predictions) {
     rows.insert(rows.end(),

@@ -24,9 +24,7 @@ namespace fs = std::filesystem;
 using detail::Noise;
 using detail::Seen;
 
-constexpr std::size_t longest_path = 500;
-
-const FitPlan& plan_of(const Scenario& scenario) {
+const FitPlan& simulated_plan(const Scenario& scenario) {
   const std::string& name = scenario.document.name;
   const FitPlan& plan = require_fit(scenario);
   if (!row_times(scenario))
@@ -134,7 +132,7 @@ Snapshots rows_of(const FitPlan& plan, std::size_t table, const std::vector<Seen
 
 std::vector<std::string> notes_of(const Scenario& scenario, std::size_t table) {
   return {"simulated by polhode " + std::string(version()) + " from " +
-              detail::printable(scenario.document.name, longest_path) + ", seed " +
+              detail::printable(scenario.document.name, detail::longest_path) + ", seed " +
               std::to_string(require_fit(scenario).noise),
           "observation " + std::to_string(table + 1) + ": " +
               std::string(kind_word(require_fit(scenario).observations[table].kind))};
@@ -152,7 +150,7 @@ std::string text_of(const Scenario& scenario, std::size_t table, const std::vect
 void require_free(const std::vector<std::string>& paths, const Scenario& scenario,
                   bool may_replace) {
   for (std::size_t i = 0; i < paths.size(); ++i) {
-    const std::string shown = detail::printable(paths[i], longest_path);
+    const std::string shown = detail::printable(paths[i], detail::longest_path);
     std::error_code ignored;
     if (fs::exists(paths[i], ignored) && !may_replace)
       throw DomainError(shown + ": is there; expected another folder, since it may be real data");
@@ -165,7 +163,7 @@ void require_free(const std::vector<std::string>& paths, const Scenario& scenari
 }
 
 void require_light(const Scenario& scenario, std::size_t table, bool is_light) {
-  const Observation& of = plan_of(scenario).observations.at(table);
+  const Observation& of = simulated_plan(scenario).observations.at(table);
   if ((of.kind == Observation::Kind::light_curve) == is_light) return;
   detail::refuse(scenario.document.checked->values,
                  "observation[" + std::to_string(table) + "].kind", scenario.document.path,
@@ -178,7 +176,7 @@ void require_light(const Scenario& scenario, std::size_t table, bool is_light) {
 
 Snapshots simulated(const Scenario& scenario, std::size_t table) {
   require_light(scenario, table, false);
-  return rows_of(plan_of(scenario), table, motion_of(scenario));
+  return rows_of(simulated_plan(scenario), table, motion_of(scenario));
 }
 
 std::vector<LightCurve> simulated_light(const Scenario& scenario, std::size_t table) {
@@ -188,7 +186,7 @@ std::vector<LightCurve> simulated_light(const Scenario& scenario, std::size_t ta
 
 std::vector<std::string> write_simulation(const Scenario& scenario, const std::string& folder,
                                           bool may_replace) {
-  const FitPlan& plan = plan_of(scenario);
+  const FitPlan& plan = simulated_plan(scenario);
   std::vector<std::string> paths, texts;
   for (const Observation& of : plan.observations)
     paths.push_back((fs::path(folder) / of.file).string());

@@ -51,7 +51,7 @@ void require_one_sort(const FitContext& at, const std::vector<Observation>& all,
   }
 }
 
-double square(double x) { return x * x; }
+double squared(double x) { return x * x; }
 
 // About the body axes: phi turns about the third inertial axis, theta about the node, psi about the
 // third axis of the body.
@@ -62,7 +62,7 @@ Mat3 euler_covariance(const Quaternion& q, const Vec3& sigmas) {
   Mat3 covariance;
   for (int k = 0; k < 3; ++k)
     for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) covariance(i, j) += square(sigmas[k]) * axes[k][i] * axes[k][j];
+      for (int j = 0; j < 3; ++j) covariance(i, j) += squared(sigmas[k]) * axes[k][i] * axes[k][j];
   return covariance;
 }
 
@@ -124,7 +124,7 @@ class Priors {
     const std::vector<double>& mean = table.has("mean") ? table.numbers("mean") : start;
     const std::vector<double>& sigmas = table.numbers("sigmas");
     for (std::size_t i = 0; i < names.size(); ++i)
-      plan_.priors.push_back({{names[i]}, {mean[i]}, {square(sigmas[i])}});
+      plan_.priors.push_back({{names[i]}, {mean[i]}, {squared(sigmas[i])}});
   }
 
   const FitContext& at_;

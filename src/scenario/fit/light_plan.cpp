@@ -49,7 +49,7 @@ MomentSource moments_of(const FitContext& at) {
   return word(at.values, "light.moments") == "of-shape" ? MomentSource::shape : MomentSource::start;
 }
 
-LightUnknowns unknowns_of(const FitContext& at) {
+LightUnknowns light_unknowns_of(const FitContext& at) {
   return {
       .shape = has_word(at, "shape"), .moments = moments_of(at), .multiple = has_word(at, "law")};
 }
@@ -208,7 +208,7 @@ LightPlan light_plan(const FitContext& at, const Rotation& rotation) {
     plan.semiaxes = vector(at.values, "light.semiaxes");
   }
   plan.law = law_of(at);
-  plan.unknowns = unknowns_of(at);
+  plan.unknowns = light_unknowns_of(at);
   require_mesh_fit(at, plan);
   if (plan.unknowns.multiple && plan.law.single == 0.0)
     refuse(at, "light.law",

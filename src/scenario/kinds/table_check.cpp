@@ -21,7 +21,7 @@ namespace {
 constexpr double same_unit = 1e-12;
 constexpr double same_epoch = 1e-3;  // s: headers have milliseconds
 
-std::string quoted(std::string_view text) { return "\"" + printable(std::string(text)) + "\""; }
+std::string in_quotes(std::string_view text) { return "\"" + printable(std::string(text)) + "\""; }
 
 // The name that the file gives a column that was asked for by its number.
 std::string name_of(const std::string& column, const std::vector<std::string>& names) {
@@ -36,7 +36,7 @@ Date date_of(const TableHeader::Note& said) {
   try {
     return epoch_date(said.text);
   } catch (const DomainError& error) {
-    throw DomainError(said.at + quoted(said.text) + ": " + error.what());
+    throw DomainError(said.at + in_quotes(said.text) + ": " + error.what());
   }
 }
 
@@ -77,7 +77,7 @@ void TableCheck::unit(std::size_t column, const Read& read) const {
   if (std::fabs(read.unit - right) > same_unit * right)
     throw DomainError(said->at + "column " + printable(names_.at(column)) + " is in " +
                       printable(said->text) + "; expected " + read.key + " = " +
-                      quoted(said->text) + " with the file");
+                      in_quotes(said->text) + " with the file");
 }
 
 void TableCheck::axes(const std::string& used) const {
@@ -89,16 +89,16 @@ void TableCheck::axes(const std::string& used) const {
         "expected \"inertial\", \"ecliptic-J2000\" or \"equator-J2000\": turn the "
         "table into one of them, or take the line out if it is one of them by another "
         "name");
-  throw DomainError(its + "expected axes = " + quoted(header_.axes->text) +
-                    " with the file or in [state], not " + quoted(used));
+  throw DomainError(its + "expected axes = " + in_quotes(header_.axes->text) +
+                    " with the file or in [state], not " + in_quotes(used));
 }
 
 void TableCheck::torque_axes(const std::string& used) const {
   if (!header_.axes || header_.axes->text == used) return;
   if (used == "inertial") return axes(word(at_.values, "state.axes"));
   throw DomainError(header_.axes->at + "its axes are " + printable(header_.axes->text) +
-                    "; expected torques along " + quoted(header_.axes->text) +
-                    ", not axes = " + quoted(used));
+                    "; expected torques along " + in_quotes(header_.axes->text) +
+                    ", not axes = " + in_quotes(used));
 }
 
 void TableCheck::epoch() const {
@@ -106,21 +106,21 @@ void TableCheck::epoch() const {
   const TableHeader::Note& said = *header_.epoch;
   const std::string counts = said.at + "t counts from " + printable(said.text);
   if (!has(at_.values, "state.epoch"))
-    throw DomainError(counts + "; expected epoch = " + quoted(said.text) + " in [state]");
+    throw DomainError(counts + "; expected epoch = " + in_quotes(said.text) + " in [state]");
   const Clock clock = clock_of(at_.values, at_.units, at_.path + ".file", at_.name);
   const double apart = seconds_between(clock.epoch, date_of(said), clock.dut1);
   if (std::fabs(apart) > same_epoch)
     throw DomainError(counts + ", " + number_text(apart) +
-                      " s after epoch = " + quoted(word(at_.values, "state.epoch")) +
+                      " s after epoch = " + in_quotes(word(at_.values, "state.epoch")) +
                       "; expected a table from that epoch on, or dates");
 }
 
 void TableCheck::scale(const std::string& used) const {
   const std::optional<std::string_view> said = scale_of_column(names_.at(0));
   if (!said || *said == used) return;
-  throw DomainError("its column " + quoted(names_.at(0)) + " holds dates in " + std::string(*said) +
-                    "; expected time_scale = " + quoted(*said) + " with the file, not " +
-                    quoted(used));
+  throw DomainError("its column " + in_quotes(names_.at(0)) + " holds dates in " +
+                    std::string(*said) + "; expected time_scale = " + in_quotes(*said) +
+                    " with the file, not " + in_quotes(used));
 }
 
 }  // namespace detail

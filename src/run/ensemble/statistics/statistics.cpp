@@ -13,7 +13,7 @@ inline namespace v0 {
 namespace detail {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 constexpr int classes = 3;  // short axis, long axis, others
 
 // The column has 1 and -1 for the two modes.
@@ -21,7 +21,7 @@ int class_of(double mode) { return mode == 1.0 ? 0 : mode == -1.0 ? 1 : 2; }
 
 // NaN of none: 0 / 0 may have a sign.
 double part(std::int64_t count, std::int64_t of) {
-  return of == 0 ? nan : static_cast<double>(count) / static_cast<double>(of);
+  return of == 0 ? no_value : static_cast<double>(count) / static_cast<double>(of);
 }
 
 Quaternion attitude_at(const double* q) { return {q[0], q[1], q[2], q[3]}; }
@@ -36,7 +36,7 @@ void append(std::vector<double>& row, const NumberMoments& moments, const Quanti
             const EnsemblePlan& plan) {
   row.insert(row.end(), {static_cast<double>(moments.count()), moments.mean(0),
                          moments.deviation(0), moments.least(0).value, moments.greatest(0).value});
-  double error = quantiles.count() == 0 ? nan : 0.0;
+  double error = quantiles.count() == 0 ? no_value : 0.0;
   for (const double p : plan.quantiles) {
     const Bounded found = quantiles.quantile(p);
     row.push_back(found.value);
@@ -49,7 +49,7 @@ void append(std::vector<double>& row, const AttitudeSpread& attitude, const Unit
   row.push_back(static_cast<double>(attitude.count()));
   const std::optional<FrechetMean> found = attitude.frechet();
   if (!found) {
-    row.insert(row.end(), 12, nan);
+    row.insert(row.end(), 12, no_value);
     return;
   }
   const auto& [q, covariance, error, of_covariance] = *found;
@@ -198,7 +198,8 @@ std::vector<double> RowStatistics::rows() const {
     for (std::size_t i = 0; i < columns.numbers.size(); ++i) {
       const std::size_t at = i * epochs + e;
       append(all, moments_[at], quantiles_[at], plan);
-      if (!frame_->is_exact() && quantiles_[at].is_exact()) all.push_back(nan);  // of no number
+      if (!frame_->is_exact() && quantiles_[at].is_exact())
+        all.push_back(no_value);  // of no number
     }
     for (std::size_t i = 0; i < columns.modes.size(); ++i)
       for (int k = 0; k < classes; ++k) all.push_back(modes_[i * epochs + e].fraction(k));
@@ -222,7 +223,7 @@ std::vector<EnsembleReport::FirstTimes> RowStatistics::first_times() const {
         frame_->ensemble().events()[i], part(of.times().count(), of.count()), {}};
     for (const double p : frame_->ensemble().plan().quantiles) {
       const std::optional<Bounded> time = of.count() > 0 ? of.time_of(p) : std::nullopt;
-      const double t = time ? time->value : nan;
+      const double t = time ? time->value : no_value;
       found.times.push_back(frame_->is_backwards() ? -t : t);
     }
     all.push_back(std::move(found));

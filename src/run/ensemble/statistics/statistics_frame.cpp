@@ -17,8 +17,8 @@ inline namespace v0 {
 namespace detail {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double unbounded = std::numeric_limits<double>::infinity();
 constexpr double most_exact = 8e6;         // numbers that are kept, of all columns and times
 constexpr double most_bytes = 2147483648;  // of the statistics of one chunk
 constexpr double margin = 0.5;             // of bins, in ranges of the pilots, on either side
@@ -80,8 +80,8 @@ StatisticsFrame::StatisticsFrame(const ScenarioEnsemble& ensemble)
   base_.assign(columns_.numbers.size() * epochs(), 0.0);
   references_.assign(columns_.attitudes.size() * epochs(), Quaternion{});
   if (pilots() == 0) return;
-  ranges_.assign(is_exact() ? 0 : base_.size(), {infinity, -infinity});
-  if (!is_exact()) axis_ranges_.assign(histogram_axes(), {infinity, -infinity});
+  ranges_.assign(is_exact() ? 0 : base_.size(), {unbounded, -unbounded});
+  if (!is_exact()) axis_ranges_.assign(histogram_axes(), {unbounded, -unbounded});
   pilot_attitudes_.resize(references_.size());
 }
 
@@ -128,9 +128,9 @@ double StatisticsFrame::number(const MemberNumber& of, const EnsembleMember& mem
   if (of.from == drawn) return member.drawn[of.place];
   if (of.from == event && member.rows.size() >= width_) {
     const double t = member.rows[member.rows.size() - width_ + of.place];
-    return (is_backwards() ? t >= times_[epoch] : t <= times_[epoch]) ? t : nan;
+    return (is_backwards() ? t >= times_[epoch] : t <= times_[epoch]) ? t : no_number;
   }
-  return epoch < rows ? member.rows[epoch * width_ + of.place] : nan;
+  return epoch < rows ? member.rows[epoch * width_ + of.place] : no_number;
 }
 
 bool StatisticsFrame::is_in(std::size_t fraction, double x) const {

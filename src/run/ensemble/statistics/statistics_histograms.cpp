@@ -10,7 +10,7 @@ inline namespace v0 {
 namespace detail {
 namespace {
 
-constexpr double margin = 0.1;  // of bins, in ranges of the pilots, on either side
+constexpr double histogram_margin = 0.1;  // of bins, in ranges of the pilots, on either side
 
 }  // namespace
 
@@ -88,7 +88,7 @@ MemberHistogram StatisticsFrame::empty_histogram(std::size_t histogram, std::siz
       continue;
     }
     const auto& [least, greatest] = axis_ranges_[first_axis(histogram, time) + axis];
-    bins.push_back(least <= greatest ? bins_over(least, greatest, margin, bin_count)
+    bins.push_back(least <= greatest ? bins_over(least, greatest, histogram_margin, bin_count)
                                      : Bins::linear(0.0, 1.0, bin_count));
   }
   return MemberHistogram(bins);
