@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: MIT
-// The runs of many problems together.
+// The runs of many problems, on threads.
 
+#include <cstdint>
 #include <new>
 #include <string>
 #include <vector>
 
 #include "interface/plain_number.hpp"
-#include "interface/signals.hpp"
 #include "interface/value.hpp"
+#include "io/work_loop.hpp"
 #include "motion/dynamics_values.hpp"
 #include "motion/samples.hpp"
 #include "motion/trajectory_value.hpp"
 #include "polhode/dynamics/integrate_many.hpp"
+#include "polhode/ensemble/cells.hpp"
 #include "polhode/error.hpp"
 
 namespace polhode::python {
@@ -103,13 +105,19 @@ nb::list integrated_many(Typed<"collections.abc.Iterable[Problem]"> problems,
   Keep keep{.dense = dense};
   if (!samples.is_none()) keep.samples = save_at_of(samples, "samples");
   Collected collected(bodies, dense);
-  const Progress look = signal_check();
-  {
-    const WithoutGil released;
-    integrate_many(
-        bodies.problems.size(), [&](std::size_t k) { return bodies.problems[k]; }, keep,
-        [&](std::size_t k, DampedBodyRun run) { collected.take(k, std::move(run)); }, look);
-  }
+  WorkLoop loop("integrate_many was stopped", nb::none());
+  std::vector<DampedBodyRun> runs(bodies.problems.size());
+  const auto count = static_cast<std::int64_t>(runs.size());
+  loop.do_work(count, [&] {
+    run_cells(
+        0, count, hardware_threads(),
+        [&](std::int64_t index) {
+          const auto k = static_cast<std::size_t>(index);
+          runs[k] = integrate_body(k, bodies.problems[k], keep, [&loop](double) { loop.go_on(); });
+          return k;
+        },
+        [&](std::int64_t, std::size_t k) { collected.take(k, std::move(runs[k])); });
+  });
   collected.warn();
   return collected.list();
 }
@@ -119,10 +127,7 @@ nb::list integrated_many(Typed<"collections.abc.Iterable[Problem]"> problems,
 void bind_many(nb::module_& m) {
   m.def("integrate_many", integrated_many, "problems"_a, "samples"_a = nb::none(),
         "dense"_a = false,
-        R"(Integrates many problems, several at a time.
-
-By Collocation eight bodies go in lockstep, each with steps of its own; by other methods, and with a
-damper, one after the other.
+        R"(Integrates many problems, one on each processor at a time.
 
 Parameters
 ----------
