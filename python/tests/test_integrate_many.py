@@ -48,7 +48,7 @@ def test_a_damper_goes_too():
     np.testing.assert_array_equal(runs[1].damper_rate, polhode.integrate(damped, TIMES).damper_rate)
 
 
-def test_a_body_fails_alone_on_threads():
+def test_a_body_fails_alone():
     def push(t, state):
         if t > 2.0:
             raise LookupError("no field here")
@@ -70,7 +70,7 @@ def test_a_run_that_cannot_go_on_keeps_its_samples():
     assert runs[0].outcome.ok
 
 
-def test_events_of_each_on_threads():
+def test_events_of_each():
     height = polhode.Event("height", lambda t, s: s.g[2] - 8.0)
     problems = [problem(k, stop=20.0, events=(height,)) for k in range(3)]
     for run, alone in zip(polhode.integrate_many(problems, []), problems, strict=True):
@@ -94,7 +94,7 @@ def test_the_first_failure_is_that_of_the_first_body_whatever_the_thread():
     assert [k for k, run in enumerate(runs) if not run.outcome.ok] == [0, 3, 7]
 
 
-def test_what_no_body_catches_ends_all_threads():
+def test_what_no_body_catches_ends_all():
     def push(t, state):
         raise SystemExit("enough")
 
