@@ -21,7 +21,7 @@ def problem(k, method=None, terms=(GRAVITY,), stop=4.0, **more):
 
 
 @pytest.mark.parametrize("method", [polhode.Collocation(), polhode.Adaptive(1e-10)])
-def test_runs_are_those_of_each_alone(method):
+def test_runs_on_threads_are_those_of_each_alone(method):
     problems = [problem(k, method) for k in range(11)]
     for run, alone in zip(polhode.integrate_many(problems, TIMES), problems, strict=True):
         expected = polhode.integrate(alone, TIMES)
@@ -83,6 +83,24 @@ def test_refuses_what_is_no_problem():
     with pytest.raises(TypeError, match="problems: got int among them; expected Problem"):
         polhode.integrate_many([problem(0), 3])
     assert polhode.integrate_many([]) == []
+
+
+def test_the_first_failure_is_that_of_the_first_body_whatever_the_thread():
+    problems = [problem(0, stop=200.0), *(problem(k, stop=1.0) for k in range(1, 12))]
+    for k in (0, 3, 7):
+        problems[k] = problem(k, polhode.Collocation(step=3.0), stop=200.0)
+    with pytest.warns(RuntimeWarning, match="3 of 12 runs failed; the first was body 0 at t = 0"):
+        runs = polhode.integrate_many(problems)
+    assert [k for k, run in enumerate(runs) if not run.outcome.ok] == [0, 3, 7]
+
+
+def test_what_no_body_catches_ends_all():
+    def push(t, state):
+        raise SystemExit("enough")
+
+    problems = [problem(k, terms=[polhode.TorqueTerm(push)]) for k in range(5)]
+    with pytest.raises(SystemExit, match="enough"):
+        polhode.integrate_many(problems)
 
 
 def test_ctrl_c_ends_them():

@@ -51,26 +51,17 @@ inline std::string method_text_for(const System& system, const Method& method) {
   return text;
 }
 
-// By a stepper of p, the problem checked.
 template <MotionState S>
-std::unique_ptr<SystemRun<S>> run_by(const BasicProblem<System, S>& problem,
-                                     const BasicProblem<System, S>& p,
-                                     std::unique_ptr<BasicStepper<S>> stepper, bool keep_dense,
-                                     SampleQueue<S>& samples, const Progress& progress) {
+std::unique_ptr<SystemRun<S>> system_run(const BasicProblem<System, S>& problem, bool keep_dense,
+                                         SampleQueue<S>& samples, const Progress& progress) {
+  const BasicProblem<System, S> p = checked(problem);
   return std::make_unique<SystemRun<S>>(RunSpan<S>{.initial = {p.start, p.initial},
                                                    .stop = p.stop,
                                                    .method = method_text_for(p.system, p.method),
                                                    .first_look = first_look(problem, p),
                                                    .continues = p.continues},
-                                        SystemWatch<S>(motion_of(p), p.events), std::move(stepper),
+                                        SystemWatch<S>(motion_of(p), p.events), make_stepper(p),
                                         keep_dense, samples, progress);
-}
-
-template <MotionState S>
-std::unique_ptr<SystemRun<S>> system_run(const BasicProblem<System, S>& problem, bool keep_dense,
-                                         SampleQueue<S>& samples, const Progress& progress) {
-  const BasicProblem<System, S> p = checked(problem);
-  return run_by(problem, p, make_stepper(p), keep_dense, samples, progress);
 }
 
 // What makes it.

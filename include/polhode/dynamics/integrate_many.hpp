@@ -1,21 +1,16 @@
 // SPDX-License-Identifier: MIT
-// integrate_many: the runs of many bodies, several at a time.
+// integrate_many: the runs of many bodies, one after the other.
 //
-// Equations   those of integrate. By Collocation eight bodies go in lockstep, a lane of a register
-//             for each, with steps of their own; a body that ends makes room for the next.
+// Equations   those of integrate.
 // Units       those of each system.
-// Domain      any problems of a rotor. Bodies may differ in state, moments, orbit, times, events.
-//             They go in lockstep as long as they have as many terms, a frame that moves or none,
-//             and as many stages; the first that differs waits until those before it have ended. A
-//             term is asked for all of them at a time where it is one of the library's, with the
-//             same numbers in each (gm, a damping matrix, facets) and no switching function; else
-//             body by body. By another method, and with a damper, bodies go one after the other.
-// Accuracy    the bits of integrate for each, whichever bodies are beside it and however many.
+// Domain      any problems of a rotor. integrate_body may be called from several threads, for
+//             example by run_cells (polhode/ensemble/cells.hpp).
+// Accuracy    the bits of integrate for each.
 // Errors      a body that fails leaves the others as they are. A run that cannot go on has a
-//             trajectory whose outcome says so, as from integrate; for a problem that is invalid,
-//             and for what a term throws, there is none, and `error` says the body, the time, and
-//             what it was. What `problem` and `done` throw passes through.
-// Cost        docs/guide/which-propagator.md.
+//             trajectory whose outcome says so, as from integrate. An invalid problem, or one whose
+//             term throws, has none, and `error` names the body, the time and the cause. What
+//             `problem`, `done` and `progress` throw passes through.
+// Cost        that of integrate for each.
 #pragma once
 
 #include <cstddef>
@@ -41,9 +36,14 @@ struct BasicBodyRun {
 using BodyRun = BasicBodyRun<RotorState>;
 using DampedBodyRun = BasicBodyRun<DampedRotorState>;
 
-// Of the problem of each index below `count`, each asked for when its turn comes. `done` gets every
-// run once, as they end. `progress` is called after every step with the time of one of the bodies;
-// what it throws ends the runs.
+// One of them. `error` calls it by its index. `progress` is called after every step.
+BodyRun integrate_body(std::size_t index, const Problem& problem, const Keep& keep,
+                       const Progress& progress = {});
+DampedBodyRun integrate_body(std::size_t index, const DampedProblem& problem, const Keep& keep,
+                             const Progress& progress = {});
+
+// Of the problem of each index below `count`, in this order, each asked for when its turn comes;
+// `done` gets its run when it has ended.
 void integrate_many(std::size_t count, const std::function<Problem(std::size_t)>& problem,
                     const Keep& keep, const std::function<void(std::size_t, BodyRun)>& done,
                     const Progress& progress = {});

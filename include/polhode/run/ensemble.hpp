@@ -15,7 +15,7 @@
 //             numbers) or cannot go on says why. DomainError for an index outside.
 // Cost        its run, and some 20 us to make the experiment again: text is not read twice, and
 //             tables, meshes and files are those of the scenario unless a number below them varies.
-//             Exact free rotation and runs by Collocation go in the lanes of the processor.
+//             The rows of exact free rotation are evaluated together.
 #pragma once
 
 #include <cstdint>
@@ -57,7 +57,7 @@ class ScenarioEnsemble {
 
   // From any thread. What `progress` throws passes through.
   EnsembleMember member(std::int64_t index, const Progress& progress = {}) const;
-  // Members begin to end - 1, the same and faster where they can go in lanes.
+  // Members begin to end - 1.
   std::vector<EnsembleMember> members(std::int64_t begin, std::int64_t end,
                                       const Progress& progress = {}) const;
   // Of the scenario as it stands; nothing is drawn.

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The runs of many problems together.
+// The runs of many problems, on threads.
 
+#include <algorithm>
+#include <cstdint>
+#include <functional>
 #include <new>
 #include <string>
 #include <vector>
@@ -8,10 +11,12 @@
 #include "interface/plain_number.hpp"
 #include "interface/signals.hpp"
 #include "interface/value.hpp"
+#include "io/work_loop.hpp"
 #include "motion/dynamics_values.hpp"
 #include "motion/samples.hpp"
 #include "motion/trajectory_value.hpp"
 #include "polhode/dynamics/integrate_many.hpp"
+#include "polhode/ensemble/cells.hpp"
 #include "polhode/error.hpp"
 
 namespace polhode::python {
@@ -97,18 +102,47 @@ class Collected {
   std::string first_;
 };
 
+// Whether it may call functions in Python. These take turns: on several threads they would wait for
+// the GIL at every call.
+bool asks_python(const DampedProblem& problem) {
+  const std::vector<AnyPerturbation>& terms = problem.system.terms();
+  return !problem.events.empty() ||
+         std::any_of(terms.begin(), terms.end(),
+                     [](const AnyPerturbation& term) { return !term.is_asked_together(); });
+}
+
+void integrate_on_threads(const std::vector<DampedProblem>& problems, const Keep& keep,
+                          const std::function<void(std::size_t, DampedBodyRun)>& take) {
+  WorkLoop loop("integrate_many was stopped", nb::none());
+  std::vector<DampedBodyRun> runs(problems.size());
+  const auto count = static_cast<std::int64_t>(runs.size());
+  loop.do_work(count, [&] {
+    run_cells(
+        0, count, hardware_threads(),
+        [&](std::int64_t index) {
+          const auto k = static_cast<std::size_t>(index);
+          runs[k] = integrate_body(k, problems[k], keep, [&loop](double) { loop.go_on(); });
+          return k;
+        },
+        [&](std::int64_t, std::size_t k) { take(k, std::move(runs[k])); });
+  });
+}
+
 nb::list integrated_many(Typed<"collections.abc.Iterable[Problem]"> problems,
                          Typed<"SaveAt | numpy.typing.ArrayLike"> samples, bool dense) {
   const Bodies bodies = bodies_of(problems);
   Keep keep{.dense = dense};
   if (!samples.is_none()) keep.samples = save_at_of(samples, "samples");
   Collected collected(bodies, dense);
-  const Progress look = signal_check();
-  {
+  const auto take = [&](std::size_t k, DampedBodyRun run) { collected.take(k, std::move(run)); };
+  if (std::any_of(bodies.problems.begin(), bodies.problems.end(), asks_python)) {
+    const Progress look = signal_check();
     const WithoutGil released;
     integrate_many(
-        bodies.problems.size(), [&](std::size_t k) { return bodies.problems[k]; }, keep,
-        [&](std::size_t k, DampedBodyRun run) { collected.take(k, std::move(run)); }, look);
+        bodies.problems.size(), [&](std::size_t k) { return bodies.problems[k]; }, keep, take,
+        look);
+  } else {
+    integrate_on_threads(bodies.problems, keep, take);
   }
   collected.warn();
   return collected.list();
@@ -119,10 +153,9 @@ nb::list integrated_many(Typed<"collections.abc.Iterable[Problem]"> problems,
 void bind_many(nb::module_& m) {
   m.def("integrate_many", integrated_many, "problems"_a, "samples"_a = nb::none(),
         "dense"_a = false,
-        R"(Integrates many problems, several at a time.
+        R"(Integrates many problems, one on each processor at a time.
 
-By Collocation eight bodies go in lockstep, each with steps of its own; by other methods, and with a
-damper, one after the other.
+One after the other where any has events, or a term in Python that is called state by state.
 
 Parameters
 ----------

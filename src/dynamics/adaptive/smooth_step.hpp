@@ -122,7 +122,10 @@ class SmoothStep {
     for (;;)
       if (const std::optional<std::string> last = tried(solver_.advance(end_))) return *last;
   }
-  // The same piece by piece: the solver is taken to end(), as often as tried() says nothing.
+
+ private:
+  using Savepoint = typename Solver::Savepoint;
+
   std::string begin() {
     if (std::string nan = switches_.begin(begin_, start_); !nan.empty()) return nan;
     if (switches_.size() > 0) {
@@ -133,7 +136,7 @@ class SmoothStep {
     prepare();
     return {};
   }
-  double end() const { return end_; }
+  // Of what was tried; nothing where there is more to try.
   std::optional<std::string> tried(StepOutcome outcome) {
     if (outcome != StepOutcome::made) return failure(outcome);
     if (crossed_ && solver_.time().hi == end_) {
@@ -149,9 +152,6 @@ class SmoothStep {
     prepare();
     return std::nullopt;
   }
-
- private:
-  using Savepoint = typename Solver::Savepoint;
 
   RotorState rotor() const { return field_.rotor(solver_.state().y); }
 

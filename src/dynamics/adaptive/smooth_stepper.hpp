@@ -27,12 +27,7 @@ class SmoothSteps {
   }
   template <class Solver, class Field>
   std::string advance(Solver& solver, const Field& field, double stop) {
-    return step(solver, field, stop).made();
-  }
-  // The same piece by piece.
-  template <class Solver, class Field>
-  SmoothStep<Solver, Field> step(Solver& solver, const Field& field, double stop) {
-    return SmoothStep<Solver, Field>(solver, field, breakpoints_, switches_, grading_, stop);
+    return SmoothStep<Solver, Field>(solver, field, breakpoints_, switches_, grading_, stop).made();
   }
   template <class Rates>
   void transfer(StateBytes& bytes, Rates& rates) {

@@ -47,28 +47,16 @@ class BasicCollocationSolver {
 
   // One step towards `stop`, ending there or before.
   StepOutcome advance(double stop) {
-    begin(stop);
-    for (;;) {
-      sweeps_ = 0;
-      const SweepsEnd end = swept_by(stages_, sweeps_);
-      if (const std::optional<StepOutcome> outcome = ended(end)) return *outcome;
-    }
-  }
-  // The same piece by piece: what is tried is there to be solved,
-  void begin(double stop) {
     stop_ = stop;
     rest_ = (DoubleDouble(stop) - t_).hi;
     if (!(next_.h > 0.0)) next_.h = first_step(rest_);
     repeated_ = false;
     try_step(next_.towards(std::abs(rest_)));
-  }
-  Stages& tried() { return stages_; }
-  // by sweeps until they change no more than that;
-  double enough() const { return control_.is_fixed ? 0.0 : 0.01 * control_.step.tolerance; }
-  // nothing while there is another to solve.
-  std::optional<StepOutcome> solved(const SweepJudge& judge) {
-    sweeps_ = judge.sweeps();
-    return ended(judge.end());
+    for (;;) {
+      sweeps_ = 0;
+      const SweepsEnd end = swept_by(stages_, sweeps_);
+      if (const std::optional<StepOutcome> outcome = ended(end)) return *outcome;
+    }
   }
 
   struct Savepoint {
@@ -165,6 +153,8 @@ class BasicCollocationSolver {
       return 18;
   }();
 
+  // Sweeps go on until they change no more than that.
+  double enough() const { return control_.is_fixed ? 0.0 : 0.01 * control_.step.tolerance; }
   typename Stages::Rows blank(const Stages& stages) const { return stages.blank(state_.y.size()); }
 
   SweepsEnd swept_by(Stages& stages, std::int64_t& sweeps) const {

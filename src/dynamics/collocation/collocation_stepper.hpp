@@ -63,9 +63,8 @@ inline CollocationControl collocation_control(const System& system, double start
                        {.tolerance = method.tolerance, .largest_step = method.largest_step})};
 }
 
-// As a stepper of that state, or as one of it that offers more.
-template <class Stages, class Interface = BasicStepper<typename Stages::Field::State>>
-class CollocationStepper : public Interface {
+template <class Stages>
+class CollocationStepper final : public BasicStepper<typename Stages::Field::State> {
  public:
   using Field = typename Stages::Field;
   using State = typename Field::State;
@@ -102,7 +101,7 @@ class CollocationStepper : public Interface {
     steps_.transfer(bytes, solver_.field());
   }
 
- protected:
+ private:
   std::shared_ptr<const Field> field_;
   SmoothSteps steps_;
   Solver solver_;

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "dynamics/collocation/lockstep/body_lanes.hpp"
 #include "dynamics/collocation/rotor_step.hpp"
 
 namespace polhode {
@@ -9,8 +8,6 @@ namespace detail {
 // src/dynamics/collocation/lanes, one source for each set.
 template <InstructionSet isa>
 RotorLanes rotor_kernels(std::size_t stages);
-template <InstructionSet isa>
-BodyKernels body_kernels_of(std::size_t stages);
 
 RotorLanes rotor_lanes(std::size_t stages, [[maybe_unused]] InstructionSet set) {
 #if defined(__x86_64__)
@@ -18,14 +15,6 @@ RotorLanes rotor_lanes(std::size_t stages, [[maybe_unused]] InstructionSet set) 
   if (set == InstructionSet::avx2) return rotor_kernels<InstructionSet::avx2>(stages);
 #endif
   return rotor_kernels<InstructionSet::baseline>(stages);
-}
-
-BodyKernels body_kernels(std::size_t stages, [[maybe_unused]] InstructionSet set) {
-#if defined(__x86_64__)
-  if (set == InstructionSet::avx512) return body_kernels_of<InstructionSet::avx512>(stages);
-  if (set == InstructionSet::avx2) return body_kernels_of<InstructionSet::avx2>(stages);
-#endif
-  return body_kernels_of<InstructionSet::baseline>(stages);
 }
 
 }  // namespace detail

@@ -73,7 +73,6 @@ class RotorStages {
 
   // For a step of h from `start` at t: what depends on the time alone is asked.
   void begin(const DoubleDouble& t, const State& start, double h, const SwitchSides* sides) {
-    is_given_ = false;
     if (h != h_) {
       const StepWeights weights = step_weights(scheme_, h);
       step_.hb = weights.hb;
@@ -102,19 +101,11 @@ class RotorStages {
 
   // The first guess: at the start all along, or at rates that a polynomial gives.
   void guess_start() {
-    waiting_ = {};
-    is_placed_ = !is_put_off_;
-    if (is_put_off_) return;
     step_.F = {};
     place();
   }
   // `of` are the stages that the coefficients are of.
   void guess(const Rows& coefficients, const StageMatrix& at_stages, const RotorStages& of) {
-    is_placed_ = !is_put_off_;
-    if (is_put_off_) {  // for a moment: they are the solver's own
-      waiting_ = {&coefficients, &at_stages};
-      return;
-    }
     of.lanes_.transform(at_stages, scheme_.stages, coefficients, step_.F);
     place();
   }
@@ -123,7 +114,6 @@ class RotorStages {
 
   // The largest change of any stage, relative to |q| = 1 and to |g|.
   double sweep() {
-    if (is_put_off_) place_put_off();
     for (const std::unique_ptr<StageTerm>& term : terms_) term->add_to(step_.effects, step_.Y);
     if (more_ != nullptr) more_->add_to(step_.effects, step_.Y);
     const double change = lanes_.sweep(scheme_, constants_, step_);
@@ -132,13 +122,11 @@ class RotorStages {
   }
 
   void coefficients(Rows& to) const {
-    if (is_given_) return copy(given_.rates, to);
     lanes_.transform(scheme_.coefficient, scheme_.stages, step_.F, to);
   }
   // Of the effects of the terms, u and then v. Whether there are any.
   bool drive(Rows& to) const {
     if (terms_.empty() && more_ == nullptr) return false;
-    if (is_given_) return copy(given_.drive, to), true;
     lanes_.transform(scheme_.coefficient, scheme_.stages, step_.drive, to);
     return true;
   }
@@ -156,7 +144,6 @@ class RotorStages {
   }
   // The state at the end, the padding of an array of Values included.
   State finished() {
-    if (is_given_) return given_.end;
     lanes_.finish(step_);
     State s{};
     std::copy_n(step_.y.begin(), 7, s.y.begin());
@@ -164,47 +151,10 @@ class RotorStages {
     return s;
   }
 
-  // For those who solve the steps of several bodies at a time: guesses wait for them,
-  void put_off_guesses() { is_put_off_ = true; }
-  struct Guess {
-    const Rows* rates = nullptr;  // null: the start all along
-    const StageMatrix* at_stages = nullptr;
-  };
-  const Guess& waiting() const { return waiting_; }
-  // and what they find is taken from them.
-  struct Solution {
-    Rows rates{}, drive{};  // in Legendre polynomials
-    State end{};
-  };
-  Solution& take_solution() {
-    is_given_ = true;
-    return given_;
-  }
-  const RotorStep& step() const { return step_; }
-  RotorStep& step() { return step_; }
-  const RotorConstants& constants() const { return constants_; }
-  const Vec3& moments() const { return field_->system().body().moments(); }
-  std::span<const std::unique_ptr<StageTerm>> terms() const { return terms_; }
-
  private:
   void place() {
     lanes_.place(scheme_, step_);
     step_.inverse_momentum = inverse_momentum(step_.y);
-  }
-  void copy(const Rows& from, Rows& to) const {
-    for (std::size_t n = 0; n < from.size(); ++n)
-      std::copy_n(from[n].begin(), scheme_.stages, to[n].begin());
-  }
-  // A guess that has waited, before sweeps of this body alone.
-  void place_put_off() {
-    is_given_ = false;
-    if (is_placed_) return;
-    is_put_off_ = false;
-    if (waiting_.rates == nullptr)
-      guess_start();
-    else
-      guess(*waiting_.rates, *waiting_.at_stages, *this);
-    is_put_off_ = true;
   }
   static RotorConstants constants(const Body& body) {
     const Vec3& I = body.moments();
@@ -224,11 +174,8 @@ class RotorStages {
   StageTerm* more_ = nullptr;
   StageTimes times_;
   RotorStep step_;
-  Guess waiting_;
-  Solution given_;
   bool is_smooth_ = true;
   bool has_unnamed_kinks_ = false;
-  bool is_put_off_ = false, is_placed_ = false, is_given_ = false;
   double h_ = 0.0;
   DoubleDouble length_;
 };

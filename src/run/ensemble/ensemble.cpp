@@ -9,7 +9,6 @@
 #include "polhode/error.hpp"
 #include "polhode/run/detail/run_state.hpp"
 #include "polhode/run/run.hpp"
-#include "run/ensemble/lockstep.hpp"
 #include "run/ensemble/member_columns.hpp"
 #include "run/ensemble/member_numbers.hpp"
 #include "run/ensemble/member_text.hpp"
@@ -59,11 +58,9 @@ struct ScenarioEnsemble::Parts {
         added(scenario),
         groups(polhode::row_groups(scenario)) {
     for (ColumnGroup& group : added.groups()) groups.push_back(std::move(group));
-    const bool is_closed = is_closed_form(scenario.experiment);
-    if (is_closed || detail::goes_in_lockstep(scenario.experiment))
-      layout.emplace(row_layout(scenario));
     const SaveAt& rows = *row_times(scenario);
-    if (!is_closed || rows.size() > most_times) return;
+    if (!is_closed_form(scenario.experiment) || rows.size() > most_times) return;
+    layout.emplace(row_layout(scenario));
     for (std::int64_t k = 0; k < rows.size(); ++k) times.push_back(rows[k]);
   }
 
@@ -92,8 +89,9 @@ struct ScenarioEnsemble::Parts {
   detail::PreparedBase base;
   detail::MemberColumns added;
   std::vector<ColumnGroup> groups;
-  std::optional<RowLayout> layout;  // of members that are not run one by one as files are
-  std::vector<double> times;        // where the motion has a closed form
+  // Where the motion has a closed form.
+  std::optional<RowLayout> layout;
+  std::vector<double> times;
 };
 
 ScenarioEnsemble::ScenarioEnsemble(Scenario scenario)
@@ -125,28 +123,7 @@ EnsembleMember ScenarioEnsemble::member(std::int64_t index, const Progress& prog
 std::vector<EnsembleMember> ScenarioEnsemble::members(std::int64_t begin, std::int64_t end,
                                                       const Progress& progress) const {
   std::vector<EnsembleMember> all;
-  if (!detail::goes_in_lockstep(scenario().experiment)) {
-    for (std::int64_t index = begin; index < end; ++index) all.push_back(member(index, progress));
-    return all;
-  }
-  std::vector<Experiment> made;
-  std::vector<std::size_t> places;  // of these among all
-  for (std::int64_t index = begin; index < end; ++index) {
-    detail::require_member(*this, index);
-    all.push_back({plan().numbers(index), {}, {}});
-    try {
-      made.push_back(parts_->base.experiment(all.back().drawn));
-      places.push_back(all.size() - 1);
-    } catch (const DomainError& error) {
-      all.back().failure = error.what();
-    }
-  }
-  std::vector<detail::LockstepMember> going;
-  for (std::size_t k = 0; k < made.size(); ++k)
-    going.push_back({&std::get<Rotation>(made[k]), &all[places[k]]});
-  detail::run_in_lockstep(going, *parts_->layout, progress);
-  for (std::size_t k = 0; k < made.size(); ++k)
-    parts_->added.add(made[k], {}, progress, all[places[k]]);
+  for (std::int64_t index = begin; index < end; ++index) all.push_back(member(index, progress));
   return all;
 }
 

@@ -2,7 +2,6 @@
 // A rotor by collocation in the lanes of InstructionSet::avx512.
 #if defined(__x86_64__)
 
-#include "dynamics/collocation/lanes/bodies_kernel.hpp"
 #include "dynamics/collocation/lanes/rotor_kernel.hpp"
 
 namespace polhode {
@@ -10,7 +9,6 @@ inline namespace v0 {
 namespace detail {
 
 template RotorLanes rotor_kernels<InstructionSet::avx512>(std::size_t stages);
-template BodyKernels body_kernels_of<InstructionSet::avx512>(std::size_t stages);
 
 }  // namespace detail
 }  // namespace v0

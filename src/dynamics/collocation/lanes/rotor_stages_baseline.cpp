@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // A rotor by collocation in the lanes of InstructionSet::baseline.
-#include "dynamics/collocation/lanes/bodies_kernel.hpp"
 #include "dynamics/collocation/lanes/rotor_kernel.hpp"
 
 namespace polhode {
@@ -8,7 +7,6 @@ inline namespace v0 {
 namespace detail {
 
 template RotorLanes rotor_kernels<InstructionSet::baseline>(std::size_t stages);
-template BodyKernels body_kernels_of<InstructionSet::baseline>(std::size_t stages);
 
 }  // namespace detail
 }  // namespace v0

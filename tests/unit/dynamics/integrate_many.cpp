@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A body in lockstep with others has the bits of its run alone.
+// A body among others has the bits of its run alone, and fails alone.
+#include "polhode/dynamics/integrate_many.hpp"
+
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -7,9 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "dynamics/collocation/lockstep/many_steps.hpp"
 #include "polhode/dynamics/integrate.hpp"
-#include "polhode/dynamics/integrate_many.hpp"
 #include "polhode/orbit/any_orbit.hpp"
 #include "polhode/orbit/kepler_orbit.hpp"
 #include "polhode/perturb/gravity_gradient.hpp"
@@ -77,7 +77,7 @@ std::vector<Problem> bodies(std::size_t count, const Collocation& method,
   return problems;
 }
 
-TEST(Lockstep, GivesTheBitsOfABodyAlone) {
+TEST(IntegrateMany, GivesTheBitsOfABodyAlone) {
   for (const int stages : {4, 8, 16})
     for (const std::size_t count : {1U, 2U, 8U, 11U})
       expect_all_alone(bodies(count, Collocation{.stages = stages}), {},
@@ -86,7 +86,7 @@ TEST(Lockstep, GivesTheBitsOfABodyAlone) {
   expect_all_alone(bodies(9, Collocation{.tolerance = 1e-6}), {}, "a loose tolerance");
 }
 
-TEST(Lockstep, TakesEveryTerm) {
+TEST(IntegrateMany, TakesEveryTerm) {
   const Body like(1.0, 1.7, 2.1);
   for (const AnyPerturbation& term : perturb_test::every_term(like)) {
     std::vector<Problem> problems = bodies(3, Collocation{}, {term});
@@ -95,8 +95,8 @@ TEST(Lockstep, TakesEveryTerm) {
   }
 }
 
-// Laws whose numbers differ, and a function of a user: asked body by body.
-TEST(Lockstep, TakesTermsThatDiffer) {
+// Laws whose numbers differ, and a function of a user.
+TEST(IntegrateMany, TakesTermsThatDiffer) {
   std::vector<Problem> problems;
   for (std::size_t k = 0; k < 6; ++k) {
     const double x = 0.01 * static_cast<double>(k);
@@ -107,15 +107,15 @@ TEST(Lockstep, TakesTermsThatDiffer) {
   expect_all_alone(problems, {}, "terms that differ");
 }
 
-TEST(Lockstep, KeepsFramesThatMove) {
+TEST(IntegrateMany, KeepsFramesThatMove) {
   std::vector<Problem> problems = bodies(5, Collocation{});
   for (Problem& p : problems)
     p.system = System(p.system.body(), splitting_test::precessing_frame(), p.system.terms());
   expect_all_alone(problems, {SaveAt::times({0.5, 1.0, 1.5, 2.0, 2.5}), true}, "precessing");
 }
 
-// Of other stages, terms and methods, and a body that ends at once: each when its turn comes.
-TEST(Lockstep, TakesWhatDoesNotGoTogether) {
+// Of other stages, terms and methods, and a body that ends at once.
+TEST(IntegrateMany, TakesBodiesThatDiffer) {
   std::vector<Problem> problems = bodies(12, Collocation{});
   problems[2].method = Collocation{.stages = 16};
   problems[3].method = Collocation{.stages = 16};
@@ -125,7 +125,7 @@ TEST(Lockstep, TakesWhatDoesNotGoTogether) {
   expect_all_alone(problems, {}, "mixed");
 }
 
-TEST(Lockstep, EndsStepsWhereATorqueSwitches) {
+TEST(IntegrateMany, EndsStepsWhereATorqueSwitches) {
   std::vector<Problem> problems;
   for (std::size_t k = 0; k < 9; ++k) {
     const double x = 0.02 * static_cast<double>(k);
@@ -144,7 +144,7 @@ TEST(Lockstep, EndsStepsWhereATorqueSwitches) {
   expect_all_alone(problems, {}, "switches");
 }
 
-TEST(Lockstep, FindsEventsAndStopsAtThem) {
+TEST(IntegrateMany, FindsEventsAndStopsAtThem) {
   std::vector<Problem> problems = bodies(10, Collocation{});
   for (std::size_t k = 0; k < problems.size(); ++k) {
     const double height = 8.0 - 0.05 * static_cast<double>(k);
@@ -156,7 +156,7 @@ TEST(Lockstep, FindsEventsAndStopsAtThem) {
   expect_all_alone(problems, {}, "events");
 }
 
-TEST(Lockstep, LetsABodyFailAlone) {
+TEST(IntegrateMany, LetsABodyFailAlone) {
   std::vector<Problem> problems = bodies(9, Collocation{});
   problems[1].initial.g.x = std::nan("");
   for (const std::size_t k : {3U, 6U}) {
@@ -177,75 +177,63 @@ TEST(Lockstep, LetsABodyFailAlone) {
   EXPECT_EQ(runs[6].trajectory->outcome().status, Outcome::Status::failed);
 }
 
-TEST(Lockstep, AsksForProblemsWhenTheirTurnComes) {
+// At the time that its run has reached, whatever the method.
+TEST(IntegrateMany, SaysWhenABodyHasFailed) {
+  const auto push = [](double t, const RotorState& s) {
+    if (t > 2.0) throw std::runtime_error("no field here");
+    return 0.0 * s.g;
+  };
+  for (const Method& method : {Method(Collocation{}), Method(Adaptive{})}) {
+    Problem problem = body(0, Collocation{}, {{"push", TorqueTerm(push)}});
+    problem.method = method;
+    const BodyRun run = integrate_body(7, problem, {});
+    EXPECT_FALSE(run.trajectory);
+    EXPECT_THAT(run.error, StartsWith("body 7 at t = 1."));
+    EXPECT_THROW(std::rethrow_exception(run.thrown), std::runtime_error);
+  }
+}
+
+TEST(IntegrateMany, AsksForProblemsWhenTheirTurnComes) {
   const std::vector<Problem> problems = bodies(20, Collocation{});
   std::size_t asked = 0, ended = 0;
   integrate_many(
       problems.size(),
       [&](std::size_t k) {
         EXPECT_EQ(k, asked++);
-        EXPECT_LE(asked - ended, 10U);
+        EXPECT_EQ(k, ended);
         return problems[k];
       },
-      {}, [&](std::size_t, const BodyRun& run) { ended += run.trajectory ? 1U : 0U; });
+      {},
+      [&](std::size_t k, const BodyRun& run) {
+        EXPECT_EQ(k, ended);
+        ended += run.trajectory ? 1U : 0U;
+      });
   EXPECT_EQ(ended, problems.size());
   EXPECT_TRUE(integrate_many(std::vector<Problem>{}).empty());
 }
 
-TEST(Lockstep, EndsWhereProgressThrows) {
+TEST(IntegrateMany, EndsWhereProgressThrows) {
   for (const Method& method : {Method(Collocation{}), Method(Adaptive{})}) {
     std::vector<Problem> problems = bodies(3, Collocation{});
     for (Problem& p : problems) p.method = method;
-    EXPECT_THROW(
-        integrate_many(
-            3, [&](std::size_t k) { return problems[k]; }, {}, [](std::size_t, const BodyRun&) {},
-            [](double) { throw std::logic_error("no"); }),
-        std::logic_error);
+    int asked = 0, ended = 0;
+    EXPECT_THROW(integrate_many(
+                     3, [&](std::size_t k) { return ++asked, problems[k]; }, {},
+                     [&](std::size_t, const BodyRun&) { ++ended; },
+                     [](double) { throw std::logic_error("no"); }),
+                 std::logic_error);
+    EXPECT_EQ(asked, 1);
+    EXPECT_EQ(ended, 0);
   }
 }
 
-TEST(Lockstep, NamesTermsThatAreAskedOneByOne) {
+TEST(IntegrateMany, NamesTermsThatAreAskedOneByOne) {
   const auto push = [](double, const RotorState& s) { return 0.0 * s.g; };
   const std::vector<Problem> problems{body(0, Collocation{}, {}),
                                       body(1, Collocation{}, {{"push", TorqueTerm(push)}})};
   const std::vector<BodyRun> runs = integrate_many(problems);
   EXPECT_EQ(runs[0].trajectory->method().find("stage by stage"), std::string::npos);
   EXPECT_THAT(runs[1].trajectory->method(), HasSubstr("\"push\" stage by stage"));
-}
-
-// One sweep of many, by every set.
-TEST(Lockstep, DoesNotDependOnTheProcessor) {
-  for (const std::size_t stages : {4U, 8U, 16U})
-    for (const InstructionSet set : supported_instruction_sets()) {
-      const auto field = [](std::size_t k) {
-        return std::make_shared<const detail::RotorField<double>>(body(k, {}, {}).system);
-      };
-      std::vector<detail::RotorStages> alone, together;
-      std::vector<detail::BodyStep> steps;
-      for (std::size_t k = 0; k < 5; ++k) {
-        alone.emplace_back(field(k), stages, InstructionSet::baseline);
-        together.emplace_back(field(k), stages, set);
-      }
-      for (std::size_t k = 0; k < 5; ++k) {
-        const auto start =
-            detail::RotorStages::State{detail::RotorStages::Field::start(body(k, {}, {}).initial)};
-        together[k].put_off_guesses();
-        for (detail::RotorStages* s : {&alone[k], &together[k]}) {
-          s->begin(0.3, start, 0.05 + 0.02 * static_cast<double>(k), nullptr);
-          s->guess_start();
-        }
-        steps.push_back({&together[k], detail::judge_of<detail::RotorStages>(1e-14)});
-      }
-      detail::ManySteps(stages, set).solve(steps);
-      for (std::size_t k = 0; k < 5; ++k) {
-        std::int64_t sweeps = 0;
-        EXPECT_EQ(steps[k].judge.end(), detail::swept(alone[k], 1e-14, sweeps));
-        EXPECT_EQ(steps[k].judge.sweeps(), sweeps);
-        const auto a = alone[k].finished(), b = together[k].finished();
-        EXPECT_EQ(a.y, b.y) << stages << " " << instruction_set_name(set) << " " << k;
-        EXPECT_EQ(a.carry, b.carry);
-      }
-    }
 }
 
 }  // namespace
