@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: MIT
 # Most of the time that a compiler spends on a test, a command or a binding goes into the headers of
 # GoogleTest, CLI11 or nanobind. With POLHODE_JOINED up to eight of them are compiled as one source.
-# The library itself is never compiled so.
+# The library has CMake's unity builds instead (polhode_grouped in src/CMakeLists.txt): its sources
+# need no namespaces of their own.
 
-option(POLHODE_JOINED "Compile tests, command line and bindings in groups: much less work for a \
+option(POLHODE_JOINED "Compile sources in groups: much less work for a \
 whole build, more after a change of one file" OFF)
 
 # The sources of a target, as they are or in groups. TOGETHER: as if in one file. APART: each in a

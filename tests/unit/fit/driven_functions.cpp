@@ -172,7 +172,8 @@ TEST(FitDrivenSpin, MomentsStayAtTheStartWithoutAWobble) {
       EXPECT_EQ(found.result.x[6], 0.6);
       EXPECT_TRUE(std::isinf(found.covariance.error(6)));
       const double late[] = {30.0};
-      EXPECT_LT(predicted(fit, start, found, late)[0].covariance(2, 2), budget::fit_uniform_torque_late);
+      EXPECT_LT(predicted(fit, start, found, late)[0].covariance(2, 2),
+                budget::fit_uniform_torque_late);
     }
     return found.held;
   };
