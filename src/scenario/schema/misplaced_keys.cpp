@@ -14,7 +14,7 @@ namespace detail {
 namespace {
 
 constexpr std::size_t most_places = 3;
-constexpr std::size_t longest_name = 200;
+constexpr std::size_t longest_key = 200;
 
 // "[state.tumbler]", "[[perturbation]]", "[orbit.NAME]".
 std::string header(std::string_view path) {
@@ -61,7 +61,7 @@ std::string belongs_in(const StrayKey& stray, const std::vector<std::string_view
     text += (i > 0               ? ", "
              : others.size() > 1 ? ", as do "
                                  : ", as does ") +
-            printable(others[i], longest_name);
+            printable(others[i], longest_key);
   return text;
 }
 
@@ -130,7 +130,7 @@ void report(std::vector<StrayKey> strays, const KnownTable& table, const std::st
   std::vector<std::string> told;
   for (const StrayKey& stray : strays) {
     if (diagnostics.full()) return;
-    const std::string name = printable(stray.name, longest_name);
+    const std::string name = printable(stray.name, longest_key);
     const std::string at = path.empty() ? name : path + "." + name;
     if (stray.at.empty()) {
       diagnostics.add(stray.where, at, unknown(stray, table, path));
