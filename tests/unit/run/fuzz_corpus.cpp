@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Every input of tests/fuzz/corpus, with which `make fuzz` begins, and damaged copies of it: the
-// fuzz targets abort on a failure.
+// fuzz targets abort on a failure, and give -1 for what is of no use to libFuzzer.
 #include <gtest/gtest.h>
 
 #include <cstddef>
@@ -47,21 +47,21 @@ void replay_damaged(const Target& target, const std::vector<std::uint8_t>& bytes
   for (int k = 0; k < damaged_copies; ++k) {
     std::vector<std::uint8_t> other = bytes;
     other[random() % other.size()] = static_cast<std::uint8_t>(random());
-    EXPECT_EQ(target.one_input(other.data(), other.size()), 0);
-    EXPECT_EQ(target.one_input(bytes.data(), random() % bytes.size()), 0);
+    EXPECT_LE(target.one_input(other.data(), other.size()), 0);
+    EXPECT_LE(target.one_input(bytes.data(), random() % bytes.size()), 0);
   }
 }
 
 TEST(FuzzCorpus, EveryInputIsReadOrRejectedInOrder) {
   for (const Target& target : targets) {
     const std::filesystem::path folder = std::filesystem::path(POLHODE_CORPUS) / target.name;
-    EXPECT_EQ(target.one_input(nullptr, 0), 0);
+    EXPECT_LE(target.one_input(nullptr, 0), 0);
     if (!exists(folder)) continue;
     std::size_t files = 0;
     for (const auto& file : std::filesystem::directory_iterator(folder)) {
       SCOPED_TRACE(file.path().string());
       const std::vector<std::uint8_t> bytes = bytes_of(file.path());
-      EXPECT_EQ(target.one_input(bytes.data(), bytes.size()), 0);
+      EXPECT_LE(target.one_input(bytes.data(), bytes.size()), 0);
       replay_damaged(target, bytes);
       ++files;
     }
