@@ -16,7 +16,7 @@ inline namespace v0 {
 namespace {
 
 // Rises of the sum that are near enough to 1, and the part of the greatest component from which
-// on one is named_part.
+// on one is named.
 constexpr double least = 0.5, greatest = 2.0, named_part = 0.5;
 // Fits that may stop further from the least, in errors: their rises are other ones for that alone.
 constexpr double near_enough = 0.1;

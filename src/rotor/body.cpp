@@ -18,16 +18,16 @@ namespace {
 
 constexpr double rounding = std::numeric_limits<double>::epsilon();
 
-// By how many rounding of the largest moment I3 may exceed I1 + I2.
+// By how many roundings eps of the largest moment I3 may exceed I1 + I2.
 constexpr double flat_slack = 4.0;
 // By what part of the largest moment a tensor may exceed it. A plate that was moved by the parallel
-// axis theorem and back has lost (distance / size)^2 rounding: 1e-10 when a plate of 1 m went 1 km.
+// axis theorem and back has lost (distance / size)^2 eps: 1e-10 when a plate of 1 m went 1 km.
 // Digits of a file that were rounded, 1e-6 and more, are still rejected.
 constexpr double tensor_slack = 1e-9;
 
 int largest(const Vec3& m) { return m.x < m.y ? (m.y < m.z ? 2 : 1) : (m.x < m.z ? 2 : 0); }
 
-// Imax - (Imid + Imin) in units of rounding Imax; the subtraction comes first, so nothing
+// Imax - (Imid + Imin) in units of eps Imax; the subtraction comes first, so nothing
 // overflows.
 double excess(const Vec3& m) {
   const int i = largest(m);

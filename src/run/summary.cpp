@@ -187,8 +187,8 @@ std::vector<SummaryLine> detail::summary(const Rotation& rotation, const Scenari
              rotation.terms.empty() && !rotation.damper ? "mode" : "mode (if free from t = 0 on)",
              mode(motion.regime()));
   lines.numbers("moments", "moments I1, I2, I3", {I.x, I.y, I.z}, Dimension::moment);
-  lines.numbers("moment_ratios", "their ratios to the largest_moment",
-                {I.x / I3, I.y / I3, I.z / I3}, Dimension::number);
+  lines.numbers("moment_ratios", "their ratios to the largest", {I.x / I3, I.y / I3, I.z / I3},
+                Dimension::number);
   lines.number("precession_period", "precession period P_phi (long axis)",
                turn / motion.precession_rate_long(), Dimension::time);
   if (tumbles)
