@@ -5,6 +5,7 @@ and what a fit refuses."""
 import json
 
 import budgets
+import h5py
 import numpy
 import pytest
 from closeness import assert_allclose
@@ -96,6 +97,18 @@ def test_toutatis_with_the_published_prior(run, root, tmp_path):
 
 TRUTH = {"turn_x": 0, "turn_y": 0, "turn_z": 0, "w_x": 3, "w_y": 4, "w_z": 12,
          "Ixx/Izz": 1 / 2.6, "Iyy/Izz": 2.2 / 2.6}
+
+
+def test_unknowns_with_a_slash_are_datasets_of_a_covariance(run, fit_file, tmp_path):
+    """A slash in the name of an HDF5 dataset means a group."""
+    path = fit_file(ATTITUDES, FREE)
+    assert run("simulate", path, "--into", tmp_path).returncode == 0
+    tables = [tmp_path / "c.csv", tmp_path / "c.h5"]
+    solution, = fitted(run, path, *(x for t in tables for x in ("--covariance", t)))["solutions"]
+    with h5py.File(tables[1]) as file:
+        for name in solution["unknowns"]:
+            assert_allclose(numpy.ravel(file[name.replace("/", "_over_")]),
+                            rows(tables[0])[name], rtol=0, atol=0)
 
 
 @pytest.mark.parametrize("seed", [1, 2, 3])
