@@ -25,7 +25,7 @@ def compiled(text: str | bytes, name: str) -> Any:
     return file
 
 
-# What results hold of the scenario that they are of pickles as its text.
+# The compiled file that results hold is pickled as its text.
 copyreg.pickle(_core._Scenario, lambda file: (compiled, (file.text, file.name)))
 
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@ namespace detail {
 
 // From so many points on, means of neighbouring points are recommended.
 inline constexpr std::size_t many_points = 3000;
+std::size_t count_points(std::span<const LightCurve> curves);
 
 // A point whose residual is more than four times the spread of all.
 struct FarPoint {

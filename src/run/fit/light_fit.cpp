@@ -201,11 +201,7 @@ void add_light_times(const Scenario& scenario, LightReport& report) {
 
 }  // namespace
 
-std::size_t LightReport::points() const {
-  std::size_t n = 0;
-  for (const LightCurve& curve : observed.curves) n += curve.points.size();
-  return n;
-}
+std::size_t LightReport::points() const { return detail::count_points(observed.curves); }
 
 bool LightReport::has_errors() const {
   return std::ranges::any_of(solutions,

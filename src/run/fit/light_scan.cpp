@@ -117,16 +117,17 @@ class Scan {
     if (count > most_frequencies) return std::nullopt;
     // lines of two frequencies to an order, if they are multiples of one, are those to twice it
     const std::size_t most = std::min(2 * plan_.order, most_order);
+    const ScanPoints points(curves_);
     for (std::size_t order = 1; order < most; order *= 2)
-      if (std::optional<OnePeriod> one = one_period(scan, order, count); one && one->suffices)
+      if (std::optional<OnePeriod> one = one_period(scan, points, order, count);
+          one && one->suffices)
         return one;
-    return one_period(scan, most, count);
+    return one_period(scan, points, most, count);
   }
 
-  std::optional<OnePeriod> one_period(const LightScan& scan, std::size_t order,
-                                      double count) const {
+  std::optional<OnePeriod> one_period(const LightScan& scan, const ScanPoints& points,
+                                      std::size_t order, double count) const {
     constexpr std::size_t few = 5;
-    const ScanPoints points(curves_);
     ScanOptions how{.order = order, .threads = options_.threads};
     how.between = [this] { end_if_asked(); };
     const std::vector<ScanMinimum> minima = scan_minima(
@@ -149,7 +150,8 @@ class Scan {
     return found;
   }
 
-  // Whether another frequency, no multiple or part of the lowest one, fits as well to 3 sigma.
+  // Another frequency that fits as well to 3 sigma and is neither a multiple nor a part of
+  // `lowest`.
   static bool is_alias(const FourierFit& other, const FourierFit& lowest, double step) {
     constexpr double three_sigma = 9.0;
     const double noise =
@@ -197,8 +199,7 @@ class Scan {
 
   void begin(const std::string& work) const {
     if (!options_.begins) return;
-    std::size_t points = 0;
-    for (const LightCurve& one : curves_) points += one.points.size();
+    const std::size_t points = detail::count_points(curves_);
     options_.begins("scan", work + (points > detail::many_points
                                         ? fmt::format(" of {} points; means of neighbouring points "
                                                       "would take less time",

@@ -119,6 +119,12 @@ void add_magnitude_notes(const Scenario& scenario, const ReadObservations& obser
 
 }  // namespace
 
+std::size_t count_points(std::span<const LightCurve> curves) {
+  std::size_t count = 0;
+  for (const LightCurve& curve : curves) count += curve.points.size();
+  return count;
+}
+
 std::vector<FarPoint> far_points(const LightReport& report, const LightSolution& s) {
   const double least = far * s.spread();
   std::vector<FarPoint> found;
@@ -231,8 +237,7 @@ std::vector<std::string> data_notes(const Scenario& scenario, const ReadObservat
   constexpr std::size_t least_points = 20;  // for a spread that means something
   std::vector<std::string> notes;
   add_magnitude_notes(scenario, observed, notes);
-  std::size_t points = 0;
-  for (const LightCurve& curve : observed.curves) points += curve.points.size();
+  const std::size_t points = count_points(observed.curves);
   if (points > many_points && require_fit(scenario).light.searches)
     notes.push_back(
         fmt::format("{} points: means of neighbouring points, a hundredth of a period apart, would "
