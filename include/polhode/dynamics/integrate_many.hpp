@@ -42,8 +42,8 @@ BodyRun integrate_body(std::size_t index, const Problem& problem, const Keep& ke
 DampedBodyRun integrate_body(std::size_t index, const DampedProblem& problem, const Keep& keep,
                              const Progress& progress = {});
 
-// Of the problem of each index below `count`, in this order, each asked for when its turn comes;
-// `done` gets its run when it has ended.
+// Integrates the problems with indices below `count`, in order. `problem` is called for each before
+// its run, and `done` gets the run when it has ended.
 void integrate_many(std::size_t count, const std::function<Problem(std::size_t)>& problem,
                     const Keep& keep, const std::function<void(std::size_t, BodyRun)>& done,
                     const Progress& progress = {});

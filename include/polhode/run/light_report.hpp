@@ -114,7 +114,7 @@ struct LightReport {
   std::string verdict;
 
   bool is_found() const { return !solutions.empty(); }
-  // Whether any solution describes the data: otherwise errors mean nothing.
+  // True if any solution describes the data; errors mean nothing otherwise.
   bool has_errors() const;
   std::size_t points() const;
 };

@@ -102,8 +102,8 @@ class Collected {
   std::string first_;
 };
 
-// Whether it may call functions in Python. These take turns: on several threads they would wait for
-// the GIL at every call.
+// True if the problem may call functions in Python. On several threads each call would wait for the
+// GIL.
 bool asks_python(const DampedProblem& problem) {
   const std::vector<AnyPerturbation>& terms = problem.system.terms();
   return !problem.events.empty() ||

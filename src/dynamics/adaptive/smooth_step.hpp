@@ -136,7 +136,7 @@ class SmoothStep {
     prepare();
     return {};
   }
-  // Of what was tried; nothing where there is more to try.
+  // What went wrong, empty if nothing did; no value if more steps must be tried.
   std::optional<std::string> tried(StepOutcome outcome) {
     if (outcome != StepOutcome::made) return failure(outcome);
     if (crossed_ && solver_.time().hi == end_) {

@@ -89,7 +89,7 @@ struct ScenarioEnsemble::Parts {
   detail::PreparedBase base;
   detail::MemberColumns added;
   std::vector<ColumnGroup> groups;
-  // Where the motion has a closed form.
+  // Members whose motion has a closed form.
   std::optional<RowLayout> layout;
   std::vector<double> times;
 };
