@@ -3,9 +3,9 @@
 """Wide instructions: no function that is compiled for a set of instructions that a processor may
 lack can stand in for one that is compiled for all of them.
 
-The linker keeps one of several functions of a name. So every function that an object of
-src/*/lanes/*_avx*.cpp offers must have its set in its name, as a template on it has. Fails with
-those that have not."""
+The linker keeps one of several functions of a name. So every function that src/*/lanes/*.cpp offers
+for such a set must have the set in its name, as a template on it has. Fails with those that have
+not. The argument is a build folder; left out, build/release."""
 
 import pathlib
 import re
@@ -13,7 +13,7 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
-# Of the archive's members: states_avx512.cpp.o; its set as the demangler writes it.
+# Each as the demangler writes it.
 SETS = {"avx2": "InstructionSet)1", "avx512": "InstructionSet)2"}
 SYMBOL = re.compile(r"^[0-9a-f]* *([A-Za-z]) (.*)$")
 
@@ -28,35 +28,23 @@ def shared(listing, isa):
             yield match[2]
 
 
-def errors_of(library):
-    if not library.exists():
-        return [f"{library}: no such library: build it first"]
-    members = subprocess.run(["ar", "t", library], capture_output=True, text=True, check=True)
-    found = [name for name in members.stdout.split() if re.search(r"_avx\w+\.cpp\.o$", name)]
+def errors_of(built):
     errors = []
-    for member in found:
-        isa = re.search(r"_(avx\w+)\.cpp\.o$", member)[1]
-        text = subprocess.run(["ar", "p", library, member], capture_output=True, check=True).stdout
-        object_file = library.parent / f".{member}"
-        object_file.write_bytes(text)
-        try:
-            listing = subprocess.run(["nm", "-C", "--defined-only", object_file],
-                                     capture_output=True, text=True, check=True).stdout  # fmt: skip
-        finally:
-            object_file.unlink()
-        errors += [f"{member}: {name} is compiled for {isa} and may be taken for all processors"
+    for isa in SETS:
+        objects = sorted(built.glob(f"src/CMakeFiles/polhode_*_{isa}.dir/**/*.o"))
+        if not objects:
+            errors.append(f"{built}: holds no object of src/*/lanes for {isa}")
+            continue
+        listing = subprocess.run(["nm", "-C", "--defined-only", *objects],
+                                 capture_output=True, text=True, check=True).stdout  # fmt: skip
+        errors += [f"{name} is compiled for {isa} and may be taken for all processors"
                    for name in shared(listing, isa)]  # fmt: skip
-    if not found:
-        errors.append(f"{library}: holds no object of src/*/lanes")
     return errors
 
 
 def main():
-    built = ROOT / "build/release/src"
-    libraries = [pathlib.Path(name) for name in sys.argv[1:]] or [
-        built / f"libpolhode{part}.a" for part in ("", "_ensemble", "_fit")
-    ]
-    errors = [error for library in libraries for error in errors_of(library)]
+    built = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else ROOT / "build/release"
+    errors = errors_of(built)
     print("\n".join(errors), end="\n" if errors else "")
     return 1 if errors else 0
 

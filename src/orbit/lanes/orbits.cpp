@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Orbits in the lanes of InstructionSet::baseline.
+// Orbits in the lanes of one set of instructions.
 #include "orbit/detail/orbit_kernels.hpp"
 
 namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-template OrbitLanes orbit_kernels<InstructionSet::baseline>();
+template OrbitLanes orbit_kernels<InstructionSet::POLHODE_ISA>();
 
 }  // namespace detail
 }  // namespace v0

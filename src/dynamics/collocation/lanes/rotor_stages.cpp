@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: MIT
-// A rotor by collocation in the lanes of InstructionSet::avx512.
-#if defined(__x86_64__)
-
+// A rotor by collocation in the lanes of one set of instructions.
 #include "dynamics/collocation/lanes/rotor_kernel.hpp"
 
 namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-template RotorLanes rotor_kernels<InstructionSet::avx512>(std::size_t stages);
+template RotorLanes rotor_kernels<InstructionSet::POLHODE_ISA>(std::size_t stages);
 
 }  // namespace detail
 }  // namespace v0
 }  // namespace polhode
-
-#endif

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// Poincare-type sets in the lanes of one set of instructions.
+#include "rotor/detail/poincare_lanes.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+template void converted_in_lanes<InstructionSet::POLHODE_ISA>(const RotorState*, std::size_t,
+                                                              PoincareState*, PolesOfSets);
+template void converted_in_lanes<InstructionSet::POLHODE_ISA>(const PoincareState*, std::size_t,
+                                                              RotorState*);
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode
