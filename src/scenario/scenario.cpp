@@ -109,6 +109,7 @@ std::vector<TableValues> model_values(const Scenario& scenario) {
     for (const auto& [path, value] : scenario.document.checked->values) {
       const std::string_view table = key_table(path);
       if (!path.starts_with(wanted) || table.empty() || value.key->type == KeyType::table) continue;
+      if (detail::is_unused(scenario.document.checked->values, value, path)) continue;
       auto found = std::find_if(all.begin() + static_cast<std::ptrdiff_t>(first), all.end(),
                                 [&](const TableValues& one) { return one.table == table; });
       if (found == all.end()) found = all.insert(all.end(), {std::string(table), "", ""});

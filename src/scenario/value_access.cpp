@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 
+#include "polhode/scenario/schema.hpp"
 #include "scenario/diagnostics.hpp"
 #include "scenario/values.hpp"
 
@@ -66,6 +67,16 @@ bool is_explicit(const Values& values, std::string_view path) {
   return found != values.end() && found->second.is_explicit;
 }
 bool has(const Values& values, std::string_view path) { return values.contains(path); }
+
+bool is_unused(const Values& values, const Value& value, std::string_view path) {
+  constexpr std::string_view is = " = ";
+  const std::string_view line = value.key->unused_with;
+  const std::size_t end = line.find(is);
+  if (end == std::string_view::npos) return false;
+  const auto other =
+      values.find(std::string(key_table(path)) + "." + std::string(line.substr(0, end)));
+  return other != values.end() && other->second.shown == line.substr(end + is.size());
+}
 
 std::string message_at(const Values& values, std::string_view path, const std::string& name,
                        std::string_view message) {

@@ -3,9 +3,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdio>
 #include <utility>
 
+#include "math/number_text.hpp"
 #include "polhode/error.hpp"
+#include "polhode/light/magnitudes.hpp"
 #include "tables/detail/kvn_reader.hpp"
 #include "tables/detail/light_sessions.hpp"
 #include "tables/detail/light_times.hpp"
@@ -20,6 +24,7 @@ namespace {
 using detail::KvnLine;
 
 constexpr double day_in_s = 86400.0;
+constexpr std::size_t longest_line = 500;  // of what is written
 
 std::string upper(std::string_view text) {
   std::string result(text);
@@ -218,6 +223,20 @@ class AlcdefReader {
                                        Identity{"MPCDESIG"}};
 };
 
+[[noreturn]] void fail_to_write(std::size_t curve, const std::string& what) {
+  throw DomainError("alcdef_text: light curve " + std::to_string(curve + 1) + what);
+}
+
+// When a session begins, to a second.
+std::string began_text(const Date& date) {
+  const CalendarTime t = calendar_time(date);
+  std::array<char, 80> text;
+  std::snprintf(text.data(), text.size(),
+                "SESSIONDATE=%04d-%02d-%02d\nSESSIONTIME=%02d:%02d:%02d\n", t.year, t.month, t.day,
+                t.hour, t.minute, static_cast<int>(t.second));
+  return text.data();
+}
+
 }  // namespace
 
 LightCurveFile alcdef_from_text(std::string_view text, const std::string& name,
@@ -229,6 +248,42 @@ LightCurveFile alcdef_from_text(std::string_view text, const std::string& name,
 
 LightCurveFile read_alcdef(const std::string& path, const std::optional<Date>& epoch) {
   return alcdef_from_text(detail::text_of_file(path, detail::largest_light_file), path, epoch);
+}
+
+std::string alcdef_text(std::span<const LightCurve> curves, const Date& epoch,
+                        const AlcdefHead& head) {
+  if (curves.empty())
+    throw DomainError("alcdef_text: there are no light curves; expected one or more");
+  std::string text;
+  for (std::size_t c = 0; c < curves.size(); ++c) {
+    const std::vector<LightPoint>& points = curves[c].points;
+    if (points.empty()) fail_to_write(c, " has no points; expected one or more");
+    const auto date = [&](const LightPoint& p) {
+      return converted(date_after(epoch, p.t), TimeScale::UTC);
+    };
+    text += "STARTMETADATA\nOBJECTNAME=" + detail::printable(head.object, longest_line) + "\n";
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const LightPoint& p = points[k];
+      const Magnitude m = magnitude_of({p.flux, p.sigma});
+      if (!std::isfinite(p.t) || !std::isfinite(m.value) || !std::isfinite(m.sigma))
+        fail_to_write(c, ": point " + std::to_string(k + 1) +
+                             ": expected a finite time and a flux above 0, which has a magnitude");
+      if (k == 0) {
+        text += began_text(date(p));
+        text += curves[c].is_calibrated ? "DIFFERMAGS=FALSE\nSTANDARD=OTHER\n"
+                                        : "DIFFERMAGS=TRUE\nSTANDARD=NONE\n";
+        text += std::string("LTCAPP=") + (head.times == LightTime::at_body ? "POINT" : "NONE") +
+                "\nREDUCEDMAGS=" + (head.is_of_the_time ? "NONE" : "POINT") + "\n";
+        for (const std::string& note : head.notes)
+          text += "COMMENT=" + detail::printable(note, longest_line) + "\n";
+        text += "DELIMITER=PIPE\nENDMETADATA\n";
+      }
+      text += "DATA=" + detail::julian_text(date(p)) + "|" + detail::number_text(m.value) + "|" +
+              detail::number_text(m.sigma) + "\n";
+    }
+    text += "ENDDATA\n";
+  }
+  return text;
 }
 
 }  // namespace v0

@@ -23,7 +23,6 @@ using detail::KvnLine;
 using Fields = std::vector<std::string_view>;
 
 constexpr std::size_t point_fields = 8;
-constexpr int decimals = 12;
 
 class LcReader {
  public:
@@ -128,26 +127,6 @@ class LcReader {
                     std::to_string(point + 1) + ": " + what);
 }
 
-// With 12 decimals, zeros at their end left out but for the first.
-std::string julian_text(const Date& date) {
-  double whole = std::floor(date.day);
-  double part = (date.day - whole) + date.fraction;
-  whole += std::floor(part);
-  part -= std::floor(part);
-  std::array<char, 32> buffer;
-  const auto fixed = [&](double x, int places) {
-    const std::to_chars_result end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), x,
-                                                   std::chars_format::fixed, places);
-    return std::string(buffer.data(), end.ptr);
-  };
-  std::string digits = fixed(part, decimals);
-  if (digits.front() == '1') whole += 1.0;  // rounded up to the next day
-  digits.erase(0, 1);
-  digits.erase(std::max<std::size_t>(digits.find_last_not_of('0') + 1, 2));
-  if (digits.size() < 2) digits += '0';
-  return fixed(whole, 0) + digits;
-}
-
 bool is_vector(const Vec3& v) { return v != Vec3{} && std::isfinite(v.x + v.y + v.z); }
 
 }  // namespace
@@ -178,7 +157,7 @@ std::string lc_text(std::span<const LightCurve> curves, const Date& epoch) {
         fail_to_write(c, k, "its time or flux is not finite");
       if (!is_vector(p.to_sun) || !is_vector(p.to_observer))
         fail_to_write(c, k, "expected its vectors to the Sun and to the observer, in au");
-      text += julian_text(converted(date_after(epoch, p.t), epoch.scale));
+      text += detail::julian_text(converted(date_after(epoch, p.t), epoch.scale));
       for (const double x : {p.flux, p.to_sun.x, p.to_sun.y, p.to_sun.z, p.to_observer.x,
                              p.to_observer.y, p.to_observer.z})
         text += " " + detail::number_text(x);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "tables/detail/light_times.hpp"
 
+#include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <string>
 
@@ -52,6 +55,26 @@ LightTimes light_times(const std::string& shown, TimeScale scale,
   } catch (const DomainError& error) {
     throw DomainError(shown + ": " + error.what());
   }
+}
+
+std::string julian_text(const Date& date) {
+  constexpr int decimals = 12;  // 0.1 us
+  double whole = std::floor(date.day);
+  double part = (date.day - whole) + date.fraction;
+  whole += std::floor(part);
+  part -= std::floor(part);
+  std::array<char, 32> buffer;
+  const auto fixed = [&](double x, int places) {
+    const std::to_chars_result end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), x,
+                                                   std::chars_format::fixed, places);
+    return std::string(buffer.data(), end.ptr);
+  };
+  std::string digits = fixed(part, decimals);
+  if (digits.front() == '1') whole += 1.0;  // rounded up to the next day
+  digits.erase(0, 1);
+  digits.erase(std::max<std::size_t>(digits.find_last_not_of('0') + 1, 2));
+  if (digits.size() < 2) digits += '0';
+  return fixed(whole, 0) + digits;
 }
 
 }  // namespace detail

@@ -36,6 +36,8 @@ inline constexpr double cli_series = 1e-12;
 inline constexpr double cli_convex_mesh = 0.01, cli_convex_again = 0.1;
 // chi-square of the same night with times as Julian dates, which have 0.04 ms, and of microseconds
 inline constexpr double cli_julian = 1e-3;
+// d, of a Julian date in double
+inline constexpr double cli_julian_day = 1e-9;
 // Unknowns of a fit of exact attitudes, deg, deg/h and ratios.
 inline constexpr double cli_fit_exact = 1e-8;
 // Numbers of a published or independent fit that are told to three decimals.

@@ -46,8 +46,9 @@ inline constexpr double light_time_s = 5e-9;      // of times of 1e7 s
 inline constexpr double light_time_km = 1e-7;     // of vectors of 2e8 km
 
 // --- light curves in files (tests/unit/tables/light_curves_*.cpp) ---
-inline constexpr double light_date_s = 1e-8;  // a decimal of a day, in seconds
-inline constexpr double light_tdb_s = 1e-3;   // of TT for TDB, over some hours
-inline constexpr double light_mars_km = 2e4;  // as published, to four digits, and 40 arcsec
+inline constexpr double light_date_s = 1e-8;    // a decimal of a day, in seconds
+inline constexpr double light_julian_s = 1e-7;  // 12 decimals of a day
+inline constexpr double light_tdb_s = 1e-3;     // of TT for TDB, over some hours
+inline constexpr double light_mars_km = 2e4;    // as published, to four digits, and 40 arcsec
 
 }  // namespace polhode::budget

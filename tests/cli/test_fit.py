@@ -111,6 +111,22 @@ def test_unknowns_with_a_slash_are_datasets_of_a_covariance(run, fit_file, tmp_p
                             rows(tables[0])[name], rtol=0, atol=0)
 
 
+def test_degrees_that_may_be_radians_get_a_note(run, fit_file, tmp_path):
+    path = fit_file(ATTITUDES, DIRECTIONS + 'columns = ["t", "lon", "lat"]\n', FREE)
+    assert run("simulate", path, "--into", tmp_path).returncode == 0
+    assert fitted(run, path)["notes"] == []
+    pole = tmp_path / "pole.csv"
+    seen = rows(pole)
+    pole.write_text("t,lon,lat\n" + "".join(
+        f"{t!r},{lon!r},{lat!r}\n" for t, lon, lat in zip(
+            seen["t"].tolist(), numpy.radians(seen["lon"]).tolist(),
+            numpy.radians(seen["lat"]).tolist(), strict=True)))
+    note = ("the column lon of pole.csv is declared in degrees, and none of its numbers exceeds "
+            "2 pi: are they radians?")
+    assert fitted(run, path)["notes"] == [note]
+    assert f"note: {note}\n" in run("fit", path).stdout
+
+
 @pytest.mark.parametrize("seed", [1, 2, 3])
 @pytest.mark.parametrize("tables", [ATTITUDES, ATTITUDES + DIRECTIONS + RATES],
                          ids=["attitudes", "all"])

@@ -158,6 +158,26 @@ def test_alcdef_through_a_scenario(run, fit_file, tmp_path):
     assert found["chi_square"] == pytest.approx(expected["chi_square"], rel=budgets.cli_julian)
 
 
+def test_alcdef_is_simulated(run, fit_file, tmp_path):
+    """The same light as in columns, and a fit reads it."""
+    observed = (TABLE % "seen.csv").replace("at-body", "at-observer") + (
+        'orbit = "body"\nobserver_orbit = "earth"\nsigma = 0.02\nbrightness = "magnitude"\n')
+    path = fit_file(observed, ORBITS, head=HEAD)
+    assert run("simulate", path, "--into", tmp_path).returncode == 0
+    light = rows(tmp_path / "seen.csv")
+    table = observed.replace("seen.csv", "seen.alcdef").replace(
+        'brightness = "magnitude"', 'format = "alcdef"')
+    own = fit_file(table, ORBITS, head=HEAD, name="own.toml")
+    done = run("simulate", own, "--into", tmp_path)
+    assert done.returncode == 0, done.stderr
+    data = numpy.array([line.removeprefix("DATA=").split("|") for line in (
+        tmp_path / "seen.alcdef").read_text().splitlines() if line.startswith("DATA=")], float)
+    assert data[:, 0] == pytest.approx(JULIAN + light["t"] / 1440, abs=budgets.cli_julian_day)
+    assert data[:, 1] == pytest.approx(light["magnitude"], abs=budgets.light_magnitude)
+    assert data[:, 2] == pytest.approx(light["sigma"], rel=budgets.light_flux)
+    assert fitted(run, own)["solutions"][0]["chi_square"] < 1.5 * len(data)
+
+
 def test_files_as_they_are(run, night, fit_file, tmp_path):
     """Out of order, a point twice, an error that is missing: the key that mends each."""
     light, expected = night

@@ -57,6 +57,10 @@ class KindKey {
   }
   // What `polhode init` writes, as TOML.
   consteval KindKey example(std::string_view toml) const { return with(&Key::example, toml); }
+  // A line of its table beside which it must be left out: "field = \"earth\"".
+  consteval KindKey unused_with(std::string_view line) const {
+    return with(&Key::unused_with, line);
+  }
   // Stands in the file that `polhode init` writes, though it may be left out.
   consteval KindKey shown() const { return with(&Key::in_template, true); }
 
@@ -186,7 +190,7 @@ template <class A>
 A arguments(std::span<const KindKey<A>> keys, const KeyValues& values) {
   A made{};
   for (const KindKey<A>& one : keys) {
-    detail::require_range(values, one.key().path);
+    detail::require_allowed(values, one.key());
     one.fill(made, values);
   }
   return made;

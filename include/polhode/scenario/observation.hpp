@@ -93,6 +93,7 @@ struct ReadObservations {
   std::vector<ObservedRow> attitudes, directions, rates;
   std::vector<LightCurve> curves;  // times at the body, vectors along the axes of the state
   std::vector<std::vector<ObservedRow>> curve_rows;  // of their points
+  std::vector<std::string> notes = {};               // on numbers that may not be what they seem
 };
 
 // Of a scenario of kind "fit", whose document it still holds.

@@ -16,15 +16,20 @@
 //               0 or less.
 //               REDUCEDMAGS: NONE, distances of the time; AVERAGE or POINT, unit distances.
 //             There are no vectors in it: they stay 0, for an orbit to give them (with_vectors).
+//             Written keywords are OBJECTNAME, SESSIONDATE, SESSIONTIME, DELIMITER and those above
+//             but LTCDAYS; a file sent to the database needs those of the observer as well.
 // Accuracy    the nearest double; of dates to 1e-11 s from the epoch, which is midnight before the
 //             first point unless it is given.
-// Errors      DomainError "FILE:LINE: ..." for the first thing wrong.
+// Errors      DomainError "FILE:LINE: ..." for the first thing wrong; alcdef_text for a point whose
+//             flux has no magnitude, a light curve without points, or none.
 // Cost        some 0.5 us a point.
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "polhode/tables/light_curve_file.hpp"
 
@@ -36,6 +41,16 @@ LightCurveFile alcdef_from_text(std::string_view text, const std::string& name,
                                 const std::optional<Date>& epoch = std::nullopt);
 LightCurveFile read_alcdef(const std::string& path,
                            const std::optional<Date>& epoch = std::nullopt);
+
+struct AlcdefHead {
+  std::string object;
+  LightTime times = LightTime::at_body;
+  bool is_of_the_time = false;  // or reduced to unit distances
+  std::vector<std::string> notes = {};
+};
+// Magnitudes of light curves with t in seconds of TT from an epoch, without their vectors.
+std::string alcdef_text(std::span<const LightCurve> curves, const Date& epoch,
+                        const AlcdefHead& head);
 
 }  // namespace v0
 }  // namespace polhode

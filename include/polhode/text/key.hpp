@@ -58,8 +58,10 @@ struct Key {
   std::string_view help = {};       // one sentence
   std::string_view kinds = {};      // words of `kind` in its table that it belongs to; empty: all
   std::string_view needed_by = {};  // those that an optional key must come with
-  bool is_file = false;             // a text: the path of a file, from the folder of the scenario
-  bool in_template = false;         // stands in what `polhode init` writes, though it is optional
+  // A line of the table beside which the key is left out: "field = \"earth\"".
+  std::string_view unused_with = {};
+  bool is_file = false;      // a text: the path of a file, from the folder of the scenario
+  bool in_template = false;  // stands in what `polhode init` writes, though it is optional
 
   Range range = Range::any;  // of numbers
   bool takes_date = false;   // of times: "2013-02-04" too, counted from state.epoch

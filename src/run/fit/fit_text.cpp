@@ -270,6 +270,7 @@ std::string fit_text(const Scenario& scenario, const FitReport& report,
     text += fmt::format("\nand {} more solutions, which --json has in full\n",
                         report.solutions.size() - count);
   if (!report.is_found()) add_fit_line(text, "solutions", "none: " + report.failure);
+  for (const std::string& note : report.observed.notes) text += "note: " + note + "\n";
   return text;
 }
 
@@ -287,6 +288,8 @@ std::string fit_json(const Scenario& scenario, const FitReport& report,
   json.key("solutions").begin_array();
   for (std::size_t i = 0; i < report.solutions.size(); ++i)
     add_solution(json, scenario, report, i, times);
+  json.end_array().key("notes").begin_array();
+  for (const std::string& note : report.observed.notes) json.value(note);
   json.end_array().end_object();
   return json.text();
 }

@@ -94,6 +94,8 @@ std::vector<LightCurve> simulated_sessions(const Scenario& scenario, std::size_t
     points += curve.points.size();
     curves.push_back(std::move(curve));
   }
+  const bool is_magnitude = of.brightness == Observation::Brightness::magnitude ||
+                            of.light_format == Observation::LightFormat::alcdef;
   const Noise noise(plan.noise, table);
   const double mean = sum / static_cast<double>(points);
   for (std::size_t i = 0; i < curves.size(); ++i) {
@@ -103,9 +105,7 @@ std::vector<LightCurve> simulated_sessions(const Scenario& scenario, std::size_t
       const double unit = of.is_calibrated ? mean : own;
       p.flux /= unit;
       // a part of the mean of its session, or a magnitude, as it is read
-      p.sigma = *of.sigma * (of.brightness == Observation::Brightness::magnitude
-                                 ? magnitude_slope * p.flux
-                                 : own / unit);
+      p.sigma = *of.sigma * (is_magnitude ? magnitude_slope * p.flux : own / unit);
       p.flux += noise.at(rows[i][k], {p.sigma, 0.0, 0.0}).x;
     }
   }

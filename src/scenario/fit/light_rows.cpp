@@ -292,10 +292,8 @@ std::string light_curve_text(const Scenario& scenario, std::size_t index,
                              std::span<const std::string> notes) {
   const std::string path = detail::observation_path(index);
   const ObservationTable of = detail::observation_table(scenario, index, path);
-  if (of.of.light_format == Format::alcdef)
-    of.keys.refuse("format", "expected \"columns\" or \"lc\" to simulate");
-  const bool is_lc = of.of.light_format == Format::lc;
-  const double unit = is_lc ? of.clock->second : 1.0;
+  const bool has_columns = of.of.light_format == Format::columns;
+  const double unit = has_columns ? 1.0 : of.clock->second;
   const bool has_orbit = !of.of.orbit.empty();
   std::vector<LightCurve> written(curves.begin(), curves.end());
   for (LightCurve& curve : written)
@@ -307,10 +305,18 @@ std::string light_curve_text(const Scenario& scenario, std::size_t index,
       p.to_observer = turned(conj(of.to_state), p.to_observer);
       if (has_orbit) p.to_sun = p.to_observer = Vec3{};  // the file is read without them
     }
-  if (!is_lc)
+  if (has_columns)
     return light_csv(written, notes, written_columns(of, curves.size(), !has_orbit),
                      [&](double t) { return detail::clock_text(of, t); });
-  return lc_text(written, converted(of.clock->epoch, *of.of.time_scale, of.clock->dut1));
+  if (of.of.light_format == Format::lc)
+    return lc_text(written, converted(of.clock->epoch, *of.of.time_scale, of.clock->dut1));
+  return of.keys.built("file", [&] {
+    return alcdef_text(written, of.clock->epoch,
+                       {.object = of.of.name,
+                        .times = of.of.times,
+                        .is_of_the_time = of.of.is_of_the_time,
+                        .notes = {notes.begin(), notes.end()}});
+  });
 }
 
 }  // namespace v0

@@ -10,6 +10,7 @@
 #include "polhode/scenario/scenario.hpp"
 #include "polhode/tables/number_table.hpp"
 #include "scenario/detail/clock.hpp"
+#include "scenario/detail/history_keys.hpp"
 #include "scenario/fit/observation_table.hpp"
 #include "text/date_text.hpp"
 #include "text/number_text.hpp"
@@ -136,9 +137,28 @@ NumberTable rows_of(const ObservationTable& of) {
   return table;
 }
 
+// The columns of angles that run through whole turns.
+void add_small_angles(const ObservationTable& of, const NumberTable& table,
+                      std::vector<std::string>& notes) {
+  const double degree = of.keys.units().to_core(1.0, "deg", Dimension::angle);
+  if (of.value_unit != degree) return;
+  for (std::size_t place = 0; place < 3; ++place) {
+    const bool turns =
+        of.of.form == Form::angles ? place == 0 : of.of.form == Form::euler && place != 1;
+    if (!turns) continue;
+    std::vector<double> angles = table.columns[place + 1];
+    for (double& x : angles) x *= degree;
+    if (detail::may_be_radians(angles, degree))
+      notes.push_back("the column " + of.of.columns[place + 1] + " of " + of.of.shown() +
+                      " is declared in degrees, and none of its numbers exceeds 2 pi: are they "
+                      "radians?");
+  }
+}
+
 void read_table(const ObservationTable& of, std::size_t index, ReadObservations& all) {
   if (of.of.kind == Kind::light_curve) return detail::read_light_curves(of, index, all);
   const NumberTable table = rows_of(of);
+  add_small_angles(of, table, all.notes);
   const RowReader read(of, table);
   for (std::size_t k = 0; k < table.rows(); ++k) {
     const double t = table.columns[0][k];

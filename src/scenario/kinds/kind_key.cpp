@@ -13,8 +13,12 @@ LinearMap KeyForm<LinearMap>::read(const KeyValues& at, std::string_view key) {
       false};
 }
 
-void require_range(const KeyValues& at, std::string_view key) {
-  if (at.has(key)) require_range(at.values(), at.key_path(key), at.file());
+void require_allowed(const KeyValues& at, const Key& key) {
+  if (!at.has(key.path)) return;
+  const std::string path = at.key_path(key.path);
+  if (at.is_explicit(key.path) && is_unused(at.values(), value_at(at.values(), path), path))
+    at.refuse(key.path, "expected it to be left out with " + std::string(key.unused_with));
+  require_range(at.values(), path, at.file());
 }
 
 }  // namespace detail

@@ -143,6 +143,8 @@ void append_section(std::string& page, const Schema& schema, const Key* table) {
   for (const Key* key : keys_of(schema, path))
     page += "| `" + std::string(key_name(key->path)) + "` | " + value_cell(*key) + " | " +
             default_cell(schema, *key) + " | " + kinds_in_words(*key) + std::string(key->help) +
+            (key->unused_with.empty() ? ""
+                                      : " Left out with `" + std::string(key->unused_with) + "`.") +
             " |\n";
   page += "\n";
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Dates of a light curve as seconds of TT from an epoch.
+// Dates of a light curve as seconds of TT from an epoch, and as Julian dates.
 #pragma once
 
 #include <optional>
@@ -34,6 +34,9 @@ class LightTimes {
 
 // The same for a file: the reason comes behind its name.
 LightTimes light_times(const std::string& shown, TimeScale scale, const std::optional<Date>& epoch);
+
+// The Julian date in the scale of a date, with 12 decimals, of which zeros at the end are left out.
+std::string julian_text(const Date& date);
 
 }  // namespace detail
 }  // namespace v0

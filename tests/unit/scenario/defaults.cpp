@@ -14,6 +14,7 @@ namespace polhode {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 const std::string head =
     "schema = 1\n[units]\nmoment = \"kg m2\"\nlength = \"km\"\n[body]\nmoments = [1, 2, 2.5]\n"
@@ -64,6 +65,9 @@ TEST(Defaults, ThatChangeThePhysicsAreRequired) {
 TEST(Defaults, AreInTheSummaryWithTheNumbersOfTheTorques) {
   const std::string text = said(plate + dipole + "field = \"earth\"\n");
   EXPECT_THAT(text, HasSubstr("the Earth's dipole of the epoch (IGRF-14: "));
+  EXPECT_THAT(text, Not(HasSubstr("meridian_epoch")));  // the dipole of the epoch has its own
+  EXPECT_THAT(said(plate + dipole + "gauss = [-3e-5, 0, 0]\nreference_radius = 6371.2\n"),
+              HasSubstr("meridian_epoch = 0, pole = [0, 0, 1]"));
   EXPECT_THAT(text, HasSubstr("moment = { value = [0, 0, 1], unit = \"A m2\" }"));
   EXPECT_THAT(text, HasSubstr("surface[0], not in the file"));
   EXPECT_THAT(text, HasSubstr("specular = 0"));

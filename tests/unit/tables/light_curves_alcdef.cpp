@@ -263,5 +263,45 @@ TEST(LightCurvesOfAlcdef, DistancesThatAreKnownMustBeTheSame) {
   EXPECT_EQ(message_of([&] { require_sound(file); }), "");
 }
 
+TEST(LightCurvesOfAlcdef, WhatIsWrittenIsReadBack) {
+  const Date epoch = calendar_date(TimeScale::UTC, {2016, 12, 31, 23, 0, 0.0});
+  std::vector<LightCurve> curves{
+      {"a", false, {{0.0, 0.5, 0.01}, {3599.5, 0.25, 0.02}, {3602.0, 2.25, 0.0}}},  // leap second
+      {"b", true, {{86400.0, 2.0, 0.01}}}};
+  for (const bool is_of_the_time : {false, true})
+    for (const LightTime times : {LightTime::at_body, LightTime::at_observer}) {
+      const std::string text = alcdef_text(curves, epoch,
+                                           {.object = "Two\nLines",
+                                            .times = times,
+                                            .is_of_the_time = is_of_the_time,
+                                            .notes = {"x"}});
+      const LightCurveFile file = alcdef_from_text(text, "x.alcdef", epoch);
+      EXPECT_EQ(file.object, "Two\\x0aLines");
+      ASSERT_EQ(file.sessions.size(), 2U);
+      for (std::size_t c = 0; c < 2; ++c) {
+        const LightSession& session = file.sessions[c];
+        EXPECT_EQ(session.times, times);
+        EXPECT_EQ(session.distances, is_of_the_time ? Distances::of_the_time : Distances::unit);
+        EXPECT_EQ(session.curve.is_calibrated, curves[c].is_calibrated);
+        ASSERT_EQ(session.curve.points.size(), curves[c].points.size());
+        for (std::size_t k = 0; k < curves[c].points.size(); ++k) {
+          const LightPoint &got = session.curve.points[k], &expected = curves[c].points[k];
+          EXPECT_NEAR(got.t, expected.t, budget::light_julian_s);
+          EXPECT_NEAR(got.flux, expected.flux, budget::light_flux * expected.flux);
+          EXPECT_NEAR(got.sigma, expected.sigma, budget::light_flux * expected.sigma);
+        }
+      }
+      EXPECT_EQ(file.sessions[0].curve.name, "2016-12-31 23:00:00");
+    }
+  curves[0].points[1].flux = 0.0;
+  EXPECT_EQ(message_of([&] { alcdef_text(curves, epoch, {}); }),
+            "alcdef_text: light curve 1: point 2: expected a finite time and a flux above 0, which "
+            "has a magnitude");
+  EXPECT_EQ(message_of([&] { alcdef_text({}, epoch, {}); }),
+            "alcdef_text: there are no light curves; expected one or more");
+  EXPECT_EQ(message_of([&] { alcdef_text(std::vector<LightCurve>(1), epoch, {}); }),
+            "alcdef_text: light curve 1 has no points; expected one or more");
+}
+
 }  // namespace
 }  // namespace polhode

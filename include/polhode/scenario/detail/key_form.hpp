@@ -154,8 +154,9 @@ struct KeyMaker {
   }
 };
 
-// Throws a ScenarioError at the place of a number outside.
-void require_range(const KeyValues& at, std::string_view key);
+// Throws a ScenarioError at the place of a number outside, and of a key that is left out with
+// another.
+void require_allowed(const KeyValues& at, const Key& key);
 
 }  // namespace detail
 }  // namespace v0

@@ -81,6 +81,14 @@ std::string DeclaredColumns::place(std::size_t row) const {
   return file_ + ":" + std::to_string(lines_.at(row)) + ": ";
 }
 
+bool may_be_radians(std::span<const double> angles, double degree) {
+  constexpr std::size_t few = 8;  // of which nothing is said
+  if (angles.size() < few) return false;
+  const auto [least, most] = std::minmax_element(angles.begin(), angles.end());
+  const double turn = 2.0 * std::numbers::pi * degree;
+  return *least >= -turn && *most <= turn && *most - *least > 0.5 * turn;
+}
+
 Quaternion ecliptic_from(std::string_view axes) {
   const auto about = [](int axis, double angle) {
     const double c = std::cos(0.5 * angle), s = std::sin(0.5 * angle);

@@ -189,18 +189,12 @@ Rows rows_of(const OrbitContext& at, const DeclaredColumns& columns) {
   return rows;
 }
 
-// Columns of angles that run through whole turns, and are declared in degrees though none of their
-// numbers exceeds 2 pi: they may be radians.
 void add_small_angles(const OrbitContext& at, const DeclaredColumns& columns,
                       std::vector<std::string>& warnings) {
   const double degree = at.units().to_core(1.0, "deg", Dimension::angle);
-  constexpr std::size_t few = 8;  // rows, of which nothing is said
   for (const Role role : {node, argument, pericentre, anomaly, longitude}) {
-    if (!columns.has(role) || columns.rows() < few || columns.unit(role) != degree) continue;
-    const std::vector<double>& x = columns.of(role);
-    const auto [least, most] = std::minmax_element(x.begin(), x.end());
-    const double turn = 2.0 * pi<double>() * degree;
-    if (*least >= -turn && *most <= turn && *most - *least > 0.5 * turn)
+    if (columns.has(role) && columns.unit(role) == degree &&
+        may_be_radians(columns.of(role), degree))
       warnings.push_back(at.noted("units", std::string("the column ") +
                                                std::string(roles[role].name) +
                                                " is declared in degrees, and none of its numbers "

@@ -31,9 +31,6 @@ PrimaryRotation earth_at_epoch(const TermContext& at, const Clock& clock, const 
 }
 
 NamedDipole earth_dipole(const TermContext& at) {
-  for (const char* const key :
-       {"gauss", "reference_radius", "pole", "rotation_rate", "meridian", "meridian_epoch"})
-    if (at.is_explicit(key)) at.refuse(key, "expected it to be left out with field = \"earth\"");
   const std::string& axes = word(at.values(), "state.axes");
   if (axes == "inertial")
     at.refuse("field",

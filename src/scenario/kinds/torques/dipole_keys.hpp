@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "polhode/perturb/magnetic_torque.hpp"
 #include "polhode/scenario/perturbation_kind.hpp"
@@ -27,6 +28,8 @@ struct DipoleArguments {
   double meridian_epoch;
 };
 
+inline constexpr std::string_view earth = "field = \"earth\"";
+
 // Of arguments A that derive from these.
 template <class A>
 inline constexpr std::array<KindKey<A>, 8> dipole_keys = {
@@ -34,35 +37,39 @@ inline constexpr std::array<KindKey<A>, 8> dipole_keys = {
     choice_key<&DipoleArguments::field, A, FieldSource::coefficients, FieldSource::earth>(
         "field", "coefficients|earth",
         "earth: the dipole of the IGRF and the orientation of the Earth at state.epoch, in place "
-        "of "
-        "the keys gauss to meridian_epoch.")
+        "of the keys gauss to meridian_epoch.")
         .otherwise("\"coefficients\""),
     quantity_key<&DipoleArguments::gauss, A>(
         "gauss", Dimension::magnetic_field,
         "Gauss coefficients g10, g11, h11 of the dipole field, as the IGRF lists them.")
         .example("{ value = [-29442.0, -1501.0, 4797.1], unit = \"nT\" }")
-        .shown(),
+        .shown()
+        .unused_with(earth),
     quantity_key<&DipoleArguments::reference_radius, A>("reference_radius", Dimension::length,
                                                         "The radius that belongs to them.")
         .example("\"6371.2 km\"")
         .positive()
-        .shown(),
-    pole_key<&DipoleArguments::pole, A>(),
+        .shown()
+        .unused_with(earth),
+    pole_key<&DipoleArguments::pole, A>().unused_with(earth),
     quantity_key<&DipoleArguments::rotation_rate, A>(
         "rotation_rate", Dimension::rate,
         "How fast it turns; may be left out if g11 and h11 are 0.")
         .example("\"360.98564736629 deg/d\"")
-        .shown(),
+        .shown()
+        .unused_with(earth),
     quantity_key<&DipoleArguments::meridian, A>(
         "meridian", Dimension::angle,
         "Where the meridian of longitude 0 is at the time `meridian_epoch`: from inertial axis 1, "
         "or, where the pole is not axis 3, from the ascending node of its equator. May be left out "
         "if g11 and h11 are 0.")
         .example("\"0 deg\"")
-        .shown(),
+        .shown()
+        .unused_with(earth),
     quantity_key<&DipoleArguments::meridian_epoch, A>("meridian_epoch", Dimension::time,
                                                       "The time t that the meridian belongs to.")
-        .otherwise("0"),
+        .otherwise("0")
+        .unused_with(earth),
 };
 
 // The dipole, and what a summary says of it.
