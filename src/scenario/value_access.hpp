@@ -23,7 +23,7 @@ int sign(const Values& values, std::string_view path);
 // Whether the file has it, and whether it or a fallback has.
 bool is_explicit(const Values& values, std::string_view path);
 bool has(const Values& values, std::string_view path);
-// Whether the line beside which the key of `value` is left out (Key::unused_with) stands there.
+// Whether the table has the line that replaces the key of `value` (Key::unused_with).
 bool is_unused(const Values& values, const Value& value, std::string_view path);
 
 // "FILE:LINE:COLUMN: KEY: got VALUE; MESSAGE", of the place of `path`, or of that of the key in it

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Charts in the lanes of one set of instructions.
 #include "rotor/detail/chart_lanes.hpp"
+#include "rotor/detail/poincare_lanes.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -13,6 +14,11 @@ template void converted_in_lanes<InstructionSet::POLHODE_ISA>(const RotorState*,
 template void converted_in_lanes<InstructionSet::POLHODE_ISA>(const AndoyerState*, std::size_t,
                                                               RotorState*);
 template void converted_in_lanes<InstructionSet::POLHODE_ISA>(const EulerState*, std::size_t,
+                                                              RotorState*);
+
+template void converted_in_lanes<InstructionSet::POLHODE_ISA>(const RotorState*, std::size_t,
+                                                              PoincareState*, PolesOfSets);
+template void converted_in_lanes<InstructionSet::POLHODE_ISA>(const PoincareState*, std::size_t,
                                                               RotorState*);
 
 }  // namespace detail

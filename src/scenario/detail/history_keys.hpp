@@ -49,8 +49,8 @@ class DeclaredColumns {
 // What turns components along axes of this name to ecliptic-J2000.
 Quaternion ecliptic_from(std::string_view axes);
 
-// Whether angles that are declared in degrees may be radians: they run through more than half a
-// turn if they are, and none of them exceeds 2 pi.
+// Whether angles declared in degrees may be radians: none exceeds 2 pi, and as radians they would
+// cover more than half a turn.
 bool may_be_radians(std::span<const double> angles, double degree);
 
 // What a rotation needs besides elements: size and place on the orbit.
