@@ -18,9 +18,9 @@
 namespace {
 using namespace polhode;
 
-BrightEllipsoid tumbler() {
-  return BrightEllipsoid::homogeneous(0.0, normalized(Quaternion{0.6, 0.3, -0.5, 0.2}),
-                                      {0.6, 0.5, 1.0}, {1.0, 0.85, 0.5});
+EllipsoidModel tumbler() {
+  return EllipsoidModel::homogeneous(0.0, normalized(Quaternion{0.6, 0.3, -0.5, 0.2}),
+                                     {0.6, 0.5, 1.0}, {1.0, 0.85, 0.5});
 }
 
 // Times of 60 units, with 2 % of noise.

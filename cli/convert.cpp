@@ -11,6 +11,8 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "commands.hpp"
@@ -28,6 +30,7 @@ struct ConvertOptions {
   std::string in = "-";
 };
 
+// Standard input, or a pipe: rows come out before it ends.
 class InputFile {
  public:
   explicit InputFile(const std::string& path)
@@ -47,10 +50,16 @@ class InputFile {
 
   const std::string& name() const { return name_; }
   // Past the buffer of FILE, which would wait for all of a large read.
-  std::size_t read(std::span<char> buffer) const {
+  std::size_t read(std::span<char> buffer) {
     for (;;) {
       const ssize_t count = ::read(::fileno(file_), buffer.data(), buffer.size());
-      if (count >= 0) return static_cast<std::size_t>(count);
+      if (count >= 0) {
+        const auto size = static_cast<std::size_t>(count);
+        const std::string_view bytes(buffer.data(), size);
+        if (std::exchange(is_first_, false) && bytes.starts_with("\x1f\x8b"))
+          throw DomainError(name_ + ": is packed by gzip; expected text, or a .gz file as FILE");
+        return size;
+      }
       if (errno != EINTR) fail();
     }
   }
@@ -61,6 +70,7 @@ class InputFile {
   }
   std::string name_;
   std::FILE* file_;
+  bool is_first_ = true;  // what is read next
 };
 
 Body body_of(const std::string& moments) {
@@ -93,8 +103,11 @@ void convert_file(const ConvertOptions& options, std::span<const ChartKind> char
   if (options.from == "aem") return convert_aem(options);
   Conversion conversion{options.from, options.to, std::nullopt};
   if (!options.moments.empty()) conversion.body = body_of(options.moments);
-  const InputFile in(options.in);
   const auto write = [](std::string_view bytes) { print(bytes); };
+  std::error_code ignored;
+  if (std::filesystem::is_regular_file(options.in, ignored) && options.in != "-")
+    return convert(conversion, options.in, file_source(options.in), write, charts);
+  InputFile in(options.in);
   convert(
       conversion, in.name(), [&](std::span<char> buffer) { return in.read(buffer); }, write,
       charts);
@@ -133,7 +146,7 @@ void add_convert(CLI::App& app, const Kinds& kinds) {
         to);
   command->add_option("--moments", options->moments, "Principal moments, for charts that need them")
       ->type_name("I1,I2,I3");
-  command->add_option("FILE", options->in, "CSV to read; - is standard input")
+  command->add_option("FILE", options->in, "CSV to read, .gz or not; - is standard input")
       ->capture_default_str();
   command->footer(charts + "\nExample:\n  " + full_name(*command) +
                   " --from rotor --to andoyer < in.csv > out.csv");

@@ -2,7 +2,7 @@
 // A method from outside: the classical Runge-Kutta of order 4 on (q, g).
 #pragma once
 
-#include "polhode/dynamics/own_method.hpp"
+#include "polhode/dynamics/custom_method.hpp"
 
 namespace polhode::test {
 
@@ -21,12 +21,12 @@ inline RotorState runge_kutta_4(const System& system, double t, const RotorState
   return moved(moved(first, k2, h / 3.0), k3, h / 3.0);
 }
 
-inline OwnMethod runge_kutta_4(double step) {
-  return own_method({.kind = "runge-kutta-4",
-                     .step = step,
-                     .map = [](const System& system, double t, const RotorState& s, double h) {
-                       return runge_kutta_4(system, t, s, h);
-                     }});
+inline CustomMethod runge_kutta_4(double step) {
+  return custom_method({.kind = "runge-kutta-4",
+                        .step = step,
+                        .map = [](const System& system, double t, const RotorState& s, double h) {
+                          return runge_kutta_4(system, t, s, h);
+                        }});
 }
 
 }  // namespace polhode::test

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Public headers: their labels in one order, none that says "none", and polhode.hpp names them all.
+"""Public headers: their labels in one order, none that says "none", polhode.hpp names them all, and
+a compiler of another standard first says that polhode needs C++20.
 
 With --fix, writes the list of polhode.hpp."""
 
@@ -37,6 +38,15 @@ def label_errors(path):
     return []
 
 
+def standard_errors(path):
+    """By the first include that a compiler follows to its end."""
+    text = path.read_text(encoding="utf-8")
+    if path.name == "version.hpp" or '#include "polhode/' in text:
+        return []
+    return [f"include/{path.relative_to(INCLUDE).as_posix()}: includes no other header; expected "
+            '#include "polhode/version.hpp"  // asks for C++20']
+
+
 def umbrella_text():
     names = (p.relative_to(INCLUDE).as_posix() for p in INCLUDE.rglob("*.hpp")
              if p != UMBRELLA and "detail" not in p.parts)
@@ -48,7 +58,8 @@ def umbrella_text():
 def main():
     if "--fix" in sys.argv:
         UMBRELLA.write_text(umbrella_text(), encoding="utf-8")
-    errors = [e for path in sorted(INCLUDE.rglob("*.hpp")) for e in label_errors(path)]
+    errors = [e for path in sorted(INCLUDE.rglob("*.hpp"))
+              for e in label_errors(path) + standard_errors(path)]
     if UMBRELLA.read_text(encoding="utf-8") != umbrella_text():
         errors.append("include/polhode/polhode.hpp is not the list of public headers: "
                       "tools/headers.py --fix")

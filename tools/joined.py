@@ -2,12 +2,11 @@
 # SPDX-License-Identifier: MIT
 """Writes a source that includes others, so that the compiler reads their headers once.
 
-It names them relative to itself: a compiler cache then knows it in every checkout.
+It names them relative to itself: a compiler cache then knows it in every checkout. Each source is
+in a namespace of its own: two tests may both have an `eps`. All headers come first, and what a
+source puts into `namespace polhode` sees what the library has there.
 
-tools/joined.py [--apart] OUT SOURCE...
-
---apart keeps each source in a namespace of its own: two tests may both have an `eps`. Then all
-headers come first, and what a source puts into `namespace polhode` sees what the library has there.
+tools/joined.py OUT SOURCE...
 """
 
 import argparse
@@ -35,11 +34,9 @@ def in_namespace(number, place, text):
             f'namespace {own} {{\n#include "{place}"\n}}']
 
 
-def joined(out, sources, apart):
+def joined(out, sources):
     lines = ["// Written by tools/joined.py."]
     places = [pathlib.Path(os.path.relpath(source, out.parent)) for source in sources]
-    if not apart:
-        return lines + [f'#include "{place}"' for place in places]
     texts = [source.read_text(encoding="utf-8") for source in sources]
     headers = dict.fromkeys(header for each in zip(sources, places, texts)
                             for header in included(*each))
@@ -51,11 +48,10 @@ def joined(out, sources, apart):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--apart", action="store_true")
     parser.add_argument("out", type=pathlib.Path)
     parser.add_argument("sources", type=pathlib.Path, nargs="+")
     options = parser.parse_args()
-    text = "\n".join(joined(options.out, options.sources, options.apart)) + "\n"
+    text = "\n".join(joined(options.out, options.sources)) + "\n"
     if options.out.exists() and options.out.read_text(encoding="utf-8") == text:
         return  # another build tree has written it
     options.out.parent.mkdir(parents=True, exist_ok=True)

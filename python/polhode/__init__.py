@@ -31,10 +31,10 @@ from polhode.free_wobble import FreeWobble, without_free_wobble
 from polhode.harmonics import ArgumentFit, HarmonicFit, argument_fit, harmonic_fit
 from polhode.interchange import to_scipy
 from polhode.light_bodies import (
-    BrightConvex,
-    BrightEllipsoid,
-    BrightMesh,
+    ConvexModel,
+    EllipsoidModel,
     LightCurve,
+    MeshModel,
     model_fluxes,
 )
 from polhode.light_fits import (
@@ -87,9 +87,9 @@ from polhode.surface_fits import (
 
 __all__ = [
     "ArgumentFit",
-    "BrightConvex",
-    "BrightEllipsoid",
-    "BrightMesh",
+    "ConvexModel",
+    "EllipsoidModel",
+    "MeshModel",
     "Citation",
     "ConvexResiduals",
     "EnsembleHistogram",

@@ -16,10 +16,10 @@ from polhode._arguments import column, whole
 from polhode._notebook import html_rows
 from polhode.fit_tables import FitPredictions, FitResiduals
 from polhode.light_bodies import (
-    BrightConvex,
-    BrightEllipsoid,
-    BrightMesh,
+    ConvexModel,
+    EllipsoidModel,
     LightCurve,
+    MeshModel,
     surface_of,
 )
 from polhode.light_fits import FoundLight, LightResiduals, found_light
@@ -242,7 +242,7 @@ class LightScenarioSolution(ScenarioSolution):
         return found_light(compiled.raw(self._place), surface)
 
     @property
-    def body(self) -> BrightEllipsoid | BrightConvex | BrightMesh:
+    def body(self) -> EllipsoidModel | ConvexModel | MeshModel:
         """Spin state and shape; its t0 is the middle of the light curves, or 0 from a start."""
         return self.light.body
 

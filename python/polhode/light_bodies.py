@@ -105,7 +105,7 @@ def _check(body: Any) -> None:
 
 
 @dataclass(frozen=True, eq=False)
-class BrightEllipsoid:
+class EllipsoidModel:
     """A tumbling ellipsoid that scatters light.
 
     Attributes
@@ -132,7 +132,7 @@ class BrightEllipsoid:
         axes: ArrayLike,
         t0: float = 0.0,
         law: tuple[float, float] = (1.0, 0.0),
-    ) -> BrightEllipsoid:
+    ) -> EllipsoidModel:
         """With the moments of an even filling."""
         a, b, c = (x * x for x in of_shape(axes, "axes", (3,)))
         return cls(SpinState(q, w, [b + c, c + a, a + b], t0), axes, law)
@@ -141,13 +141,13 @@ class BrightEllipsoid:
         return self.spin._parts(), self.axes, self.law
 
     @classmethod
-    def _of(cls, parts: Sequence[Any]) -> BrightEllipsoid:
+    def _of(cls, parts: Sequence[Any]) -> EllipsoidModel:
         spin, axes, law = parts
         return cls(SpinState._of(spin), axes, law)
 
 
 @dataclass(frozen=True, eq=False)
-class BrightConvex:
+class ConvexModel:
     """A tumbling convex body that scatters light, by the areas of facets on fixed normals.
 
     Attributes
@@ -197,13 +197,13 @@ class BrightConvex:
         return self.spin._parts(), self.degree, self.rows, self.coefficients, self.law
 
     @classmethod
-    def _of(cls, parts: Sequence[Any]) -> BrightConvex:
+    def _of(cls, parts: Sequence[Any]) -> ConvexModel:
         spin, degree, rows, coefficients, law = parts
         return cls(SpinState._of(spin), degree, rows, coefficients, law)
 
 
 @dataclass(frozen=True, eq=False)
-class BrightMesh:
+class MeshModel:
     """A tumbling body of known shape that scatters light; facets shade each other.
 
     Attributes
@@ -226,7 +226,7 @@ class BrightMesh:
     def homogeneous(
         cls, q: Any, w: Any, shape: FacetShape, t0: float = 0.0,
         law: tuple[float, float] = (1.0, 0.0),
-    ) -> BrightMesh:  # fmt: skip
+    ) -> MeshModel:  # fmt: skip
         """With the inertia of an even filling about the centre of mass; the mesh must be closed."""
         return cls(SpinState(q, w, _core._homogeneous_inertia(shape), t0), shape, law)
 
@@ -239,29 +239,29 @@ class BrightMesh:
         return self.spin._parts(), self.shape, self.law
 
     @classmethod
-    def _of(cls, parts: Sequence[Any]) -> BrightMesh:
+    def _of(cls, parts: Sequence[Any]) -> MeshModel:
         spin, shape, law = parts
         return cls(SpinState._of(spin), shape, law)
 
 
-def surface_of(parts: Sequence[Any]) -> BrightConvex | BrightMesh:
-    return BrightConvex._of(parts) if len(parts) == 5 else BrightMesh._of(parts)
+def surface_of(parts: Sequence[Any]) -> ConvexModel | MeshModel:
+    return ConvexModel._of(parts) if len(parts) == 5 else MeshModel._of(parts)
 
 
 def model_fluxes(
-    body: BrightEllipsoid | BrightConvex | BrightMesh,
+    body: EllipsoidModel | ConvexModel | MeshModel,
     curves: LightCurve | Iterable[LightCurve],
     loss: Loss = "squared",
 ) -> list[Array]:
     """Fluxes of a body at the points of each light curve, with the best factor of each session
     under a loss, as in fit_spin."""
     models: dict[type, Any] = {
-        BrightEllipsoid: _core._model_fluxes, BrightConvex: _core._convex_fluxes,
-        BrightMesh: _core._mesh_fluxes,
+        EllipsoidModel: _core._model_fluxes, ConvexModel: _core._convex_fluxes,
+        MeshModel: _core._mesh_fluxes,
     }  # fmt: skip
     for kind, fluxes in models.items():
         if isinstance(body, kind):
             return fluxes(body._parts(), curve_parts(curves), *loss_of(loss))
     raise TypeError(
-        f"model_fluxes: got {body!r}; expected BrightEllipsoid, BrightConvex or BrightMesh"
+        f"model_fluxes: got {body!r}; expected EllipsoidModel, ConvexModel or MeshModel"
     )

@@ -13,10 +13,10 @@ from polhode import _core
 from polhode._arguments import loss_of, one_of, whole
 from polhode._core import _number
 from polhode.light_bodies import (
-    BrightConvex,
-    BrightEllipsoid,
-    BrightMesh,
+    ConvexModel,
+    EllipsoidModel,
     LightCurve,
+    MeshModel,
     curve_parts,
     model_fluxes,
 )
@@ -44,7 +44,7 @@ class LightSolution(FitSolution):
 
     Attributes
     ----------
-    body : BrightEllipsoid, a = 1; a BrightConvex or BrightMesh of fits of these.
+    body : EllipsoidModel, a = 1; a ConvexModel or MeshModel of fits of these.
     factors : of each session, flux over model.
     mode : "SAM", "LAM", or another regime.
     precession_period, rotation_period : of the long axis about the momentum, and about the long
@@ -54,7 +54,7 @@ class LightSolution(FitSolution):
     points : of all light curves; residuals begin with theirs.
     """
 
-    body: BrightEllipsoid | BrightConvex | BrightMesh
+    body: EllipsoidModel | ConvexModel | MeshModel
     factors: Array
     mode: str
     precession_period: float
@@ -149,7 +149,7 @@ def listed(head: str, solutions: Sequence[FoundLight]) -> str:
 def light_parts(found: Mapping[str, Any], body: Any = None) -> dict[str, Any]:
     mode, precession, rotation = found["periods"]
     return {
-        **common_parts(found), "body": body or BrightEllipsoid._of(found["body"]),
+        **common_parts(found), "body": body or EllipsoidModel._of(found["body"]),
         "factors": found["factors"], "mode": mode, "precession_period": precession,
         "rotation_period": rotation, "pole": found["pole"], "loss": found["loss"],
         "points": found["points"],
@@ -186,8 +186,8 @@ def search_result(
 def _light_problem(
     start: Any, curves: Any, shape: Any, moments: Any, multiple: Any, loss: Any, iterations: Any
 ) -> Any:
-    if not isinstance(start, BrightEllipsoid):
-        raise TypeError(f"fit_light: got {start!r}; expected BrightEllipsoid")
+    if not isinstance(start, EllipsoidModel):
+        raise TypeError(f"fit_light: got {start!r}; expected EllipsoidModel")
     kind, scale = loss_of(loss)
     return _core._light_problem(
         curve_parts(curves), start._parts(), bool(shape), one_of(moments, "moments", MOMENTS),
@@ -196,7 +196,7 @@ def _light_problem(
 
 
 def fit_light(
-    start: BrightEllipsoid,
+    start: EllipsoidModel,
     curves: LightCurve | Iterable[LightCurve],
     *,
     shape: bool = True,
@@ -240,7 +240,7 @@ class LightResiduals(ResidualFunction):
 
     def __init__(
         self,
-        start: BrightEllipsoid,
+        start: EllipsoidModel,
         curves: LightCurve | Iterable[LightCurve],
         *,
         shape: bool = True,
@@ -251,9 +251,9 @@ class LightResiduals(ResidualFunction):
         problem = _light_problem(start, curves, shape, moments, multiple, loss, 1)
         super().__init__(problem.residuals())
 
-    def state(self, x: ArrayLike) -> BrightEllipsoid:
+    def state(self, x: ArrayLike) -> EllipsoidModel:
         """The body at x."""
-        return BrightEllipsoid._of(self._compiled.state(x))
+        return EllipsoidModel._of(self._compiled.state(x))
 
 
 def search_light(
@@ -358,7 +358,7 @@ class LightExtensionResult:
 
 def extend_light(
     curves: Iterable[LightCurve],
-    starts: BrightEllipsoid | Iterable[BrightEllipsoid],
+    starts: EllipsoidModel | Iterable[EllipsoidModel],
     *,
     first: int = 0,
     within: float = 1.5,
@@ -378,7 +378,7 @@ def extend_light(
     Parameters
     ----------
     curves : LightCurve, the sessions, with vectors.
-    starts : BrightEllipsoid, one or several, near what the session `first` has: bodies of the
+    starts : EllipsoidModel, one or several, near what the session `first` has: bodies of the
         solutions of search_light.
     first : the place of that session.
     within : chi-square, or the sum under a robust loss, over the lowest, up to which solutions go
@@ -396,10 +396,10 @@ def extend_light(
     solution, some milliseconds for each 100 points. Ctrl-C ends it between two fits. Releases the
     GIL.
     """
-    bodies = [starts] if isinstance(starts, BrightEllipsoid) else list(starts)
+    bodies = [starts] if isinstance(starts, EllipsoidModel) else list(starts)
     for body in bodies:
-        if not isinstance(body, BrightEllipsoid):
-            raise TypeError(f"extend_light: starts: got {body!r}; expected BrightEllipsoid")
+        if not isinstance(body, EllipsoidModel):
+            raise TypeError(f"extend_light: starts: got {body!r}; expected EllipsoidModel")
     found = _core._extend_light(
         curve_parts(curves), [body._parts() for body in bodies], whole(first, "first", 0),
         float(_number(within, "within")), bool(shape), one_of(moments, "moments", MOMENTS),

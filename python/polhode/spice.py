@@ -48,8 +48,9 @@ def write_ck(
     PATH.bc is written as PATH.bc.part and renamed when it is complete; next to it PATH.tsc, a clock
     of a microsecond per tick that runs with TDB, and PATH.tf, which names the frame.
 
-    Between the rows SPICE rotates about a fixed axis at a fixed rate. A UserWarning tells the
-    error of this in the middle between rows if it is more than 0.01 degrees.
+    Between the rows SPICE rotates about a fixed axis at a fixed rate, the shorter way. A
+    UserWarning tells the error of this in the middle between rows if it is more than 0.01 degrees;
+    it is 180 degrees if the body makes half a revolution or more between two rows.
 
     Parameters
     ----------
@@ -221,10 +222,15 @@ def write_ck_rows(
 def _interpolation_error(times: Any, q: Any, omega: Any) -> float:
     """The largest angle, in rad, between the attitude in the middle of two rows as SPICE has it,
     which takes the shorter way between them at a fixed rate, and as the angular velocities at both
-    ends have it, each on from its row."""
+    ends have it, each on from its row. If the body makes half a revolution or more between two
+    rows, the shorter way is not its way, and the error is half a revolution."""
     if len(times) < 2:
         return 0.0
     step, before, after = np.diff(times)[:, None], omega[:-1], omega[1:]
+    speed = np.linalg.norm(omega, axis=1)
+    turn = (step[:, 0] * np.maximum(speed[:-1], speed[1:])).max()
+    if turn >= np.pi * (1.0 - 1e-9):  # for the rounding of the rates
+        return float(np.pi)
     left = _product(q[:-1], _rotation(step * (0.375 * before + 0.125 * after)))
     right = _product(q[1:], _rotation(-step * (0.375 * after + 0.125 * before)))
     middle = left + np.where((left * right).sum(1) < 0, -1.0, 1.0)[:, None] * right

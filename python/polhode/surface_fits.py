@@ -12,10 +12,10 @@ from polhode import _core
 from polhode._arguments import loss_of, one_of, whole
 from polhode._core import _number
 from polhode.light_bodies import (
-    BrightConvex,
-    BrightEllipsoid,
-    BrightMesh,
+    ConvexModel,
+    EllipsoidModel,
     LightCurve,
+    MeshModel,
     curve_parts,
 )
 from polhode.light_fits import (
@@ -41,10 +41,10 @@ def _convex_problem(
     start: Any, curves: Any, body: Any, degree: Any, rows: Any, moments: Any, multiple: Any,
     errors: dict[str, Any], loss: Any, iterations: Any,
 ) -> Any:  # fmt: skip
-    if not isinstance(start, BrightEllipsoid):
-        raise TypeError(f"fit_convex: got {start!r}; expected BrightEllipsoid")
-    if body is not None and not isinstance(body, BrightConvex):
-        raise TypeError(f"body: got {body!r}; expected BrightConvex or None")
+    if not isinstance(start, EllipsoidModel):
+        raise TypeError(f"fit_convex: got {start!r}; expected EllipsoidModel")
+    if body is not None and not isinstance(body, ConvexModel):
+        raise TypeError(f"body: got {body!r}; expected ConvexModel or None")
     kind, scale = loss_of(loss)
     return _core._convex_problem(
         curve_parts(curves), start._parts(), () if body is None else body._parts(),
@@ -55,10 +55,10 @@ def _convex_problem(
 
 
 def fit_convex(
-    start: BrightEllipsoid,
+    start: EllipsoidModel,
     curves: LightCurve | Iterable[LightCurve],
     *,
-    body: BrightConvex | None = None,
+    body: ConvexModel | None = None,
     degree: int = 6,
     rows: int = 8,
     moments: str = "fit",
@@ -79,7 +79,7 @@ def fit_convex(
     curves : LightCurve, one or several, with vectors.
     body : where the unknowns begin, such as what an earlier fit came to; its degree and rows are
         taken. None: the ellipsoid of the start. Regularisation is about the start either way.
-    degree, rows : of the areas of facets, see BrightConvex; 6 and 8 suit some 350 points, 3 and 4
+    degree, rows : of the areas of facets, see ConvexModel; 6 and 8 suit some 350 points, 3 and 4
         some 80.
     moments : "fit", unknowns Ixx/Izz and Iyy/Izz about those of the start, to moments_error;
         "start", as they are; "shape", those of an even filling of the body, from round to round:
@@ -94,7 +94,7 @@ def fit_convex(
     Returns
     -------
     LightSolution
-        `body` is a BrightConvex. Unknowns: turn_x, turn_y, turn_z, w_x, w_y, w_z, then those asked
+        `body` is a ConvexModel. Unknowns: turn_x, turn_y, turn_z, w_x, w_y, w_z, then those asked
         for, then c_l_m. Of what did not converge too: `.converged` says so. Converged is nearer to
         the least than a thousandth of a standard error. Errors are under this regularisation.
 
@@ -109,7 +109,7 @@ def fit_convex(
     found = _convex_problem(
         start, curves, body, degree, rows, moments, multiple, errors, loss, most_iterations
     ).fit()
-    return LightSolution(**light_parts(found, BrightConvex._of(found["body"])))
+    return LightSolution(**light_parts(found, ConvexModel._of(found["body"])))
 
 
 class ConvexResiduals(ResidualFunction):
@@ -131,10 +131,10 @@ class ConvexResiduals(ResidualFunction):
 
     def __init__(
         self,
-        start: BrightEllipsoid,
+        start: EllipsoidModel,
         curves: LightCurve | Iterable[LightCurve],
         *,
-        body: BrightConvex | None = None,
+        body: ConvexModel | None = None,
         degree: int = 6,
         rows: int = 8,
         moments: str = "fit",
@@ -154,16 +154,16 @@ class ConvexResiduals(ResidualFunction):
         )
         super().__init__(problem.residuals())
 
-    def state(self, x: ArrayLike) -> BrightConvex:
+    def state(self, x: ArrayLike) -> ConvexModel:
         """The body at x."""
-        return BrightConvex._of(self._compiled.state(x))
+        return ConvexModel._of(self._compiled.state(x))
 
 
 def _mesh_problem(
     start: Any, curves: Any, moments: Any, multiple: Any, loss: Any, iterations: Any
 ) -> Any:
-    if not isinstance(start, BrightMesh):
-        raise TypeError(f"fit_mesh: got {start!r}; expected BrightMesh")
+    if not isinstance(start, MeshModel):
+        raise TypeError(f"fit_mesh: got {start!r}; expected MeshModel")
     kind, scale = loss_of(loss)
     return _core._mesh_problem(
         curve_parts(curves), start._parts(), one_of(moments, "moments", ("start", "fit")),
@@ -172,7 +172,7 @@ def _mesh_problem(
 
 
 def fit_mesh(
-    start: BrightMesh,
+    start: MeshModel,
     curves: LightCurve | Iterable[LightCurve],
     *,
     moments: str = "start",
@@ -184,7 +184,7 @@ def fit_mesh(
 
     Parameters
     ----------
-    start : BrightMesh near the answer: phases at the ends of the data within a quarter of a turn.
+    start : MeshModel near the answer: phases at the ends of the data within a quarter of a turn.
     curves : LightCurve, one or several, with vectors.
     moments : "start", as they are, or "fit", unknowns Ixx/Izz and Iyy/Izz: the axes of the mesh
         must be principal then.
@@ -193,7 +193,7 @@ def fit_mesh(
     Returns
     -------
     LightSolution
-        `body` is a BrightMesh. Unknowns: turn_x, turn_y, turn_z, w_x, w_y, w_z, then those asked
+        `body` is a MeshModel. Unknowns: turn_x, turn_y, turn_z, w_x, w_y, w_z, then those asked
         for. `.converged` says whether it is a solution: nearer to the least than one standard
         error, as facets bend the light where they pass a terminator. At the edge of a shadow
         brightness jumps by a facet: fits of coarse meshes may stall there.
@@ -202,11 +202,11 @@ def fit_mesh(
     points than unknowns. Releases the GIL.
     """
     found = _mesh_problem(start, curves, moments, multiple, loss, most_iterations).fit()
-    return LightSolution(**light_parts(found, BrightMesh._of(found["body"])))
+    return LightSolution(**light_parts(found, MeshModel._of(found["body"])))
 
 
 def search_mesh(
-    body: BrightMesh,
+    body: MeshModel,
     curves: LightCurve | Iterable[LightCurve],
     periods: Iterable[Periods],
     *,
@@ -226,7 +226,7 @@ def search_mesh(
 
     Parameters
     ----------
-    body : BrightMesh whose shape, law and inertia are known; its attitude, rate and t0 are not
+    body : MeshModel whose shape, law and inertia are known; its attitude, rate and t0 are not
         looked at. With its moments a pair of periods leaves a phase of the polhode and an attitude
         to be found, on either side of the axis of circulation.
     curves : LightCurve, one or several, with vectors.
@@ -245,15 +245,15 @@ def search_mesh(
     Returns
     -------
     LightSearchResult
-        Bodies of solutions are BrightMesh. Seen and lit from fixed directions, a body has the same
+        Bodies of solutions are MeshModel. Seen and lit from fixed directions, a body has the same
         light after a half turn about the bisector of Sun and observer: two poles, where an
         ellipsoid has four.
 
     DomainError (a ValueError) as fit_mesh, and without periods. Ctrl-C ends it between two
     attitudes. Releases the GIL.
     """
-    if not isinstance(body, BrightMesh):
-        raise TypeError(f"search_mesh: got {body!r}; expected BrightMesh")
+    if not isinstance(body, MeshModel):
+        raise TypeError(f"search_mesh: got {body!r}; expected MeshModel")
     wanted = wanted_periods(periods)
     kind, scale = loss_of(loss)
     found = _core._search_mesh(
@@ -263,7 +263,7 @@ def search_mesh(
         bool(multiple), kind, scale, whole(most_iterations, "most_iterations"),
         whole(seed, "seed", 0), whole(threads, "threads"),
     )  # fmt: skip
-    return search_result(found, wanted, [BrightMesh._of(parts) for parts in found["bodies"]])
+    return search_result(found, wanted, [MeshModel._of(parts) for parts in found["bodies"]])
 
 
 class MeshResiduals(ResidualFunction):
@@ -280,7 +280,7 @@ class MeshResiduals(ResidualFunction):
 
     def __init__(
         self,
-        start: BrightMesh,
+        start: MeshModel,
         curves: LightCurve | Iterable[LightCurve],
         *,
         moments: str = "start",
@@ -291,6 +291,6 @@ class MeshResiduals(ResidualFunction):
             _mesh_problem(start, curves, moments, multiple, loss, 1).residuals()
         )
 
-    def state(self, x: ArrayLike) -> BrightMesh:
+    def state(self, x: ArrayLike) -> MeshModel:
         """The body at x."""
-        return BrightMesh._of(self._compiled.state(x))
+        return MeshModel._of(self._compiled.state(x))

@@ -13,7 +13,7 @@ TIMES = np.linspace(0.0, 30.0, 20)
 SUN, OBSERVER = [1.0, 0.2, 0.3], [0.8, 0.6, 0.1]
 STATE = polhode.SpinState([1.0, 0.0, 0.0, 0.0], [0.1, 0.2, 0.3], [1.0, 2.0, 2.5])
 RATES = polhode.Snapshots(rates=([0.0], [[0.1, 0.2, 0.31]], 0.01))
-BODY = polhode.BrightEllipsoid.homogeneous([1.0, 0, 0, 0], [0.4, 0.5, 1.0], [1.0, 0.8, 0.5])
+BODY = polhode.EllipsoidModel.homogeneous([1.0, 0, 0, 0], [0.4, 0.5, 1.0], [1.0, 0.8, 0.5])
 
 
 def _curve():
@@ -27,7 +27,7 @@ TETRAHEDRON = polhode.FacetShape(
     [[1, 0, -0.3], [-0.6, 0.8, -0.3], [-0.6, -0.8, -0.3], [0, 0, 0.6]],
     [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]],
 )  # fmt: skip
-MESH = polhode.BrightMesh.homogeneous([1.0, 0, 0, 0], [0.4, 0.5, 1.0], TETRAHEDRON)
+MESH = polhode.MeshModel.homogeneous([1.0, 0, 0, 0], [0.4, 0.5, 1.0], TETRAHEDRON)
 
 
 def quietly(function):
@@ -84,8 +84,8 @@ def of_fits():
             {"t": TIMES, "flux": TIMES, "sigma": 0.1, "to_sun": SUN, "to_observer": OBSERVER},
             {},
         ),
-        "BrightEllipsoid.homogeneous": (
-            polhode.BrightEllipsoid.homogeneous,
+        "EllipsoidModel.homogeneous": (
+            polhode.EllipsoidModel.homogeneous,
             {"q": [1.0, 0, 0, 0], "w": SUN, "axes": [1.0, 0.8, 0.5], "t0": 0.0, "law": [1.0, 0.1]},
             {},
         ),
@@ -98,8 +98,8 @@ def of_fits():
             {"start": BODY, "curves": CURVE},
         ),
         "fit_mesh": (polhode.fit_mesh, {"most_iterations": 2}, {"start": MESH, "curves": CURVE}),
-        "BrightMesh.homogeneous": (
-            polhode.BrightMesh.homogeneous,
+        "MeshModel.homogeneous": (
+            polhode.MeshModel.homogeneous,
             {"q": [1.0, 0, 0, 0], "w": SUN, "t0": 0.0, "law": [1.0, 0.1]},
             {"shape": TETRAHEDRON},
         ),

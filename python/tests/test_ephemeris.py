@@ -5,6 +5,7 @@ import copy
 import datetime
 import math
 import pickle
+import warnings
 
 import astropy.time
 import budgets
@@ -84,6 +85,25 @@ def test_tables_are_orbits():
     ):
         with pytest.raises(ValueError, match=what):
             polhode.TableOrbit(*arguments)
+
+
+def test_tables_of_few_rows_or_with_a_gap_are_judged():
+    def circle(t, order=0, velocities=True):
+        x = np.column_stack([np.cos(t), np.sin(t), 0 * t])
+        return polhode.TableOrbit(t, x, x[:, [1, 0, 2]] * [-1, 1, 0] if velocities else None, order)
+
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert circle(np.array([0.0, 0.0108])).interpolation_error > 0
+    for t in (np.array([0.0, 5.4]), np.arange(3) * 3.2, np.array([0.0, 2 * np.pi])):
+        with pytest.warns(UserWarning, match="TableOrbit: rows that are too far apart: between"):
+            circle(t)
+    with pytest.warns(UserWarning, match="error cannot be estimated from so few rows"):
+        assert np.isnan(circle(np.arange(3) * 0.1, 2, velocities=False).interpolation_error)
+    least = budgets.table_orbit_estimate_coarse
+    long = 0.01 * np.delete(np.arange(100002), np.s_[20000:21000])
+    with pytest.warns(UserWarning, match="too far apart"):
+        assert circle(long, velocities=False).interpolation_error > least
 
 
 def test_a_run_that_leaves_its_table_fails_with_a_sentence():

@@ -115,6 +115,9 @@ def test_a_start_nearby_and_any_number_of_threads():
     near = polhode.load(NIGHT).replace(NEARBY)
     found = polhode.fit(near, threads=1)
     (one,) = found
+    robust = polhode.fit(near.replace({"fit.loss": "huber"}))
+    (label,) = figures.pole_sky(robust).get_legend().get_texts()
+    assert label.get_text() == f"1: loss {robust[0].light.cost:.4g}"
     assert found.scan is None and found.failed == 0 and one.converged
     assert abs(one.precession_period.value - 12.0) < 4 * one.precession_period.error
     assert one.unknowns["w_x"].start != one.unknowns["w_x"].value

@@ -5,10 +5,10 @@ import budgets
 import numpy as np
 import polhode
 import pytest
-from polhode import BrightEllipsoid, LightCurve
+from polhode import EllipsoidModel, LightCurve
 
 # that of tests/unit/fit/light_extension.cpp
-BODY = BrightEllipsoid.homogeneous([0.6, 0.3, -0.5, 0.2], [2.4, 0.9, 0.3], [1.0, 0.6, 0.45])
+BODY = EllipsoidModel.homogeneous([0.6, 0.3, -0.5, 0.2], [2.4, 0.9, 0.3], [1.0, 0.6, 0.45])
 SUN, OBSERVER = [1.0, 0.2, 0.3], [0.8, 0.6, 0.1]
 PERIOD = 2.0 * np.pi / BODY.spin.free_rotation.precession_rate_long
 
@@ -48,7 +48,7 @@ def test_a_session_that_is_too_far_is_named():
 
 @pytest.mark.parametrize(("change", "said"), [
     ({"starts": []}, "no starts"),
-    ({"starts": [3]}, "starts: got 3; expected BrightEllipsoid"),
+    ({"starts": [3]}, "starts: got 3; expected EllipsoidModel"),
     ({"first": 2}, "first = 2 must be below 2"),
     ({"within": 0.5}, "within = 0.5 must be 1 or more"),
     ({"most_counts": 0}, "most_counts"),

@@ -8,10 +8,10 @@ import polhode
 import pytest
 from closeness import assert_allclose, largest
 from interrupts import LATEST, seconds_from_signal
-from polhode import BrightEllipsoid, LightCurve
+from polhode import EllipsoidModel, LightCurve
 
 # that of tests/unit/fit/light_fit.cpp
-BODY = BrightEllipsoid.homogeneous([0.6, 0.3, -0.5, 0.2], [0.6, 0.5, 1.0], [1.0, 0.85, 0.5])
+BODY = EllipsoidModel.homogeneous([0.6, 0.3, -0.5, 0.2], [0.6, 0.5, 1.0], [1.0, 0.85, 0.5])
 SUN, OBSERVER = [1.0, 0.2, 0.3], [0.8, 0.6, 0.1]
 NOISE = 0.01
 
@@ -38,7 +38,7 @@ CURVE = night()
 
 def test_one_start_finds_the_body_near_it():
     spin = BODY.spin
-    start = BrightEllipsoid.homogeneous(spin.q, 1.001 * spin.w, [1.0, 0.83, 0.52])
+    start = EllipsoidModel.homogeneous(spin.q, 1.001 * spin.w, [1.0, 0.83, 0.52])
     found = polhode.fit_light(start, CURVE)
     assert found.converged and found.names[:3] == ("turn_x", "turn_y", "turn_z")
     truth = [*spin.w, 0.85, 0.5 / 0.85]
@@ -158,7 +158,7 @@ def test_a_scan_has_a_minimum_at_lines_of_the_motion():
         (lambda: LightCurve([0.0, 1.0], [1.0, 2.0], [0.1, 0.1, 0.1]), "sigma: got shape"),
         (lambda: polhode.fit_light(BODY, 3), "not iterable"),
         (lambda: polhode.fit_light(BODY, [3]), "got 3; expected LightCurve"),
-        (lambda: polhode.fit_light(3, CURVE), "got 3; expected BrightEllipsoid"),
+        (lambda: polhode.fit_light(3, CURVE), "got 3; expected EllipsoidModel"),
         (lambda: polhode.fit_light(BODY, CURVE, moments="own"), "moments: got 'own'"),
         (lambda: polhode.search_light(CURVE, []), "periods"),
         (lambda: polhode.search_light(CURVE, [("SAM", 1.0, -2.0)]), "-2"),

@@ -38,7 +38,7 @@ def lump(rows=7):
 @pytest.fixture(scope="module")
 def night():
     """In long-axis mode, at the middle of its light curve."""
-    body = polhode.BrightMesh.homogeneous([0.9, 0.1, 0.3, 0.2], [1.5, 0.6, 0.4], lump())
+    body = polhode.MeshModel.homogeneous([0.9, 0.1, 0.3, 0.2], [1.5, 0.6, 0.4], lump())
     motion = body.spin.free_rotation
     assert motion.regime.name == "long_axis"
     periods = ("LAM", 2.0 * np.pi / motion.precession_rate_long, motion.polhode_period)
@@ -59,7 +59,7 @@ def turn_between(one, other):
 def test_periods_are_enough(night):
     body, curve, (mode, phi, psi) = night
     # its own attitude and rate are not looked at
-    known = polhode.BrightMesh.homogeneous([1.0, 0, 0, 0], [0.0, 0.0, 1.0], body.shape)
+    known = polhode.MeshModel.homogeneous([1.0, 0, 0, 0], [0.0, 0.0, 1.0], body.shape)
     pairs = [("LAM", phi, 0.01 * psi), (mode, 1.002 * phi, 0.998 * psi)]
     found = [
         polhode.search_mesh(known, curve, pairs, starts=80, threads=n, seed=1) for n in (1, 3)
@@ -70,7 +70,7 @@ def test_periods_are_enough(night):
     assert np.isinf(found[0].chi_square_of_periods[0])
     near = [one for one in found[0].solutions[:2]
             if turn_between(one.body, body) < budgets.mesh_found]  # fmt: skip
-    assert len(near) == 1 and isinstance(near[0].body, polhode.BrightMesh)
+    assert len(near) == 1 and isinstance(near[0].body, polhode.MeshModel)
     off = (near[0].body.spin.w - body.spin.w) / near[0].errors[3:]
     assert largest(np.abs(off)) < budgets.mesh_off
     # the half turn about the bisector, with the same light: one night leaves two poles
@@ -98,7 +98,7 @@ def test_from_a_scan_on(night):
 
 
 @pytest.mark.parametrize(("change", "error", "said"), [
-    ({"body": fit_calls.BODY}, TypeError, "search_mesh: got BrightEllipsoid"),
+    ({"body": fit_calls.BODY}, TypeError, "search_mesh: got EllipsoidModel"),
     ({"periods": []}, ValueError, "no periods"),
     ({"periods": [("SAM", 1.0, -2.0)]}, ValueError, "period -2 must be positive"),
     ({"periods": [("XAM", 1.0, 2.0)]}, ValueError, "periods: got 'XAM'"),

@@ -131,6 +131,16 @@ epoch = -40
 """
 
 
+@pytest.mark.parametrize("times", [(0, 4900), (0, 2500, 5000)])
+def test_a_few_rows_that_are_too_far_apart_are_rejected(tmp_path, times):
+    lines = [" ".join([date(t), *(repr(float(x)) for x in (*position(t), *velocity(t)))])
+             for t in times]
+    text = HEAD + meta(times[0], times[-1]) + "\n".join(lines) + "\n"
+    (tmp_path / "sat.oem").write_text(text, encoding="ascii")
+    with pytest.raises(polhode.ScenarioError, match="rows that are too far apart"):
+        polhode.load(scenario(tmp_path, epoch="2029-04-11T21:46:00 TDB", stop=80))
+
+
 def last_attitude(path):
     run = polhode.load(path).run()
     return run.groups["q"][-1]

@@ -310,6 +310,13 @@ def test_epochs_of_messages_and_days_with_a_leap_second():
     ({"ECCENTRICITY": "nan"}, "ECCENTRICITY"),
     ({"EPOCH": "2026-02-30T00:00:00"}, 'EPOCH: got "2026-02-30T00:00:00"'),
     ({"NORAD_CAT_ID": "1234567890"}, "expected up to nine digits"),
+    ({"INCLINATION": "1_0"}, 'INCLINATION: got "1_0"; expected a number from 0 to 180'),
+    ({"RA_OF_ASC_NODE": "\u0661\u0660"}, "RA_OF_ASC_NODE: got"),  # 10 in Arabic digits
+    ({"BSTAR": "1e-0_4"}, 'BSTAR: got "1e-0_4"'), ({"MEAN_MOTION": "1_0.8"}, "MEAN_MOTION: got"),
+    ({"MEAN_MOTION_DOT": "2_3e-8"}, 'MEAN_MOTION_DOT: got "2_3e-8"; expected a number'),
+    ({"MEAN_MOTION_DDOT": "nan"}, "MEAN_MOTION_DDOT: got"),
+    ({"ELEMENT_SET_NO": "4_75"}, "ELEMENT_SET_NO: got"),
+    ({"REV_AT_EPOCH": "4_1366"}, "REV_AT_EPOCH: got"),
 ])  # fmt: skip
 def test_elements_of_another_theory_or_beyond_their_range_are_rejected(fields, what):
     with pytest.raises(ValueError, match=what):
@@ -421,7 +428,9 @@ OTHER = LINES.replace("00005U", "00006U").replace("4753", "4754").replace(
     (LINES + OTHER, [], "a.tle: holds several satellites; expected --satellite with one of 00005"),
     (LINES, [*FROM_TO, "--satellite", "ISS"], "a.tle: no satellite is ISS; there are 00005"),
     (LINES, ["--from", "2001-06-28Z", "--to", "2001-06-29Z"], "a.tle: the elements of 00005 are of "
-     "2000-06-27T18:50:19.734 UTC, 365 days from the interval"),
+     "2000-06-27T18:50:19.734 UTC, 365.3 days from the interval"),
+    (LINES, ["--from", "2000-07-27T19:00Z", "--to", "2000-07-28Z"], "a.tle: the elements of 00005 "
+     "are of 2000-06-27T18:50:19.734 UTC, 30.1 days from the interval"),
     (LINES, ["--from", "2000-06-28", "--to", "2000-06-29Z"], "--from: Date: got "),
     (LINES, ["--from", "2000-06-28Z", "--to", "2000-06-31Z"], "--to: Date: got "),
     (LINES, ["--from", "2000-06-29Z", "--to", "2000-06-28Z"], "--to 2000-06-28Z must be later"),
@@ -451,7 +460,7 @@ def test_a_month_that_begins_at_the_elements_is_a_table_with_a_warning(command):
     month = ["--from", "2000-06-28Z", "--to", "2000-07-28T12:00:00Z", "--step", "1 h"]
     status, _, err = command(LINES, *month)
     assert status == 0
-    assert err.startswith("warning: a.tle: the interval goes on until 30.7 days from the elements")
+    assert err.startswith("warning: a.tle: the interval goes on until 30.8 days from the elements")
 
 
 def test_old_elements_are_taken_where_that_is_asked_for(command):

@@ -192,6 +192,19 @@ def error_between_rows(kernels, scenario, times):
     return np.degrees(away.magnitude().max())
 
 
+@pytest.mark.parametrize(("omega", "step"), [
+    ([0, 0, 6], 60), ([0, 0, 12], 60), ([0, 0, 18], 60), ([0, 0, 1.2], 601), ([0.9, 0.3, 0.5], 600)
+])  # fmt: skip
+def test_whole_turns_between_rows_are_told(omega, step, tmp_path):
+    scenario = polhode.Scenario.from_text(TUMBLER).replace(
+        {"state.attitude-rate.omega_body": omega, "time.step": step, "time.stop": 20 * step})
+    with pytest.warns(UserWarning, match="off by about") as told:
+        kernels = polhode.spice.write_ck(scenario.run(), tmp_path / "a.bc")
+    error = error_between_rows(kernels, scenario, np.arange(0, 20 * step, step / 8))
+    said = float(str(told[0].message).split("about ")[1].split(" deg")[0])
+    assert_allclose(said, error, rtol=budgets.ck_between_rows)
+
+
 def test_the_error_of_the_interpolation_between_rows_is_told_and_automatic_rows_keep_it(tmp_path):
     scenario = polhode.Scenario.from_text(TUMBLER)
     with pytest.warns(UserWarning, match="off by about") as told:

@@ -28,7 +28,7 @@ def convex():
     found = polhode.fit_convex(fit_calls.BODY, fit_calls.CURVE, **SMALL)
     coefficients = found.body.coefficients.copy()
     coefficients[[4, 8, 9, 12]] += [0.1, -0.15, 0.08, 0.1]
-    body = polhode.BrightConvex(found.body.spin, 3, 4, coefficients)
+    body = polhode.ConvexModel(found.body.spin, 3, 4, coefficients)
     t = np.linspace(0.0, 40.0, 90)
     blank = polhode.LightCurve(t, np.ones(90), 1.0, SUN, OBSERVER)
     (flux,) = polhode.model_fluxes(body, blank)
@@ -41,7 +41,7 @@ def test_facets_fit_what_no_ellipsoid_does(convex):
     first = polhode.fit_light(fit_calls.BODY, curve)
     assert first.converged
     found = polhode.fit_convex(first.body, curve, **SMALL)
-    assert found.converged and isinstance(found.body, polhode.BrightConvex)
+    assert found.converged and isinstance(found.body, polhode.ConvexModel)
     assert found.chi_square < 0.7 * first.chi_square
     assert found.names[:6] == first.names[:6] and found.names[6:8] == ("Ixx/Izz", "Iyy/Izz")
     assert len(found.names) == 8 + 15 and found.covariance.shape == (23, 23)
@@ -57,7 +57,7 @@ def test_facets_fit_what_no_ellipsoid_does(convex):
     areas = np.bincount(places, np.asarray(mesh.areas), 128)
     assert_allclose(areas.sum(), of.areas.sum(), rtol=budgets.python_convex_closure)
     assert np.abs(areas - of.areas).max() < budgets.python_convex_closure * of.areas.sum()
-    again = polhode.BrightMesh(of.spin, mesh, of.law)
+    again = polhode.MeshModel(of.spin, mesh, of.law)
     (of_mesh,) = polhode.model_fluxes(again, curve)
     assert_allclose(of_mesh, model, rtol=budgets.python_convex_light)
 
@@ -65,13 +65,13 @@ def test_facets_fit_what_no_ellipsoid_does(convex):
 def test_a_given_mesh_is_fitted_from_a_start_nearby():
     rng = np.random.default_rng(5)
     shape = fit_calls.TETRAHEDRON
-    truth = polhode.BrightMesh.homogeneous([0.9, 0.1, 0.3, 0.2], [0.4, 0.5, 1.0], shape)
+    truth = polhode.MeshModel.homogeneous([0.9, 0.1, 0.3, 0.2], [0.4, 0.5, 1.0], shape)
     t = np.linspace(0.0, 30.0, 80)
     blank = polhode.LightCurve(t, np.ones(80), 1.0, SUN, OBSERVER)
     (flux,) = polhode.model_fluxes(truth, blank)
     sigma = 0.01 * flux.mean()
     curve = polhode.LightCurve(t, flux + sigma * rng.standard_normal(80), sigma, SUN, OBSERVER)
-    start = polhode.BrightMesh.homogeneous([0.9, 0.11, 0.29, 0.21], [0.401, 0.5, 1.0], shape)
+    start = polhode.MeshModel.homogeneous([0.9, 0.11, 0.29, 0.21], [0.401, 0.5, 1.0], shape)
     found = polhode.fit_mesh(start, curve)
     assert found.converged and found.names == (
         "turn_x", "turn_y", "turn_z", "w_x", "w_y", "w_z")  # fmt: skip
@@ -82,16 +82,16 @@ def test_a_given_mesh_is_fitted_from_a_start_nearby():
 
 
 @pytest.mark.parametrize(("call", "error", "message"), [
-    (lambda: polhode.fit_convex(3, fit_calls.CURVE), TypeError, "expected BrightEllipsoid"),
-    (lambda: polhode.fit_mesh(fit_calls.BODY, fit_calls.CURVE), TypeError, "expected BrightMesh"),
+    (lambda: polhode.fit_convex(3, fit_calls.CURVE), TypeError, "expected EllipsoidModel"),
+    (lambda: polhode.fit_mesh(fit_calls.BODY, fit_calls.CURVE), TypeError, "expected MeshModel"),
     (lambda: polhode.fit_convex(fit_calls.BODY, fit_calls.CURVE, degree=20), ValueError, "rows"),
     (lambda: polhode.fit_convex(fit_calls.BODY, fit_calls.CURVE, roughness_error=0.0), ValueError,
      "roughness_error = 0 must be above 0"),
     (lambda: polhode.fit_convex(fit_calls.BODY, fit_calls.CURVE, moments="even"), ValueError,
      "moments"),
-    (lambda: polhode.BrightMesh(fit_calls.STATE, 3), TypeError, "expected FacetShape"),
-    (lambda: polhode.BrightConvex(3, 3, 4, [0.0] * 16), TypeError, "expected SpinState"),
-    (lambda: polhode.model_fluxes(3, fit_calls.CURVE), TypeError, "BrightConvex or BrightMesh"),
+    (lambda: polhode.MeshModel(fit_calls.STATE, 3), TypeError, "expected FacetShape"),
+    (lambda: polhode.ConvexModel(3, 3, 4, [0.0] * 16), TypeError, "expected SpinState"),
+    (lambda: polhode.model_fluxes(3, fit_calls.CURVE), TypeError, "ConvexModel or MeshModel"),
     (lambda: polhode.likely_periods(fit_calls.CURVE, -1.0, 0.1, order=1), ValueError,
      "f1: got -1.0; expected a frequency above 0"),
 ])  # fmt: skip
@@ -119,7 +119,7 @@ def test_a_scenario_with_a_convex_body(tmp_path):
     found = polhode.fit(polhode.load(NIGHT).replace({**NEARBY, **changes}),
                         progress=lambda done, of: told.append(done))  # fmt: skip
     (one,) = found
-    assert isinstance(one.body, polhode.BrightConvex) and one.report["convex"]["facets"] == 128
+    assert isinstance(one.body, polhode.ConvexModel) and one.report["convex"]["facets"] == 128
     assert told == sorted(told)
     ellipsoid = polhode.fit(polhode.load(NIGHT).replace(NEARBY))[0]
     again = polhode.fit_convex(ellipsoid.body, found.curves, **SMALL)
@@ -143,7 +143,7 @@ def test_a_scenario_with_a_convex_body(tmp_path):
 def test_facets_are_drawn_where_they_are():
     """Corners on paper are those of the mesh; what is lit and faces the observer is bright."""
     shape = fit_calls.TETRAHEDRON
-    body = polhode.BrightMesh.homogeneous([1.0, 0.2, 0.0, 0.1], [0.4, 0.5, 1.0], shape)
+    body = polhode.MeshModel.homogeneous([1.0, 0.2, 0.0, 0.1], [0.4, 0.5, 1.0], shape)
     eye = np.array(OBSERVER) / np.linalg.norm(OBSERVER)
     (axis,) = figures.body_as_seen(body, [0.0], SUN, OBSERVER)
     (drawn,) = axis.collections

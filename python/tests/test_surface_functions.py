@@ -51,7 +51,7 @@ def convex():
 
 @pytest.fixture(scope="module")
 def mesh():
-    truth = polhode.BrightMesh.homogeneous(
+    truth = polhode.MeshModel.homogeneous(
         [0.9, 0.1, 0.3, 0.2], [0.4, 0.5, 1.0], fit_calls.TETRAHEDRON
     )
     curve = seen(truth)
@@ -74,7 +74,7 @@ def test_a_convex_body_begins_at_what_was_found(convex):
     slope = f.log_posterior_gradient(f.start) * found.errors
     assert largest(np.abs(slope)) < budgets.python_optimum
     same = f.state(f.start)
-    assert isinstance(same, polhode.BrightConvex) and (same.degree, same.rows) == (2, 3)
+    assert isinstance(same, polhode.ConvexModel) and (same.degree, same.rows) == (2, 3)
     assert np.array_equal(same.coefficients, found.body.coefficients)
     # at the ellipsoid of the start without a body, with the same numbers at the same body
     g = ConvexResiduals(fit_calls.BODY, curve, **SMALL)
@@ -83,7 +83,7 @@ def test_a_convex_body_begins_at_what_was_found(convex):
     x = g.start
     x[3:] = f.start[3:]
     turned = ConvexResiduals(
-        polhode.BrightEllipsoid(
+        polhode.EllipsoidModel(
             polhode.SpinState(found.body.spin.q, fit_calls.BODY.spin.w,
                               fit_calls.BODY.spin.inertia), fit_calls.BODY.axes),
         curve, **SMALL)  # fmt: skip
@@ -169,7 +169,7 @@ def test_solutions_of_a_scenario_are_functions(changes):
     scaled = one.residual_function(scaled=True)
     assert_allclose(-2.0 * scaled.log_likelihood(f.start), one.degrees_of_freedom,
                     rtol=budgets.fit_freedom)  # fmt: skip
-    assert isinstance(f.state(f.start), polhode.BrightConvex)
+    assert isinstance(f.state(f.start), polhode.ConvexModel)
     assert smallest(f.state(f.start).areas) > 0.0
 
 
@@ -181,16 +181,16 @@ def test_a_mesh_of_a_scenario_is_a_function(tmp_path):
     f = again.residual_function()
     assert isinstance(f, MeshResiduals) and f.names == again.names
     assert_allclose(-2.0 * f.log_likelihood(f.start), again.chi_square, rtol=budgets.fit_freedom)
-    assert isinstance(f.state(f.start), polhode.BrightMesh)
+    assert isinstance(f.state(f.start), polhode.MeshModel)
 
 
 @pytest.mark.parametrize(("call", "error", "message"), [
-    (lambda: ConvexResiduals(3, fit_calls.CURVE), TypeError, "expected BrightEllipsoid"),
+    (lambda: ConvexResiduals(3, fit_calls.CURVE), TypeError, "expected EllipsoidModel"),
     (lambda: ConvexResiduals(fit_calls.BODY, fit_calls.CURVE, body=3), TypeError,
-     "body: got 3; expected BrightConvex or None"),
+     "body: got 3; expected ConvexModel or None"),
     (lambda: ConvexResiduals(fit_calls.BODY, fit_calls.CURVE, axes_error=-1.0), ValueError,
      "axes_error = -1 must be above 0"),
-    (lambda: MeshResiduals(3, fit_calls.CURVE), TypeError, "expected BrightMesh"),
+    (lambda: MeshResiduals(3, fit_calls.CURVE), TypeError, "expected MeshModel"),
     (lambda: MeshResiduals(fit_calls.MESH, fit_calls.CURVE, moments="shape"), ValueError,
      "moments"),
     (lambda: MeshResiduals(fit_calls.MESH, fit_calls.CURVE).state([1.0]), ValueError,

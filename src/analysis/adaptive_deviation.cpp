@@ -2,7 +2,7 @@
 #include <utility>
 
 #include "analysis/detail/deviation_field.hpp"
-#include "dynamics/adaptive/smooth_stepper.hpp"
+#include "dynamics/adaptive/adaptive_stepper.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -8,10 +8,9 @@
 
 #include "analysis/detail/deviated_state.hpp"
 #include "dynamics/checked_problem.hpp"
-#include "dynamics/finite.hpp"
-#include "dynamics/sample_times.hpp"
 #include "dynamics/sampled_run.hpp"
-#include "dynamics/transition/derivative_method.hpp"
+#include "dynamics/transition/transition_steppers.hpp"
+#include "math/finite.hpp"
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
 

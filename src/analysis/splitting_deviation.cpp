@@ -4,9 +4,8 @@
 #include <string>
 
 #include "analysis/detail/deviated_state.hpp"
-#include "dynamics/finite.hpp"
 #include "dynamics/splitting/splitting_map.hpp"
-#include "dynamics/splitting/step_jumps.hpp"
+#include "math/finite.hpp"
 #include "math/number_text.hpp"
 
 namespace polhode {

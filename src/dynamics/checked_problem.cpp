@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
+// Checks of a problem before its first step: its state, its sample times, and its events.
 #include "dynamics/checked_problem.hpp"
 
+#include <algorithm>
 #include <cmath>
 
-#include "dynamics/finite.hpp"
+#include "math/finite.hpp"
 #include "math/number_text.hpp"
 #include "polhode/dynamics/detail/run_forms.hpp"
+#include "polhode/dynamics/event.hpp"
 #include "polhode/error.hpp"
 #include "rotor/squared_moments.hpp"
 
@@ -79,6 +82,38 @@ BasicProblem<System, S> checked_problem(const std::string& function,
 template Problem checked_problem(const std::string&, Problem, DamperState);
 template DampedProblem checked_problem(const std::string&, DampedProblem, DamperState);
 
+std::vector<double> sample_times(const std::string& function, const Problem& problem,
+                                 const SaveAt& samples) {
+  const double sign = problem.start <= problem.stop ? 1.0 : -1.0;
+  // SaveAt keeps a row that rounding puts beyond stop.
+  const double slack =
+      8.0 * epsilon<double>() * std::max(std::abs(problem.start), std::abs(problem.stop));
+  std::vector<double> times;
+  for (std::int64_t k = 0; k < samples.size(); ++k) {
+    const double t = samples[k];
+    if (!(sign * (t - problem.start) >= 0.0 && sign * (problem.stop - t) >= -slack)) continue;
+    if (!times.empty() && sign * (t - times.back()) < 0.0)
+      throw DomainError(function + ": sample times must run from start to stop: " + number_text(t) +
+                        " comes after " + number_text(times.back()));
+    times.push_back(t);
+  }
+  return times;
+}
+
 }  // namespace detail
+
+void require_valid_event(const std::string& event, bool has_function, double period,
+                         double interval) {
+  const std::string name = "event \"" + event + "\"";
+  if (!has_function) throw DomainError(name + " must have a function");
+  const auto positive = [&](const char* what, double x) {
+    if (!(x >= 0.0) || !std::isfinite(x))
+      throw DomainError(name + ": " + what + " " + detail::number_text(x) +
+                        " must be positive, or 0 for none");
+  };
+  positive("period", period);
+  positive("interval", interval);
+}
+
 }  // namespace v0
 }  // namespace polhode

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "polhode/dynamics/problem.hpp"
 
@@ -18,6 +19,12 @@ enum class DamperState { carried, refused };
 template <MotionState S>
 BasicProblem<System, S> checked_problem(const std::string& function,
                                         BasicProblem<System, S> problem, DamperState carried);
+
+// The sample times of a problem that are within its span.
+
+// DomainError, naming `function`, when they do not run from start to stop.
+std::vector<double> sample_times(const std::string& function, const Problem& problem,
+                                 const SaveAt& samples);
 
 }  // namespace detail
 }  // namespace v0

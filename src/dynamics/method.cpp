@@ -75,7 +75,7 @@ struct Traits {
             .text = "collocation" + stages + ", tolerance " + detail::number_text(m.tolerance),
             .further = {static_cast<double>(m.stages), m.largest_step}};
   }
-  MethodTraits operator()(const OwnMethod& m) const { return m.traits; }
+  MethodTraits operator()(const CustomMethod& m) const { return m.traits; }
 };
 
 struct Validity {
@@ -107,8 +107,9 @@ struct Validity {
       throw DomainError("Collocation: largest_step " + detail::number_text(m.largest_step) +
                         " goes with steps under control; got step " + detail::number_text(m.step));
   }
-  void operator()(const OwnMethod& m) const {
-    if (m.maker == nullptr) throw DomainError("OwnMethod: got nothing that steps; use own_method");
+  void operator()(const CustomMethod& m) const {
+    if (m.maker == nullptr)
+      throw DomainError("CustomMethod: got nothing that steps; use custom_method");
   }
 };
 

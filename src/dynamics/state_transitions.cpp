@@ -3,9 +3,7 @@
 #include <utility>
 
 #include "dynamics/checked_problem.hpp"
-#include "dynamics/sample_times.hpp"
 #include "dynamics/sampled_run.hpp"
-#include "dynamics/transition/derivative_method.hpp"
 #include "dynamics/transition/transition_steppers.hpp"
 #include "polhode/dynamics/integrate.hpp"
 #include "polhode/error.hpp"

@@ -17,7 +17,7 @@ std::unique_ptr<Stepper> make_stepper(const Problem& problem, const Adaptive& me
 std::unique_ptr<Stepper> make_stepper(const Problem& problem, const Collocation& method);
 std::unique_ptr<Stepper> make_stepper(const Problem& problem, const Splitting& method);
 std::unique_ptr<Stepper> make_stepper(const Problem& problem, const VariationOfConstants& method);
-std::unique_ptr<Stepper> make_stepper(const Problem& problem, const OwnMethod& method);
+std::unique_ptr<Stepper> make_stepper(const Problem& problem, const CustomMethod& method);
 // The system has a damper.
 std::unique_ptr<BasicStepper<DampedRotorState>> make_stepper(const DampedProblem& problem,
                                                              const Adaptive& method);

@@ -1,14 +1,155 @@
 // SPDX-License-Identifier: MIT
+// Draws of members: random numbers by counter, Sobol points, and what is drawn from them.
 #include "polhode/ensemble/draws.hpp"
+
+#include <Random123/philox.h>
 
 #include <algorithm>
 #include <array>
+#include <boost/random/sobol.hpp>
+#include <cmath>
+#include <cstddef>
+#include <string>
 #include <utility>
 
+#include "ensemble/detail/philox.hpp"
+#include "math/number_text.hpp"
+#include "polhode/ensemble/counter_random.hpp"
+#include "polhode/ensemble/distributions.hpp"
+#include "polhode/ensemble/draw_points.hpp"
+#include "polhode/ensemble/sobol_points.hpp"
 #include "polhode/error.hpp"
 
 namespace polhode {
 inline namespace v0 {
+
+namespace detail {
+
+PhiloxCounter philox(const PhiloxCounter& counter, const PhiloxKey& key) {
+  const philox4x64_ctr_t block =
+      philox4x64_R(10, {{counter[0], counter[1], counter[2], counter[3]}}, {{key[0], key[1]}});
+  return {block.v[0], block.v[1], block.v[2], block.v[3]};
+}
+
+}  // namespace detail
+
+std::uint64_t CounterRandom::bits(std::uint64_t member, std::uint64_t draw) const {
+  return detail::philox({draw / 4, member, 0, 0}, {seed_, key_})[draw % 4];
+}
+
+double CounterRandom::normal(std::uint64_t member, std::uint64_t draw) const {
+  return normal_quantile(uniform(member, draw));
+}
+
+void CounterRandom::uniforms(std::uint64_t member, std::span<double> u) const {
+  for (std::size_t first = 0; first < u.size(); first += 4) {
+    const detail::PhiloxCounter block = detail::philox({first / 4, member, 0, 0}, {seed_, key_});
+    const std::size_t count = std::min<std::size_t>(4, u.size() - first);
+    for (std::size_t i = 0; i < count; ++i) u[first + i] = open_uniform(block[i]);
+  }
+}
+
+std::uint64_t CounterRandom::shared_bits(std::uint64_t draw) const {
+  return detail::philox({draw / 4, 0, 0, 1}, {seed_, key_})[draw % 4];
+}
+
+namespace {
+
+std::size_t checked(std::size_t dimensions) {
+  if (dimensions < 1 || dimensions > SobolPoints::most_dimensions)
+    throw DomainError("SobolPoints: " + std::to_string(dimensions) +
+                      " dimensions must be from 1 to " +
+                      std::to_string(SobolPoints::most_dimensions));
+  return dimensions;
+}
+
+}  // namespace
+
+const std::size_t SobolPoints::most_dimensions = boost::random::default_sobol_table::max_dimension;
+
+// Boost's engine goes from point to point; its points at which the Gray code has one bit are the
+// direction numbers. Its points begin with ours of index 1.
+SobolPoints::SobolPoints(std::size_t dimensions) : directions_(64 * checked(dimensions)) {
+  boost::random::sobol engine(dimensions);
+  for (std::size_t bit = 0; bit < 64; ++bit) {
+    const std::uint64_t index = ~std::uint64_t{0} >> (63 - bit);  // Gray code 2^bit
+    engine.seed(index - 1);
+    for (std::size_t i = 0; i < dimensions; ++i) directions_[64 * i + bit] = engine();
+  }
+}
+
+namespace {
+
+using detail::number_text;
+
+constexpr double most_points = 0x1p53;
+
+SaveAt points_of(const DrawAxis& axis, std::size_t index) {
+  const std::string name = "DrawGrid: axis[" + std::to_string(index) + "]: ";
+  for (const auto& [what, value] : {std::pair("from", axis.from), std::pair("to", axis.to)})
+    if (!std::isfinite(value))
+      throw DomainError(name + what + " " + number_text(value) + " must be finite");
+  if (axis.count < 1)
+    throw DomainError(name + "count " + std::to_string(axis.count) + " must be 1 or more");
+  return SaveAt::count(axis.from, axis.count == 1 ? axis.from : axis.to, axis.count);
+}
+
+void require_inside(const char* function, std::uint64_t index, std::uint64_t size) {
+  if (index >= size)
+    throw DomainError(std::string(function) + ": index " + std::to_string(index) +
+                      " must be below " + std::to_string(size));
+}
+
+}  // namespace
+
+DrawGrid::DrawGrid(std::vector<DrawAxis> axes) : axes_(std::move(axes)) {
+  if (axes_.empty()) throw DomainError("DrawGrid: 0 axes must be one or more");
+  double points = 1.0;
+  for (std::size_t i = 0; i < axes_.size(); ++i) {
+    points *= static_cast<double>(axes_[i].count);
+    if (points > most_points)
+      throw DomainError("DrawGrid: axis[" + std::to_string(i) + "]: count " +
+                        std::to_string(axes_[i].count) +
+                        " makes more points than 2^53, which must be the most");
+    points_.push_back(points_of(axes_[i], i));
+    size_ *= static_cast<std::uint64_t>(axes_[i].count);
+  }
+}
+
+void DrawGrid::at(std::uint64_t index, std::span<double> x) const {
+  require_inside("DrawGrid::at", index, size_);
+  for (std::size_t i = axes_.size(); i-- > 0;) {
+    const auto count = static_cast<std::uint64_t>(axes_[i].count);
+    x[i] = points_[i][static_cast<std::int64_t>(index % count)];
+    index /= count;
+  }
+}
+
+DrawTable::DrawTable(std::size_t columns, std::vector<double> numbers, RowOrder order)
+    : columns_(columns), order_(order) {
+  if (columns == 0) throw DomainError("DrawTable: 0 columns must be one or more");
+  if (numbers.empty()) throw DomainError("DrawTable: 0 rows must be one or more");
+  if (numbers.size() % columns != 0)
+    throw DomainError("DrawTable: " + std::to_string(numbers.size()) +
+                      " numbers must be whole rows of " + std::to_string(columns));
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    if (!std::isfinite(numbers[i]))
+      throw DomainError("DrawTable: row " + std::to_string(i / columns) + ", column " +
+                        std::to_string(i % columns) + ": " + number_text(numbers[i]) +
+                        " must be finite");
+  numbers_ = std::make_shared<const std::vector<double>>(std::move(numbers));
+}
+
+std::span<const double> DrawTable::row(std::uint64_t index) const {
+  require_inside("DrawTable::row", index, rows());
+  return std::span<const double>(*numbers_).subspan(index * columns_, columns_);
+}
+
+std::span<const double> DrawTable::from_uniform(double u) const {
+  const auto row_of = static_cast<std::uint64_t>(u * static_cast<double>(rows()));
+  return row(std::min(row_of, rows() - 1));  // the product may be rounded up
+}
+
 namespace {
 
 // The numbers of a draw, the uniform numbers that it takes, and the draw: one of each distribution.

@@ -1,17 +1,42 @@
 // SPDX-License-Identifier: MIT
+// Orientation of the Earth: rotation, nutation, and the axes of two-line elements (TEME).
 #include "polhode/ephemeris/earth.hpp"
 
 #include <erfa.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 
 #include "math/number_text.hpp"
+#include "polhode/ephemeris/iau_nutation.hpp"
+#include "polhode/ephemeris/teme_axes.hpp"
 #include "polhode/error.hpp"
 
 namespace polhode {
 inline namespace v0 {
+
+IauNutation iau_nutation(double T) {
+  IauNutation at{};
+  eraNut00a(2451545.0, 36525.0 * T, &at.longitude, &at.obliquity);
+  return at;
+}
+
+Mat3 j2000_from_teme(const Date& date) {
+  const Date tt = converted(date, TimeScale::TT);
+  double dpsi = 0.0, deps = 0.0, of_date[3][3];
+  eraNut80(tt.day, tt.fraction, &dpsi, &deps);
+  eraPnm80(tt.day, tt.fraction, of_date);  // of date from J2000
+  const double a = dpsi * std::cos(eraObl80(tt.day, tt.fraction));
+  const double c = std::cos(a), s = std::sin(a);
+  const Mat3 true_from_teme{{{c, -s, 0.0}, {s, c, 0.0}, {0.0, 0.0, 1.0}}};
+  Mat3 j2000_from_date;
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k) j2000_from_date(i, k) = of_date[k][i];
+  return j2000_from_date * true_from_teme;
+}
+
 namespace {
 
 struct DipoleEpoch {

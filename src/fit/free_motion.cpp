@@ -4,10 +4,10 @@
 // from dual numbers; those by the tensor in axes F follow from them and from how principal moments
 // and axes change with a symmetric matrix, dI_k = v_k . dT v_k and axes turning by phi,
 // phi_1 = (v_3 . dT v_2) / (I_2 - I_3) and so on.
+#include "fit/free_motion.hpp"
+
 #include <cmath>
 
-#include "fit/detail/spin_motion.hpp"
-#include "fit/free_rotation_of.hpp"
 #include "polhode/error.hpp"
 #include "polhode/free/evaluate.hpp"
 #include "polhode/free/prepare.hpp"

@@ -1,20 +1,161 @@
 // SPDX-License-Identifier: MIT
+// Least squares with bounds and priors: unknowns as bounded variables, and the solution by
+// Levenberg-Marquardt steps.
 #include "polhode/fit/least_squares.hpp"
 
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <string>
+#include <vector>
 
-#include "fit/detail/change_of_variable.hpp"
 #include "fit/detail/levenberg_marquardt.hpp"
-#include "fit/detail/stacked_numbers.hpp"
-#include "fit/detail/unit_columns.hpp"
+#include "fit/detail/residual_vector.hpp"
+#include "fit/detail/scaling.hpp"
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace detail {
+
+// [low, high], one or both of which may be infinite.
+class Interval {
+ public:
+  Interval(double low, double high, double start);
+  double inside(double z) const;  // the nearest point of it
+  bool has(double z) const { return z >= low_ && z <= high_; }
+  // The bound that z is on to a part in 1e5 of the room, or of its distance at the start.
+  bool is_at_low(double z) const { return z - low_ <= near_; }
+  bool is_at_high(double z) const { return high_ - z <= near_; }
+  double low() const { return low_; }
+  double high() const { return high_; }
+
+ private:
+  double low_, high_, near_;
+};
+
+// x = M z, where M mixes the two unknowns of a triangle: with the moments y + z', x + z', x + y of
+// second moments x, y, z' and x + y = 1, I1 = 1 - s + w and I2 = s + w for s = x, w = z', so that
+// the triangle inequalities are 0 <= s <= 1 and 0 <= w.
+class ChangeOfVariable {
+ public:
+  explicit ChangeOfVariable(const LeastSquares& problem);
+
+  std::size_t size() const { return intervals_.size(); }
+  const Interval& operator[](std::size_t i) const { return intervals_[i]; }
+  // z of the start: what rounding put beyond a bound is on it.
+  const std::vector<double>& start() const { return start_; }
+  std::vector<double> x_of_z(const std::vector<double>& z) const;
+  std::vector<double> z_of_x(const std::vector<double>& x) const;
+  // d/dx of one number into d/dz, in place.
+  void to_z(double* derivatives) const;
+  // What it means that variable i is on its lower or upper bound.
+  std::string bound_text(std::size_t i, bool low) const;
+
+ private:
+  std::vector<Interval> intervals_;
+  std::vector<double> start_;
+  std::vector<std::string> names_;
+  std::optional<TriangleBound> triangle_;
+};
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+// How near to a bound counts as on it.
+constexpr double near = 1e-5;
+// What the mixing of two sides of a triangle, and whoever divided by a third, may round.
+constexpr double rounding = 16.0 * std::numeric_limits<double>::epsilon();
+
+}  // namespace
+
+Interval::Interval(double low, double high, double start) : low_(low), high_(high), near_(0.0) {
+  const bool below = std::isfinite(low), above = std::isfinite(high);
+  if (below && above) near_ = near * (high - low);
+  if (below != above) near_ = near * (below ? start - low : high - start);
+}
+
+double Interval::inside(double z) const { return std::min(std::max(z, low_), high_); }
+
+ChangeOfVariable::ChangeOfVariable(const LeastSquares& problem) : triangle_(problem.triangle) {
+  std::vector<double> x;
+  for (const Unknown& u : problem.unknowns) {
+    x.push_back(u.start);
+    names_.push_back(u.name);
+  }
+  const std::vector<double> z = z_of_x(x);
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const Unknown& u = problem.unknowns[i];
+    double low = u.low, high = u.high;
+    const bool is_a = triangle_ && i == triangle_->a, is_b = triangle_ && i == triangle_->b;
+    if (is_a || is_b) {
+      if (std::isfinite(low) || std::isfinite(high)) {
+        throw DomainError("solve: " + u.name +
+                          " has bounds of its own; the triangle inequality is the only one that a "
+                          "ratio of moments may have, a prior says more");
+      }
+      low = 0.0;
+      high = is_a ? 1.0 : infinite;
+    }
+    if (!(low < high)) {
+      throw DomainError("solve: the bounds of " + u.name + ", " + number_text(low) + " and " +
+                        number_text(high) + ", must leave room between them");
+    }
+    const double slack = is_a || is_b ? rounding * (1.0 + std::abs(u.start)) : 0.0;
+    if (!std::isfinite(u.start) || !(z[i] >= low - slack) || !(z[i] <= high + slack)) {
+      throw DomainError(
+          "solve: the start of " + u.name + ", " + number_text(u.start) +
+          ", must lie between its bounds" +
+          (is_a || is_b ? ", which are those of the triangle inequality of moments" : ""));
+    }
+    start_.push_back(std::min(std::max(z[i], low), high));
+    intervals_.emplace_back(low, high, start_.back());
+  }
+}
+
+std::vector<double> ChangeOfVariable::x_of_z(const std::vector<double>& z) const {
+  std::vector<double> x = z;
+  if (triangle_) {
+    const double s = z[triangle_->a], w = z[triangle_->b];
+    x[triangle_->a] = (1.0 - s) + w;
+    x[triangle_->b] = s + w;
+  }
+  return x;
+}
+
+std::vector<double> ChangeOfVariable::z_of_x(const std::vector<double>& x) const {
+  std::vector<double> z = x;
+  if (triangle_) {
+    const double a = x[triangle_->a], b = x[triangle_->b];
+    z[triangle_->a] = 0.5 * ((1.0 - a) + b);
+    z[triangle_->b] = 0.5 * ((a - 1.0) + b);
+  }
+  return z;
+}
+
+void ChangeOfVariable::to_z(double* derivatives) const {
+  if (!triangle_) return;
+  double &a = derivatives[triangle_->a], &b = derivatives[triangle_->b];
+  const double by_a = a, by_b = b;
+  a = by_b - by_a;
+  b = by_a + by_b;
+}
+
+std::string ChangeOfVariable::bound_text(std::size_t i, bool low) const {
+  if (triangle_ && (i == triangle_->a || i == triangle_->b)) {
+    const std::string &a = names_[triangle_->a], &b = names_[triangle_->b];
+    if (i == triangle_->b) return a + " + " + b + " is on its bound, 1";
+    return low ? a + " is on its bound, 1 + " + b : b + " is on its bound, 1 + " + a;
+  }
+  const Interval& v = intervals_[i];
+  return names_[i] + " is on its bound, " + number_text(low ? v.low() : v.high());
+}
+
+}  // namespace detail
+
 namespace {
 
 using End = LeastSquaresResult::End;
@@ -238,7 +379,7 @@ class Solver {
   }
 
   const LeastSquares& problem_;
-  detail::StackedNumbers numbers_;
+  detail::ResidualVector numbers_;
   detail::ChangeOfVariable change_;
   std::vector<double> z_;
   std::vector<std::size_t> free_;
@@ -256,7 +397,7 @@ LeastSquaresResult solve(const LeastSquares& problem) {
 }
 
 double degrees_of_freedom(const LeastSquares& problem, const LeastSquaresResult& result) {
-  const detail::StackedNumbers numbers(problem);
+  const detail::ResidualVector numbers(problem);
   const auto n = std::ssize(problem.unknowns);
   if (std::ssize(result.x) != n) {
     throw DomainError("degrees_of_freedom: a result of " + std::to_string(result.x.size()) +
@@ -264,7 +405,7 @@ double degrees_of_freedom(const LeastSquares& problem, const LeastSquaresResult&
   }
   Eigen::VectorXd f(static_cast<Eigen::Index>(numbers.size()));
   RowByRow J(f.size(), n);
-  if (!numbers.at(result.x, f.data(), J.data(), detail::StackedNumbers::Derivatives::weighted)) {
+  if (!numbers.at(result.x, f.data(), J.data(), detail::ResidualVector::Derivatives::weighted)) {
     return std::numeric_limits<double>::quiet_NaN();
   }
   detail::to_unit_columns(J);

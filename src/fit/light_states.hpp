@@ -1,15 +1,25 @@
 // SPDX-License-Identifier: MIT
-// Solutions of fits of light curves side by side: which are one, and in what order they are.
+// Solutions of fits of light curves side by side: their geometry, which are one, and in what order
+// they are.
 #pragma once
 
 #include <algorithm>
+#include <span>
 #include <vector>
 
 #include "polhode/fit/light_fit.hpp"
+#include "polhode/light/light_curve.hpp"
 
 namespace polhode {
 inline namespace v0 {
 namespace detail {
+
+// Sums of the directions of all points, and what lies between the first and the last.
+struct LightGeometry {
+  Vec3 to_sun, to_observer;
+  double time_base;
+};
+LightGeometry geometry_of(std::span<const LightCurve> curves);
 
 // Whether two fits of one body of facets came to one spin state: to two standard errors, as facets
 // bend the light, or where these are small to 0.01 rad and 1e-4 of the rate; with the same counts

@@ -8,8 +8,7 @@
 #include <string>
 #include <type_traits>
 
-#include "free/detail/assembly.hpp"
-#include "free/detail/mean_phase.hpp"
+#include "free/detail/mean_frame.hpp"
 #include "free/detail/polhode_family.hpp"
 #include "free/detail/sorted_state.hpp"
 #include "free/hub_tangent.hpp"

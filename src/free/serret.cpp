@@ -1,25 +1,27 @@
 // SPDX-License-Identifier: MIT
-// Serret's elements, read from a FreeRotation and turned back into a state.
+// Serret's elements, read from a FreeRotation and turned back into a state, and the generating
+// function of the transformation to them.
 #include "polhode/free/serret.hpp"
 
 #include <array>
 #include <cmath>
 #include <string>
 
-#include "free/detail/assembly.hpp"
-#include "free/detail/mean_phase.hpp"
+#include "free/detail/mean_frame.hpp"
 #include "free/detail/sorted_state.hpp"
 #include "free/hub_tangent.hpp"
 #include "math/number_text.hpp"
 #include "polhode/elliptic/jacobi.hpp"
 #include "polhode/error.hpp"
 #include "polhode/free/detail/precession.hpp"
+#include "polhode/free/generating_function.hpp"
 #include "polhode/free/prepare.hpp"
 #include "polhode/math/dual.hpp"
 #include "polhode/rotor/andoyer.hpp"
 
 namespace polhode {
 inline namespace v0 {
+
 namespace {
 
 using DD = DoubleDouble;
@@ -195,7 +197,7 @@ void require_held_time(double t0, double t) {
 // The momentum along the sorted axes at a time, scaled: each component to its own digits, which a
 // needle needs and the state in doubles does not have.
 BasicVec3<DD> sorted_momentum(const FreeRotation& m, double t) {
-  const detail::PrimedArc<DD> arc = detail::primed_arc<DD>(m.body(), m.initial_state().g);
+  const detail::NormalizedArc<DD> arc = detail::normalized_arc<DD>(m.body(), m.initial_state().g);
   const detail::PolhodeCurve<DD>& c = arc.curve;
   const detail::MeanPhase phase = detail::mean_phase(m.kernel(), t);
   const DD u = !m.kernel().series.hyperbolic ? DD(2.0) / DD::pi() * phase.x * c.K : phase.u;
@@ -402,6 +404,14 @@ Matrix6 chart_jacobian(const Body& body, const SerretState& given, double t) {
     return in_user_units(detail::hub_tangent(rotor_from(body, curve, c, now)));
   const Matrix6 B0 = detail::hub_tangent(rotor_from(body, curve, c, s.t0));
   return free_rotation(body, given).state_transition(t) * in_user_units(B0);
+}
+
+GeneratingFunction generating_function(const FreeRotation& motion, double t) {
+  const SerretState c = to_serret(motion, t);
+  const EulerState e = to_euler(motion.at(t));
+  const double elapsed = t - c.t0;                                   // u/n
+  const double S = (elapsed - c.t0) * c.T + c.H * c.h + c.G * c.g0;  // [SA (55)]
+  return {S, e.Phi, e.Theta, e.Psi, c.g0, c.h, -c.t0, -c.T};
 }
 
 }  // namespace v0

@@ -6,10 +6,10 @@
 
 #include <cmath>
 
-#include "free/detail/flow_tangent.hpp"
+#include "free/detail/euler_flow.hpp"
 #include "polhode/free/detail/axis_order.hpp"
+#include "polhode/free/detail/normalized_arc.hpp"
 #include "polhode/free/detail/polhode_curve.hpp"
-#include "polhode/free/detail/primed_arc.hpp"
 #include "polhode/free/detail/signed_order.hpp"
 #include "polhode/math/error_free.hpp"
 #include "polhode/rotor/body.hpp"

@@ -8,13 +8,13 @@
 #include <string>
 #include <utility>
 
-#include "free/detail/mean_phase.hpp"
+#include "free/detail/mean_frame.hpp"
 #include "free/detail/polhode_family.hpp"
 #include "free/detail/sorted_state.hpp"
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
+#include "polhode/free/detail/normalized_arc.hpp"
 #include "polhode/free/detail/precession.hpp"
-#include "polhode/free/detail/primed_arc.hpp"
 #include "polhode/free/prepare.hpp"
 #include "polhode/rotor/euler.hpp"
 
@@ -212,7 +212,7 @@ double least_period_ratio(const Body& body, Regime mode) {
 
 double psi_max(const FreeRotation& m) {
   if (m.regime() != Regime::short_axis) return std::numeric_limits<double>::quiet_NaN();
-  return largest_psi(detail::primed_arc<DD>(m.body(), m.initial_state().g).curve);
+  return largest_psi(detail::normalized_arc<DD>(m.body(), m.initial_state().g).curve);
 }
 
 double long_axis_period(double short_axis_period, double rotation_period) {
@@ -228,7 +228,8 @@ TumblingAngles tumbling_angles(const FreeRotation& m) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN(), pi = 2.0 * right_angle;
   const bool long_axis = m.regime() == Regime::long_axis;
   if (!long_axis && m.regime() != Regime::short_axis) return {nan, nan, nan, nan};
-  const detail::PolhodeCurve<DD> c = detail::primed_arc<DD>(m.body(), m.initial_state().g).curve;
+  const detail::PolhodeCurve<DD> c =
+      detail::normalized_arc<DD>(m.body(), m.initial_state().g).curve;
   // primed axis 3, which the momentum goes round: at sn = 0 and at sn = 1
   double least = atan2(c.a1, c.a3).hi, most = atan2(c.a2, c.a3 * sqrt(c.kp2)).hi;
   if (least > most) std::swap(least, most);

@@ -9,7 +9,7 @@
 #include <map>
 #include <vector>
 
-#include "mpi/cell.hpp"
+#include "mpi/messages.hpp"
 #include "mpi/own_cells.hpp"
 #include "polhode/ensemble/team.hpp"
 

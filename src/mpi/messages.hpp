@@ -6,11 +6,17 @@
 #include <optional>
 #include <string>
 
-#include "mpi/cell.hpp"
-
 namespace polhode {
 inline namespace v0 {
 namespace detail {
+
+// A cell of a stage, and what has become of it.
+struct Cell {
+  enum class Fate : std::int64_t { done, failed, dropped };
+  std::int64_t index = 0;
+  Fate fate = Fate::dropped;
+  std::string bytes = {};  // of the result, or why there is none
+};
 
 enum class Subject : std::int64_t {
   stage,   // the leader's: its bytes follow by broadcast()

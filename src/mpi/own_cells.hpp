@@ -11,7 +11,7 @@
 #include <functional>
 #include <optional>
 
-#include "mpi/cell.hpp"
+#include "mpi/messages.hpp"
 #include "polhode/ensemble/team.hpp"
 
 namespace polhode {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Kepler orbits in space: by elements, in turned axes, and a position on a mean ellipse.
 #include "polhode/orbit/kepler_orbit.hpp"
 
 #include <algorithm>
@@ -7,12 +8,14 @@
 #include <string>
 
 #include "math/number_text.hpp"
-#include "orbit/detail/kepler_shape.hpp"
+#include "orbit/detail/kepler_elements.hpp"
 #include "orbit/detail/orbit_lanes.hpp"
-#include "orbit/detail/planar_position.hpp"
-#include "orbit/detail/plane_axes.hpp"
 #include "orbit/detail/sine_excess.hpp"
+#include "orbit/detail/tabulated_ellipse.hpp"
 #include "polhode/error.hpp"
+#include "polhode/orbit/kepler_equation.hpp"
+#include "polhode/orbit/mean_ellipse.hpp"
+#include "polhode/orbit/turned_kepler_orbit.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -224,6 +227,20 @@ void KeplerOrbit::motions(const TimeRows& times, const VectorRows& position,
     position.set(i, placed({position.x[i], position.y[i]}));
     velocity.set(i, placed({velocity.x[i], velocity.y[i]}));
   }
+}
+
+TurnedKeplerOrbit::TurnedKeplerOrbit(const PrecessingKeplerOrbit& orbit, double angle)
+    : orbit_(orbit), angle_(angle), sine_(std::sin(angle)), cosine_(std::cos(angle)) {
+  if (!std::isfinite(angle))
+    throw DomainError("TurnedKeplerOrbit: angle " + detail::number_text(angle) + " must be finite");
+}
+
+Vec3 on_ellipse(double a, double e, double mean_anomaly, double pericentre) {
+  const KeplerAnomaly at = eccentric_anomaly(mean_anomaly, Eccentricity::of(e));
+  // not cos E - e: cancels
+  const double x = a * ((1.0 - e) - at.versine), y = a * std::sqrt((1.0 - e) * (1.0 + e)) * at.sine;
+  const double c = std::cos(pericentre), s = std::sin(pericentre);
+  return {c * x - s * y, s * x + c * y, 0.0};
 }
 
 }  // namespace v0

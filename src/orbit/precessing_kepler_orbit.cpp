@@ -5,9 +5,8 @@
 #include <limits>
 
 #include "math/number_text.hpp"
-#include "orbit/detail/kepler_shape.hpp"
+#include "orbit/detail/kepler_elements.hpp"
 #include "orbit/detail/orbit_lanes.hpp"
-#include "orbit/detail/plane_axes.hpp"
 #include "polhode/error.hpp"
 
 namespace polhode {

@@ -1,17 +1,23 @@
 // SPDX-License-Identifier: MIT
+// Orbits from outside: tables of positions, and AnyOrbit's error for an orbit without velocity.
 #include "polhode/orbit/table_orbit.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
 #include <string>
 
-#include "math/is_finite.hpp"
+#include "math/finite.hpp"
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
+#include "polhode/orbit/any_orbit.hpp"
 
 namespace polhode {
 inline namespace v0 {
+
 namespace {
 
 constexpr std::size_t usual_nodes = 10;
@@ -138,8 +144,42 @@ double TableOrbit::time_scale() const {
   return rate > 0.0 ? 0.5 * std::numbers::pi / rate : std::numeric_limits<double>::infinity();
 }
 
+namespace {
+
+double largest_distance(const PositionTable& table) {
+  double largest = 0.0;
+  for (const Vec3& x : table.positions) largest = std::fmax(largest, norm(x));
+  return largest;
+}
+
+// An error is relative to this distance; passing through the centre must not make it infinite.
+double size_at(const Vec3& x, double largest) { return std::fmax(norm(x), 1e-3 * largest); }
+
+// The error of cubics through two or three rows with velocities. In a curve that turns by an angle
+// a between rows, `bend` is a^2 / 8 of the size, `twist` a^3 / 12 and the error a^4 / 384. After a
+// whole revolution only the twist is left. The factors are 6 times those of a circle, since along
+// ellipses and straight falls the fourth derivative is up to 14 times the square of the second.
+double cubic_error(const TableOrbit& orbit, ErrorSize size) {
+  const PositionTable& table = orbit.table();
+  const std::vector<double>& t = table.times;
+  const std::vector<Vec3>&x = table.positions, &v = table.velocities;
+  const double distance = largest_distance(table);
+  double largest = 0.0;
+  for (std::size_t k = 1; k < t.size(); ++k) {
+    const double step = t[k] - t[k - 1];
+    const double whole = size_at(orbit.position(t[k - 1] + 0.5 * step), distance);
+    const double bend = 0.125 * step * norm(v[k] - v[k - 1]) / whole;
+    const double twist = norm(x[k] - x[k - 1] - 0.5 * step * (v[k - 1] + v[k])) / whole;
+    const double error =
+        std::fmin(bend + twist, std::fmax(bend * bend, 0.4 * twist * std::cbrt(twist)));
+    largest = std::fmax(largest, size == ErrorSize::relative ? error : error * whole);
+  }
+  return largest;
+}
+
+}  // namespace
+
 double interpolation_error(const TableOrbit& orbit, ErrorSize size) {
-  constexpr std::size_t most_looks = 50000;
   const PositionTable& table = orbit.table();
   const std::vector<double>& t = table.times;
   const int step = orbit.has_velocities() ? 4 : 2, per_row = step / 2;  // of two rows
@@ -147,26 +187,37 @@ double interpolation_error(const TableOrbit& orbit, ErrorSize size) {
   // two orders below show how fast the error falls; of a low order, the one above how large it is
   const bool falls = order > 2 * step;
   const bool is_long = t.size() >= static_cast<std::size_t>(above / per_row);
-  if (!falls && !is_long && order == step) return std::numeric_limits<double>::quiet_NaN();
+  if (!falls && !is_long && order == step)
+    return orbit.has_velocities() ? cubic_error(orbit, size)
+                                  : std::numeric_limits<double>::quiet_NaN();
   const TableOrbit other(table, falls || !is_long ? order - step : above);
   const TableOrbit lowest(table, falls ? order - 2 * step : order);
-  double largest_size = 0.0;
-  for (const Vec3& x : table.positions) largest_size = std::fmax(largest_size, norm(x));
-  const std::size_t stride = 1 + (t.size() - 2) / most_looks;
+  // at the ends, where higher orders fall to this one
+  const int end_order = std::min(order, static_cast<int>(most_end_nodes));
+  const bool drops = order > end_order;
+  const auto half = static_cast<std::size_t>(order / per_row / 2);  // of the rows of a polynomial
+  const TableOrbit end_other = drops ? TableOrbit(table, end_order - step) : other;
+  const TableOrbit end_lowest = drops ? TableOrbit(table, end_order - 2 * step) : lowest;
+  const double distance = largest_distance(table);
+  // half-way across a single gap the orders may agree by chance
+  constexpr std::array<double, 2> places = {0.5, 0.3};
+  const std::span<const double> looks(places.data(), orbit.is_evenly_spaced() ? 1 : 2);
   double largest = 0.0;
-  for (std::size_t k = 1; k < t.size(); k += stride) {
-    const double middle = t[k - 1] + 0.5 * (t[k] - t[k - 1]);
-    const Vec3 x = orbit.position(middle), near = other.position(middle);
-    const double gap = norm(x - near), before = norm(near - lowest.position(middle));
-    // too short for either, of a curve whose error at the lowest order is `gap`
-    const double squared = 6.0 * gap * (gap / std::fmax(norm(x), 1e-3 * largest_size));
-    const double error = !falls && !is_long            ? std::fmin(gap, squared)
-                         : falls && 4.0 * gap < before ? 4.0 * gap * (gap / before)
-                                                       : gap;
-    // through the centre a part of the distance means nothing
-    const double whole =
-        size == ErrorSize::relative ? std::fmax(norm(x), 1e-3 * largest_size) : 1.0;
-    if (error > largest * whole) largest = error / whole;
+  for (std::size_t k = 1; k < t.size(); ++k) {  // each, since a single gap decides
+    const bool at_end = drops && std::min(k, t.size() - k) < half;
+    for (const double place : looks) {
+      const double at = t[k - 1] + place * (t[k] - t[k - 1]);
+      const Vec3 x = orbit.position(at), near = (at_end ? end_other : other).position(at);
+      const double gap = norm(x - near);
+      const double before = norm(near - (at_end ? end_lowest : lowest).position(at));
+      // too short for either, of a curve whose error at the lowest order is `gap`
+      const double squared = 6.0 * gap * (gap / size_at(x, distance));
+      const double error = !falls && !is_long            ? std::fmin(gap, squared)
+                           : falls && 4.0 * gap < before ? 4.0 * gap * (gap / before)
+                                                         : gap;
+      const double whole = size == ErrorSize::relative ? size_at(x, distance) : 1.0;
+      if (error > largest * whole) largest = error / whole;
+    }
   }
   return largest;
 }
@@ -181,5 +232,13 @@ std::size_t TableOrbit::row_before(double u) const {
   return std::min(row, last);
 }
 
+namespace detail {
+
+void orbit_without_velocity(const std::string& name) {
+  throw DomainError("AnyOrbit: orbit \"" + name +
+                    "\" has no velocity: write position(t) as a template on the number type");
+}
+
+}  // namespace detail
 }  // namespace v0
 }  // namespace polhode

@@ -38,12 +38,20 @@ double angle_between(const Quaternion& a, const Quaternion& b) {
   return 2.0 * std::atan2(std::hypot(d.x, d.y, d.z), std::fabs(d.w));
 }
 
+bool has_slopes(const Interpolation& of) { return of.method == "HERMITE"; }
+bool has_angles(const Interpolation& of) { return of.method == "LINEAR"; }
+
 }  // namespace
+
+int Interpolation::degree_of(std::int64_t rows_written) const {
+  const std::int64_t values = has_slopes(*this) ? 2 * rows_written : rows_written;
+  return static_cast<int>(std::clamp<std::int64_t>(values - 1, 1, degree));
+}
 
 // Of the row in the middle of 2 `nodes` - 1 rows, from those at even places.
 double InterpolationError::of_middle(std::size_t first, std::size_t nodes) const {
-  const bool slopes = interpolation_.method == "HERMITE";
-  const bool angles = interpolation_.method == "LINEAR";
+  const bool slopes = has_slopes(interpolation_);
+  const bool angles = has_angles(interpolation_);
   const Row& middle = rows_[first + nodes - 1];
   std::array<double, 4> value{};
   for (std::size_t c = 0; c < (angles ? 3U : 4U); ++c) {
@@ -77,7 +85,25 @@ double InterpolationError::at_spacing(double found, std::size_t nodes) const {
   return interpolation_.ends * std::ldexp(found, margin - degree);
 }
 
+double InterpolationError::of_turn(std::int64_t rows_written) const {
+  constexpr double half_turn = std::numbers::pi * (1.0 - 1e-9);  // for the rounding of the rates
+  if (has_angles(interpolation_)) {
+    if (turn_ >= half_turn) return std::numbers::pi;
+    // two rows show no curvature: that of a free body is at most |omega|^2
+    return rows_written == 2 ? turn_ * turn_ / 8.0 : 0.0;
+  }
+  const int values = interpolation_.degree_of(rows_written) + 1;
+  double error = 2.0;
+  for (int k = 0; k < values; ++k) {
+    const int node = has_slopes(interpolation_) ? k / 2 : k;
+    error *= 0.5 * turn_ * std::fabs(node - 0.5) / (k + 1);
+  }
+  return std::min(error, std::numbers::pi);
+}
+
 void InterpolationError::add(const Row& row) {
+  if (!rows_.empty())
+    turn_ = std::max(turn_, std::max(rows_.back().rate, row.rate) * (row.t - rows_.back().t));
   rows_.push_back(row);
   if (rows_.size() < span_) return;
   is_full_ = true;
@@ -86,11 +112,10 @@ void InterpolationError::add(const Row& row) {
   for (std::size_t k = 0; k < interpolation_.rows / 2; ++k) rows_.pop_front();
 }
 
-double InterpolationError::estimate() const {
-  if (is_full_ || rows_.size() < 3) return largest_;
+double InterpolationError::estimate(std::int64_t rows_written) const {
+  double largest = std::max(largest_, of_turn(rows_written));
   const std::size_t nodes = (rows_.size() + 1) / 4 * 2;  // even, of fewer rows
-  if (nodes == 0) return 0.0;
-  double largest = 0.0;
+  if (is_full_ || nodes == 0) return largest;
   for (std::size_t first = 0; first + 2 * nodes - 1 <= rows_.size(); ++first)
     largest = std::max(largest, at_spacing(of_middle(first, nodes), nodes));
   return largest;

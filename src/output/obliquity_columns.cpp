@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "polhode/error.hpp"
-#include "text/word_list.hpp"
+#include "text/words.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -7,9 +7,8 @@
 
 #include "output/formats/formats.hpp"
 #include "output/part_file.hpp"
-#include "text/civil_time.hpp"
-#include "text/printable.hpp"
-#include "text/word_list.hpp"
+#include "text/dates.hpp"
+#include "text/words.hpp"
 
 namespace polhode {
 inline namespace v0 {

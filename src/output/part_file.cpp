@@ -15,7 +15,7 @@
 
 #include "polhode/error.hpp"
 #include "polhode/output/sink.hpp"
-#include "text/printable.hpp"
+#include "text/words.hpp"
 
 namespace polhode {
 inline namespace v0 {

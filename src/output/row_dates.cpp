@@ -6,7 +6,7 @@
 #include "polhode/ephemeris/date.hpp"
 #include "polhode/error.hpp"
 #include "polhode/text/epoch.hpp"
-#include "text/civil_time.hpp"
+#include "text/dates.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -6,8 +6,7 @@
 #include <sstream>
 #include <utility>
 
-#include "output/closing_notes.hpp"
-#include "output/detail/origin.hpp"
+#include "output/output_notes.hpp"
 #include "output/part_file.hpp"
 
 namespace polhode {

@@ -1,21 +1,27 @@
 // SPDX-License-Identifier: MIT
+// Time series: columns read from outputs, and files of light curves.
 #include "polhode/output/time_series.hpp"
 
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
 #include "output/detail/hdf5_handle.hpp"
+#include "output/part_file.hpp"
 #include "polhode/error.hpp"
+#include "polhode/output/light_curves.hpp"
+#include "polhode/tables/lc.hpp"
+#include "polhode/tables/light_columns.hpp"
 #include "polhode/tables/number_table.hpp"
 #include "tables/table_header.hpp"
-#include "text/printable.hpp"
-#include "text/word_list.hpp"
+#include "text/words.hpp"
 
 namespace polhode {
 inline namespace v0 {
+
 namespace {
 
 using detail::attribute_texts;
@@ -119,6 +125,25 @@ TimeSeries series_of_hdf5(const std::string& path, std::span<const std::string> 
 TimeSeries read_time_series(const std::string& path, std::span<const std::string> columns) {
   const bool hdf5 = path.ends_with(".h5") || path.ends_with(".hdf5");
   return hdf5 ? series_of_hdf5(path, columns) : series_of_table(path, columns);
+}
+
+namespace {
+
+void write_whole(const std::string& path, std::string_view text) {
+  detail::PartFile file(path);
+  file.write(text);
+  file.commit();
+}
+
+}  // namespace
+
+void write_lc(const std::string& path, std::span<const LightCurve> curves, const Date& epoch) {
+  write_whole(path, lc_text(curves, epoch));
+}
+
+void write_light_csv(const std::string& path, std::span<const LightCurve> curves,
+                     std::span<const std::string> notes) {
+  write_whole(path, light_csv(curves, notes));
 }
 
 }  // namespace v0

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "math/larger.hpp"
+#include "math/finite.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -8,7 +8,7 @@
 
 #include "polhode/scenario/fit_plan.hpp"
 #include "polhode/scenario/schema.hpp"
-#include "run/detail/experiment_parts.hpp"
+#include "run/detail/experiments.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -201,7 +201,7 @@ std::vector<Citation> citations_of(const Obliquity& of, const Kinds& kinds) {
   const OrbitKind* const kind = kinds.orbit(of.orbit_kind);
   return kind != nullptr ? kind->citations : std::vector<Citation>();
 }
-std::vector<Citation> citations_of(const OwnExperiment& own, const Kinds& kinds) {
+std::vector<Citation> citations_of(const CustomExperiment& own, const Kinds& kinds) {
   const ExperimentKind* const kind = kinds.experiment(own.kind);
   return kind == nullptr ? std::vector<Citation>{} : kind->citations;
 }

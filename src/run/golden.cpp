@@ -1,24 +1,265 @@
 // SPDX-License-Identifier: MIT
-// Golden cases evaluated: prepared and evaluated in double-double, and rounded once.
+// Golden cases: the table of them, their evaluation in double-double, rounded once, and their text.
 #include "polhode/run/golden.hpp"
 
+#include <array>
 #include <cerrno>
+#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include "output/part_file.hpp"
 #include "polhode/error.hpp"
 #include "polhode/free/evaluate.hpp"
 #include "polhode/free/free_rotation.hpp"
 #include "polhode/free/prepare.hpp"
-#include "run/detail/golden_table.hpp"
-#include "text/printable.hpp"
+#include "polhode/math/quaternion.hpp"
+#include "polhode/math/vector.hpp"
+#include "polhode/version.hpp"
+#include "text/json.hpp"
+#include "text/number_text.hpp"
+#include "text/words.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace detail {
+
+// What each golden case is: the numbers it starts from and the times it is asked for.
+
+struct GoldenStart {
+  std::string_view name;
+  std::string_view description;
+  Vec3 moments;
+  Quaternion q0;
+  Vec3 omega0;
+  std::span<const double> times;
+};
+
+std::span<const GoldenStart> golden_starts();
+
+// The table of golden cases. Moments and rates have few bits, so that I omega is exact; with
+// moments 3, 4, 6 the separatrix is |3 omega1| = |6 omega3|, exactly.
+
+namespace {
+
+constexpr std::array<double, 9> tens_of_turns{0, 0.5, 1, 2, 5, 10, 20, 50, 100};
+constexpr std::array<double, 9> million_turns{0, 1, 10, 100, 1e3, 1e4, 1e5, 1e6, 1e7};
+constexpr std::array<double, 9> microseconds{0,      0x1p-13, 0x1p-12, 0x1p-11, 0x1p-10,
+                                             0x1p-9, 0x1p-8,  0x1p-6,  0x1p-4};
+constexpr std::array<double, 9> days{0, 3600, 7200, 21600, 43200, 86400, 259200, 604800, 1209600};
+
+constexpr Vec3 triaxial{3, 4, 6}, oblate{3, 3, 5}, prolate{2, 5, 5}, flat{3, 4, 7};
+constexpr Quaternion q1{1, 0, 0, 0}, q2{0.5, 0.5, 0.5, 0.5}, q3{0.8, 0, 0.6, 0},
+    q4{0.1, 0.7, -0.5, 0.5}, q5{0.2, 0.4, -0.4, 0.8}, q6{0.7, 0.1, -0.7, 0.1};
+
+constexpr std::array starts{
+    GoldenStart{"sam", "short-axis mode", triaxial, q1, {0.5, 0.25, 1}, tens_of_turns},
+    GoldenStart{
+        "sam-reverse", "short-axis mode about -b3", triaxial, q4, {0.5, -0.75, -1}, tens_of_turns},
+    GoldenStart{"sam-wide",
+                "short-axis mode, a wide wobble",
+                triaxial,
+                q5,
+                {1.25, -0.25, 0.75},
+                tens_of_turns},
+    GoldenStart{"sam-small",
+                "momentum about 1e-6 off the short axis",
+                triaxial,
+                q3,
+                {0x1p-20, -0x1p-21, 1},
+                tens_of_turns},
+    GoldenStart{"lam", "long-axis mode", triaxial, q1, {1, 0.25, 0.125}, tens_of_turns},
+    GoldenStart{
+        "lam-reverse", "long-axis mode about -b1", triaxial, q5, {-1, 0.5, 0.25}, tens_of_turns},
+    GoldenStart{"lam-small",
+                "momentum about 1e-6 off the long axis",
+                triaxial,
+                q6,
+                {1, 0x1p-20, -0x1p-21},
+                tens_of_turns},
+    GoldenStart{"near-separatrix-sam-1e-3",
+                "2TI2/G^2 about 1 - 1e-3",
+                triaxial,
+                q1,
+                {2 - 0x1p-7, 0.5, 1},
+                tens_of_turns},
+    GoldenStart{"near-separatrix-lam-1e-3",
+                "2TI2/G^2 about 1 + 1e-3",
+                triaxial,
+                q4,
+                {2 + 0x1p-7, 0.5, -1},
+                tens_of_turns},
+    GoldenStart{"near-separatrix-sam-1e-8",
+                "2TI2/G^2 about 1 - 1e-8",
+                triaxial,
+                q3,
+                {2 - 0x1p-24, -0.5, 1},
+                tens_of_turns},
+    GoldenStart{"near-separatrix-lam-1e-8",
+                "2TI2/G^2 about 1 + 1e-8",
+                triaxial,
+                q2,
+                {-2 - 0x1p-24, 0.5, 1},
+                tens_of_turns},
+    GoldenStart{"near-separatrix-sam-1e-14",
+                "2TI2/G^2 about 1 - 1e-14",
+                triaxial,
+                q5,
+                {2 - 0x1p-44, 0.5, 1},
+                tens_of_turns},
+    GoldenStart{"near-separatrix-lam-1e-14",
+                "2TI2/G^2 about 1 + 1e-14",
+                triaxial,
+                q6,
+                {2 + 0x1p-44, 0.5, 1},
+                tens_of_turns},
+    GoldenStart{"separatrix",
+                "2TI2/G^2 = 1 exactly: one flip, then spin about b2; unstable",
+                triaxial,
+                q1,
+                {2, 0.5, 1},
+                tens_of_turns},
+    GoldenStart{"separatrix-other-branch",
+                "the same with g1 < 0, g2 < 0; unstable",
+                triaxial,
+                q4,
+                {-2, -0.5, 1},
+                tens_of_turns},
+    GoldenStart{"spin-b1", "spin about the long axis", triaxial, q2, {1.5, 0, 0}, tens_of_turns},
+    GoldenStart{"spin-b2",
+                "spin about the intermediate axis; unstable",
+                triaxial,
+                q3,
+                {0, -1.25, 0},
+                tens_of_turns},
+    GoldenStart{"spin-b3", "spin about the short axis", triaxial, q5, {0, 0, 0.75}, tens_of_turns},
+    GoldenStart{"near-b2",
+                "momentum about 1e-6 off the intermediate axis: it flips",
+                triaxial,
+                q1,
+                {0x1p-20, 1, 0x1p-20},
+                tens_of_turns},
+    GoldenStart{"rest", "no rotation", triaxial, q4, {0, 0, 0}, tens_of_turns},
+    GoldenStart{"sphere", "three equal moments", {2, 2, 2}, q6, {0.5, -0.25, 1}, tens_of_turns},
+    GoldenStart{"near-sphere",
+                "moments equal to within 1e-6",
+                {0x1p22, 0x1p22 + 1, 0x1p22 + 3},
+                q3,
+                {0.5, -0.25, 1},
+                tens_of_turns},
+    GoldenStart{"oblate", "two equal lesser moments", oblate, q1, {0.5, 0.25, 1}, tens_of_turns},
+    GoldenStart{
+        "oblate-reverse", "the same about -b3", oblate, q5, {-0.5, 0.25, -1}, tens_of_turns},
+    GoldenStart{"oblate-across",
+                "spin across the symmetry axis: steady",
+                oblate,
+                q2,
+                {0.5, 1, 0},
+                tens_of_turns},
+    GoldenStart{"prolate", "two equal greater moments", prolate, q1, {1, 0.25, 0.5}, tens_of_turns},
+    GoldenStart{"prolate-across",
+                "spin across the symmetry axis: steady",
+                prolate,
+                q4,
+                {0, 0.5, -1},
+                tens_of_turns},
+    GoldenStart{"near-oblate",
+                "lesser moments equal to within 1e-6",
+                {3, 3 + 0x1p-20, 5},
+                q6,
+                {0.5, 0.25, 1},
+                tens_of_turns},
+    GoldenStart{"near-prolate",
+                "greater moments equal to within 1e-6",
+                {2, 5, 5 + 0x1p-20},
+                q3,
+                {1, 0.25, 0.5},
+                tens_of_turns},
+    GoldenStart{"flat-sam",
+                "flat body, I3 = I1 + I2, short-axis mode",
+                flat,
+                q2,
+                {0.5, 0.25, 1},
+                tens_of_turns},
+    GoldenStart{"flat-lam",
+                "flat body, I3 = I1 + I2, long-axis mode",
+                flat,
+                q1,
+                {1, 0.25, 0.125},
+                tens_of_turns},
+    GoldenStart{"needle",
+                "least moment a thousandth of the others",
+                {0x1p-10, 1, 1 + 0x1p-11},
+                q5,
+                {2, 0.5, -0.25},
+                tens_of_turns},
+    GoldenStart{
+        "order-364", "moments in the order 3, 6, 4", {3, 6, 4}, q1, {0.5, 1, 0.25}, tens_of_turns},
+    GoldenStart{
+        "order-436", "moments in the order 4, 3, 6", {4, 3, 6}, q4, {0.25, 0.5, -1}, tens_of_turns},
+    GoldenStart{"order-463",
+                "moments in the order 4, 6, 3",
+                {4, 6, 3},
+                q2,
+                {0.25, 0.125, 1},
+                tens_of_turns},
+    GoldenStart{"order-634",
+                "moments in the order 6, 3, 4",
+                {6, 3, 4},
+                q6,
+                {0.125, -1, 0.25},
+                tens_of_turns},
+    GoldenStart{
+        "order-643", "moments in the order 6, 4, 3", {6, 4, 3}, q3, {1, 0.25, 0.5}, tens_of_turns},
+    GoldenStart{"long-sam",
+                "more than a million turns, short-axis mode",
+                triaxial,
+                q5,
+                {0.5, 0.25, 1},
+                million_turns},
+    GoldenStart{"long-lam",
+                "more than a million turns, long-axis mode",
+                triaxial,
+                q4,
+                {1, 0.25, 0.125},
+                million_turns},
+    GoldenStart{"long-near-separatrix",
+                "more than a million turns, 2TI2/G^2 about 1 - 1e-3",
+                triaxial,
+                q1,
+                {2 - 0x1p-7, 0.5, 1},
+                million_turns},
+    GoldenStart{"long-oblate",
+                "more than a million turns, axisymmetric",
+                oblate,
+                q6,
+                {0.5, 0.25, 1},
+                million_turns},
+    GoldenStart{"small-and-fast",
+                "moments of some 1e-6, 900 rad per unit of time",
+                {3 * 0x1p-20, 4 * 0x1p-20, 6 * 0x1p-20},
+                q3,
+                {128, 900, 32},
+                microseconds},
+    GoldenStart{"large-and-slow",
+                "moments of some 1e18, about a turn a day in seconds",
+                {3 * 0x1p60, 4 * 0x1p60, 6 * 0x1p60},
+                q2,
+                {0x1p-15, 0x1p-15, 0x1p-14},
+                days},
+};
+
+}  // namespace
+
+std::span<const GoldenStart> golden_starts() { return starts; }
+
+}  // namespace detail
+
 namespace {
 
 using DD = DoubleDouble;
@@ -94,6 +335,110 @@ void write_golden(const std::string& folder, const std::vector<GoldenCase>& case
   csv.write(golden_csv(cases));
   json.commit();
   csv.commit();
+}
+
+// Golden cases as JSON and as CSV: what is given in the shortest form, which is exact; what is
+// computed with 17 digits.
+
+namespace {
+
+using Numbers = std::vector<double>;
+
+std::string digits17(double value) {
+  char text[detail::longest_number];
+  return std::string(text, std::to_chars(text, text + detail::longest_number, value,
+                                         std::chars_format::general, 17)
+                               .ptr);
+}
+
+Numbers numbers(const Vec3& v) { return {v.x, v.y, v.z}; }
+Numbers numbers(const Quaternion& q) { return {q.w, q.x, q.y, q.z}; }
+
+std::string joined(const Numbers& values, std::string_view comma,
+                   std::string (*text)(double) = detail::number_text) {
+  std::string line;
+  for (const double value : values) {
+    if (!line.empty()) line += comma;
+    line += text(value);
+  }
+  return line;
+}
+
+std::string array(const Numbers& values, std::string (*text)(double) = detail::number_text) {
+  return "[" + joined(values, ", ", text) + "]";
+}
+
+constexpr const char* q_meaning =
+    "[w, x, y, z], Hamilton's product, body to inertial: v_inertial = q v_body q*; q and -q are "
+    "one attitude, w >= 0 is written";
+constexpr const char* omega_meaning = "body axes, radians per unit of time";
+constexpr const char* bound_meaning =
+    "|q - exact| <= bound and |omega - exact| <= bound |omega|, for moments, q0/|q0| and "
+    "omega0_body exactly as written";
+
+}  // namespace
+
+std::string regime_name(Regime regime) {
+  switch (regime) {
+    case Regime::rest:
+      return "rest";
+    case Regime::steady:
+      return "steady";
+    case Regime::short_axis:
+      return "short_axis";
+    case Regime::long_axis:
+      return "long_axis";
+    case Regime::separatrix:
+      return "separatrix";
+  }
+  return {};
+}
+
+std::string golden_json(const std::vector<GoldenCase>& cases) {
+  detail::JsonWriter json;
+  json.begin_object().key("title").value("Exact torque-free rotations of rigid bodies");
+  json.key("polhode").value(version());
+  json.key("meaning").begin_object();
+  json.key("moments").value("principal moments of inertia about body axes 1, 2, 3");
+  json.key("q").value(q_meaning).key("omega").value(omega_meaning);
+  json.key("bound").value(bound_meaning).end_object();
+  json.key("cases").begin_array();
+  for (const GoldenCase& c : cases) {
+    json.begin_object().key("name").value(c.name).key("description").value(c.description);
+    json.key("regime").value(regime_name(c.regime));
+    json.key("moments").raw(array(numbers(c.moments)));
+    json.key("q0").raw(array(numbers(c.q0)));
+    json.key("omega0_body").raw(array(numbers(c.omega0)));
+    json.key("bound").value(c.bound);
+    std::string rows;
+    for (const GoldenSample& s : c.samples)
+      rows += (rows.empty() ? "" : ",") + std::string("\n      {\"t\": ") +
+              detail::number_text(s.t) + ", \"q\": " + array(numbers(s.q), digits17) +
+              ", \"omega\": " + array(numbers(s.omega), digits17) + "}";
+    json.key("samples").raw("[" + rows + "\n    ]").end_object();
+  }
+  json.end_array().end_object();
+  return json.text();
+}
+
+std::string golden_csv(const std::vector<GoldenCase>& cases) {
+  std::string csv = "# Exact torque-free rotations of rigid bodies. polhode ";
+  csv += version();
+  csv += "\n# moments: principal moments of inertia about body axes 1, 2, 3\n";
+  for (const auto& [name, meaning] :
+       {std::pair{"q", q_meaning}, {"omega", omega_meaning}, {"bound", bound_meaning}})
+    csv += std::string("# ") + name + ": " + meaning + "\n";
+  csv += "case,regime,I1,I2,I3,qw0,qx0,qy0,qz0,w10,w20,w30,bound,t,qw,qx,qy,qz,w1,w2,w3\n";
+  for (const GoldenCase& c : cases) {
+    const std::string start = c.name + "," + regime_name(c.regime) + "," +
+                              joined(numbers(c.moments), ",") + "," + joined(numbers(c.q0), ",") +
+                              "," + joined(numbers(c.omega0), ",") + "," +
+                              detail::number_text(c.bound) + ",";
+    for (const GoldenSample& s : c.samples)
+      csv += start + detail::number_text(s.t) + "," + joined(numbers(s.q), ",", digits17) + "," +
+             joined(numbers(s.omega), ",", digits17) + "\n";
+  }
+  return csv;
 }
 
 }  // namespace v0

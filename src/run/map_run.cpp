@@ -11,9 +11,8 @@
 #include "polhode/error.hpp"
 #include "polhode/run/run.hpp"
 #include "polhode/trajectory/state_bytes.hpp"
-#include "run/detail/kept_outputs.hpp"
-#include "run/detail/sized.hpp"
-#include "text/printable.hpp"
+#include "run/detail/checkpoint.hpp"
+#include "text/words.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -35,6 +34,16 @@ detail::KeptSetup setup_of(const ScenarioMap& map, const std::vector<std::string
   setup.words = options.words;
   setup.seconds = options.checkpoint_seconds;
   return setup;
+}
+
+// Cells of a section have several rows.
+Provenance provenance_of(const ScenarioMap& map) {
+  Provenance origin = provenance(map.scenario());
+  const MapPlan& plan = map.plan();
+  const bool is_section =
+      plan.kind == MapKind::andoyer_section || plan.kind == MapKind::spin_orbit_section;
+  if (plan.axes.size() == 1 && !is_section) origin.row_dimension = plan.axes.front().key;
+  return origin;
 }
 
 // Each reason once: many cells fail for the same one.
@@ -94,7 +103,7 @@ class MapRun::Parts {
       : map_(map),
         width_(map.width()),
         options_(std::move(options)),
-        outputs_(setup_of(map, paths, options_), provenance(map.scenario())) {
+        outputs_(setup_of(map, paths, options_), provenance_of(map)) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     state_.report.ranges.assign(width_, {infinity, -infinity});
     if (outputs_.is_complete()) return;
@@ -124,8 +133,7 @@ class MapRun::Parts {
 
  private:
   void open() {
-    sinks_ = detail::opened_tables(outputs_, map_.scenario(), map_.groups(),
-                                   provenance(map_.scenario()));
+    sinks_ = detail::opened_tables(outputs_, map_.scenario(), map_.groups(), provenance_of(map_));
     if (options_.extra_sink) sinks_.push_back(std::move(options_.extra_sink));
   }
 

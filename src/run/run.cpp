@@ -10,16 +10,16 @@
 #include <utility>
 #include <vector>
 
-#include "dynamics/events/free_event_search.hpp"
+#include "dynamics/events/event_search.hpp"
 #include "polhode/dynamics/resume.hpp"
 #include "polhode/error.hpp"
 #include "polhode/run/detail/integrated_run.hpp"
 #include "polhode/run/detail/row_writer.hpp"
 #include "polhode/run/detail/rows_maker.hpp"
 #include "polhode/run/detail/run_state.hpp"
-#include "run/detail/experiment_parts.hpp"
+#include "run/detail/experiments.hpp"
 #include "scenario/scenario_parts.hpp"
-#include "text/civil_time.hpp"
+#include "text/dates.hpp"
 #include "text/number_text.hpp"
 
 namespace polhode {
@@ -267,6 +267,9 @@ void detail::add_facts(const Rotation& rotation, RunFacts& facts) {
   facts.epoch = rotation.epoch;
   facts.axes = rotation.axes;
   facts.moving_frame = !rotation.frame.is_inertial();
+  const DampedProblem problem = rotor_problem(rotation);
+  const RotorState& initial = problem.initial.rotor;
+  facts.rate = norm(angular_velocity(problem.system, 0.0, initial).inertial);
 }
 
 RowLayout detail::row_layout(const Rotation& rotation, const Scenario& scenario) {

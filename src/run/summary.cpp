@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Summaries of scenarios and of their runs, line by line.
 #include "polhode/run/summary.hpp"
 
 #include <fmt/format.h>
@@ -6,16 +7,188 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <string>
+#include <variant>
 
 #include "polhode/free/rounding_sensitivity.hpp"
+#include "polhode/free/tumbler.hpp"
+#include "polhode/scenario/scenario.hpp"
 #include "polhode/text/epoch.hpp"
-#include "run/detail/experiment_parts.hpp"
-#include "run/detail/spin_lines.hpp"
+#include "run/detail/experiments.hpp"
 #include "run/detail/summary_lines.hpp"
 #include "text/json.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace detail {
+
+// Lines of a summary about the spin of a body: where its momentum points, between which angles its
+// axes swing, and what a run has made of it; and what looks like a mistake of the file.
+
+// At t = 0. The motion is the free one in the axes of the reference frame.
+void add_spin(Lines& lines, const Rotation& rotation, const FreeRotation& motion);
+// Mode, periods and pole at t = 0 and at the end of a run.
+void add_change(Lines& lines, const Rotation& rotation, const Units& units,
+                const DampedSample& end);
+// Notes: a quaternion that looks scalar-last, an orbit that lies inside of what it goes round.
+void add_doubts(Lines& lines, const Rotation& rotation, const Scenario& scenario);
+
+namespace {
+
+constexpr double turn = 2.0 * std::numbers::pi;
+
+struct Pole {
+  double longitude;
+  double latitude;
+};
+
+// Of the momentum in inertial axes; |G| > 0.
+Pole pole_of(const System& system, double t, const RotorState& state) {
+  const Vec3 k = inertial_momentum(inertial_state(system, t, state));
+  const double longitude = std::atan2(k.y, k.x);
+  return {longitude < 0.0 ? longitude + turn : longitude, std::atan2(k.z, std::hypot(k.x, k.y))};
+}
+
+// What the two angles of a pole are called.
+std::string pole_label(const Rotation& rotation) {
+  if (rotation.axes == "equator-J2000") return "pole (RA, Dec)";
+  return rotation.axes == "ecliptic-J2000" ? "pole (ecliptic longitude, latitude)"
+                                           : "pole (longitude, latitude)";
+}
+
+std::string mode_text(Regime regime) {
+  switch (regime) {
+    case Regime::rest:
+      return "at rest";
+    case Regime::steady:
+      return "steady spin";
+    case Regime::short_axis:
+      return "SAM";
+    case Regime::long_axis:
+      return "LAM";
+    case Regime::separatrix:
+      return "separatrix";
+  }
+  return {};
+}
+
+// "SAM, P_phi 30.56 h, P_psi 263 h, pole 250, -75 deg"
+std::string spin_text(const System& system, const Units& units, double t, const RotorState& s) {
+  const FreeRotation motion(system.body(), s, t);
+  std::string text = mode_text(motion.regime());
+  if (motion.regime() == Regime::rest) return text;
+  const auto period = [&](double core) {
+    return fmt::format("{:.8g} {}", units.from_core(core, Dimension::time), units.time());
+  };
+  const bool tumbles =
+      motion.regime() == Regime::short_axis || motion.regime() == Regime::long_axis;
+  text += (tumbles ? ", P_phi " : ", period ") + period(turn / motion.precession_rate_long());
+  if (tumbles) text += ", P_psi " + period(motion.polhode_period());
+  const Pole pole = pole_of(system, t, s);
+  return text + fmt::format(", pole {:.7g}, {:.7g} {}",
+                            units.from_core(pole.longitude, Dimension::angle),
+                            units.from_core(pole.latitude, Dimension::angle), units.angle());
+}
+
+// Radius and GM of the Sun, the planets and the Moon: report of the IAU working group on
+// cartographic coordinates (Archinal et al. 2018), DE440.
+struct KnownBody {
+  const char* name;
+  double gm;      // km3/s2
+  double radius;  // km, mean
+};
+constexpr KnownBody known_bodies[] = {
+    {"the Sun", 132712440041.3, 695700.0}, {"Mercury", 22031.87, 2439.4},
+    {"Venus", 324858.59, 6051.8},          {"the Earth", 398600.44, 6371.0084},
+    {"the Moon", 4902.8, 1737.4},          {"Mars", 42828.37, 3389.5},
+    {"Jupiter", 126686531.9, 69911.0},     {"Saturn", 37931206.2, 58232.0},
+    {"Uranus", 5793951.3, 25362.0},        {"Neptune", 6835099.97, 24622.0},
+};
+constexpr double same_gm = 1e-3;  // relative
+
+// The least in a run, which begins at t = 0; the eccentricity changes evenly.
+double least_pericentre(const ScenarioOrbit& orbit, const std::optional<SaveAt>& rows) {
+  const KeplerElements& elements = *kepler_elements(orbit);
+  const auto* const moving = std::get_if<PrecessingKeplerOrbit>(&orbit.motion);
+  double least = elements.pericentre;
+  if (moving == nullptr || moving->rates().eccentricity == 0.0 || !rows) return least;
+  const double axis = elements.pericentre / (1.0 - elements.eccentricity);
+  for (const double t : {0.0, (*rows)[0], (*rows)[rows->size() - 1]})
+    least = std::min(least, axis * (1.0 - moving->eccentricity(t)));
+  return least;
+}
+
+void add_low_orbit(Lines& lines, const ScenarioOrbit& orbit, const std::optional<SaveAt>& rows,
+                   const Units& units) {
+  const KeplerElements* const elements = kepler_elements(orbit);
+  if (elements == nullptr || units.length() == "1") return;
+  const Units of_bodies("s", "rad", "1", "km");
+  const double km = units.from_core(least_pericentre(orbit, rows), Dimension::length) *
+                    of_bodies.to_core(1.0, units.length(), Dimension::length);
+  const double gm = units.from_core(elements->gm, Dimension::gm) *
+                    of_bodies.to_core(1.0, units.label(Dimension::gm), Dimension::gm);
+  for (const KnownBody& body : known_bodies) {
+    if (!(std::fabs(gm - body.gm) < same_gm * body.gm) || !(km < body.radius)) continue;
+    lines.text("orbit_" + orbit.name + "_note", "of the orbit " + orbit.name,
+               fmt::format("its pericentre, {:.6g} km from the centre, is inside {} ({:.0f} km): "
+                           "semi_major_axis is no altitude",
+                           km, body.name, body.radius));
+  }
+}
+
+}  // namespace
+
+void add_spin(Lines& lines, const Rotation& rotation, const FreeRotation& motion) {
+  if (motion.regime() == Regime::rest) return;
+  const Vec3& I = motion.body().moments();
+  const double G = motion.momentum();
+  // T/G twice: G^2 may be out of range
+  lines.number("energy_ratio", "E/E0 (1: least energy for this G)",
+               2.0 * (motion.energy() / G) * (std::max({I.x, I.y, I.z}) / G), Dimension::number);
+  const TumblingAngles angles = tumbling_angles(motion);
+  if (std::isfinite(angles.long_least)) {
+    lines.numbers("long_axis_angles", "long axis from momentum, least, most",
+                  {angles.long_least, angles.long_most}, Dimension::angle);
+    lines.numbers("short_axis_angles", "short axis from momentum, least, most",
+                  {angles.short_least, angles.short_most}, Dimension::angle);
+  }
+  if (motion.regime() == Regime::steady)
+    lines.number("wobble_period", "period of a small wobble (limit)", motion.polhode_period(),
+                 Dimension::time);
+  const Pole pole = pole_of(rotor_system(rotation), 0.0, initial_state(rotation));
+  lines.numbers("pole", pole_label(rotation), {pole.longitude, pole.latitude}, Dimension::angle);
+}
+
+void add_change(Lines& lines, const Rotation& rotation, const Units& units,
+                const DampedSample& end) {
+  const System system = rotor_system(rotation);
+  lines.text("before", "at t = 0", spin_text(system, units, 0.0, initial_state(rotation)));
+  lines.text(
+      "after",
+      fmt::format("at t = {:.10g} {}", units.from_core(end.t, Dimension::time), units.time()),
+      spin_text(system, units, end.t, end.s.rotor));
+}
+
+void add_doubts(Lines& lines, const Rotation& rotation, const Scenario& scenario) {
+  constexpr double nearly_all = 0.99;
+  const auto* const given = std::get_if<AttitudeRate>(&rotation.state);
+  if (given != nullptr && std::fabs(given->q.z) > nearly_all)
+    lines.text("quaternion_note", "of the quaternion",
+               "a turn of nearly 180 deg about axis 3, or one that has its scalar last: it is "
+               "[w, x, y, z] here");
+  const std::vector<std::string>& columns = scenario.output.columns;
+  if (rotation.frame.is_inertial() &&
+      std::find(columns.begin(), columns.end(), "roll_pitch_yaw") != columns.end())
+    lines.text("roll_pitch_yaw_note", "of roll, pitch and yaw",
+               "they count from the inertial axes; [frame.local-vertical] makes them those of an "
+               "orbit");
+  for (const ScenarioOrbit& orbit : rotation.orbits)
+    add_low_orbit(lines, orbit, rotation.time, scenario.units());
+}
+
+}  // namespace detail
+
 namespace {
 
 using detail::Lines;
@@ -58,9 +231,12 @@ std::string orbit_text(const Units& units, const ScenarioOrbit& orbit) {
 // The error between the rows of a file.
 void add_interpolation(Lines& lines, const ScenarioOrbit& orbit) {
   if (!orbit.interpolation_error) return;
+  const double error = *orbit.interpolation_error;
   lines.text("orbit_" + orbit.name + "_error", "orbit " + orbit.name + ": interpolation error",
-             fmt::format("about {:.0e} of the distance{}", *orbit.interpolation_error,
-                         orbit.warnings.empty() ? "" : ": rows are too far apart"));
+             std::isnan(error)
+                 ? "unknown: too few rows to estimate it"
+                 : fmt::format("about {:.0e} of the distance{}", error,
+                               orbit.warnings.empty() ? "" : ": rows are too far apart"));
 }
 
 // What the doubles of the input leave open at the end of a free rotation.
@@ -77,6 +253,9 @@ void add_sensitivity(Lines& lines, const Rotation& rotation, const Units& units,
                Dimension::angle);
 }
 
+// " m2"; empty of a number.
+std::string after_number(const std::string& unit) { return unit == "1" ? "" : " " + unit; }
+
 // "3 x 2 x 1 m, area 22 m2, 12 facets"
 std::string size_text(const FacetShape& mesh, const Units& units) {
   Vec3 least = mesh.vertices().front(), most = least;
@@ -86,10 +265,10 @@ std::string size_text(const FacetShape& mesh, const Units& units) {
       most[i] = std::fmax(most[i], x[i]);
     }
   const auto length = [&](int i) { return units.from_core(most[i] - least[i], Dimension::length); };
-  return fmt::format("{:.4g} x {:.4g} x {:.4g} {}, area {:.4g} {}, {} facets", length(0), length(1),
-                     length(2), units.label(Dimension::length),
-                     units.from_core(mesh.area(), Dimension::area), units.label(Dimension::area),
-                     mesh.triangles().size());
+  return fmt::format("{:.4g} x {:.4g} x {:.4g}{}, area {:.4g}{}, {} facets", length(0), length(1),
+                     length(2), after_number(units.label(Dimension::length)),
+                     units.from_core(mesh.area(), Dimension::area),
+                     after_number(units.label(Dimension::area)), mesh.triangles().size());
 }
 void add_meshes(Lines& lines, const Rotation& rotation, const Units& units) {
   if (rotation.shape)
@@ -138,11 +317,10 @@ void add_motion(Lines& lines, const Rotation& rotation, const Units& units,
   for (std::size_t i = 0; i < rotation.events.size(); ++i) {
     const ScenarioEvent& event = rotation.events[i];
     const Dimension dimension = column_dimension(event.column, charts);
-    const std::string unit = units.label(dimension);
     lines.text("event_" + std::to_string(i + 1), "event " + event.name,
                event.column + " = " +
                    fmt::format("{:.10g}", units.from_core(event.value, dimension)) +
-                   (unit == "1" ? "" : " " + unit) + crossing_text(event.crossing) +
+                   after_number(units.label(dimension)) + crossing_text(event.crossing) +
                    (event.stops ? ", stops the run" : ""));
   }
 }

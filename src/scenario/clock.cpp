@@ -8,7 +8,7 @@
 #include "polhode/text/epoch.hpp"
 #include "scenario/value_access.hpp"
 #include "scenario/values.hpp"
-#include "text/date_text.hpp"
+#include "text/dates.hpp"
 #include "text/number_text.hpp"
 
 namespace polhode {

@@ -5,8 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "scenario/detail/obliquity_kind.hpp"
-#include "scenario/detail/rotation_kind.hpp"
+#include "scenario/detail/made_experiments.hpp"
 #include "scenario/scenario_parts.hpp"
 #include "scenario/value_access.hpp"
 
@@ -41,7 +40,7 @@ MadeExperiment made_obliquity_of(const KindContext& of) {
           }};
 }
 
-OwnExperiment made_own(const KindContext& at) {
+CustomExperiment made_own(const KindContext& at) {
   const std::string& path = word(at.values, "kind");  // its table has the same name
   const ExperimentKind* const kind = at.kinds.experiment(path);
   if (kind == nullptr)

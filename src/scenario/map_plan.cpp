@@ -6,11 +6,10 @@
 #include "output/obliquity_columns.hpp"
 #include "polhode/error.hpp"
 #include "polhode/output/columns.hpp"
-#include "scenario/number_location.hpp"
 #include "scenario/scenario_parts.hpp"
 #include "scenario/value_access.hpp"
 #include "scenario/values.hpp"
-#include "text/word_list.hpp"
+#include "text/words.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -141,7 +140,7 @@ MapPlan plan_of(const Obliquity& of, const MapContext& at) {
   return {.kind = MapKind::column, .column = column, .unit = unit_of(*found, at.units)};
 }
 
-MapPlan plan_of(const OwnExperiment& of, const MapContext& at) {
+MapPlan plan_of(const CustomExperiment& of, const MapContext& at) {
   refuse(at.values, "map", at.name,
          "kind: got \"" + of.kind + "\"; expected \"rotation\" or \"obliquity\"");
 }

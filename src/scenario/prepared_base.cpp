@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "scenario/value_reader.hpp"
+#include "scenario/values.hpp"
 #include "text/number_text.hpp"
 
 namespace polhode {

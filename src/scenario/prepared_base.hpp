@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "scenario/detail/experiment_kinds.hpp"
-#include "scenario/number_location.hpp"
+#include "scenario/value_access.hpp"
 
 namespace polhode {
 inline namespace v0 {

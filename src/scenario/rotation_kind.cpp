@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // The experiment of kind "rotation" from the values of a file.
-#include "scenario/detail/rotation_kind.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,6 +11,7 @@
 
 #include "polhode/rotor/attitude.hpp"
 #include "polhode/scenario/schema.hpp"
+#include "scenario/detail/made_experiments.hpp"
 #include "scenario/detail/reference_axes.hpp"
 #include "scenario/scenario_parts.hpp"
 #include "scenario/value_access.hpp"

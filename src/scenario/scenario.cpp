@@ -1,15 +1,21 @@
 // SPDX-License-Identifier: MIT
+// From a scenario file to what it describes: its text, the files that it names, recognised by their
+// bytes, and its outputs.
 #include "polhode/scenario/scenario.hpp"
 
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "polhode/scenario/schema.hpp"
+#include "polhode/trajectory/state_bytes.hpp"
 #include "scenario/detail/experiment_kinds.hpp"
 #include "scenario/detail/schema_table.hpp"
 #include "scenario/ensemble/ensemble_plan.hpp"
@@ -17,12 +23,100 @@
 #include "scenario/map_plan.hpp"
 #include "scenario/scenario_parts.hpp"
 #include "scenario/value_access.hpp"
-#include "scenario/value_reader.hpp"
+#include "scenario/values.hpp"
 #include "text/file_bytes.hpp"
-#include "text/printable.hpp"
+#include "text/words.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace detail {
+namespace {
+
+// As it is on the disk, packed or not. Never a pipe: it could be read once alone.
+std::optional<ScenarioFile> noted(const std::filesystem::path& folder, const std::string& path) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(folder / path, ignored)) return std::nullopt;
+  std::ifstream file(folder / path, std::ios::binary);
+  ScenarioFile result{path, 0, fingerprint({})};
+  std::array<char, 65536> block;
+  while (file) {
+    file.read(block.data(), block.size());
+    const std::string_view bytes(block.data(), static_cast<std::size_t>(file.gcount()));
+    result.fingerprint = fingerprint(bytes, result.fingerprint);
+    result.bytes += file.gcount();
+  }
+  if (!file.eof()) return std::nullopt;
+  return result;
+}
+
+}  // namespace
+
+std::vector<ScenarioFile> files_of(const Values& values, const std::string& name) {
+  std::set<std::string> paths;
+  for (const auto& [path, value] : values)
+    if (value.key->is_file) paths.insert(value.words.at(0));
+  const std::filesystem::path folder = std::filesystem::path(name).parent_path();
+  std::vector<ScenarioFile> files;
+  for (const std::string& path : paths)
+    if (const std::optional<ScenarioFile> file = noted(folder, path)) files.push_back(*file);
+  return files;
+}
+
+}  // namespace detail
+
+std::string file_note(const ScenarioFile& file) {
+  return detail::printable(file.path, 500) + ": " + std::to_string(file.bytes) + " bytes, mark " +
+         std::to_string(file.fingerprint);
+}
+
+namespace detail {
+
+// [output.NAME]: what a scenario asks of a format of files.
+
+namespace {
+
+OptionValues option_values(const Values& values, const OutputFormat& format,
+                           const std::string& table) {
+  std::map<std::string, OptionValue, std::less<>> by_name;
+  for (const OptionKey& option : format.keys) {
+    const std::string key(option.key().path);
+    const std::string path = table + "." + key;
+    if (!has(values, path)) continue;
+    const Value& value = value_at(values, path);
+    by_name.emplace(key, OptionValue{.word = value.words.empty() ? "" : value.words[0],
+                                     .number = value.numbers.empty() ? 0.0 : value.numbers[0],
+                                     .whole = value.whole});
+  }
+  return OptionValues(std::move(by_name));
+}
+
+std::any options_of(const Values& values, const OutputFormat& format, const std::string& table,
+                    const std::string& name) {
+  if (!format.options) return {};
+  try {
+    return format.options(option_values(values, format, table));
+  } catch (const OptionError& error) {
+    const std::string path = table + "." + error.key;
+    refuse(values, has(values, path) ? path : table, name, error.what());
+  } catch (const DomainError& error) {
+    refuse(values, table, name, error.what());
+  }
+}
+
+}  // namespace
+
+FormatOptions format_options_of(const Values& values, const OutputFormats& formats,
+                                const std::string& name) {
+  FormatOptions options;
+  for (const OutputFormat& format : formats.all()) {
+    const std::string table = "output." + format.name;
+    if (has(values, table)) options.emplace(format.name, options_of(values, format, table, name));
+  }
+  return options;
+}
+
+}  // namespace detail
+
 namespace {
 
 using detail::Diagnostics;
@@ -102,13 +196,14 @@ Scenario scenario_from_text(std::string_view text, const std::string& path, cons
 }
 
 std::vector<TableValues> model_values(const Scenario& scenario) {
-  constexpr std::string_view tables[] = {"body", "orbit.", "frame.", "perturbation[", "surface["};
+  constexpr std::string_view tables[] = {"body",   "state.",        "orbit.",
+                                         "frame.", "perturbation[", "surface["};
   std::vector<TableValues> all;
   for (const std::string_view wanted : tables) {
     const std::size_t first = all.size();
     for (const auto& [path, value] : scenario.document.checked->values) {
       const std::string_view table = key_table(path);
-      if (!path.starts_with(wanted) || table.empty() || value.key->type == KeyType::table) continue;
+      if (!table.starts_with(wanted) || value.key->type == KeyType::table) continue;
       if (detail::is_unused(scenario.document.checked->values, value, path)) continue;
       auto found = std::find_if(all.begin() + static_cast<std::ptrdiff_t>(first), all.end(),
                                 [&](const TableValues& one) { return one.table == table; });

@@ -2,8 +2,8 @@
 // What must not reach toml++ 3.3, found by the outline of TOML: strings, comments and the rest.
 #include <utility>
 
-#include "scenario/value_reader.hpp"
-#include "text/printable.hpp"
+#include "scenario/values.hpp"
+#include "text/words.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -14,13 +14,9 @@
 #include "scenario/detail/misplaced_keys.hpp"
 #include "scenario/detail/other_names.hpp"
 #include "scenario/detail/toml_nodes.hpp"
-#include "scenario/diagnostics.hpp"
-#include "scenario/value_reader.hpp"
 #include "scenario/values.hpp"
-#include "text/date_text.hpp"
-#include "text/nearest.hpp"
-#include "text/printable.hpp"
-#include "text/word_list.hpp"
+#include "text/dates.hpp"
+#include "text/words.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The values of a scenario by path, and what the library refuses of them as errors at their place.
-// The schema has every path asked for here, and the reader has let its value pass.
+// The values of a scenario by path, the places of its numbers, and what the library rejects of them
+// as errors at their place. The schema has every path asked for here, and the reader has let its
+// value pass.
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,6 +17,23 @@
 namespace polhode {
 inline namespace v0 {
 namespace detail {
+
+struct NumberLocation {
+  std::string path;
+  std::size_t index;
+};
+// Where "state.euler.theta" or "body.moments[1]" is; none where there is no such number.
+std::optional<NumberLocation> number_location(const Values& values, std::string_view key);
+
+// The same, and all numbers of an array by its name alone; empty where there is none.
+std::vector<NumberLocation> number_locations(const Values& values, std::string_view key);
+
+// The numbers of a file by their keys, of arrays the first, or that with the index in `key`: what
+// is near to a key that is none.
+std::vector<std::string> number_keys(const Values& values, std::string_view key);
+
+// Whether a value is one number or an array of them.
+bool is_number(const Value& value);
 
 const Value& value_at(const Values& values, std::string_view path);
 double number(const Values& values, std::string_view path);

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "secular/rotation_harmonics.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,6 +6,7 @@
 
 #include "polhode/free/free_rotation.hpp"
 #include "polhode/math/quaternion.hpp"
+#include "secular/gravity_gradient_transform.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -1,21 +1,90 @@
 // SPDX-License-Identifier: MIT
+// Histories of many spin axes on one orbit.
 #include "polhode/secular/spin_histories.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "math/number_text.hpp"
 #include "polhode/dynamics/integrate_model.hpp"
+#include "polhode/dynamics/model.hpp"
 #include "polhode/error.hpp"
-#include "secular/detail/spin_block.hpp"
+#include "polhode/secular/orbit_history.hpp"
+#include "polhode/secular/spin_precession.hpp"
+#include "secular/detail/spin_axes.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace detail {
+
+// SpinBlock: the spin axes of up to N bodies on one orbit, as one state of the common loop.
+template <std::size_t N>
+struct SpinBlock {
+  std::array<double, 3 * N> column{};  // x of all, y, z
+
+  SpinAxis axis(std::size_t i) const { return {{column[i], column[N + i], column[2 * N + i]}}; }
+  void put(std::size_t i, const SpinAxis& axis) {
+    column[i] = axis.s.x;
+    column[N + i] = axis.s.y;
+    column[2 * N + i] = axis.s.z;
+  }
+  bool is_lost(std::size_t i) const {
+    const Vec3 s = axis(i).s;
+    return !std::isfinite(s.x + s.y + s.z);
+  }
+  bool operator==(const SpinBlock&) const = default;
+};
+template <std::size_t N, class Visit>
+void each_number(SpinBlock<N>& block, Visit&& visit) {
+  for (double& x : block.column) visit(x);
+}
+
+template <std::size_t N>
+struct RateBlock {
+  std::array<double, N> star{}, satellites{}, geodetic{}, drift{};
+};
+
+// The model of a block. It goes on while one of its axes does.
+template <std::size_t N>
+struct SpinBlockModel {
+  using State = SpinBlock<N>;
+  static constexpr std::string_view name = SpinPrecession<OrbitHistory>::name;
+
+  OrbitHistory orbit;
+  std::shared_ptr<const RateBlock<N>> rates;
+  std::size_t count;
+  decltype(&turned_in_lanes<InstructionSet::baseline>) turned;
+
+  State frozen(std::span<const FrozenPart> parts, State axes) const {
+    std::array<FrozenOrbit, most_frozen_parts> orbits;
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      const OrbitPlane at = orbit.plane(parts[k].t);
+      orbits[k] = {parts[k].t, parts[k].h, at.e2, orbit_normal(at)};
+    }
+    turned({orbits.data(), parts.size()},
+           {count, rates->star.data(), rates->satellites.data(), rates->geodetic.data(),
+            rates->drift.data()},
+           axes.column.data(), N);
+    return axes;
+  }
+  bool goes_on(const State& at) const {
+    for (std::size_t i = 0; i < count; ++i)
+      if (!at.is_lost(i)) return true;
+    return false;
+  }
+};
+
+}  // namespace detail
+
 namespace {
 
 // Bodies that share one look at the orbit; few of them copy less.
@@ -40,7 +109,7 @@ void require_finite(const PrecessionRates& rates) {
 }
 
 // One that starts, under its index among all; its axis as it was given.
-struct Body {
+struct SpinningBody {
   std::size_t index;
   PrecessionRates rates;
   SpinAxis start;
@@ -61,11 +130,12 @@ class Histories {
 
   std::vector<LostSpin> of(std::span<const PrecessionRates> rates,
                            std::span<const SpinAxis> starts) {
-    std::vector<Body> block;
+    std::vector<SpinningBody> block;
     block.reserve(most_at_once);
     for (std::size_t i = 0; i < results_.size() / rows_; ++i) {
       try {
-        const Body one{i, rates[rates.size() == 1 ? 0 : i], starts[starts.size() == 1 ? 0 : i]};
+        const SpinningBody one{i, rates[rates.size() == 1 ? 0 : i],
+                               starts[starts.size() == 1 ? 0 : i]};
         spin_axis(one.start.s);  // refuses
         require_finite(one.rates);
         require_drift(one.rates, epoch_, times_[times_.size() - 1]);
@@ -82,7 +152,7 @@ class Histories {
   }
 
  private:
-  void run(const std::vector<Body>& bodies) {
+  void run(const std::vector<SpinningBody>& bodies) {
     if (bodies.empty()) return;
     if (bodies.size() <= few)
       run_block<few>(bodies);
@@ -91,7 +161,7 @@ class Histories {
   }
 
   template <std::size_t N>
-  static BasicProblem<SpinBlockModel<N>> problem_of(const std::vector<Body>& bodies,
+  static BasicProblem<SpinBlockModel<N>> problem_of(const std::vector<SpinningBody>& bodies,
                                                     const Histories& of) {
     const auto rates = std::make_shared<detail::RateBlock<N>>();
     SpinBlock<N> start;
@@ -110,7 +180,7 @@ class Histories {
   SpinAxis& row(std::size_t body, std::size_t k) { return results_[body * rows_ + k]; }
 
   template <std::size_t N>
-  void run_block(const std::vector<Body>& bodies) {
+  void run_block(const std::vector<SpinningBody>& bodies) {
     using Block = SpinBlock<N>;
     BasicProblem<SpinBlockModel<N>> problem = problem_of<N>(bodies, *this);
     std::size_t k = 0;
@@ -139,7 +209,7 @@ class Histories {
   }
 
   // Of a body that was lost on the way, where and why.
-  void run_alone(const Body& body) {
+  void run_alone(const SpinningBody& body) {
     using Model = SpinPrecession<OrbitHistory>;
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     for (std::size_t k = 0; k < rows_; ++k) row(body.index, k) = {{nan, nan, nan}};

@@ -6,7 +6,7 @@
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
 #include "polhode/math/pack_functions.hpp"
-#include "secular/detail/turned_axis.hpp"
+#include "secular/detail/spin_axes.hpp"
 
 namespace polhode {
 inline namespace v0 {

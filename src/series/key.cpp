@@ -1,13 +1,100 @@
 // SPDX-License-Identifier: MIT
+// Keys of terms: symbols, exponents and multipliers packed into words, and orders by weights.
 #include "polhode/series/key.hpp"
 
+#include <algorithm>
 #include <cstdlib>
+#include <set>
+#include <string>
+#include <utility>
 
+#include "math/number_text.hpp"
 #include "polhode/error.hpp"
 #include "polhode/series/detail/canonical_terms.hpp"
+#include "polhode/series/detail/orders.hpp"
+#include "polhode/series/detail/words.hpp"
+#include "polhode/series/symbols.hpp"
 
 namespace polhode {
 inline namespace v0 {
+
+namespace {
+
+using Names = std::vector<std::string>;
+
+std::string listed(const char* what, const Names& names) {
+  std::string text = names.empty() ? std::string("no ") + what : what;
+  for (const std::string& name : names) text += (&name == names.data() ? " " : ", ") + name;
+  return text;
+}
+
+int place(const Names& names, std::string_view name) {
+  const auto found = std::find(names.begin(), names.end(), name);
+  return found == names.end() ? -1 : static_cast<int>(found - names.begin());
+}
+
+bool is_name(const std::string& name) {
+  return !name.empty() && name != "cos" && name != "sin" && detail::is_letter(name[0]) &&
+         std::all_of(name.begin(), name.end(), detail::is_name_character);
+}
+
+void require_names(const char* what, const Names& names, std::set<std::string>& seen) {
+  if (names.size() > PackedFields::most)
+    throw DomainError("Symbols: " + std::to_string(names.size()) + " " + what + ", at most " +
+                      std::to_string(PackedFields::most));
+  for (const std::string& name : names) {
+    if (!is_name(name))
+      throw DomainError("Symbols: " + detail::quoted(name) +
+                        " is no name: a letter, then letters, digits, _ or '; not cos or sin");
+    if (!seen.insert(name).second)
+      throw DomainError("Symbols: " + name + " is there twice; every name needs to be its own");
+  }
+}
+
+}  // namespace
+
+Symbols::Symbols(Names variables, Names angles, std::vector<ConjugatePair> pairs) {
+  std::set<std::string> seen;
+  require_names("variables", variables, seen);
+  require_names("angles", angles, seen);
+  std::set<std::string> paired;
+  for (const ConjugatePair& pair : pairs) {
+    if (place(variables, pair.momentum) < 0)
+      throw DomainError("Symbols: the momentum " + detail::quoted(pair.momentum) +
+                        " of a pair is no variable; there are " + listed("variables", variables));
+    if (!seen.contains(pair.coordinate))
+      throw DomainError("Symbols: the coordinate " + detail::quoted(pair.coordinate) +
+                        " of a pair is neither a variable nor an angle");
+    for (const std::string& name : {pair.coordinate, pair.momentum})
+      if (!paired.insert(name).second)
+        throw DomainError("Symbols: " + name + " is in two pairs, or twice in one");
+  }
+  const PackedFields exponents(static_cast<int>(variables.size()));
+  const PackedFields multipliers(static_cast<int>(angles.size()));
+  table_ = std::make_shared<const Table>(
+      Table{std::move(variables), std::move(angles), std::move(pairs), exponents, multipliers});
+}
+
+bool Symbols::has_variable(std::string_view name) const { return place(variables(), name) >= 0; }
+bool Symbols::has_angle(std::string_view name) const { return place(angles(), name) >= 0; }
+
+int Symbols::variable(std::string_view name) const {
+  const int i = place(variables(), name);
+  if (i < 0)
+    throw DomainError("Symbols: no variable " + detail::quoted(name) + "; there are " + names());
+  return i;
+}
+
+int Symbols::angle(std::string_view name) const {
+  const int i = place(angles(), name);
+  if (i < 0)
+    throw DomainError("Symbols: no angle " + detail::quoted(name) + "; there are " + names());
+  return i;
+}
+
+std::string Symbols::names() const {
+  return listed("variables", variables()) + "; " + listed("angles", angles());
+}
 
 namespace {
 
@@ -94,5 +181,32 @@ void require_same(const Symbols& a, const Symbols& b) {
 
 }  // namespace detail
 
+namespace detail {
+
+namespace {
+
+// Twelve weighted exponents of 16 bits stay below 2^31.
+constexpr int largest_weight = 1000;
+
+}  // namespace
+
+Orders::Orders(const Symbols& symbols, const Truncation& keep) : fields_(symbols.exponents()) {
+  for (const auto& [name, weight] : keep.weights) {
+    if (weight < 0 || weight > largest_weight)
+      throw DomainError("Truncation: the weight " + std::to_string(weight) + " of " + name +
+                        " is out of [0, " + std::to_string(largest_weight) + "]");
+    weights_.emplace_back(symbols.variable(name), weight);
+  }
+}
+
+void require_room(const ProductSize& size, std::size_t most_bytes) {
+  if (size.bytes <= static_cast<double>(most_bytes)) return;
+  throw DomainError("product: " + rounded_text(size.pairs) + " pairs of terms may become " +
+                    rounded_text(size.terms) + " terms and take " + rounded_text(size.bytes / 1e9) +
+                    " GB, more than the " + rounded_text(static_cast<double>(most_bytes) / 1e9) +
+                    " GB allowed; lower the order, or raise Truncation::most_bytes");
+}
+
+}  // namespace detail
 }  // namespace v0
 }  // namespace polhode

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "math/is_finite.hpp"
+#include "math/finite.hpp"
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "math/larger.hpp"
+#include "math/finite.hpp"
 #include "polhode/system/canonical_rates.hpp"
 
 namespace polhode {

@@ -1,15 +1,36 @@
 // SPDX-License-Identifier: MIT
+// Rates of canonical variables under a system, and the Andoyer variables of a moving frame.
 #include "polhode/system/canonical_rates.hpp"
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 
+#include "polhode/free/free_rotation.hpp"
+#include "polhode/math/matrix6.hpp"
 #include "polhode/rotor/body.hpp"
-#include "system/detail/tangent.hpp"
+#include "polhode/system/modified_andoyer.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace detail {
+
+// Tangent vectors (theta_B, g_B) of the hub and matrices that act on them.
+inline std::array<double, 6> product(const Matrix6& m, const std::array<double, 6>& x) {
+  std::array<double, 6> y{};
+  for (int i = 0; i < 6; ++i)
+    for (int j = 0; j < 6; ++j)
+      y[static_cast<std::size_t>(i)] += m(i, j) * x[static_cast<std::size_t>(j)];
+  return y;
+}
+
+inline std::array<double, 6> product(const Matrix6& m, const HubRates& x) {
+  return product(m, std::array<double, 6>{x.theta.x, x.theta.y, x.theta.z, x.g.x, x.g.y, x.g.z});
+}
+
+}  // namespace detail
+
 namespace {
 
 constexpr CanonicalChart euler_chart{CanonicalSet::euler};
@@ -67,6 +88,26 @@ std::array<double, 3> convective_term(const CanonicalChart& chart, const System&
                                       const RotorState& s) {
   const CanonicalRates z = perturbation_rates(chart, system, t, s);
   return {z[0], z[1], z[2]};
+}
+
+AndoyerState modified_andoyer(const Body& body, double t0, double t, const RotorState& s) {
+  return to_andoyer(FreeRotation(body, s, t).at(t0));
+}
+
+RotorState from_modified_andoyer(const Body& body, double t0, double t, const AndoyerState& C) {
+  return FreeRotation(body, to_rotor(C), t0).at(t);
+}
+
+AndoyerRates modified_andoyer_rates(const System& system, double t0, double t,
+                                    const RotorState& s) {
+  const FreeRotation motion(system.body(), s, t);
+  const std::array<double, 6> at_epoch =
+      detail::product(motion.state_transition(t0), perturbation_rates(system, t, s));
+  CanonicalRates z =
+      detail::product(inverse_chart_jacobian({CanonicalSet::andoyer}, motion.at(t0)), at_epoch);
+  for (double& rate : z)
+    if (!std::isfinite(rate)) rate = std::numeric_limits<double>::quiet_NaN();
+  return {z[0], z[1], z[2], z[3], z[4], z[5]};
 }
 
 }  // namespace v0

@@ -8,11 +8,10 @@
 
 #include "polhode/error.hpp"
 #include "polhode/tables/aem.hpp"
-#include "tables/detail/kvn_ephemeris.hpp"
-#include "tables/detail/packed_file.hpp"
+#include "tables/detail/gzip_file.hpp"
+#include "tables/detail/kvn_reader.hpp"
 #include "text/number_text.hpp"
-#include "text/printable.hpp"
-#include "text/word_list.hpp"
+#include "text/words.hpp"
 
 namespace polhode {
 inline namespace v0 {

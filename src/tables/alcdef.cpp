@@ -10,12 +10,11 @@
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
 #include "polhode/light/magnitudes.hpp"
+#include "tables/detail/gzip_file.hpp"
 #include "tables/detail/kvn_reader.hpp"
 #include "tables/detail/light_sessions.hpp"
-#include "tables/detail/light_times.hpp"
-#include "tables/detail/packed_file.hpp"
 #include "tables/detail/trimmed.hpp"
-#include "text/printable.hpp"
+#include "text/words.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -39,8 +38,11 @@ constexpr std::string_view read_keywords[] = {
 
 class AlcdefReader {
  public:
-  AlcdefReader(std::string_view text, const std::string& shown, const std::optional<Date>& epoch)
-      : lines_(text, shown), times_(detail::light_times(shown, TimeScale::UTC, epoch)) {
+  AlcdefReader(std::string_view text, const std::string& shown, const std::optional<Date>& epoch,
+               std::span<const std::size_t> leave_out)
+      : lines_(text, shown),
+        times_(detail::light_times(shown, TimeScale::UTC, epoch)),
+        leave_out_(leave_out) {
     result_.file = shown;
   }
 
@@ -137,6 +139,10 @@ class AlcdefReader {
     std::optional<KvnLine> line;
     while ((line = lines_.next())) {
       const bool is_row = line->kind == KvnLine::Kind::pair && line->key == "DATA";
+      if (is_row && std::ranges::find(leave_out_, lines_.line_number()) != leave_out_.end()) {
+        session.left_out.push_back(lines_.line_number());
+        continue;
+      }
       if (is_row) {
         read_row(session, line->value, delimiter == "TAB" ? '\t' : '|');
         continue;
@@ -147,7 +153,7 @@ class AlcdefReader {
         unexpected(*line, "DATA=..., ENDDATA or STARTMETADATA");
       break;
     }
-    if (session.curve.points.empty())
+    if (session.curve.points.empty() && session.left_out.empty())
       lines_.fail("the session of line " + std::to_string(session.line) +
                   " has no points; expected DATA=...");
     return line;
@@ -213,6 +219,7 @@ class AlcdefReader {
 
   detail::KvnReader lines_;
   detail::LightTimes times_;
+  std::span<const std::size_t> leave_out_;
   LightCurveFile result_;
   struct Identity {
     std::string_view key;
@@ -240,14 +247,17 @@ std::string began_text(const Date& date) {
 }  // namespace
 
 LightCurveFile alcdef_from_text(std::string_view text, const std::string& name,
-                                const std::optional<Date>& epoch) {
+                                const std::optional<Date>& epoch,
+                                std::span<const std::size_t> leave_out) {
   const std::string shown = detail::printable(name, detail::longest_path);
   detail::require_size(text, shown);
-  return AlcdefReader(text, shown, epoch).read();
+  return AlcdefReader(text, shown, epoch, leave_out).read();
 }
 
-LightCurveFile read_alcdef(const std::string& path, const std::optional<Date>& epoch) {
-  return alcdef_from_text(detail::text_of_file(path, detail::largest_light_file), path, epoch);
+LightCurveFile read_alcdef(const std::string& path, const std::optional<Date>& epoch,
+                           std::span<const std::size_t> leave_out) {
+  return alcdef_from_text(detail::text_of_file(path, detail::largest_light_file), path, epoch,
+                          leave_out);
 }
 
 std::string alcdef_text(std::span<const LightCurve> curves, const Date& epoch,

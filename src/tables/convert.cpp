@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Conversion of tables from one chart to another.
 #include "polhode/tables/convert.hpp"
 
 #include <algorithm>
@@ -7,18 +8,102 @@
 #include <cstring>
 #include <iterator>
 #include <limits>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
 
 #include "polhode/error.hpp"
+#include "polhode/tables/chart_kind.hpp"
 #include "polhode/text/separated.hpp"
+#include "tables/detail/gzip_file.hpp"
 #include "tables/detail/line_reader.hpp"
-#include "tables/detail/table_notes.hpp"
-#include "text/nearest.hpp"
 #include "text/number_text.hpp"
-#include "text/printable.hpp"
-#include "text/word_list.hpp"
+#include "text/words.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace detail {
+
+// What the comments of a table that `polhode run` wrote say of its columns: units, and the options
+// of charts, which their numbers do not hold.
+class TableNotes {
+ public:
+  // That the charts outlive.
+  explicit TableNotes(std::span<const ChartKind> charts) : charts_(charts) {}
+
+  // True for a line that was a note; it speaks of the columns of this table alone, so a converted
+  // table must not repeat it.
+  bool read(std::string_view comment);
+
+  // The unit of a column, where the table says it.
+  std::string_view unit(std::string_view column) const;
+  // An option of a chart, where the table says it.
+  std::optional<double> option(std::string_view chart, std::string_view name) const;
+
+ private:
+  void read_option(const ChartKind& chart, std::string_view name, std::string_view word);
+
+  std::map<std::string, std::string, std::less<>> units_;
+  std::map<std::pair<std::string_view, std::string_view>, double> options_;
+  std::span<const ChartKind> charts_;
+};
+
+namespace {
+
+std::string_view first_word(std::string_view text) { return text.substr(0, text.find(' ')); }
+
+}  // namespace
+
+// "# units: t [h], phi [deg], ...", "# serret: sign_g1 1, sign_g3 -1", "# sadov: region LAM, lobe
+// -1".
+bool TableNotes::read(std::string_view comment) {
+  if (!comment.starts_with("# ")) return false;
+  const std::size_t colon = comment.find(": ");
+  const std::string_view subject =
+      comment.substr(2, colon == std::string_view::npos ? colon : colon - 2);
+  const bool units = subject == "units";
+  const ChartKind* const chart = chart_named(subject, charts_);
+  if (!units && (chart == nullptr || chart->options.empty())) return false;
+  std::string_view rest = colon == std::string_view::npos ? "" : comment.substr(colon + 2);
+  while (!rest.empty()) {
+    const std::size_t comma = rest.find(", ");
+    const std::string_view entry = rest.substr(0, comma);
+    rest.remove_prefix(comma == std::string_view::npos ? rest.size() : comma + 2);
+    const std::string_view name = first_word(entry);
+    if (name.size() + 1 >= entry.size()) continue;
+    const std::string_view value = entry.substr(name.size() + 1);
+    if (units && value.size() > 2)
+      units_.emplace(name, value.substr(1, value.size() - 2));
+    else if (!units)
+      read_option(*chart, name, value);
+  }
+  return true;
+}
+
+void TableNotes::read_option(const ChartKind& chart, std::string_view name, std::string_view word) {
+  for (const ChartOption& option : chart.options)
+    if (option.name == name)
+      if (const double number = option_number(option, word); !std::isnan(number))
+        options_.emplace(std::pair(chart.name, option.name), number);
+}
+
+std::string_view TableNotes::unit(std::string_view column) const {
+  const auto found = units_.find(column);
+  return found == units_.end() ? std::string_view() : found->second;
+}
+
+std::optional<double> TableNotes::option(std::string_view chart, std::string_view name) const {
+  const auto found = options_.find({chart, name});
+  if (found == options_.end()) return std::nullopt;
+  return found->second;
+}
+
+}  // namespace detail
+
 namespace {
 
 constexpr int passes = -1;              // the field goes through
@@ -349,6 +434,12 @@ void Converter::write_row(const ChartNumbers& row) {
 }
 
 }  // namespace
+
+ByteSource file_source(const std::string& path) {
+  return [file = std::make_shared<detail::GzipFile>(path)](std::span<char> bytes) {
+    return file->read(bytes);
+  };
+}
 
 void convert(const Conversion& conversion, const std::string& name, const ByteSource& source,
              const ByteSink& sink, std::span<const ChartKind> charts) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "polhode/tables/lc.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -9,11 +10,10 @@
 
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
+#include "tables/detail/gzip_file.hpp"
 #include "tables/detail/kvn_reader.hpp"
 #include "tables/detail/light_sessions.hpp"
-#include "tables/detail/light_times.hpp"
-#include "tables/detail/packed_file.hpp"
-#include "text/printable.hpp"
+#include "text/words.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -27,13 +27,16 @@ constexpr std::size_t point_fields = 8;
 class LcReader {
  public:
   LcReader(std::string_view text, const std::string& shown, TimeScale scale,
-           const std::optional<Date>& epoch)
-      : lines_(text, shown), times_(detail::light_times(shown, scale, epoch)) {
+           const std::optional<Date>& epoch, std::span<const std::size_t> leave_out)
+      : lines_(text, shown),
+        times_(detail::light_times(shown, scale, epoch)),
+        leave_out_(leave_out) {
     result_.file = shown;
   }
 
   LightCurveFile read() {
-    const Fields first = fields("the number of light curves");
+    const std::string what = "the number of light curves";
+    const Fields first = fields(next_line(what), what);
     if (first.size() != 1) refuse(first, "the number of light curves alone in the first line");
     const std::uint64_t count = number_of(first[0], "light curves");
     for (std::uint64_t k = 1; k <= count; ++k) read_session(k, count);
@@ -47,13 +50,15 @@ class LcReader {
   }
 
  private:
-  // Those of the next line.
-  Fields fields(const std::string& what) {
+  KvnLine next_line(const std::string& what) {
     const std::optional<KvnLine> line = lines_.next();
     if (!line) lines_.fail("the file ends before " + what);
-    if (line->kind != KvnLine::Kind::data)
-      lines_.fail("got \"" + detail::printable(line->key) + "\"; expected " + what);
-    return lines_.fields(*line);
+    return *line;
+  }
+  Fields fields(const KvnLine& line, const std::string& what) const {
+    if (line.kind != KvnLine::Kind::data)
+      lines_.fail("got \"" + detail::printable(line.key) + "\"; expected " + what);
+    return lines_.fields(line);
   }
   [[noreturn]] void refuse(const Fields& got, const std::string& expected) const {
     lines_.fail("got " + std::to_string(got.size()) + " fields; expected " + expected);
@@ -72,7 +77,7 @@ class LcReader {
   void read_session(std::uint64_t place, std::uint64_t count) {
     const std::string which =
         "light curve " + std::to_string(place) + " of " + std::to_string(count);
-    const Fields head = fields(which);
+    const Fields head = fields(next_line(which), which);
     if (head.size() != 2)
       refuse(head,
              "two to begin " + which + ": how many points, and 0 (relative) or 1 (calibrated)");
@@ -93,7 +98,12 @@ class LcReader {
   }
 
   void read_point(LightSession& session, const std::string& which) {
-    const Fields row = fields(which);
+    const KvnLine line = next_line(which);
+    if (std::ranges::find(leave_out_, lines_.line_number()) != leave_out_.end()) {
+      session.left_out.push_back(lines_.line_number());
+      return;
+    }
+    const Fields row = fields(line, which);
     if (row.size() != point_fields)
       refuse(row, "8 in " + which +
                       ": Julian date, flux, x y z from the body to the Sun, x y z to the Earth");
@@ -119,6 +129,7 @@ class LcReader {
 
   detail::KvnReader lines_;
   detail::LightTimes times_;
+  std::span<const std::size_t> leave_out_;
   LightCurveFile result_;
 };
 
@@ -132,14 +143,17 @@ bool is_vector(const Vec3& v) { return v != Vec3{} && std::isfinite(v.x + v.y + 
 }  // namespace
 
 LightCurveFile lc_from_text(std::string_view text, const std::string& name, TimeScale scale,
-                            const std::optional<Date>& epoch) {
+                            const std::optional<Date>& epoch,
+                            std::span<const std::size_t> leave_out) {
   const std::string shown = detail::printable(name, detail::longest_path);
   detail::require_size(text, shown);
-  return LcReader(text, shown, scale, epoch).read();
+  return LcReader(text, shown, scale, epoch, leave_out).read();
 }
 
-LightCurveFile read_lc(const std::string& path, TimeScale scale, const std::optional<Date>& epoch) {
-  return lc_from_text(detail::text_of_file(path, detail::largest_light_file), path, scale, epoch);
+LightCurveFile read_lc(const std::string& path, TimeScale scale, const std::optional<Date>& epoch,
+                       std::span<const std::size_t> leave_out) {
+  return lc_from_text(detail::text_of_file(path, detail::largest_light_file), path, scale, epoch,
+                      leave_out);
 }
 
 std::string lc_text(std::span<const LightCurve> curves, const Date& epoch) {

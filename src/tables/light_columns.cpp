@@ -10,8 +10,7 @@
 #include "polhode/light/magnitudes.hpp"
 #include "polhode/tables/number_table.hpp"
 #include "tables/detail/light_sessions.hpp"
-#include "tables/detail/light_times.hpp"
-#include "text/printable.hpp"
+#include "text/words.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -88,8 +87,13 @@ class ColumnReader {
                    : Vec3{};
     };
     for (std::size_t row = 0; row < table.rows(); ++row) {
+      const double place = session ? table.columns[*session][row] : 0.0;
       LightSession& to = session_of(
-          session ? static_cast<std::size_t>(table.columns[*session][row]) : 0, table.lines[row]);
+          std::isnan(place) ? last_session() : static_cast<std::size_t>(place), table.lines[row]);
+      if (std::ranges::find(columns_.leave_out, table.lines[row]) != columns_.leave_out.end()) {
+        to.left_out.push_back(table.lines[row]);
+        continue;
+      }
       const double x = table.columns[value][row];
       if (const std::string flaw = detail::magnitude_flaw(x);
           columns_.flux.empty() && !flaw.empty())
@@ -153,7 +157,7 @@ class ColumnReader {
         return static_cast<double>(place_of_session(field));
       };
     if (columns_.form == LightColumns::Times::numbers)
-      return read_number_table(path_, names_, readers);
+      return read_number_table(path_, names_, readers, columns_.leave_out);
     std::optional<detail::LightTimes> times;
     try {
       times.emplace(columns_.scale, columns_.epoch, columns_.julian_zero);
@@ -164,7 +168,7 @@ class ColumnReader {
     readers.front() = [&](std::string_view field) {
       return julian ? times->of_julian_date(field) : times->of_date(field);
     };
-    NumberTable table = read_number_table(path_, names_, readers);
+    NumberTable table = read_number_table(path_, names_, readers, columns_.leave_out);
     result_.epoch = times->epoch();
     return table;
   }
@@ -182,6 +186,11 @@ class ColumnReader {
       return static_cast<std::size_t>(found - session_names_.begin());
     session_names_.push_back(std::move(name));
     return session_names_.size() - 1;
+  }
+
+  // The session of a row that is left out, if its name cannot be read.
+  std::size_t last_session() const {
+    return result_.sessions.empty() ? 0 : result_.sessions.size() - 1;
   }
 
   LightSession& session_of(std::size_t place, std::size_t line) {

@@ -9,13 +9,11 @@
 #include <optional>
 
 #include "polhode/error.hpp"
+#include "tables/detail/gzip_file.hpp"
 #include "tables/detail/line_reader.hpp"
-#include "tables/detail/packed_file.hpp"
 #include "tables/detail/trimmed.hpp"
-#include "text/nearest.hpp"
 #include "text/number_text.hpp"
-#include "text/printable.hpp"
-#include "text/word_list.hpp"
+#include "text/words.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -44,7 +42,6 @@ void split(std::string_view line, char separator, Fields& fields) {
   fields.clear();
   line = detail::trimmed(line);
   const bool is_blank = separator == ' ';
-  if (!is_blank && line.ends_with(separator)) line.remove_suffix(1);
   while (!line.empty()) {
     const std::size_t end = is_blank ? line.find_first_of(blanks) : line.find(separator);
     fields.push_back(unquoted(line.substr(0, end)));
@@ -55,6 +52,11 @@ void split(std::string_view line, char separator, Fields& fields) {
     else if (line.empty())
       fields.emplace_back();
   }
+}
+
+// A separator at the end of a line begins no column.
+void drop_empty_end(Fields& fields) {
+  if (fields.size() > 1 && fields.back().empty()) fields.pop_back();
 }
 
 // The number at the front of a field, finite or not; nothing where the field is something else.
@@ -123,6 +125,7 @@ class TableReader {
       if (started_) return has_rows_ = true;
       started_ = true;
       if (is_header(fields_)) {
+        drop_empty_end(fields_);
         names_.assign(fields_.begin(), fields_.end());
         separator_.reset();
         continue;
@@ -132,7 +135,12 @@ class TableReader {
     }
   }
 
+  // Of a row; behind a separator at its end there is an empty one.
   const Fields& fields() const { return fields_; }
+  std::size_t count_of_columns() const {
+    const bool ends_empty = fields_.size() > 1 && fields_.back().empty();
+    return fields_.size() - (ends_empty ? 1 : 0);
+  }
   const std::vector<std::string>& names() const { return names_; }
   const std::string& shown() const { return shown_; }
   std::size_t line() const { return number_; }
@@ -151,6 +159,7 @@ class TableReader {
         if (above.find(',') == std::string::npos)
           fail("names no columns above; expected what Horizons sends with CSV_FORMAT = YES");
         split(above, ',', fields_);
+        drop_empty_end(fields_);
         names_.assign(fields_.begin(), fields_.end());
         started_ = true;
         return;
@@ -169,12 +178,13 @@ class TableReader {
   void name_by_comment(std::string_view comment) {
     Fields words;
     split(comment, separator_of(comment), words);
-    if (words.size() == fields_.size() && is_header(words))
-      names_.assign(words.begin(), words.end());
+    drop_empty_end(words);
+    const bool fits = words.size() == fields_.size() || words.size() == count_of_columns();
+    if (fits && is_header(words)) names_.assign(words.begin(), words.end());
   }
 
   std::string shown_;
-  detail::PackedFile file_;
+  detail::GzipFile file_;
   ByteSource source_;
   detail::LineReader lines_;
   Fields fields_;
@@ -205,7 +215,7 @@ std::size_t column_index(const TableReader& reader, const std::string& column) {
   const std::string shown = detail::printable(column);
   if (const auto number = column_number(column)) {
     if (*number <= reader.fields().size()) return *number - 1;
-    reader.fail("has " + std::to_string(reader.fields().size()) +
+    reader.fail("has " + std::to_string(reader.count_of_columns()) +
                 " columns; expected one of number " + shown);
   }
   if (names.empty())
@@ -216,6 +226,21 @@ std::size_t column_index(const TableReader& reader, const std::string& column) {
   reader.fail("there is no column " + shown + "; expected one of " +
               detail::printable(detail::one_of(known), 300) +
               (near.empty() ? "" : "; did you mean " + detail::printable(near) + "?"));
+}
+
+// What a field of the row holds.
+double value_in(const TableReader& reader, std::size_t index, const std::string& column,
+                const FieldReader& read) {
+  if (index >= reader.fields().size())
+    reader.fail("has " + std::to_string(reader.fields().size()) +
+                " fields; expected one in column " + detail::printable(column));
+  const std::string_view field = reader.fields()[index];
+  try {
+    return read(field);
+  } catch (const DomainError& error) {
+    reader.fail("column " + detail::printable(column) + ": \"" + detail::printable(field) + "\" " +
+                error.what());
+  }
 }
 
 }  // namespace
@@ -232,7 +257,7 @@ std::vector<std::string> table_columns(const std::string& path) {
   if (!reader.next()) return {};
   if (!reader.names().empty()) return reader.names();
   std::vector<std::string> numbers;
-  for (std::size_t i = 1; i <= reader.fields().size(); ++i) numbers.push_back(std::to_string(i));
+  for (std::size_t i = 1; i <= reader.count_of_columns(); ++i) numbers.push_back(std::to_string(i));
   return numbers;
 }
 
@@ -244,24 +269,23 @@ NumberTable read_number_table(const std::string& path, std::span<const std::stri
 }
 
 NumberTable read_number_table(const std::string& path, std::span<const std::string> columns,
-                              std::span<const FieldReader> readers) {
+                              std::span<const FieldReader> readers,
+                              std::span<const std::size_t> unchecked) {
   TableReader reader(path);
   NumberTable table{reader.shown(), std::vector<std::vector<double>>(columns.size()), {}, {}, {}};
   std::vector<std::size_t> indices;
   while (reader.next()) {
     if (indices.empty())
       for (const std::string& column : columns) indices.push_back(column_index(reader, column));
+    const bool is_checked = std::ranges::find(unchecked, reader.line()) == unchecked.end();
     for (std::size_t k = 0; k < indices.size(); ++k) {
-      if (indices[k] >= reader.fields().size())
-        reader.fail("has " + std::to_string(reader.fields().size()) +
-                    " fields; expected one in column " + detail::printable(columns[k]));
-      const std::string_view field = reader.fields()[indices[k]];
+      double value = std::numeric_limits<double>::quiet_NaN();
       try {
-        table.columns[k].push_back(readers[k](field));
-      } catch (const DomainError& error) {
-        reader.fail("column " + detail::printable(columns[k]) + ": \"" + detail::printable(field) +
-                    "\" " + error.what());
+        value = value_in(reader, indices[k], columns[k], readers[k]);
+      } catch (const DomainError&) {
+        if (is_checked) throw;
       }
+      table.columns[k].push_back(value);
     }
     table.lines.push_back(static_cast<std::uint32_t>(reader.line()));
   }

@@ -12,10 +12,10 @@
 #include <vector>
 
 #include "polhode/error.hpp"
-#include "tables/detail/packed_file.hpp"
+#include "tables/detail/gzip_file.hpp"
 #include "tables/detail/trimmed.hpp"
 #include "text/number_text.hpp"
-#include "text/printable.hpp"
+#include "text/words.hpp"
 
 namespace polhode {
 inline namespace v0 {

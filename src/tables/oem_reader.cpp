@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "polhode/tables/oem.hpp"
-#include "tables/detail/kvn_ephemeris.hpp"
-#include "tables/detail/packed_file.hpp"
-#include "text/printable.hpp"
+#include "tables/detail/gzip_file.hpp"
+#include "tables/detail/kvn_reader.hpp"
+#include "text/words.hpp"
 
 namespace polhode {
 inline namespace v0 {

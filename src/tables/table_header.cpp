@@ -1,14 +1,21 @@
 // SPDX-License-Identifier: MIT
+// The lines above the rows of a table, and the first lines by which two-line elements are known.
 #include "tables/table_header.hpp"
 
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <span>
+#include <string_view>
 
+#include "tables/detail/gzip_file.hpp"
+#include "tables/detail/line_reader.hpp"
 #include "tables/detail/trimmed.hpp"
 
 namespace polhode {
 inline namespace v0 {
 namespace detail {
+
 namespace {
 
 using Note = TableHeader::Note;
@@ -153,6 +160,33 @@ std::optional<std::string_view> scale_of_column(std::string_view name) {
         name.ends_with("(" + std::string(known.suffix) + ")"))
       return known.scale;
   return std::nullopt;
+}
+
+namespace {
+
+// 69 characters, of which some may have been lost.
+bool is_element_line(std::string_view line, char number) {
+  return line.size() > 60 && line.size() < 75 && line[0] == number && line[1] == ' ' &&
+         line.find(',') == std::string_view::npos;
+}
+
+}  // namespace
+
+bool has_two_line_elements(const std::string& path) {
+  constexpr int looked_at = 3;
+  GzipFile file(path);
+  const ByteSource source = [&file](std::span<char> bytes) { return file.read(bytes); };
+  LineReader lines(source);
+  bool first = false;
+  for (int read = 0; read < looked_at;) {
+    const std::optional<std::string_view> line = lines.next();
+    if (!line) return false;
+    if (line->empty() || line->starts_with('#')) continue;
+    if (first) return is_element_line(*line, '2');
+    first = is_element_line(*line, '1');
+    ++read;
+  }
+  return false;
 }
 
 }  // namespace detail

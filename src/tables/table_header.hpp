@@ -40,6 +40,10 @@ TableHeader header_of(const NumberTable& table);
 // The time scale that the name of a column of dates says: "JDTDB", "Calendar Date (TDB)".
 std::optional<std::string_view> scale_of_column(std::string_view name);
 
+// Of a file that can be read: its first lines are a name or none, then "1 25544U ..." and "2 25544
+// ...". DomainError as from a table.
+bool has_two_line_elements(const std::string& path);
+
 }  // namespace detail
 }  // namespace v0
 }  // namespace polhode

@@ -4,7 +4,7 @@
 
 namespace polhode::budget {
 
-// --- a method from outside, Runge-Kutta of order 4 (tests/unit/dynamics/own_method.cpp) ---
+// --- a method from outside, Runge-Kutta of order 4 (tests/unit/dynamics/custom_method.cpp) ---
 // Of the order; of the end of half a turn with steps of 0.005; inside steps of 0.01; of an event.
 inline constexpr double own_method_order = 0.3;
 inline constexpr double own_method_fine = 1e-6;

@@ -102,6 +102,6 @@ inline constexpr double lambert_difference = 1e-5, light_exact = 1e-6;
 inline constexpr double light_noise = 1.5, light_misfit = 3.0;
 
 // --- errors of periods and pole against differences of steps of 1e-5 ---
-inline constexpr double spin_figures = 1e-7;
+inline constexpr double derived_parameters = 1e-7;
 
 }  // namespace polhode::budget

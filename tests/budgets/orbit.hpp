@@ -41,9 +41,10 @@ inline constexpr double table_orbit_kepler_velocity = 1e-9;
 inline constexpr double table_orbit_file = 1e-11;  // a circle by 20 rows per radian
 inline constexpr double table_orbit_overhang = 1e-11;
 inline constexpr double table_orbit_dates = 2e-6;  // of 1e-5 rad/s: 0.1 s, half of 2 ms, 1e-8 d
-inline constexpr double table_orbit_estimate_least = 0.4;  // of the error
-inline constexpr double table_orbit_estimate_most = 1e3;   // it is that of a lower order
-inline constexpr double table_orbit_ends = 5e-14;          // a wave, whatever the order
+inline constexpr double table_orbit_estimate_least = 0.4;    // of the error
+inline constexpr double table_orbit_estimate_most = 1e3;     // it is that of a lower order
+inline constexpr double table_orbit_estimate_coarse = 1e-2;  // the limit for allow_coarse
+inline constexpr double table_orbit_ends = 5e-14;            // a wave, whatever the order
 inline constexpr double table_orbit_continuous = 6e-14;
 
 }  // namespace polhode::budget

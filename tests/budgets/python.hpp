@@ -96,6 +96,8 @@ inline constexpr double aem_euler_rates = 1e-10;
 // digits, as factors.
 inline constexpr double aem_told = 20.0;
 inline constexpr double aem_rounding = 1.05;
+// What the error of two rows may be above its estimate, which knows no nutation, as a factor.
+inline constexpr double aem_two_rows = 1.5;
 // The estimate of an error of interpolation of some degrees, relative.
 inline constexpr double ck_between_rows = 0.2;
 

@@ -46,6 +46,18 @@ def rows_of(path):
     return {name: numbers[:, k] for k, name in enumerate(names)}
 
 
+def dimensions(path):
+    """Names of the dimensions of each dataset of columns; each has a scale, as long as it is."""
+    found = {}
+    with h5py.File(path) as file:
+        for name in file.attrs["groups"]:
+            data = file[name]
+            scales = [data] if data.is_scale else [dimension[0] for dimension in data.dims]
+            assert tuple(map(len, scales)) == data.shape
+            found[name] = tuple(scale.name[1:] for scale in scales)
+    return found
+
+
 def mark(path):
     """SHA-256 of what a file holds: of HDF5, of its datasets."""
     if path.suffix == ".csv":

@@ -426,7 +426,7 @@ def interpolated(form, t, columns, at):
     """Attitudes at times between rows, by SciPy: as INTERPOLATION_METHOD says, from the rows
     around each, at the ends from the first or the last ones."""
     q = quaternions(columns)
-    count = {"quaternion": 8, "quaternion-rate": 4}.get(form, 2)
+    count = min({"quaternion": 8, "quaternion-rate": 4}.get(form, 2), len(t))  # NaN: counts
     angles = numpy.unwrap(Rotation.from_quat(q).as_euler("ZXZ"), axis=0)
     w = numpy.radians(numpy.array([columns[f"w{i}"] for i in (1, 2, 3)]).T)  # per min
     found = []
@@ -453,17 +453,95 @@ def hamilton(p, q):
                         p[3] * q[3] - p[:3] @ q[:3])
 
 
+FORMS = ["quaternion", "quaternion-rate", "euler", "spin"]
+
+
+@pytest.fixture
+def told(run, tmp_path):
+    """told() -> the error in degrees that the run of a.toml warns of; 0 without a warning"""
+
+    def warned():
+        result = run("run", tmp_path / "a.toml", "--out", tmp_path / "a.aem")
+        assert result.returncode == 0, result.stderr
+        found = re.findall(r"a.aem: between rows .* is off by about (\S+) deg", result.stderr)
+        return float(found[0]) if found else 0.0
+
+    return warned
+
+
 @pytest.mark.parametrize(("form", "step"), [("quaternion", 0.5), ("quaternion-rate", 1),
                                             ("euler", 0.08), ("spin", 0.08)])
-def test_the_error_of_interpolation_between_rows_is_told(run, files, tmp_path, form, step):
+def test_the_error_of_interpolation_between_rows_is_told(files, told, form, step):
     """With that of SciPy, which is no more than what is told and not much less."""
     scenario = text(f'form = "{form}"\nversion = 2', stop=40 * step, step=step)
     _, coarse = files(scenario)
-    told = re.findall(r"a.aem: between rows .* is off by about (\S+) deg",
-                      run("run", tmp_path / "a.toml", "--out", tmp_path / "a.aem").stderr)
+    estimate = told()
     _, fine = files(scenario.replace(f"step = {step}", f"step = {step / 2}"))
     there = interpolated(form, coarse["t"], coarse, fine["t"][1::2])
     away = there.inv() * Rotation.from_quat(quaternions(fine)[1::2])
     error = numpy.degrees(away.magnitude().max())
-    assert 0.01 < error < budgets.aem_rounding * float(told[0])
-    assert float(told[0]) < budgets.aem_told * error
+    assert 0.01 < error < budgets.aem_rounding * estimate
+    assert estimate < budgets.aem_told * error
+
+
+def spinner(form, turns, columns):
+    """Rows a minute apart of a body that turns about axis 3 so many times from row to row."""
+    made = text(f'form = "{form}"\nversion = 2', stop=40, step=1, columns=columns)
+    return made.replace("[3, 20, 100]", f"[0, 0, {360 * turns}]")
+
+
+@pytest.mark.parametrize("form", FORMS)
+@pytest.mark.parametrize("turns", [1, 2, 3])
+def test_whole_turns_between_rows_are_told(files, told, form, turns):
+    """At an eighth of the step, where the ways of 1, 2 and 3 turns are apart."""
+    scenario = spinner(form, turns, '"q", "omega"')
+    _, coarse = files(scenario)
+    estimate = told()
+    _, fine = files(scenario.replace("step = 1\n", "step = 0.125\n"))
+    there = interpolated(form, coarse["t"], coarse, fine["t"][1::8])
+    away = there.inv() * Rotation.from_quat(quaternions(fine)[1::8])
+    error = numpy.degrees(away.magnitude().max())
+    assert 0.01 < error < budgets.aem_rounding * estimate
+    assert estimate < budgets.aem_told * error
+
+
+@pytest.mark.parametrize("form", ["quaternion", "euler"])
+def test_without_the_columns_omega_whole_turns_are_those_of_the_initial_rate(files, told, form):
+    files(spinner(form, 1, '"q"'))
+    assert told() == 180
+
+
+@pytest.mark.parametrize("form", FORMS)
+def test_two_rows_are_judged(files, told, form):
+    scenario = text(f'form = "{form}"\nversion = 2', stop=1, step=1)
+    _, coarse = files(scenario)
+    estimate = told()
+    _, fine = files(scenario.replace("step = 1\n", "step = 0.125\n"))
+    there = interpolated(form, coarse["t"], coarse, fine["t"][1:-1])
+    away = there.inv() * Rotation.from_quat(quaternions(fine)[1:-1])
+    error = numpy.degrees(away.magnitude().max())
+    assert 0.01 < error < budgets.aem_two_rows * estimate
+    assert estimate < budgets.aem_told * error
+
+
+@pytest.mark.parametrize(("form", "rows", "degree"), [
+    ("quaternion", 2, 1), ("quaternion", 3, 2), ("quaternion", 7, 6), ("quaternion", 8, 7),
+    ("quaternion", 9, 7), ("quaternion-rate", 2, 3), ("quaternion-rate", 3, 5),
+    ("quaternion-rate", 4, 7), ("quaternion-rate", 5, 7), ("euler", 2, 1), ("spin", 3, 1)])
+def test_the_degree_is_one_that_the_rows_allow(files, form, rows, degree):
+    path, _ = files(text(f'form = "{form}"\nversion = 2', stop=0.25 * (rows - 1)))
+    assert f"\nINTERPOLATION_DEGREE = {degree}\nMETA_STOP\n" in path.read_text(encoding="ascii")
+
+
+def test_an_event_that_leaves_few_rows_leaves_their_degree(files):
+    event = '[[event]]\nname = "soon"\ncolumn = "psi"\nvalue = {}\nstops = true\n'
+    _, columns = files(text(columns='"q", "omega", "euler"'))
+    path, _ = files(text(more=event.format((columns["psi"][1] + columns["psi"][2]) / 2)))
+    assert "\nINTERPOLATION_DEGREE = 2\n" in path.read_text(encoding="ascii")  # of three rows
+
+
+@pytest.mark.parametrize("form", FORMS)
+def test_automatic_rows_of_a_spinner_need_no_warning(files, told, form):
+    _, columns = files(spinner(form, 1, '"q", "omega"').replace("step = 1\n", 'step = "auto"\n'))
+    assert 360 * numpy.diff(columns["t"]).max() < 60  # degrees
+    assert told() == 0

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """`polhode convert` as a stream."""
 
+import gzip
 import math
 import os
 import random
@@ -115,6 +116,23 @@ def test_a_million_rows(run, polhode, tmp_path):
 def test_help_lists_every_chart(run):
     text = run("convert", "--help").stdout
     assert all(f"  {chart}: " in text for chart in CHARTS)
+
+
+def test_compressed_tables_read_the_same(polhode, run, tmp_path):
+    text = rotor_table(20)
+    packed = tmp_path / "rows.csv.gz"
+    packed.write_bytes(gzip.compress(text.encode()))
+    plain = run("convert", "--from", "rotor", "--to", "andoyer", stdin=text)
+    read = run("convert", "--from", "rotor", "--to", "andoyer", packed)
+    assert read.returncode == 0 and read.stdout == plain.stdout, read.stderr
+    piped = subprocess.run([polhode, "convert", "--from", "rotor", "--to", "andoyer"],
+                           input=packed.read_bytes(), capture_output=True, check=False)
+    assert piped.returncode == 2 and piped.stdout == b""
+    assert piped.stderr == b"<stdin>: is packed by gzip; expected text, or a .gz file as FILE\n"
+    packed.write_bytes(packed.read_bytes()[:-12])
+    broken = run("convert", "--from", "rotor", "--to", "andoyer", packed)
+    assert broken.returncode == 2
+    assert broken.stderr == f"{packed}: cannot be unpacked: it ends before its end\n"
 
 
 def test_a_run_tells_convert_its_branch(polhode, run, tmp_path):

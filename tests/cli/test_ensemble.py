@@ -12,7 +12,7 @@ import budgets
 import h5py
 import numpy
 import pytest
-from ensemble_files import COLLOCATION, TORQUE, VARY, mark, rows_of
+from ensemble_files import COLLOCATION, TORQUE, VARY, dimensions, mark, rows_of
 from slowdown import SLOWDOWN
 
 SECONDS = 60 * SLOWDOWN
@@ -32,6 +32,21 @@ def test_any_number_of_threads_gives_the_same_files(run, ensemble, tmp_path, kee
             done.stdout)
         marks.add(tuple(mark(out) for out in outs))
     assert len(marks) == 1
+
+
+@pytest.mark.parametrize("keep, rows, first", [
+    ("statistics", "t", "t"), ("final", "member", "member"), ("rows", "row", "member")])
+def test_dimensions_have_names(run, ensemble, tmp_path, keep, rows, first):
+    out = tmp_path / "e.h5"
+    done = run("ensemble", ensemble(f'size = 5\nkeep = "{keep}"'), "--out", out)
+    assert done.returncode == 0, done.stderr
+    found = dimensions(out)
+    assert next(iter(found)) == first and {names[0] for names in found.values()} == {rows}
+    assert all(names[1:] in ((), (f"{group}_column",)) for group, names in found.items())
+    chunks = ensemble('size = 5\nchunk = 2\nkeep = "rows"')
+    assert run("ensemble", chunks, "--out", tmp_path / "c-{chunk}.h5").returncode == 0
+    assert {names[0] for names in dimensions(tmp_path / "c-index.h5").values()} == {"chunk"}
+    assert {names[0] for names in dimensions(tmp_path / "c-1.h5").values()} == {"row"}
 
 
 @pytest.mark.parametrize("keep", ["statistics", "final", "rows"])

@@ -8,7 +8,7 @@ import budgets
 import h5py
 import numpy
 import pytest
-from ensemble_files import TORQUE, VARY, bytes_of, mark, rows_of, wait_for_another
+from ensemble_files import TORQUE, VARY, bytes_of, dimensions, mark, rows_of, wait_for_another
 
 
 def histogram(name, columns, **keys):
@@ -117,6 +117,7 @@ def test_histograms_in_hdf5(run, ensemble, tmp_path):
     with h5py.File(file) as table:
         assert table["w3"].attrs["columns"].tolist() == ["w3_low", "w3_high"]
         assert table["members"][:, 0].sum() == 200 and len(table["t"]) == 9
+    assert {names[0] for names in dimensions(file).values()} == {"bin"}
 
 
 def test_histograms_survive_kills(polhode, run, ensemble, tmp_path):

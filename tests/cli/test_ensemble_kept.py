@@ -2,6 +2,7 @@
 """What `polhode ensemble` keeps beside the statistics of columns: first events, held against those
 of members that run alone, and fractions, against NumPy's of the rows."""
 
+import itertools
 import math
 
 import budgets
@@ -52,8 +53,10 @@ def first_times(run, toml, tmp_path):
 
 
 def test_first_times_are_those_of_the_members_alone(run, ensemble, tmp_path):
-    for extra in (EVENTS, TORQUE + EVENTS):
-        parts = {"extra": extra, "time": "stop = 4\nstep = 0.5"}
+    """Also those between the last row and `stop`, which stand in the last row."""
+    for extra, span in itertools.product((EVENTS, TORQUE + EVENTS),
+                                         ("stop = 4\nstep = 0.5", "stop = 3.9\nstep = 1.5")):
+        parts = {"extra": extra, "time": span}
         final, _ = kept(run, ensemble, tmp_path, "final", size=60, **parts)
         rows, _ = kept(run, ensemble, tmp_path, "rows", size=60, **parts)
         path = ensemble("size = 60", **parts)
@@ -68,6 +71,7 @@ def test_first_times_are_those_of_the_members_alone(run, ensemble, tmp_path):
                 known = final[f"{name}_first"][member]
                 assert known == t if name in times else math.isnan(known)
                 expected = numpy.where(alone["t"] >= t, t, math.nan)
+                expected[-1] = t if name in times else math.nan
                 numpy.testing.assert_array_equal(rows[f"{name}_first"][here], expected)
 
 

@@ -9,6 +9,7 @@ import h5py
 import numpy
 import pytest
 from closeness import assert_allclose
+from ensemble_files import dimensions
 from fit_files import FREE, HEAD, fitted, refused, rows
 
 ATTITUDES = """
@@ -109,6 +110,7 @@ def test_unknowns_with_a_slash_are_datasets_of_a_covariance(run, fit_file, tmp_p
         for name in solution["unknowns"]:
             assert_allclose(numpy.ravel(file[name.replace("/", "_over_")]),
                             rows(tables[0])[name], rtol=0, atol=0)
+    assert {names[0] for names in dimensions(tables[1]).values()} == {"unknown"}
 
 
 def test_degrees_that_may_be_radians_get_a_note(run, fit_file, tmp_path):

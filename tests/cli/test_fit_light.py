@@ -73,7 +73,11 @@ def test_light_curves_in_the_format_of_damit(run, fit_file, tmp_path):
 
 @pytest.mark.parametrize(("change", "expected"), [
     (("to_sun = [1, 2, 0.5]\n", ""), "expected a key to_sun as well"),
-    (("sigma = 1e-9", 'sigma = 1e-9\nformat = "lc"'), "expected a key time_scale as well"),
+    (("sigma = 1e-9", 'sigma = 1e-9\nformat = "lc"'),
+     'observation[0].format: got "lc"; expected a key time_scale as well, such as "UTC": lc has '
+     "Julian dates and does not say in which time scale"),
+    (("sigma = 1e-9", 'sigma = 1e-9\ntime_format = "JD"'),
+     'observation[0].time_format: got "JD"; expected a key time_scale as well, that of the dates'),
     (("sigma = 1e-9", 'sigma = 1e-9\nformat = "lc"\ntime_format = "number"'),
      'expected time_format = "JD", which its files have'),
     (("sigma = 1e-9\n", ""), "expected a key sigma or sigma_columns as well"),
@@ -357,6 +361,44 @@ def test_one_period_is_enough_for_a_rotator_and_not_for_a_tumbler(run, night, fi
     assert "no scan is made" in run("fit", night, "--scan-only").stderr
 
 
+def test_errors_that_are_far_too_small_give_no_period_without_a_word(run, fit_file, tmp_path):
+    """The light has errors of 2 %, and the file says 0.1 %."""
+    path = fit_file(NIGHT, FREE, SCAN, head=ROTATOR, name="small.toml")
+    assert run("simulate", path, "--into", tmp_path, "--replace").returncode == 0
+    done = run("fit", path, "--set", "observation[0].sigma=0.001")
+    first = done.stdout.splitlines()[0]
+    assert first.startswith("no model of this kind describes these data"), first
+    assert "errors of the data may be too small, by a factor of 2" in first and "2.1" in first
+    assert "errors of the data are too small" in done.stdout.split("\nnote: ")[1]
+    assert "errors of the data are too small" not in run("fit", path).stdout
+
+
+@pytest.mark.parametrize("count, order", [(40, 2), (60, 2), (80, 3)])
+def test_few_points_are_enough_for_one_period(run, fit_file, tmp_path, count, order):
+    scan = f'[fit]\nfrom = "search"\n[fit.scan]\norder = {order}\nshortest = 0.5\n'
+    path = fit_file(NIGHT, FREE, scan, head=ROTATOR, name="few.toml")
+    points = ["--set", f"time.count={count}"]
+    assert run("simulate", path, *points, "--into", tmp_path, "--replace").returncode == 0
+    found = json.loads(run("fit", path, *points, "--scan-only", "--json").stdout)
+    one = found["scan"]["one_period"]
+    assert one["suffices"] and abs(one["period"] - 2.1) < budgets.cli_few_points_period
+    assert not found["scan"]["constant"]["suffices"]
+
+
+def test_no_variation_is_seen_in_noise(run, fit_file, tmp_path):
+    path = fit_file(NIGHT, FREE, SCAN, head=ROTATOR, name="noise.toml")
+    random = numpy.random.default_rng(7)
+    (tmp_path / "night.csv").write_text("t,flux\n" + "".join(
+        f"{t},{1 + 0.02 * random.normal()}\n" for t in numpy.linspace(0, 9, 150)))
+    done = run("fit", path)
+    first = done.stdout.splitlines()[0]
+    assert done.returncode == 1 and "no variation is seen" in done.stderr
+    assert first.startswith("no variation is seen in these data: a constant brightness"), first
+    assert "one frequency" not in done.stdout
+    found = json.loads(run("fit", path, "--json").stdout)["scan"]
+    assert found["constant"]["suffices"] and not found["one_period"]["suffices"]
+
+
 def test_the_period_of_the_short_axis_is_told(run, night):
     """1/P_short = 1/P_phi + 1/P_psi: 1/12 + 1/20 = 1/7.5."""
     solution, = fitted(run, night)["solutions"]
@@ -372,7 +414,9 @@ def test_no_model_fits_and_the_report_says_so(run, night):
     first = text.splitlines()[0]
     assert first.startswith("the solution from this start does not describe these data"), first
     assert "errors of the data may be too small, by a factor of 8.6" in first
-    assert "error" not in text.split(first)[1].replace("standard errors", "")
+    rest = text.split(first)[1].replace("standard errors", "")
+    assert "error" not in "".join(
+        line for line in rest.splitlines() if not line.startswith("note: points are"))
     found = fitted(run, night, *small)
     solution, = found["solutions"]
     assert found["verdict"] == first and not solution["describes_data"]

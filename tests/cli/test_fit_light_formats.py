@@ -226,6 +226,58 @@ def test_a_file_that_was_fitted_can_be_simulated(run, fit_file, tmp_path, keys, 
     assert solution["chi_square"] < budgets.cli_light_of_itself
 
 
+@pytest.mark.parametrize("separator", [",", ";"])
+def test_rows_as_observers_leave_them(run, night, fit_file, tmp_path, separator):
+    """An empty error at the end of a row, and rows without numbers, which are left out."""
+    light, expected = night
+    lines = [f"{t!r},{f!r},{s!r}" for t, f, s in zip(
+        *(light[n].tolist() for n in ("t", "flux", "sigma")), strict=True)]
+    table = TABLE % "bare.csv" + VECTORS + 'columns = ["t", "f"]\nsigma_columns = ["e"]\n'
+
+    def file_of(rows, keys=""):
+        text = "\n".join(["t,f,e", *rows]) + "\n"
+        (tmp_path / "bare.csv").write_text(text.replace(",", separator))
+        return fit_file(table + keys, head=HEAD, name="bare.toml")
+
+    empty = [*lines[:3], lines[3].replace("0.02", ""), *lines[4:]]
+    assert empty[3].endswith(",")
+    assert "sigma gives points without an error one" in refused(run, file_of(empty))
+    found = fitted(run, file_of(empty, "sigma = 0.02\n"))["solutions"][0]
+    assert found["chi_square"] == pytest.approx(expected["chi_square"], rel=budgets.cli_julian)
+    bad = [*lines[:10], "3,nan,0.02", *lines[10:20], "clouds,,", *lines[20:]]
+    assert 'bare.csv:12: column f: "nan" is not a finite number' in refused(run, file_of(bad))
+    same(run, file_of(bad, "leave_out = [12, 23]\n"), expected)
+    assert "line 1 has none" in refused(run, file_of(bad, "leave_out = [1, 12, 23]\n"))
+
+
+def test_light_time_at_the_ends_of_a_table(run, fit_file, tmp_path):
+    """Times at the observer lie behind the end of a table that has all times at the body."""
+    t = numpy.linspace(0, 120, 25)
+    write(tmp_path / "body.csv", t=t, x=1.2 * numpy.cos(1e-5 * t), y=1.2 * numpy.sin(1e-5 * t),
+          z=0 * t)
+    orbits = ORBITS + '[orbit.rows]\nkind = "table"\nfile = "body.csv"\n'
+    head = HEAD.replace("start = -60\nstop = 180", "start = 0\nstop = 120")
+
+    def file_of(body, observer):
+        return fit_file((TABLE % "ends.csv").replace("at-body", "at-observer")
+                        + f'orbit = "{body}"\nobserver_orbit = "{observer}"\nsigma = 0.02\n',
+                        orbits, head=head, name="ends.toml")
+
+    path = file_of("rows", "earth")
+    done = run("simulate", path, "--into", tmp_path)
+    assert done.returncode == 0, done.stderr
+    found = fitted(run, path)["solutions"][0]
+    assert 0.4 < found["chi_square"] / found["degrees_of_freedom"] < 1.7
+    lines = (tmp_path / "body.csv").read_text().splitlines()
+    (tmp_path / "short.csv").write_text("\n".join(lines[:21]))  # to 95 min
+    short = ["--set", "time.stop=90", "--set", 'orbit.rows.file="short.csv"']
+    assert 'observation[0].orbit: got "rows"; it covers the times 0 to 95 min; ' \
+        "expected all when light leaves, 0 to 120\n" in run("fit", path, *short).stderr
+    said = refused(run, file_of("body", "rows"), "simulate")
+    assert 'observation[0].observer_orbit: got "rows"; it covers the times 0 to 120 min; ' \
+        "expected all when light arrives, " in said
+
+
 def test_light_of_an_ephemeris_that_ends_with_the_run(run, fit_file, tmp_path):
     """Light that leaves at the last row arrives after it."""
     head = HEAD.replace("start = -60\nstop = 180", "start = 0\nstop = 120")

@@ -10,6 +10,7 @@ import budgets
 import h5py
 import numpy
 import pytest
+from ensemble_files import dimensions
 from slowdown import SLOWDOWN
 
 SECONDS = 60 * SLOWDOWN
@@ -71,6 +72,15 @@ def test_a_map_survives_kills(polhode, run, map_file, tmp_path):
     with h5py.File(table) as file:
         numpy.testing.assert_array_equal(file["chaos"][:], rows[:, 2:])
         numpy.testing.assert_array_equal(file["body.moments[1]"][:, 0], rows[:, 0])
+    assert {names[0] for names in dimensions(table).values()} == {"row"}
+
+
+def test_a_map_of_one_axis_has_its_dimension(run, scenario, tmp_path):
+    path, out = scenario(time="stop = 20\ncount = 2"), tmp_path / "m.h5"
+    path.write_text(path.read_text() + MAP[:MAP.rindex("[[map.axis]]")])
+    assert run("map", path, "--out", out).returncode == 0
+    assert dimensions(out) == {"body.moments[1]": ("body.moments[1]",),
+                               "chaos": ("body.moments[1]", "chaos_column")}
 
 
 SECTION = """

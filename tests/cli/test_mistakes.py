@@ -186,6 +186,15 @@ IN_THE_FILE = {
         "20:1: orbit.earth.a: unknown key; did you mean semi_major_axis? with kind \"kepler\" "
         "expected kind, gm, "
         "semi_major_axis,"),
+    "a longitude of the pericentre": (
+        pulled("kind = \"kepler\"\nsemi_major_axis = 7000\ngm = 3\nPomega = 1\n"),
+        "22:1: orbit.earth.Pomega: unknown key; did you mean pericentre_argument?"),
+    "an argument of another name": (
+        pulled("kind = \"kepler\"\nsemi_major_axis = 7000\ngm = 3\nargp = 1\n"),
+        "22:1: orbit.earth.argp: unknown key; did you mean pericentre_argument?"),
+    "a true anomaly": (
+        pulled("kind = \"kepler\"\nsemi_major_axis = 7000\ngm = 3\nf = 1\n"),
+        "22:1: orbit.earth.f: unknown key; did you mean mean_anomaly?"),
     "an empty table of an orbit": (
         pulled("kind = \"table\"\nfile = \"empty.csv\"\n"),
         "20:8: orbit.earth.file: got \"empty.csv\"; empty.csv: holds no row"),
@@ -207,8 +216,8 @@ BEHIND_RUN = {
 }
 
 
-def test_there_are_48():
-    assert len(IN_THE_FILE) + len(BEHIND_RUN) == 48
+def test_there_are_51():
+    assert len(IN_THE_FILE) + len(BEHIND_RUN) == 51
 
 
 def refused(run, folder, scenario, arguments):

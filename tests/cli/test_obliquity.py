@@ -192,6 +192,10 @@ def test_a_stopped_run_goes_on(run, table, tmp_path, polhode, tides):
 @pytest.mark.parametrize(("old", "new", "said"), [
     ('"1", "deg", "deg", "deg"]', '"1", "deg", "deg"]', "expected 6 units, one for each of"),
     ('"a", "e"', '"a", "x"', 'expected words out of "t", "a", "e"'),
+    ('"a", "e"', '"a", "ecc"', 'got "ecc"; did you mean "e"?'),
+    ('"i", "Omega"', '"inc", "Omega"', 'got "inc"; did you mean "i"?'),
+    ('"Omega", "varpi"', '"Omega", "pomega"', 'got "pomega"; did you mean "varpi"?'),
+    ('"Omega", "varpi"', '"node", "varpi"', 'got "node"; did you mean "Omega"?'),
     ('"a", "e"', '"e", "e"', 'got "e" twice'),
     ('"a", "e"', '"a", "-"', "expected t, e, i, Omega and one of omega and varpi"),
     ('"kyr", "au"', '"deg", "au"', '"deg" is not a unit of time'),

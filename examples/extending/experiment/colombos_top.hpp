@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "polhode/math/vector.hpp"
-#include "polhode/run/own_experiment.hpp"
+#include "polhode/run/custom_experiment.hpp"
 
 struct SpinAxis {
   polhode::Vec3 s;

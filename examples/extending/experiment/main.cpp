@@ -34,11 +34,11 @@ constexpr KindKey<Arguments> keys[] = {
         .example("\"25 deg\""),
 };
 
-polhode::OwnExperiment made(const Arguments& a, const polhode::ExperimentContext& at) {
+polhode::CustomExperiment made(const Arguments& a, const polhode::ExperimentContext& at) {
   const ColombosTop top{a.precession, a.inclination, a.node_rate};
   const double tilt = a.obliquity - a.inclination;  // n leans the other way
   const SpinAxis start{{0.0, std::sin(tilt), std::cos(tilt)}};
-  return polhode::own_experiment<ColombosTop>(
+  return polhode::custom_experiment<ColombosTop>(
       "colombos-top", at,
       {.model = top,
        .initial = start,

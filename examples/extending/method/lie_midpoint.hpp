@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "polhode/dynamics/own_method.hpp"
+#include "polhode/dynamics/custom_method.hpp"
 
 // q after a turn by the vector `by`, body axes.
 inline polhode::Quaternion turned(const polhode::Quaternion& q, const polhode::Vec3& by) {

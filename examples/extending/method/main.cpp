@@ -22,7 +22,7 @@ constexpr KindKey<Arguments> keys[] = {
 };
 
 polhode::Method made(const Arguments& a, const polhode::KeyValues&) {
-  return polhode::own_method({"lie-midpoint", a.step, lie_midpoint});
+  return polhode::custom_method({"lie-midpoint", a.step, lie_midpoint});
 }
 
 polhode::MethodKind lie_midpoint_kind() {

@@ -29,6 +29,8 @@
 #include <variant>
 #include <vector>
 
+#include "polhode/version.hpp"  // asks for C++20
+
 namespace polhode {
 inline namespace v0 {
 
@@ -101,16 +103,16 @@ namespace detail {
 struct StepperMaker;
 }
 
-// A method from outside, made by own_method (polhode/dynamics/own_method.hpp). Two of equal traits
-// are the same method.
-struct OwnMethod {
+// A method from outside, made by custom_method (polhode/dynamics/custom_method.hpp). Two of equal
+// traits are the same method.
+struct CustomMethod {
   MethodTraits traits;
   std::shared_ptr<const detail::StepperMaker> maker;
 
-  bool operator==(const OwnMethod& other) const { return traits == other.traits; }
+  bool operator==(const CustomMethod& other) const { return traits == other.traits; }
 };
 
-using Method = std::variant<Adaptive, Splitting, VariationOfConstants, Collocation, OwnMethod>;
+using Method = std::variant<Adaptive, Splitting, VariationOfConstants, Collocation, CustomMethod>;
 
 MethodTraits method_traits(const Method& method);
 

@@ -15,6 +15,8 @@
 #include <span>
 #include <string_view>
 
+#include "polhode/version.hpp"  // asks for C++20
+
 namespace polhode {
 inline namespace v0 {
 

@@ -21,6 +21,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "polhode/version.hpp"  // asks for C++20
+
 namespace polhode {
 inline namespace v0 {
 

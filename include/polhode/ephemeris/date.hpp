@@ -16,6 +16,8 @@
 #include <optional>
 #include <string_view>
 
+#include "polhode/version.hpp"  // asks for C++20
+
 namespace polhode {
 inline namespace v0 {
 

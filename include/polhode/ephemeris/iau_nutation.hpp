@@ -11,6 +11,8 @@
 // Cost        60 us.
 #pragma once
 
+#include "polhode/version.hpp"  // asks for C++20
+
 namespace polhode {
 inline namespace v0 {
 

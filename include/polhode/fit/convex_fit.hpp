@@ -42,7 +42,7 @@
 namespace polhode {
 inline namespace v0 {
 
-struct BrightConvex {
+struct ConvexModel {
   SpinState spin;  // inertia_F is diagonal
   Scattering law;
   GaussianImage image;
@@ -55,7 +55,7 @@ struct BrightConvex {
 
 struct ConvexFit {
   std::vector<LightCurve> curves;
-  BrightEllipsoid start;
+  EllipsoidModel start;
   int degree = 6;
   int rows = 8;  // 8 rows^2 facets
   MomentSource moments = MomentSource::fit;
@@ -68,11 +68,11 @@ struct ConvexFit {
   int most_iterations = 100;
   // Where the unknowns begin, if not at the ellipsoid of the start: its degree and rows are taken.
   // Priors stay about the start, so that a short fit can go on.
-  std::optional<BrightConvex> from = std::nullopt;
+  std::optional<ConvexModel> from = std::nullopt;
 };
 
 struct ConvexSolution : LightOutcome {
-  BrightConvex body;
+  ConvexModel body;
 };
 
 ConvexSolution fit_convex(const ConvexFit& fit);
@@ -83,10 +83,10 @@ ConvexSolution fit_convex(const ConvexFit& fit);
 // areas close none, and DomainError where those of the start do. And the body at some values of the
 // unknowns.
 LeastSquares least_squares_of(const ConvexFit& fit);
-BrightConvex body_at(const ConvexFit& fit, std::span<const double> x);
+ConvexModel body_at(const ConvexFit& fit, std::span<const double> x);
 
 // Fluxes of the model at all points, session by session, with the best factor of each under a loss.
-std::vector<std::vector<double>> model_fluxes(const BrightConvex& body,
+std::vector<std::vector<double>> model_fluxes(const ConvexModel& body,
                                               std::span<const LightCurve> curves,
                                               const Loss& loss = {});
 
@@ -110,7 +110,7 @@ struct ShapeInertia {
   double Ixx, Iyy;  // over Izz, of the even filling about the axes F
   double axes_off;  // rad: the greatest angle between its principal axes and those of F
 };
-ShapeInertia shape_inertia(const BrightConvex& body);
+ShapeInertia shape_inertia(const ConvexModel& body);
 
 }  // namespace v0
 }  // namespace polhode

@@ -32,7 +32,7 @@ inline namespace v0 {
 struct LightExtension {
   std::vector<LightCurve> curves;  // the sessions
   std::size_t first = 0;           // of them the one that the starts are near
-  std::vector<BrightEllipsoid> starts;
+  std::vector<EllipsoidModel> starts;
   LightUnknowns unknowns;
   Loss loss;
   double within = 1.5;             // as LightSearch

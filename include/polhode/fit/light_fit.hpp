@@ -25,7 +25,7 @@
 #include <string>
 #include <vector>
 
-#include "polhode/fit/bodies_with_periods.hpp"
+#include "polhode/fit/inertia_from_periods.hpp"
 #include "polhode/fit/spin_fit.hpp"
 #include "polhode/light/ellipsoid.hpp"
 #include "polhode/light/light_curve.hpp"
@@ -44,19 +44,19 @@ struct LightUnknowns {
   bool multiple = false;  // the weight of Lambert's law, that of Lommel and Seeliger's being 1
 };
 
-struct BrightEllipsoid {
+struct EllipsoidModel {
   SpinState spin;  // inertia_F is diagonal
   Ellipsoid shape;
   Scattering law;
 
   // With the moments of an even filling.
-  static BrightEllipsoid homogeneous(double t0, const Quaternion& q, const Vec3& w_F,
-                                     const Ellipsoid& shape, const Scattering& law = {});
+  static EllipsoidModel homogeneous(double t0, const Quaternion& q, const Vec3& w_F,
+                                    const Ellipsoid& shape, const Scattering& law = {});
 };
 
 struct LightFit {
   std::vector<LightCurve> curves;
-  BrightEllipsoid start;
+  EllipsoidModel start;
   LightUnknowns unknowns;
   Loss loss;
   int most_iterations = 200;
@@ -102,7 +102,7 @@ struct LightOutcome {
 };
 
 struct LightSolution : LightOutcome {
-  BrightEllipsoid body;  // a = 1
+  EllipsoidModel body;  // a = 1
 };
 
 LightSolution fit_light(const LightFit& fit);
@@ -111,14 +111,14 @@ LightSolution fit_light(const LightFit& fit);
 // about the attitude of the start, factors of sessions the best ones under the loss of the fit. And
 // the body at some values of the unknowns.
 LeastSquares least_squares_of(const LightFit& fit);
-BrightEllipsoid body_at(const LightFit& fit, std::span<const double> x);
+EllipsoidModel body_at(const LightFit& fit, std::span<const double> x);
 
 // The unknowns of a body, in the order of the covariance of a fit from `about`.
-std::vector<double> light_unknowns_at(const LightUnknowns& unknowns, const BrightEllipsoid& about,
-                                      const BrightEllipsoid& body);
+std::vector<double> light_unknowns_at(const LightUnknowns& unknowns, const EllipsoidModel& about,
+                                      const EllipsoidModel& body);
 
 // Fluxes of the model at all points, session by session, with the best factor of each under a loss.
-std::vector<std::vector<double>> model_fluxes(const BrightEllipsoid& body,
+std::vector<std::vector<double>> model_fluxes(const EllipsoidModel& body,
                                               std::span<const LightCurve> curves,
                                               const Loss& loss = {});
 

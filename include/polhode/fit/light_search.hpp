@@ -3,7 +3,7 @@
 // starts.
 //
 // Equations   a start takes one pair of periods, a tilt and a ratio of moments
-//             (bodies_with_periods.hpp), a phase of the polhode; of `tries` attitudes the one that
+//             (inertia_from_periods.hpp), a phase of the polhode; of `tries` attitudes the one that
 //             fits best; then fit_light in a few iterations. Of each pair of periods the best and
 //             those that differ most are fitted to the end, whatever the other pairs reach. Pairs
 //             near the limit get more starts, in rounds of 50, at most eight pairs a round: one
@@ -32,7 +32,7 @@
 #include <string>
 #include <vector>
 
-#include "polhode/fit/bodies_with_periods.hpp"
+#include "polhode/fit/inertia_from_periods.hpp"
 #include "polhode/fit/light_fit.hpp"
 #include "polhode/fit/scan_minima.hpp"
 
@@ -44,13 +44,13 @@ inline namespace v0 {
 // do not change when Sun and observer are exchanged give the others.
 enum class LightImage { none, normal, bisector, difference };
 
-BrightEllipsoid image_of(const BrightEllipsoid& body, LightImage image, const Vec3& to_sun,
-                         const Vec3& to_observer);
+EllipsoidModel image_of(const EllipsoidModel& body, LightImage image, const Vec3& to_sun,
+                        const Vec3& to_observer);
 
 // The second state as it is nearest to the first: up to half turns about the axes of the
 // ellipsoid, and up to any exchange of axes where moments are not those of an even filling, so that
 // nothing says which axis comes first.
-BrightEllipsoid nearest_of_same(const BrightEllipsoid& about, const BrightEllipsoid& body);
+EllipsoidModel nearest_of_same(const EllipsoidModel& about, const EllipsoidModel& body);
 
 struct LabelChoice {
   // The lowest minima of a scan; those that are not resolved, not converged or at the edge of the

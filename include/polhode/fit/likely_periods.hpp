@@ -18,8 +18,8 @@
 
 #include <vector>
 
-#include "polhode/fit/bodies_with_periods.hpp"
 #include "polhode/fit/fourier_fit.hpp"
+#include "polhode/fit/inertia_from_periods.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -14,6 +14,8 @@
 // Cost        a few dozen flops.
 #pragma once
 
+#include "polhode/version.hpp"  // asks for C++20
+
 namespace polhode {
 inline namespace v0 {
 

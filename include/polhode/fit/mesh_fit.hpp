@@ -30,7 +30,7 @@
 namespace polhode {
 inline namespace v0 {
 
-struct BrightMesh {
+struct MeshModel {
   SpinState spin;
   ShadedMesh shape;
   Scattering law;
@@ -41,7 +41,7 @@ Mat3 homogeneous_inertia(const FacetShape& shape);
 
 struct MeshFit {
   std::vector<LightCurve> curves;
-  BrightMesh start;
+  MeshModel start;
   MomentSource moments = MomentSource::start;  // or fit
   bool multiple = false;                       // the weight of Lambert's law as an unknown
   Loss loss;
@@ -49,7 +49,7 @@ struct MeshFit {
 };
 
 struct MeshSolution : LightOutcome {
-  BrightMesh body;
+  MeshModel body;
 };
 
 MeshSolution fit_mesh(const MeshFit& fit);
@@ -58,10 +58,10 @@ MeshSolution fit_mesh(const MeshFit& fit);
 // about the attitude of the start, factors of sessions the best ones. And the body at some values
 // of the unknowns.
 LeastSquares least_squares_of(const MeshFit& fit);
-BrightMesh body_at(const MeshFit& fit, std::span<const double> x);
+MeshModel body_at(const MeshFit& fit, std::span<const double> x);
 
 // Fluxes of the model at all points, session by session, with the best factor of each under a loss.
-std::vector<std::vector<double>> model_fluxes(const BrightMesh& body,
+std::vector<std::vector<double>> model_fluxes(const MeshModel& body,
                                               std::span<const LightCurve> curves,
                                               const Loss& loss = {});
 

@@ -37,7 +37,7 @@ inline namespace v0 {
 struct MeshSearch {
   std::vector<LightCurve> curves;
   // Shape, law and inertia are taken; attitude, rate and epoch are not looked at.
-  BrightMesh body;
+  MeshModel body;
   std::vector<TumblerPeriods> periods;
   std::size_t starts = 1000;  // in all, taken by the pairs of periods in turn
   std::size_t tries = 60;

@@ -23,7 +23,7 @@ namespace polhode {
 inline namespace v0 {
 
 namespace detail {
-class StackedNumbers;
+class ResidualVector;
 }  // namespace detail
 
 class ResidualFunction {
@@ -41,7 +41,7 @@ class ResidualFunction {
 
  private:
   std::shared_ptr<const LeastSquares> problem_;
-  std::shared_ptr<const detail::StackedNumbers> numbers_;
+  std::shared_ptr<const detail::ResidualVector> numbers_;
 };
 
 }  // namespace v0

@@ -26,7 +26,7 @@
 #include <span>
 
 #include "polhode/elliptic/modulus.hpp"
-#include "polhode/free/detail/primed_arc_declared.hpp"
+#include "polhode/free/detail/normalized_arc_declared.hpp"
 #include "polhode/free/free_kernel.hpp"
 #include "polhode/free/states_at.hpp"
 #include "polhode/free/states_on_grid.hpp"
@@ -124,7 +124,7 @@ class FreeRotation {
     Summary summary;
   };
   template <Real T>
-  static Summary summarized(const Body& body, const detail::PrimedArc<T>& arc,
+  static Summary summarized(const Body& body, const detail::NormalizedArc<T>& arc,
                             const FreeKernel& kernel, const Vec3& g_B);
   template <Real T>
   static Parts prepared(const Body& body, const RotorState& s0, double t0);

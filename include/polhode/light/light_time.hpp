@@ -8,8 +8,9 @@
 //             173.144632674 au/d = 0.00200398880410 au/s.
 // Domain      positions of body, observer and Sun from one origin along the inertial axes I, as
 //             calls position(t) -> Vec3; with the Sun as origin its own is 0. Bodies slower than
-//             light. Sunlight is taken from where the Sun is at t_body: aberration, 1e-4 rad, is
-//             left out.
+//             light. The iteration begins with no light time, so that the position that moves must
+//             be finite at t as well; a table may hold its ends. Sunlight is taken from where the
+//             Sun is at t_body: aberration, 1e-4 rad, is left out.
 // Accuracy    the light time to a few roundings of itself and of t.
 // Errors      DomainError naming the point: no vector to the observer, c not above 0, a light time
 //             that does not converge or is below 0. What a position throws passes through.
@@ -49,7 +50,7 @@ LightCurve with_vectors(LightCurve curve, LightTime given, const Body& body,
         p.t, c);
     if (!std::isfinite(tau))
       detail::fail_light_time(curve, k,
-                              "its light time does not converge; expected positions of "
+                              "its light time does not converge; expected finite positions of "
                               "bodies that are slower than light");
     const double left = arrived ? p.t - tau : p.t;
     const Vec3 of_body = arrived ? body(left) : fixed;

@@ -15,6 +15,8 @@
 
 #include <cmath>
 
+#include "polhode/version.hpp"  // asks for C++20
+
 #ifdef __FAST_MATH__
 #error "polhode needs IEEE arithmetic: compile without -ffast-math"
 #endif

@@ -9,6 +9,8 @@
 
 #include <cmath>
 
+#include "polhode/version.hpp"  // asks for C++20
+
 namespace polhode {
 inline namespace v0 {
 

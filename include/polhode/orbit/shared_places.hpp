@@ -16,6 +16,8 @@
 #include <concepts>
 #include <cstddef>
 
+#include "polhode/version.hpp"  // asks for C++20
+
 namespace polhode {
 inline namespace v0 {
 // An orbit that can tell without much ado whether another one is the same.

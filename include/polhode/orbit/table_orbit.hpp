@@ -10,9 +10,11 @@
 //             of 4 up to 32), and as many rows as it needs; left out, 10 (with velocities 12) or
 //             what the rows allow. At the ends the window stays inside, and an order above 12
 //             falls to 12 as rows on one side run out, since polynomials of high order magnify
-//             rounding there. NaN for times outside the table, or farther outside than an overhang,
-//             up to which the polynomials at the ends go on: for ends that times read from dates
-//             miss by their rounding.
+//             rounding there. If spacings vary by a factor of 30 or more, the highest orders
+//             lose accuracy everywhere: with spacings from 0.003 to 0.3 rad of an orbit of e = 0.3,
+//             the error is 2e-9 by order 12 and 1e-2 by order 32. NaN for times outside the table,
+//             or farther outside than an overhang, up to which the polynomials at the ends go on:
+//             for ends that times read from dates miss by their rounding.
 // Accuracy    budget table_orbit_*: exact for polynomials of degree order - 1; otherwise an error
 //             of order spacing^order. Positions are continuous, and with velocities their slope
 //             is. In double-double the arithmetic is wide; the rows and weights are not.
@@ -139,10 +141,12 @@ class TableOrbit {
   std::shared_ptr<Data> data_;
 };
 
-// About the largest error of the polynomials half-way between rows, as a fraction of the distance
-// from the centre, or absolute: the difference from those through two rows less, carried on by how
-// much smaller it is than the one before; at the two lowest orders, that from those of two more
-// rows. NaN for tables that are too short to tell.
+// About the largest error of the polynomials between rows (half-way, and where the spacing varies
+// at 0.3 as well), as a fraction of the distance from the centre, or absolute: the difference from
+// those through two rows less, carried on by how much smaller it is than the one before; at the two
+// lowest orders, that from those of two more rows. Of two or three rows with velocities: from how
+// much the velocities change, and how far they lead past the next position. NaN for two or three
+// rows without velocities. Looks at every interval: 0.1 to 1 s for a million rows.
 enum class ErrorSize { relative, absolute };
 double interpolation_error(const TableOrbit& orbit, ErrorSize size = ErrorSize::relative);
 

@@ -45,6 +45,7 @@ struct RunFacts {
   double first = 0.0;    // times of the rows, in that unit
   double last = 0.0;
   bool rising = true;  // whether each row is later than the one before
+  double rate = 0.0;   // |omega| of the initial state, rad in that unit
 };
 
 // What an output says of its origin.
@@ -57,6 +58,9 @@ struct Provenance {
   std::vector<std::string> citations;  // one line each
   RunFacts run = {};
   FormatOptions options = {};
+  // The dimension of rows in formats that name it: the first column, if it differs from row to row,
+  // or a word. Empty: t if it is the first column, else "row".
+  std::string row_dimension = {};
 };
 
 // How far an output has been written.

@@ -15,6 +15,8 @@
 #include <string>
 #include <vector>
 
+#include "polhode/version.hpp"  // asks for C++20
+
 namespace polhode {
 inline namespace v0 {
 

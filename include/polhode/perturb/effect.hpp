@@ -25,7 +25,7 @@
 #include "polhode/orbit/many_times.hpp"
 #include "polhode/perturb/affine_torque.hpp"
 #include "polhode/perturb/detail/constant_quaternion.hpp"
-#include "polhode/perturb/detail/turned_back.hpp"
+#include "polhode/perturb/detail/rotate_inverse.hpp"
 #include "polhode/rotor/body.hpp"
 #include "polhode/rotor/rotor_state.hpp"
 
@@ -102,15 +102,15 @@ enum class SpaceAxes { inertial, reference };
 // quaternions do not matter.
 template <Number T>
 BasicVec3<T> body_from_reference(const BasicSetting<T>& at, const BasicVec3<T>& x_S) {
-  return detail::turned_back(at.s.q, x_S);
+  return detail::rotate_inverse(at.s.q, x_S);
 }
 template <Number T>
 BasicVec3<T> body_from_reference(const BasicPose<T>& at, const BasicVec3<T>& x_S) {
-  return detail::turned_back(at.s.q, x_S);
+  return detail::rotate_inverse(at.s.q, x_S);
 }
 template <Number T>
 BasicVec3<T> body_from_inertial(const BasicSetting<T>& at, const BasicVec3<T>& x_I) {
-  return body_from_reference(at, detail::turned_back(at.q_IS, x_I));
+  return body_from_reference(at, detail::rotate_inverse(at.q_IS, x_I));
 }
 template <Number T>
 BasicVec3<T> body_from_space(const BasicSetting<T>& at, SpaceAxes axes, const BasicVec3<T>& x) {
@@ -120,13 +120,13 @@ BasicVec3<T> body_from_space(const BasicSetting<T>& at, SpaceAxes axes, const Ba
 template <Number T>
 BasicVec3<T> reference_from_space(const BasicSetting<T>& at, SpaceAxes axes,
                                   const BasicVec3<T>& x) {
-  return axes == SpaceAxes::inertial ? detail::turned_back(at.q_IS, x) : x;
+  return axes == SpaceAxes::inertial ? detail::rotate_inverse(at.q_IS, x) : x;
 }
 
 // As a function, of inertial axes.
 template <Number T>
 auto in_reference(const BasicSetting<T>& at) {
-  return [&q = at.q_IS](const BasicVec3<T>& x) { return detail::turned_back(q, x); };
+  return [&q = at.q_IS](const BasicVec3<T>& x) { return detail::rotate_inverse(q, x); };
 }
 
 template <class P, class T>

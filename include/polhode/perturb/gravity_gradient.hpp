@@ -19,7 +19,7 @@
 
 #include "polhode/orbit/orbit.hpp"
 #include "polhode/perturb/detail/argument_checks.hpp"
-#include "polhode/perturb/detail/turned_back.hpp"
+#include "polhode/perturb/detail/rotate_inverse.hpp"
 #include "polhode/perturb/effect.hpp"
 
 namespace polhode {
@@ -107,7 +107,7 @@ class GravityGradient {
                             const std::array<BasicVec3<T>, 1>& position) const {
     const bool is_turned = axes_ == SpaceAxes::inertial && !(at.q_IS == BasicQuaternion<T>{});
     return law_.of_vectors(position, [&](const BasicVec3<T>& x) {
-      return is_turned ? detail::turned_back(at.q_IS, x) : x;
+      return is_turned ? detail::rotate_inverse(at.q_IS, x) : x;
     });
   }
   template <Real T>

@@ -21,8 +21,8 @@
 #include <utility>
 
 #include "polhode/perturb/detail/argument_checks.hpp"
-#include "polhode/perturb/detail/sound_oblateness.hpp"
 #include "polhode/perturb/detail/symmetric_torque.hpp"
+#include "polhode/perturb/detail/valid_oblateness.hpp"
 #include "polhode/perturb/gravity_gradient.hpp"
 
 namespace polhode {
@@ -34,7 +34,7 @@ struct Oblateness {
   double radius;                // the equatorial radius that J2 belongs to
   Vec3 pole = {0.0, 0.0, 1.0};  // the axis of figure, along the axes of the orbit
   // Last, and left out: it looks at the others, and holds nothing.
-  [[no_unique_address]] detail::SoundOblateness sound = {J2, radius, pole};
+  [[no_unique_address]] detail::ValidOblateness sound = {J2, radius, pole};
 
   constexpr bool operator==(const Oblateness&) const = default;
 };

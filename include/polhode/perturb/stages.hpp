@@ -27,10 +27,6 @@ constexpr std::size_t filled_stages(std::size_t count) {
   return (count + stage_lanes - 1) / stage_lanes * stage_lanes;
 }
 
-namespace detail {
-class StageLaw;
-}  // namespace detail
-
 // One number of every stage.
 struct StageRow : detail::AlignedRow<most_stages> {};
 
@@ -69,8 +65,6 @@ class StageTerm {
   virtual bool is_smooth() const { return false; }
   // Whether it has kinks at places that it does not name, many and small.
   virtual bool has_unnamed_kinks() const { return false; }
-  // What does for several bodies at a time; null where each has to be asked by itself.
-  virtual const detail::StageLaw* law() const { return nullptr; }
 };
 
 }  // namespace v0

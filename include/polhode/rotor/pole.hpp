@@ -5,6 +5,8 @@
 // Accuracy    exact.
 #pragma once
 
+#include "polhode/version.hpp"  // asks for C++20
+
 namespace polhode {
 inline namespace v0 {
 

@@ -32,11 +32,11 @@
 #include <vector>
 
 #include "polhode/fit/convex_fit.hpp"
+#include "polhode/fit/derived_parameters.hpp"
 #include "polhode/fit/light_extension.hpp"
 #include "polhode/fit/light_search.hpp"
 #include "polhode/fit/mesh_fit.hpp"
 #include "polhode/fit/scan_advice.hpp"
-#include "polhode/fit/spin_figures.hpp"
 #include "polhode/run/fit.hpp"
 
 namespace polhode {
@@ -50,8 +50,15 @@ struct SeparateSessions {
   std::size_t windows;
   std::size_t pairs;  // in the windows
 };
-// The series of one frequency with the lowest chi-square, and whether it describes the data as well
-// as the lowest resolved pair of frequencies does.
+// Light that does not vary, and whether no period describes the data better than noise lets it.
+struct ConstantLight {
+  double chi_square;
+  std::size_t degrees_of_freedom;
+  bool suffices;
+};
+// The series of one frequency with the fewest harmonics that describes the data as well as more
+// harmonics and the lowest resolved pair of frequencies do, or else the one with the most. It does
+// not suffice where a constant does.
 struct OnePeriod {
   std::size_t order;  // of the series
   RefinedPair refined;
@@ -63,7 +70,9 @@ struct LightScan {
   Landscape landscape;              // of separate sessions the sum of theirs
   std::vector<ScanMinimum> minima;  // on all of the time
   std::optional<SeparateSessions> separate;
-  std::optional<OnePeriod> one;  // nothing where its grid would have too many frequencies
+  // Nothing where the grid of one frequency would have too many.
+  std::optional<ConstantLight> constant;
+  std::optional<OnePeriod> one;
 };
 
 // The series at a pair of periods of fit.scan.at, and at the minimum next to it.
@@ -94,8 +103,8 @@ struct LightReport {
   ReadObservations observed;
   LightPlan::Shape shape = LightPlan::Shape::ellipsoid;
   LightUnknowns unknowns;
-  std::optional<BrightEllipsoid> start;      // of a fit that has one
-  std::optional<BrightEllipsoid> ellipsoid;  // that its convex body began with
+  std::optional<EllipsoidModel> start;      // of a fit that has one
+  std::optional<EllipsoidModel> ellipsoid;  // that its convex body began with
   std::optional<LightScan> scan;
   std::vector<ChosenPair> chosen;
   std::vector<PairFound> pairs;
@@ -103,9 +112,9 @@ struct LightReport {
   // By what was minimised. Where the shape is no ellipsoid `body` has the spin and the law, and the
   // ellipsoid of the same moments of inertia as the shape filled evenly.
   std::vector<FoundLight> solutions;
-  std::vector<BrightConvex> convex;    // of each solution, where the shape is convex
-  std::vector<BrightEllipsoid> begun;  // and the ellipsoid that it was fitted from
-  std::optional<ShadedMesh> mesh;      // of all, where it is a mesh
+  std::vector<ConvexModel> convex;    // of each solution, where the shape is convex
+  std::vector<EllipsoidModel> begun;  // and the ellipsoid that it was fitted from
+  std::optional<ShadedMesh> mesh;     // of all, where it is a mesh
   std::size_t starts = 1, finalists = 1, converged = 0;  // of ellipsoids
   std::size_t surfaces = 0, surfaces_converged = 0;      // fits of convex bodies, or of the mesh
   std::vector<std::string> notes;

@@ -17,9 +17,9 @@
 #include <string_view>
 #include <vector>
 
+#include "polhode/scenario/custom_experiment.hpp"
 #include "polhode/scenario/key_values.hpp"
 #include "polhode/scenario/kind_key.hpp"
-#include "polhode/scenario/own_experiment.hpp"
 #include "polhode/scenario/schema.hpp"
 #include "polhode/text/citation.hpp"
 
@@ -47,7 +47,7 @@ struct ExperimentKind {
   std::string_view name;  // "gyrostat"
   std::string_view help;  // one sentence: what it is
   std::vector<Key> keys;  // of the table [gyrostat]; paths are their own names
-  std::function<OwnExperiment(const ExperimentContext&)> made;
+  std::function<CustomExperiment(const ExperimentContext&)> made;
   std::vector<Citation> citations = {};
   // Of its template; empty: that of the first example that has one, and degrees.
   std::string_view time_unit = {}, angle_unit = {};
@@ -57,7 +57,7 @@ struct ExperimentKind {
 template <class A>
 ExperimentKind experiment_kind(std::string_view name, std::string_view help,
                                std::span<const KindKey<A>> keys,
-                               OwnExperiment (*made)(const A&, const ExperimentContext&),
+                               CustomExperiment (*made)(const A&, const ExperimentContext&),
                                const std::vector<Citation>& citations = {}) {
   return {.name = name,
           .help = help,

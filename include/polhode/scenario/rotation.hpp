@@ -71,7 +71,8 @@ struct ScenarioOrbit {
   std::optional<double> gm;               // of what attracts, where the orbit tells
   std::vector<std::string> sources = {};  // of its positions: "ephemeris", "moon", "oem"
   std::string text = {};  // of a table: "table iss.csv.gz", "ephemeris, moon from earth"
-  // Of a table of rows as they were given, between them: a part of the distance, estimated.
+  // Of a table of rows as they were given, between them: a part of the distance, estimated. NaN:
+  // too few rows to tell.
   std::optional<double> interpolation_error = std::nullopt;
   std::vector<std::string> warnings = {};  // "FILE:LINE:COLUMN: ..."
   std::string kind = {};                   // "kepler", ...

@@ -22,19 +22,19 @@
 
 #include "polhode/output/output_plan.hpp"
 #include "polhode/scenario/changes.hpp"
+#include "polhode/scenario/custom_experiment.hpp"
 #include "polhode/scenario/document.hpp"
 #include "polhode/scenario/ensemble_plan.hpp"
 #include "polhode/scenario/kinds.hpp"
 #include "polhode/scenario/map_plan.hpp"
 #include "polhode/scenario/obliquity.hpp"
-#include "polhode/scenario/own_experiment.hpp"
 #include "polhode/scenario/rotation.hpp"
 
 namespace polhode {
 inline namespace v0 {
 
 // One struct for each kind.
-using Experiment = std::variant<Rotation, Obliquity, OwnExperiment>;
+using Experiment = std::variant<Rotation, Obliquity, CustomExperiment>;
 
 struct Scenario {
   Document document;
@@ -62,7 +62,8 @@ struct TableValues {
   std::string given;
   std::string defaults;
 };
-// Of [body], [orbit.NAME], [frame.NAME], [[perturbation]] and [[surface]], in this order.
+// Of [body], [state.NAME], [orbit.NAME], [frame.NAME], [[perturbation]] and [[surface]], in this
+// order.
 std::vector<TableValues> model_values(const Scenario& scenario);
 // What a user should know of the file, though it can be run: each "FILE:LINE:COLUMN: KEY: ...".
 std::vector<std::string> warnings(const Scenario& scenario);

@@ -13,6 +13,8 @@
 #include <utility>
 #include <vector>
 
+#include "polhode/version.hpp"  // asks for C++20
+
 namespace polhode {
 inline namespace v0 {
 

@@ -36,11 +36,12 @@
 namespace polhode {
 inline namespace v0 {
 
-// `name` stands for the file in messages.
+// `name` stands for the file in messages; `leave_out` has lines of points, from 1.
 LightCurveFile alcdef_from_text(std::string_view text, const std::string& name,
-                                const std::optional<Date>& epoch = std::nullopt);
-LightCurveFile read_alcdef(const std::string& path,
-                           const std::optional<Date>& epoch = std::nullopt);
+                                const std::optional<Date>& epoch = std::nullopt,
+                                std::span<const std::size_t> leave_out = {});
+LightCurveFile read_alcdef(const std::string& path, const std::optional<Date>& epoch = std::nullopt,
+                           std::span<const std::size_t> leave_out = {});
 
 struct AlcdefHead {
   std::string object;

@@ -40,6 +40,9 @@ struct Conversion {
 using ByteSource = std::function<std::size_t(std::span<char>)>;
 using ByteSink = std::function<void(std::string_view)>;
 
+// The bytes of a file, unpacked if gzip has packed them.
+ByteSource file_source(const std::string& path);
+
 // `name` stands for the input in messages. The conversion names two of the charts.
 void convert(const Conversion& conversion, const std::string& name, const ByteSource& source,
              const ByteSink& sink, std::span<const ChartKind> charts = default_charts());

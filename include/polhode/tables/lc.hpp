@@ -27,11 +27,13 @@
 namespace polhode {
 inline namespace v0 {
 
-// `name` stands for the file in messages.
+// `name` stands for the file in messages; `leave_out` has lines of points, from 1.
 LightCurveFile lc_from_text(std::string_view text, const std::string& name, TimeScale scale,
-                            const std::optional<Date>& epoch = std::nullopt);
+                            const std::optional<Date>& epoch = std::nullopt,
+                            std::span<const std::size_t> leave_out = {});
 LightCurveFile read_lc(const std::string& path, TimeScale scale,
-                       const std::optional<Date>& epoch = std::nullopt);
+                       const std::optional<Date>& epoch = std::nullopt,
+                       std::span<const std::size_t> leave_out = {});
 
 // Of light curves with t in seconds of TT from an epoch, at the body, and vectors in au along the
 // ecliptic of J2000; dates in the scale of the epoch.

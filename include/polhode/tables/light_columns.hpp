@@ -21,6 +21,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "polhode/tables/light_curve_file.hpp"
 
@@ -44,6 +45,7 @@ struct LightColumns {
   Three to_sun = {};           // all three or none
   Three to_observer = {};
   std::string session = {};
+  std::vector<std::size_t> leave_out = {};  // lines of the file, from 1
 
   bool is_calibrated = false;
   std::optional<LightTime> times = {};

@@ -38,6 +38,9 @@ struct LightSession {
   std::optional<double> zero_magnitude;  // none: the file has fluxes
   std::size_t line = 0;                  // of the file, from 1: where the session begins
   std::vector<std::size_t> lines = {};   // where each of its points stands
+  // Lines of points that were left out, as the reader was told. They are not parsed; a session may
+  // have no other points.
+  std::vector<std::size_t> left_out = {};
   std::vector<std::pair<std::string, std::string>> notes = {};  // all that the file says of it
 };
 

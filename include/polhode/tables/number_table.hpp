@@ -3,12 +3,13 @@
 //
 // Units       those of the file; what a column means is the caller's to say.
 // Domain      one row per line; fields are separated by semicolons or else commas, or by blanks
-//             where the first row has neither; one at the end of a row is dropped. After # is a
-//             comment, blank lines are skipped. The first line without numbers names the columns;
-//             without one, a comment right above the first row does, if it has as many words
-//             ("# t x y z"); comments above the rows are kept for who understands them. Of what
-//             JPL's Horizons sends (CSV_FORMAT = YES) the rows between $$SOE and $$EOE, with the
-//             names above. Numbers as in C or Fortran (1.5e3, 1.5D+03). Lines of at most 1 MiB.
+//             where the first row has neither. A separator at the end of a line adds no column,
+//             but a column of the row that comes next is empty. After # is a comment, blank lines
+//             are skipped. The first line without numbers names the columns; without one, a comment
+//             right above the first row does, if it has as many words ("# t x y z"); comments above
+//             the rows are kept for who understands them. Of what JPL's Horizons sends (CSV_FORMAT
+//             = YES) the rows between $$SOE and $$EOE, with the names above. Numbers as in C or
+//             Fortran (1.5e3, 1.5D+03). Lines of at most 1 MiB.
 // Accuracy    the nearest double.
 // Errors      DomainError "FILE:LINE: ..." for the first thing wrong: a missing column or field,
 //             text that is no finite number, a damaged .gz; "FILE: ..." for what cannot be read.
@@ -22,6 +23,8 @@
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "polhode/version.hpp"  // asks for C++20
 
 namespace polhode {
 inline namespace v0 {
@@ -56,9 +59,11 @@ std::vector<std::string> table_columns(const std::string& path);
 // first of them: times may be dates.
 NumberTable read_number_table(const std::string& path, std::span<const std::string> columns,
                               const FieldReader& first = number_from_field);
-// The same with a reader for each column.
+// The same with a reader for each column. Fields of the `unchecked` lines that cannot be read are
+// NaN.
 NumberTable read_number_table(const std::string& path, std::span<const std::string> columns,
-                              std::span<const FieldReader> readers);
+                              std::span<const FieldReader> readers,
+                              std::span<const std::size_t> unchecked = {});
 
 // Throws unless a column rises from row to row: "FILE:LINE: time 5 comes twice; ...". `what` is
 // what the column holds.

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "polhode/version.hpp"  // asks for C++20
+
 namespace polhode {
 inline namespace v0 {
 

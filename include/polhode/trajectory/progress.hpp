@@ -13,6 +13,8 @@
 
 #include <functional>
 
+#include "polhode/version.hpp"  // asks for C++20
+
 namespace polhode {
 inline namespace v0 {
 

@@ -17,7 +17,7 @@ namespace polhode::python {
 
 namespace {
 
-nb::tuple body_parts(const BrightEllipsoid& body) {
+nb::tuple body_parts(const EllipsoidModel& body) {
   const Ellipsoid& s = body.shape;
   return nb::make_tuple(spin_parts(body.spin), nb::make_tuple(s.a, s.b, s.c),
                         nb::make_tuple(body.law.single, body.law.multiple));
@@ -155,7 +155,7 @@ PythonResiduals light_residuals_of(const LightFit& fit) {
           [fit](std::span<const double> x) -> nb::object { return body_parts(body_at(fit, x)); }};
 }
 
-BrightEllipsoid ellipsoid_of(const nb::tuple& parts) {
+EllipsoidModel ellipsoid_of(const nb::tuple& parts) {
   const Vec3 axes = vec3(parts[1], "axes");
   const auto [single, multiple] = nb::cast<std::tuple<double, double>>(parts[2]);
   return {spin_of(nb::cast<nb::tuple>(parts[0])), {axes.x, axes.y, axes.z}, {single, multiple}};

@@ -15,9 +15,9 @@
 namespace polhode::python {
 
 // (spin, (a, b, c), (single, multiple))
-BrightEllipsoid ellipsoid_of(const nb::tuple& parts);
+EllipsoidModel ellipsoid_of(const nb::tuple& parts);
 // (spin, degree, rows, coefficients, (single, multiple))
-nb::tuple convex_parts(const BrightConvex& body);
+nb::tuple convex_parts(const ConvexModel& body);
 
 // Residuals of fits, as functions of the unknowns.
 PythonResiduals light_residuals_of(const LightFit& fit);

@@ -93,7 +93,7 @@ PythonResiduals residuals_from(const LightScenarioFit& fit, std::size_t solution
 // Of a solution that is no ellipsoid: (spin, degree, rows, coefficients, law) of a convex body,
 // (spin, FacetShape, law) of a mesh.
 nb::object surface_of(const LightScenarioFit& fit, std::size_t solution) {
-  const BrightEllipsoid& body = fit.report.solutions.at(solution).solution.body;
+  const EllipsoidModel& body = fit.report.solutions.at(solution).solution.body;
   if (!fit.report.convex.empty()) return convex_parts(fit.report.convex.at(solution));
   if (!fit.report.mesh) return nb::none();
   return nb::make_tuple(spin_parts(body.spin), fit.report.mesh->shape(),

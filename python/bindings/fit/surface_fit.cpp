@@ -30,7 +30,7 @@ Scattering law_of(nb::handle parts) {
 }
 
 // (spin, degree, rows, coefficients, (single, multiple))
-BrightConvex convex_of(const nb::tuple& parts) {
+ConvexModel convex_of(const nb::tuple& parts) {
   GaussianImage image(nb::cast<int>(parts[1]), nb::cast<int>(parts[2]));
   const Numbers given(parts[3], "coefficients", {});
   std::vector<double> coefficients;
@@ -40,7 +40,7 @@ BrightConvex convex_of(const nb::tuple& parts) {
 }
 
 // (spin, FacetShape, (single, multiple))
-BrightMesh mesh_of(const nb::tuple& parts) {
+MeshModel mesh_of(const nb::tuple& parts) {
   return {spin_of(nb::cast<nb::tuple>(parts[0])), ShadedMesh(nb::cast<const FacetShape&>(parts[1])),
           law_of(parts[2])};
 }
@@ -147,7 +147,7 @@ nb::dict mesh_search(const nb::list& curves, const nb::tuple& body, const Period
   nb::dict d = search_dict(found);
   nb::list bodies;
   for (const FoundLight& f : found.solutions) {
-    const BrightEllipsoid& one = f.solution.body;
+    const EllipsoidModel& one = f.solution.body;
     bodies.append(nb::make_tuple(spin_parts(one.spin), body[1],
                                  nb::make_tuple(one.law.single, one.law.multiple)));
   }
@@ -167,7 +167,7 @@ nb::list fluxes_of(const Body& body, const nb::list& curves, const std::string& 
 
 // Normals (M, 3) and areas (M,).
 nb::tuple facets_of(const nb::tuple& parts) {
-  const BrightConvex body = convex_of(parts);
+  const ConvexModel body = convex_of(parts);
   const std::vector<double> areas = body.areas();
   Result normals({areas.size(), 3});
   for (std::size_t k = 0; k < areas.size(); ++k) {
@@ -190,7 +190,7 @@ nb::list likely_of(const nb::list& curves, double f1, double f2, std::size_t ord
 
 }  // namespace
 
-nb::tuple convex_parts(const BrightConvex& body) {
+nb::tuple convex_parts(const ConvexModel& body) {
   const std::size_t facets = body.image.normals().size();
   int rows = 1;
   while (8 * static_cast<std::size_t>(rows) * static_cast<std::size_t>(rows) < facets) ++rows;
@@ -206,7 +206,7 @@ PythonResiduals convex_residuals_of(const ConvexFit& fit) {
 
 PythonResiduals mesh_residuals_of(const MeshFit& fit) {
   return {ResidualFunction(least_squares_of(fit)), [fit](std::span<const double> x) -> nb::object {
-            const BrightMesh body = body_at(fit, x);
+            const MeshModel body = body_at(fit, x);
             return nb::make_tuple(spin_parts(body.spin), body.shape.shape(),
                                   nb::make_tuple(body.law.single, body.law.multiple));
           }};

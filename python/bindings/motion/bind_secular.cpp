@@ -114,8 +114,8 @@ inclination, node, argument : (N,), rad, along the reference axes; argument of t
     cos(Omega) and their like.
 order : of the interpolation, as of a TableOrbit; 0: 10.
 
-A UserWarning for rows that are too far apart: interpolation_error above 1e-3. ValueError names the
-row of elements of no ellipse, and times that do not rise.)");
+A UserWarning for rows that are too far apart: interpolation_error above 1e-3, or NaN. ValueError
+names the row of elements of no ellipse, and times that do not rise.)");
   table
       .def(
           "__init__",

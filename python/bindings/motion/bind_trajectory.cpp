@@ -212,7 +212,7 @@ Typed<"dict[str, numpy.typing.NDArray[numpy.float64]]"> columns_of_trajectory(
 }
 
 // Without dense output, which is the method's own: at() says so afterwards.
-nb::tuple state_of(const PythonTrajectory& self) {
+nb::tuple trajectory_state(const PythonTrajectory& self) {
   const DampedTrajectory& run = self.run;
   const DampedRotorState initial = run.at(run.start());
   return nb::make_tuple(self.bytes(), run.start(), Rotors::one(initial.rotor),
@@ -337,7 +337,7 @@ ValueError outside [start, stop], and for a run without dense output. Releases t
           "has_dense", [](const PythonTrajectory& r) { return r.run.has_dense(); },
           "Whether at(t) has an answer inside.")
       .def("__repr__", shown)
-      .def("__getstate__", state_of)
+      .def("__getstate__", trajectory_state)
       .def("__setstate__", restore);
   bind_tables(c);
 }

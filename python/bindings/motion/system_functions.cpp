@@ -264,7 +264,7 @@ void def_of_chart(nb::module_& m, const char* name,
       "chart"_a, "system"_a, "t"_a, "state"_a, doc);
 }
 
-void bind_rates(nb::module_& m) {
+void bind_canonical_rates(nb::module_& m) {
   def_states<RotorState>(
       m, "andoyer_rates",
       [](const System& of, double t, const RotorState& s) { return andoyer_rates(of, t, s); },
@@ -365,7 +365,7 @@ void bind_system_functions(nb::module_& m) {
   bind_motion(m);
   bind_osculation(m);
   bind_modified(m);
-  bind_rates(m);
+  bind_canonical_rates(m);
   bind_axes(m);
 }
 

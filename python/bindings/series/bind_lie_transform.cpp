@@ -34,9 +34,10 @@ std::shared_ptr<const LieTransform<T>> solved(const PythonTransform& of) {
   return std::make_shared<LieTransform<T>>(std::move(problem), of.method);
 }
 
-PythonTransform made(const PythonSeries& hamiltonian, const Truncation& keep,
-                     const std::vector<std::string>& angles, const std::vector<Counts>& resonances,
-                     const Operands& clocks, double least_divisor, LieMethod method) {
+PythonTransform transform_of(const PythonSeries& hamiltonian, const Truncation& keep,
+                             const std::vector<std::string>& angles,
+                             const std::vector<Counts>& resonances, const Operands& clocks,
+                             double least_divisor, LieMethod method) {
   PythonTransform out{hamiltonian, keep, angles, resonances, clocks, least_divisor, method, {}};
   const WithoutGil released;
   if (hamiltonian.is_exact() && are_exact(hamiltonian.symbols(), clocks))
@@ -124,7 +125,7 @@ ValueError for what breaks this, for a divisor below the bound, with its combina
 before it starts, for an order that may need more memory than keep.most_bytes (by
 Series.transform_size). Releases the GIL. (Hori 1966; Deprit
 1969))",
-      made, field("hamiltonian", &T::hamiltonian, "What was given."),
+      transform_of, field("hamiltonian", &T::hamiltonian, "What was given."),
       field("keep", &T::keep, "The small parameters, and the highest order."),
       field("angles", &T::angles, "Those eliminated."),
       field("resonances", &T::resonances, "Combinations of them that stay.", std::vector<Counts>()),

@@ -18,7 +18,7 @@ struct PythonNormalForm {
   std::shared_ptr<const TriaxialNormalForm> form;
 };
 
-PythonNormalForm made(const Body& body, int order) {
+PythonNormalForm normal_form_of(const Body& body, int order) {
   const WithoutGil released;
   return {body, order, std::make_shared<const TriaxialNormalForm>(body, order)};
 }
@@ -139,7 +139,7 @@ osculating_error and frequency_error estimate it. Any consistent units; rad.
 
 ValueError for other moments and orders, and for the mean of a state in long-axis mode.
 Releases the GIL; 14 ms at order 8. [SA 3.2, 5])",
-                              made, field("body", &T::body, "What was given."),
+                              normal_form_of, field("body", &T::body, "What was given."),
                               field("order", &T::order, "The highest power of the triaxiality."));
   def_functions(c);
 }

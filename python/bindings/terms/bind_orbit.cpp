@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Kepler orbits, tables, and Python functions that serve as orbits.
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <string>
 #include <utility>
@@ -266,13 +267,16 @@ nb::tuple arguments_of(const TableOrbit& o) {
 }  // namespace
 
 void warn_of_coarse_rows(const char* what, double error, double noticeable, const char* of) {
-  if (!(error > noticeable)) return;
+  if (error <= noticeable) return;
   std::array<char, 32> number{};
   std::snprintf(number.data(), number.size(), "%.1g", error);
-  const std::string text = std::string(what) +
-                           ": rows that are too far apart: between them the interpolation errs by "
-                           "about " +
-                           number.data() + " of " + of;
+  const std::string text =
+      std::string(what) +
+      (std::isnan(error)
+           ? std::string(": the interpolation error cannot be estimated from so few rows")
+           : std::string(": rows that are too far apart: between them the interpolation errs by "
+                         "about ") +
+                 number.data() + " of " + of);
   if (PyErr_WarnEx(PyExc_UserWarning, text.c_str(), 1) != 0) throw nb::python_error();
 }
 
@@ -287,12 +291,13 @@ Parameters
 times : (N,), rising, evenly spaced or not.
 positions : (N, 3).
 velocities : (N, 3), or None: with them the polynomials are Hermite's.
-order : even, up to 16; with velocities a multiple of 4, up to 32. 0 stands for 10 and 12.
+order : even, up to 16; with velocities a multiple of 4, up to 32. 0 stands for 10 and 12. If
+    spacings vary by a factor of 30 or more, use 12 or less: the highest orders lose accuracy.
 overhang : a time, at most the mean spacing: so far the polynomials at the ends go on beyond them.
 
 position(t) is NaN outside the table. A UserWarning for rows that are too far apart:
-interpolation_error above 1e-4. ValueError for times that do not rise, numbers that are not finite,
-too few rows.)");
+interpolation_error above 1e-4, or NaN. ValueError for times that do not rise, numbers that are not
+finite, too few rows.)");
   c.def(
        "__init__",
        [](O* self, ArrayLike times, ArrayLike positions, ArrayLike velocities, int order,
@@ -306,7 +311,8 @@ too few rows.)");
       .def_prop_ro(
           "interpolation_error", [](const O& o) { return interpolation_error(o); },
           "About the largest error between rows, as a fraction of the distance, estimated from the "
-          "neighbouring orders; NaN for too few rows to tell.")
+          "neighbouring orders, or from two or three rows with their velocities; NaN for two or "
+          "three rows without.")
       .def_prop_ro("first_time", &O::first_time, "Where the table begins.")
       .def_prop_ro("last_time", &O::last_time, "Where it ends.")
       .def_prop_ro("overhang", &O::overhang, "How far the polynomials at the ends go on.")

@@ -11,11 +11,11 @@ from matplotlib.patches import Polygon
 from numpy.typing import ArrayLike, NDArray
 
 from polhode import (
-    BrightConvex,
-    BrightEllipsoid,
-    BrightMesh,
+    ConvexModel,
+    EllipsoidModel,
     LightScenarioSolution,
     LightSolution,
+    MeshModel,
 )
 from polhode._core import _number, _numbers
 from polhode.figures.style import BLACK, DOUBLE_COLUMN, GREY, new_figure, panels, styled
@@ -33,7 +33,7 @@ DARK = 0.07
 
 @styled
 def body_as_seen(
-    body: LightSolution | LightScenarioSolution | BrightEllipsoid | BrightConvex | BrightMesh,
+    body: LightSolution | LightScenarioSolution | EllipsoidModel | ConvexModel | MeshModel,
     times: ArrayLike,
     to_sun: ArrayLike,
     to_observer: ArrayLike,
@@ -60,17 +60,17 @@ def body_as_seen(
     pictures, whose brightest hundredth is white; the arrow points to where the Sun is on the sky,
     and is not there where that is behind the observer or the body."""
     bright = body.body if isinstance(body, (LightSolution, LightScenarioSolution)) else body
-    if not isinstance(bright, (BrightEllipsoid, BrightConvex, BrightMesh)):
+    if not isinstance(bright, (EllipsoidModel, ConvexModel, MeshModel)):
         raise TypeError(
-            f"body_as_seen: got {body!r}; expected a solution, a BrightEllipsoid, a BrightConvex "
-            "or a BrightMesh"
+            f"body_as_seen: got {body!r}; expected a solution, a EllipsoidModel, a ConvexModel "
+            "or a MeshModel"
         )
     at = np.atleast_1d(np.asarray(_numbers(times, "times"), float))
     scale = float(_number(scale, "scale"))
     sun = _directions(to_sun, "to_sun", len(at))
     eye = _directions(to_observer, "to_observer", len(at))
     axes = _axes(ax, len(at))
-    picture = _ellipsoid if isinstance(bright, BrightEllipsoid) else _facets(bright.mesh)
+    picture = _ellipsoid if isinstance(bright, EllipsoidModel) else _facets(bright.mesh)
     pictures = [picture(bright, t, s, o) for t, s, o in zip(at, sun, eye)]
     lit = np.concatenate([light[np.isfinite(light)] for light, *_ in pictures])
     brightest = float(np.quantile(lit, WHITE)) or 1.0
@@ -142,7 +142,7 @@ def _facets(mesh: Any) -> Any:
     return picture
 
 
-def _ellipsoid(body: BrightEllipsoid, t: float, sun: Any, eye: Any) -> tuple[Any, Any, Any]:
+def _ellipsoid(body: EllipsoidModel, t: float, sun: Any, eye: Any) -> tuple[Any, Any, Any]:
     """Light (PIXELS, PIXELS), NaN off the body; the edge (n, 2); the Sun on paper (2,)."""
     turn = _turn(body, t)
     axes = body.axes / body.axes.max()

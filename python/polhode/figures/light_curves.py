@@ -9,12 +9,12 @@ from typing import Any
 import numpy as np
 
 from polhode import (
-    BrightConvex,
-    BrightEllipsoid,
-    BrightMesh,
+    ConvexModel,
+    EllipsoidModel,
     LightCurve,
     LightScenarioSolution,
     LightSolution,
+    MeshModel,
     model_fluxes,
 )
 from polhode._core import _number
@@ -31,7 +31,7 @@ PANEL = 2.0
 @styled
 def light_curve_fit(
     curves: LightCurve | Iterable[LightCurve],
-    model: LightSolution | LightScenarioSolution | BrightEllipsoid | BrightConvex | BrightMesh,
+    model: LightSolution | LightScenarioSolution | EllipsoidModel | ConvexModel | MeshModel,
     ax: Any = None,
     *,
     unit: str = "",

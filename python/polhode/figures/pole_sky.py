@@ -40,8 +40,8 @@ def pole_sky(
     ax : Axes with the projection "mollweide", or None for a new figure.
     scaled : errors as large as the residuals say, where they say it; else as those of the data were
         given.
-    labels : of the solutions, in the legend; by default their place from 1 and their chi-square,
-        or what convex bodies are ranked by, their cost.
+    labels : of the solutions, in the legend; by default their place from 1 and what ranks them:
+        chi-square, the loss if it is robust, or the cost of convex bodies.
 
     From the eighth solution on symbols are the places. Longitude grows from 0 on the left to 360
     degrees on the right. Ellipses are of the covariance of the fit; they hold 39 % of it. TypeError
@@ -77,6 +77,8 @@ def _rank(solution: Any) -> str:
     light = getattr(solution, "light", solution)
     if hasattr(getattr(light, "body", None), "coefficients"):
         return f"cost {light.cost:.4g}"
+    if getattr(light, "loss", ("squared", 1.0))[0] != "squared":
+        return f"loss {light.cost:.4g}"
     return f"$\\chi^2$ {solution.chi_square:.4g}"
 
 

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import argparse
+import math
 import sys
 import warnings
 from collections.abc import Sequence
@@ -73,6 +74,11 @@ def _parser() -> argparse.ArgumentParser:
     return parser
 
 
+def _rounded_up(days: float) -> float:
+    """To a tenth: more than _OLD is shown as more."""
+    return math.ceil(10 * days) / 10
+
+
 def _write(asked: argparse.Namespace) -> None:
     start, stop = _date(asked.start, "--from"), _date(asked.stop, "--to")
     epoch = start if asked.epoch is None else _date(asked.epoch, "--epoch")
@@ -87,13 +93,13 @@ def _write(asked: argparse.Namespace) -> None:
     if away > _OLD and not asked.any_age:
         raise ValueError(
             f"{asked.elements}: the elements of {satellite.name} are of "
-            f"{satellites._text(satellite.epoch)}, {away:.0f} days from the interval: SGP4 is "
-            f"off by kilometres in a week, by hundreds after {_OLD:g} days; use elements of the "
-            "time, or --any-age"
+            f"{satellites._text(satellite.epoch)}, {_rounded_up(away):g} days from the interval: "
+            "SGP4 is off by kilometres in a week, by hundreds after "
+            f"{_OLD:g} days; use elements of the time, or --any-age"
         )
     if days > _OLD and not asked.any_age:
-        print(f"warning: {asked.elements}: the interval goes on until {days:.1f} days from the "
-              f"elements of {satellite.name}: SGP4 is off by hundreds of kilometres after "
+        print(f"warning: {asked.elements}: the interval goes on until {_rounded_up(days):g} days "
+              f"from the elements of {satellite.name}: SGP4 is off by hundreds of kilometres after "
               f"{_OLD:g} days", file=sys.stderr)  # fmt: skip
     spacing = satellite.spacing if asked.step is None else _seconds(asked.step)
     if (last - first) / spacing > _MOST_ROWS:

@@ -29,11 +29,14 @@ _RANGES = {
     "MEAN_ANOMALY": (-360.0, 360.0),
     "BSTAR": (-1e3, 1e3),
 }
+# float and int also take 1_0 and digits of other scripts.
+_NUMBER = re.compile(r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?")
 # What SGP4 leaves unused.
 DEFAULTS = {
     "OBJECT_ID": "", "CLASSIFICATION_TYPE": "U", "EPHEMERIS_TYPE": "0", "ELEMENT_SET_NO": "0",
     "REV_AT_EPOCH": "0", "MEAN_MOTION_DOT": "0", "MEAN_MOTION_DDOT": "0",
 }  # fmt: skip
+_UNUSED_NUMBERS = ("ELEMENT_SET_NO", "REV_AT_EPOCH", "MEAN_MOTION_DOT", "MEAN_MOTION_DDOT")
 _KVN_START = "CCSDS_OMM_VERS"
 
 
@@ -141,16 +144,17 @@ def required(fields: Mapping[str, str], name: str) -> str:
 
 
 def elements(fields: Mapping[str, str]) -> Fields:
-    """The numbers that SGP4 needs; ValueError for one that is missing or beyond its range."""
+    """The numbers that SGP4 needs; ValueError for one that is missing or beyond its range, and for
+    an unused one that is no number."""
     for name, (least, most) in _RANGES.items():
         text = required(fields, name)
-        try:
-            value = float(text)
-        except ValueError:
-            value = float("nan")
-        if not least <= value <= most:
+        if not (_NUMBER.fullmatch(text.strip()) and least <= float(text) <= most):
             raise ValueError(f'{name}: got "{text[:80]}"; expected a number from {least:g} to '
                              f"{most:g}")  # fmt: skip
+    for name in _UNUSED_NUMBERS:
+        text = fields.get(name, "")
+        if text and not _NUMBER.fullmatch(text.strip()):
+            raise ValueError(f'{name}: got "{text[:80]}"; expected a number')
     return {name: fields[name] for name in _RANGES}
 
 

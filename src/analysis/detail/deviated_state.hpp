@@ -1,14 +1,62 @@
 // SPDX-License-Identifier: MIT
-// A rotor with a deviation from its motion and what has grown, and the methods that step it.
+// A rotor with a deviation from its motion and its growth: lengths, indicators, and the methods
+// that step it.
 #pragma once
 
+#include <cmath>
 #include <memory>
 
-#include "analysis/detail/growth.hpp"
 #include "dynamics/steppers.hpp"
+#include "math/finite.hpp"
+#include "polhode/analysis/chaos_indicator.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace detail {
+
+// Lengths of deviations, and the indicators that follow from their logarithm and its integrals.
+inline double length(const Deviation& d) {
+  const double size =
+      larger(std::abs(d.turn.x), std::abs(d.turn.y), std::abs(d.turn.z), std::abs(d.momentum.x),
+             std::abs(d.momentum.y), std::abs(d.momentum.z));
+  if (!(size > 0.0) || !std::isfinite(size)) return size;
+  const Vec3 a = (1.0 / size) * d.turn, b = (1.0 / size) * d.momentum;
+  return size * std::sqrt(dot(a, a) + dot(b, b));
+}
+
+inline Deviation scaled(const Deviation& d, double factor) {
+  return {factor * d.turn, factor * d.momentum};
+}
+
+// From one state to a near one, the length of the second quaternion being 1 to rounding.
+inline Deviation deviation(const RotorState& from, const RotorState& to, double momentum_scale) {
+  const Quaternion d = conj(from.q) * to.q;
+  const double two = d.w < 0.0 ? -2.0 : 2.0;  // q and -q are one attitude
+  return {{two * d.x, two * d.y, two * d.z}, (1.0 / momentum_scale) * (to.g - from.g)};
+}
+inline RotorState moved_by(const RotorState& s, const Deviation& d, double momentum_scale) {
+  const Vec3 half = 0.5 * d.turn;
+  return {normalized(s.q * Quaternion{1.0, half.x, half.y, half.z}),
+          s.g + momentum_scale * d.momentum};
+}
+
+// A neighbour is brought back where it has come this many times nearer or farther than its
+// distance. Not at every step: each time its place is rounded, and of a regular motion, whose
+// deviation is a runaway phase after a while, the small rest that drives it drowns in that.
+inline constexpr double neighbour_reach = 16.0;
+
+// Y of [Cincotta and Simo 2000] from L and its integral over an elapsed time.
+inline double megno(double growth, double integral, double elapsed) {
+  return elapsed > 0.0 ? 2.0 * (growth - integral / elapsed) : 0.0;
+}
+
+inline ChaosSample sample_of(double t, double elapsed, double growth, double integral,
+                             double megno_integral) {
+  if (!(elapsed > 0.0)) return {t, growth, 0.0, 0.0, 0.0};
+  return {t, growth, growth / elapsed, megno(growth, integral, elapsed), megno_integral / elapsed};
+}
+
+}  // namespace detail
 
 struct DeviatedState {
   RotorState rotor;
@@ -49,5 +97,6 @@ std::unique_ptr<BasicStepper<DeviatedState>> deviation_stepper(const Problem& pr
                                                                DeviationBy by);
 
 }  // namespace detail
+
 }  // namespace v0
 }  // namespace polhode

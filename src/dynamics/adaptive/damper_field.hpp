@@ -3,8 +3,8 @@
 // rate relative to the body.
 #pragma once
 
-#include "dynamics/adaptive/rotor_values.hpp"
-#include "math/larger.hpp"
+#include "dynamics/adaptive/rotor_field.hpp"
+#include "math/finite.hpp"
 #include "polhode/system/damped_rotor_state.hpp"
 #include "system/damped_equations.hpp"
 

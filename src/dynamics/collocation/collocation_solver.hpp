@@ -11,10 +11,9 @@
 #include <string>
 #include <utility>
 
-#include "dynamics/adaptive/edge_grading.hpp"
+#include "dynamics/adaptive/switching_functions.hpp"
 #include "dynamics/collocation/rotor_stages.hpp"
-#include "dynamics/collocation/step_choice.hpp"
-#include "dynamics/collocation/step_estimate.hpp"
+#include "dynamics/collocation/step_control.hpp"
 #include "math/number_text.hpp"
 #include "polhode/ode/adaptive_runge_kutta.hpp"
 

@@ -7,7 +7,7 @@
 #include <memory>
 #include <utility>
 
-#include "dynamics/collocation/number_lanes.hpp"
+#include "dynamics/collocation/gauss_scheme.hpp"
 #include "dynamics/collocation/rotor_stages.hpp"
 
 namespace polhode {

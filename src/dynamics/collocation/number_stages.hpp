@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "dynamics/collocation/number_lanes.hpp"
+#include "dynamics/collocation/gauss_scheme.hpp"
 #include "polhode/dynamics/detail/number_steps.hpp"
 #include "polhode/system/rotor_equations.hpp"
 

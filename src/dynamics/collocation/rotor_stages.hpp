@@ -12,8 +12,8 @@
 
 #include "dynamics/adaptive/breakpoints.hpp"
 #include "dynamics/adaptive/rotor_field.hpp"
-#include "dynamics/collocation/rotor_step.hpp"
-#include "math/larger.hpp"
+#include "dynamics/collocation/gauss_scheme.hpp"
+#include "math/finite.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "dynamics/collocation/joined_stages.hpp"
-#include "dynamics/collocation/sweeps.hpp"
+#include "dynamics/collocation/step_control.hpp"
 #include "polhode/math/dual.hpp"
 
 namespace polhode {

@@ -115,12 +115,18 @@ class LowestValue {
   double shape(double v) const {
     return power_ == 1.0 ? v : std::copysign(std::pow(std::fabs(v), power_), v);
   }
-  // Not so where v is above zero with its tangent at the middle, as far as the wider side goes.
+  // Not so where v is above zero with its tangents at the middle, as far as the wider side goes.
+  // The kink of a V may lie next to the middle, on either side of it: the steeper one counts.
   bool may_reach_zero() const {
     const double before = low_.t - mid_.t, after = high_.t - mid_.t;
-    const double reach = std::fabs(before) > std::fabs(after) ? before : after;
-    const double slope = (at(mid_.t + 0x1p-10 * reach).v - mid_.v) / 0x1p-10;
-    return mid_.v <= std::fabs(slope);
+    const double wide = std::fmax(std::fabs(before), std::fabs(after));
+    const double near = std::fmax(0x1p-10 * wide, 0x1p-44 * std::fabs(mid_.t));
+    double slope = 0.0;
+    for (const double side : {before, after}) {
+      const double step = std::copysign(std::fmin(near, std::fabs(side)), side);
+      slope = std::fmax(slope, std::fabs((at(mid_.t + step).v - mid_.v) / step));
+    }
+    return mid_.v <= slope * wide;
   }
 
   // Of the parabola, and by how much it lies below the middle.

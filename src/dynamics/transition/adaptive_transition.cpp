@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // By the variational equations, which are those of a dual state.
+#include "dynamics/adaptive/adaptive_stepper.hpp"
 #include "dynamics/adaptive/rotor_field.hpp"
-#include "dynamics/adaptive/smooth_stepper.hpp"
 #include "dynamics/transition/transition_steppers.hpp"
 #include "free/hub_tangent.hpp"
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dynamics/transition/derivative_method.hpp"
-
+#include "dynamics/transition/transition_steppers.hpp"
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
 
@@ -26,7 +25,7 @@ struct InItsPlace {
     return Adaptive{.tolerance = method.tolerance, .largest_step = method.largest_step};
   }
   DerivativeMethod operator()(const Collocation& method) const { return method; }
-  DerivativeMethod operator()(const OwnMethod& method) const {
+  DerivativeMethod operator()(const CustomMethod& method) const {
     throw DomainError(function + ": method \"" + method.traits.kind + "\" carries no " + what +
                       ": take Adaptive, Collocation, Splitting or VariationOfConstants");
   }

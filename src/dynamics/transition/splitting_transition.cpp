@@ -3,10 +3,9 @@
 #include <cmath>
 #include <string>
 
-#include "dynamics/finite.hpp"
 #include "dynamics/splitting/splitting_map.hpp"
-#include "dynamics/splitting/step_jumps.hpp"
 #include "dynamics/transition/transition_steppers.hpp"
+#include "math/finite.hpp"
 #include "math/number_text.hpp"
 
 namespace polhode {

@@ -1,15 +1,32 @@
 // SPDX-License-Identifier: MIT
-// A rotor with the derivative of its state by that of the start, and the methods that step it.
+// Runs with derivatives of the motion: the methods that carry them, and the steppers of a rotor
+// with its transition matrix.
 #pragma once
 
 #include <memory>
+#include <string>
+#include <variant>
 
 #include "dynamics/steppers.hpp"
+#include "polhode/dynamics/method.hpp"
 #include "polhode/math/matrix6.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace detail {
 
+// What carries derivatives of a motion, in double: the method of a problem, or one that makes the
+// same motion to the same tolerance.
+using DerivativeMethod = std::variant<Adaptive, Splitting, Collocation>;
+
+// `what` is carried. DomainError of `function` for a tolerance that double does not reach, and for
+// a method from outside, which knows states alone.
+DerivativeMethod derivative_method(const std::string& function, const std::string& what,
+                                   const Method& method);
+
+}  // namespace detail
+
+// A rotor with the derivative of its state by that of the start, and the methods that step it.
 struct TransitionState {
   RotorState rotor;
   Matrix6 transition;
@@ -40,5 +57,6 @@ std::unique_ptr<BasicStepper<TransitionState>> transition_stepper(const Problem&
                                                                   const Splitting& method);
 
 }  // namespace detail
+
 }  // namespace v0
 }  // namespace polhode

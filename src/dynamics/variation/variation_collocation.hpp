@@ -12,7 +12,7 @@
 #include <limits>
 #include <utility>
 
-#include "math/larger.hpp"
+#include "math/finite.hpp"
 #include "polhode/ode/adaptive_runge_kutta.hpp"
 
 namespace polhode {

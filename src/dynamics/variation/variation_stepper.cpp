@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Variation of constants: the rates of the constants, and the stepper that integrates them by Gauss
+// collocation.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,15 +9,75 @@
 #include <utility>
 
 #include "dynamics/adaptive/breakpoints.hpp"
-#include "dynamics/finite.hpp"
+#include "dynamics/adaptive/rotor_field.hpp"
 #include "dynamics/steppers.hpp"
 #include "dynamics/variation/variation_collocation.hpp"
-#include "dynamics/variation/variation_field.hpp"
+#include "free/short_flow.hpp"
+#include "math/finite.hpp"
+#include "math/gauss_legendre.hpp"
 #include "math/number_text.hpp"
+#include "polhode/math/double_double.hpp"
+#include "polhode/ode/runge_kutta.hpp"
+#include "polhode/system/system.hpp"
 
 namespace polhode {
 inline namespace v0 {
 namespace detail {
+
+// The rates of the constants of the free rotation: of the inertial state that the motion would have
+// had at a reference epoch without terms and frame.
+
+// x(t) = Phi(t - epoch, y) in inertial axes; dy/dt = DPhi^-1 (v, g x v + u), the inverse being the
+// flow back from x(t).
+class VariationField {
+ public:
+  VariationField(std::shared_ptr<const System> system, const DoubleDouble& epoch)
+      : system_(std::move(system)), free_(system_->body()), epoch_(epoch) {}
+
+  const System& system() const { return *system_; }
+  const ShortFlow& free() const { return free_; }
+  const DoubleDouble& epoch() const { return epoch_; }
+  VariationField from(const DoubleDouble& epoch) const {
+    VariationField f = *this;
+    f.epoch_ = epoch;
+    return f;
+  }
+
+  // q_IB and g of the motion at t.
+  BasicRotorState<double> osculating(const DoubleDouble& t, const RotorValues<double>& y) const {
+    const RotorState s = rotor_state<double>(y);
+    const ShortFlow::PlainArc arc = free_.plain(s.g, (t - epoch_).hi);
+    return {s.q * arc.turn, arc.g};
+  }
+
+  RotorValues<double> operator()(const DoubleDouble& t, const RotorValues<double>& y) const {
+    const RotorState s = rotor_state<double>(y);
+    const double time = (t - epoch_).hi;
+    const ShortFlow::PlainArc arc = free_.plain(s.g, time);
+    const Effect e = terms_effect(*system_, setting(t, {s.q * arc.turn, arc.g}));
+    const Vec3 dg = cross(arc.g, e.v) + e.u;
+    const FlowTangent<double> back = free_.tangent(arc.g, dg, -time, conj(arc.turn));
+    const Vec3 w = 0.5 * (rotate(arc.turn, e.v) + back.attitude);
+    const Quaternion q = s.q * Quaternion{0.0, w.x, w.y, w.z};
+    return {q.w, q.x, q.y, q.z, back.momentum.x, back.momentum.y, back.momentum.z};
+  }
+
+  // Where the terms are asked: the motion in the reference frame.
+  Setting setting(const DoubleDouble& t, const RotorState& x) const {
+    Setting at{system_->body(), t.hi, x, {}, t.lo};
+    if (!system_->frame().is_inertial()) {
+      at.q_IS = system_->frame().at(t.hi).q_IS;
+      at.s.q = conj(at.q_IS) * x.q;
+    }
+    return at;
+  }
+
+ private:
+  std::shared_ptr<const System> system_;
+  ShortFlow free_;
+  DoubleDouble epoch_;
+};
+
 namespace {
 
 using Values = RotorValues<double>;
@@ -233,6 +295,33 @@ class VariationStepper final : public Stepper {
 std::unique_ptr<Stepper> make_stepper(const Problem& problem, const VariationOfConstants& method) {
   require_valid(method);
   return std::make_unique<VariationStepper>(problem, method);
+}
+
+namespace {
+
+using DD = DoubleDouble;
+constexpr std::size_t s = gauss_nodes;
+
+GaussTableau made() {
+  const GaussNodes<DD, s> nodes;
+  const auto& [x, w, P] = nodes;
+  GaussTableau g{};
+  for (std::size_t i = 0; i < s; ++i) {
+    g.c[i] = (0.5 * (1.0 + x[i])).hi;
+    g.b[i] = (0.5 * w[i]).hi;
+    for (std::size_t k = 0; k < s; ++k)
+      g.all[k][i] = ((static_cast<double>(k) + 0.5) * (w[i] * P[i][k])).hi;
+    for (std::size_t m = 0; m < 2; ++m) g.last[m][i] = g.all[s - 1 - m][i];
+    for (std::size_t j = 0; j < s; ++j) g.a[i][j] = (0.25 * (w[j] * nodes.integral(i, j))).hi;
+  }
+  return g;
+}
+
+}  // namespace
+
+const GaussTableau& gauss_tableau() {
+  static const GaussTableau tableau = made();
+  return tableau;
 }
 
 }  // namespace detail

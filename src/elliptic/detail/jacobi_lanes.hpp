@@ -9,9 +9,8 @@
 #include <cstdint>
 #include <cstring>
 
-#include "elliptic/detail/jacobi_hyperbolic.hpp"
 #include "elliptic/detail/jacobi_lanes_declared.hpp"
-#include "elliptic/detail/jacobi_trigonometric.hpp"
+#include "elliptic/detail/jacobi_theta.hpp"
 #include "polhode/math/pack.hpp"
 
 namespace polhode {

@@ -2,6 +2,7 @@
 // Means, and sums of products about them, of `size` numbers: the lower triangle row by row.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 
 namespace polhode {
@@ -52,6 +53,10 @@ inline void merge_moments(const double* mean_b, const double* products_b, double
       *s++ += *products_b++ + (mean_b[i] - mean[i]) * (mean_b[j] - mean[j]) * weight;
   for (std::size_t i = 0; i < size; ++i) mean[i] += (mean_b[i] - mean[i]) * part;
 }
+
+// Of n directions in a plane with a resultant of length r: they agree, or the chance exp(-n r^2)
+// of as long a resultant at random (Rayleigh) is small.
+inline bool tells_a_mean(double r, double n) { return r >= 0.9 || n * r * r > 6.907755278982137; }
 
 }  // namespace detail
 }  // namespace v0

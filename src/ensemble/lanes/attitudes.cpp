@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Moments of attitudes in the lanes of one set of instructions.
 #include "ensemble/detail/attitude_lanes.hpp"
-#include "ensemble/detail/spread_lanes.hpp"
 
 namespace polhode {
 inline namespace v0 {

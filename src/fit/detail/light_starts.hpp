@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Starts of a search, drawn by their number, and their short fits.
+// Starts of a search, drawn by their number, their short fits, and which are fitted to the end.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -12,8 +14,24 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
+// Of those with the lowest `cost`, at most `count` that are unlike each other: the best, and after
+// it the next best that is unlike those taken.
+template <class Start, class AreAlike>
+std::vector<Start> best_unlike(std::vector<Start> all, std::size_t count,
+                               const AreAlike& are_alike) {
+  std::ranges::stable_sort(all, {}, &Start::cost);
+  std::vector<Start> taken;
+  for (const Start& one : all) {
+    if (taken.size() == count) break;
+    const bool is_known =
+        std::ranges::any_of(taken, [&](const Start& known) { return are_alike(known, one); });
+    if (!is_known) taken.push_back(one);
+  }
+  return taken;
+}
+
 struct LightTrial {
-  BrightEllipsoid body;
+  EllipsoidModel body;
   double cost;  // what was minimised
 };
 

@@ -16,8 +16,8 @@
 #include <vector>
 
 #include "fit/detail/rotation_vector.hpp"
-#include "fit/detail/spin_motion.hpp"
 #include "fit/detail/weighed_curves.hpp"
+#include "fit/free_motion.hpp"
 #include "polhode/light/brightness_gradient.hpp"
 #include "polhode/light/scattering.hpp"
 

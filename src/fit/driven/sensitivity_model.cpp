@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-#include "math/larger.hpp"
+#include "math/finite.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Fits of a convex body to light curves: its Gaussian image as unknowns, and their solution.
 #include "polhode/fit/convex_fit.hpp"
 
 #include <algorithm>
@@ -15,10 +16,85 @@
 #include "polhode/error.hpp"
 #include "polhode/light/convex_body.hpp"
 #include "polhode/light/light_curve_checks.hpp"
+#include "polhode/light/patch_brightness.hpp"
 #include "polhode/shape/mass_properties.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace detail {
+
+ConvexSurface::ConvexSurface(const GaussianImage& image, std::vector<double> usual,
+                             const ConvexFit& fit)
+    : image_(image),
+      usual_(std::move(usual)),
+      rough_(image.roughness()),
+      along_(6),
+      closure_error_(fit.closure_error),
+      axes_error_(fit.axes_error),
+      roughness_error_(fit.roughness_error) {
+  for (const Vec3& n : image.normals()) {
+    const double values[6] = {n.x, n.y, n.z, n.x * n.y, n.y * n.z, n.x * n.z};
+    for (std::size_t k = 0; k < 6; ++k) along_[k].push_back(values[k]);
+  }
+}
+
+std::vector<double> ConvexSurface::coefficients(std::span<const double> own) const {
+  std::vector<double> c{usual_.front()};
+  c.insert(c.end(), own.begin(), own.end());
+  return c;
+}
+
+double ConvexSurface::brightness(const Shape& shape, const Scattering& law, const Vec3& s,
+                                 const Vec3& o) const {
+  return patch_brightness<double>(image_.normals(), image_.widths(), shape.areas, law, s, o);
+}
+
+BrightnessGradient ConvexSurface::gradient(const Shape& shape, const Scattering& law, const Vec3& s,
+                                           const Vec3& o, std::span<double> own_row) const {
+  const FacetGradient g = patch_gradient(image_.normals(), image_.widths(), shape.areas, law, s, o);
+  const std::vector<double> by = image_.by_coefficients(g.by_areas, shape.areas);
+  std::copy(by.begin() + 1, by.end(), own_row.begin());
+  return static_cast<const BrightnessGradient&>(g);
+}
+
+double ConvexSurface::mean(const Shape& shape, std::span<const double> values, double error,
+                           double* row) const {
+  const std::vector<double>& A = shape.areas;
+  const double total = std::accumulate(A.begin(), A.end(), 0.0);
+  const double value = std::inner_product(A.begin(), A.end(), values.begin(), 0.0) / total;
+  if (row != nullptr) {
+    std::vector<double> by_areas;
+    for (const double v : values) by_areas.push_back((v - value) / (total * error));
+    const std::vector<double> by = image_.by_coefficients(by_areas, A);
+    std::copy(by.begin() + 1, by.end(), row);
+  }
+  return value / error;
+}
+
+void ConvexSurface::prior_numbers(const Shape& shape, std::span<const double> own_numbers,
+                                  std::span<double> numbers, double* rows) const {
+  const auto row = [&](std::size_t k) { return rows == nullptr ? nullptr : rows + k * own(); };
+  for (std::size_t k = 0; k < 6; ++k)
+    numbers[k] = mean(shape, along_[k], k < 3 ? closure_error_ : axes_error_, row(k));
+  for (std::size_t k = 0; k < own(); ++k) {
+    const double slope = rough_[k + 1] / roughness_error_;
+    numbers[6 + k] = slope * (own_numbers[k] - usual_[k + 1]);
+    if (rows == nullptr) continue;
+    std::fill_n(row(6 + k), own(), 0.0);
+    row(6 + k)[k] = slope;
+  }
+}
+
+std::vector<std::string> coefficient_names(int degree) {
+  std::vector<std::string> names;
+  for (int l = 0; l <= degree; ++l)
+    for (int m = -l; m <= l; ++m)
+      names.push_back("c_" + std::to_string(l) + "_" + std::to_string(m));
+  return names;
+}
+
+}  // namespace detail
+
 namespace {
 
 using detail::ConvexResiduals;
@@ -48,7 +124,7 @@ void require_start(const ConvexFit& fit) {
   require_error("roughness_error", fit.roughness_error);
   require_error("moments_error", fit.moments_error);
   if (!fit.from) return;
-  const BrightConvex& from = *fit.from;
+  const ConvexModel& from = *fit.from;
   detail::require_spin(who, from.spin, fit.most_iterations);
   detail::require_law(who, from.law, fit.multiple);
   detail::require_diagonal(who, from.spin, "the axes of the body that it begins with");
@@ -71,13 +147,13 @@ SpinState normalized_spin(SpinState s) {
 }
 
 // The body that a fit begins with.
-BrightConvex first_body(const ConvexFit& fit) {
+ConvexModel first_body(const ConvexFit& fit) {
   const SpinState spin = normalized_spin(fit.start.spin);
   if (!fit.from) {
     const GaussianImage image(fit.degree, fit.rows);
     return {spin, fit.start.law, image, coefficients_of(image, fit.start.shape)};
   }
-  BrightConvex body = *fit.from;
+  ConvexModel body = *fit.from;
   body.spin = normalized_spin(body.spin);
   if (fit.moments == MomentSource::start) body.spin.inertia_F = spin.inertia_F;
   return body;
@@ -99,7 +175,7 @@ detail::FollowedMoments followed_at(const GaussianImage& image,
 // Residuals with moments that are those of the body at every x.
 class OfShape {
  public:
-  OfShape(std::shared_ptr<const ConvexResiduals> residuals, const BrightConvex& from)
+  OfShape(std::shared_ptr<const ConvexResiduals> residuals, const ConvexModel& from)
       : residuals_(std::move(residuals)), image_(from.image), first_(from.coefficients) {
     // of a start that is the same at every x, so that the numbers are, too
     distances_ = convex_moments(image_.normals(), image_.areas(first_)).distances;
@@ -173,7 +249,7 @@ class ConvexFitter {
     return p;
   }
 
-  BrightConvex body_at(std::span<const double> x) {
+  ConvexModel body_at(std::span<const double> x) {
     const auto shared = residuals();
     if (x.size() != shared->unknowns())
       throw DomainError("body_at: got " + std::to_string(x.size()) + " unknowns; expected " +
@@ -193,7 +269,7 @@ class ConvexFitter {
   }
 
   std::shared_ptr<const ConvexResiduals> residuals() const {
-    const BrightConvex& b = found_.body;
+    const ConvexModel& b = found_.body;
     return std::make_shared<const ConvexResiduals>(fit_.curves, unknowns_, b.spin, b.law,
                                                    ConvexSurface(b.image, usual_, fit_), followed_,
                                                    fit_.loss, rows_);
@@ -212,7 +288,7 @@ class ConvexFitter {
 
   LeastSquares problem(int most_iterations) const {
     const auto shared = residuals();
-    const BrightConvex& b = found_.body;
+    const ConvexModel& b = found_.body;
     LeastSquares p;
     p.unknowns = detail::spin_unknowns(unknowns_, b.spin, b.law);
     const std::vector<std::string> names = detail::coefficient_names(b.image.degree());
@@ -239,7 +315,7 @@ class ConvexFitter {
 
   void move(std::span<const double> x) {
     const auto at = residuals();
-    BrightConvex& b = found_.body;
+    ConvexModel& b = found_.body;
     const std::span<const double> own = at->own_of(x);
     std::copy(own.begin(), own.end(), b.coefficients.begin() + 1);
     b.spin = at->spin_at(x);
@@ -325,7 +401,7 @@ class ConvexFitter {
 
 }  // namespace
 
-FacetShape BrightConvex::mesh() const { return convex_body(image.normals(), areas()); }
+FacetShape ConvexModel::mesh() const { return convex_body(image.normals(), areas()); }
 
 ConvexSolution fit_convex(const ConvexFit& fit) {
   require_sound(fit.curves, {.vectors = true});
@@ -342,13 +418,13 @@ LeastSquares least_squares_of(const ConvexFit& fit) {
   return ConvexFitter(fit, begun, detail::Rows::exact).whole_problem();
 }
 
-BrightConvex body_at(const ConvexFit& fit, std::span<const double> x) {
+ConvexModel body_at(const ConvexFit& fit, std::span<const double> x) {
   require_start(fit);
   ConvexSolution begun{{}, first_body(fit)};
   return ConvexFitter(fit, begun).body_at(x);
 }
 
-std::vector<std::vector<double>> model_fluxes(const BrightConvex& body,
+std::vector<std::vector<double>> model_fluxes(const ConvexModel& body,
                                               std::span<const LightCurve> curves,
                                               const Loss& loss) {
   require_sound(curves, {.vectors = true});
@@ -373,7 +449,7 @@ std::vector<FoundConvex> fit_convex_of_periods(const LightSearchResult& found, c
   pairs.resize(std::min(most, pairs.size()));
   struct Start {
     std::size_t periods;
-    const BrightEllipsoid* body;
+    const EllipsoidModel* body;
   };
   std::vector<Start> starts;
   for (const std::size_t p : pairs) starts.push_back({p, &found.best_of_periods[p]->body});
@@ -402,7 +478,7 @@ std::vector<FoundConvex> fit_convex_of_periods(const LightSearchResult& found, c
   return all;
 }
 
-ShapeInertia shape_inertia(const BrightConvex& body) {
+ShapeInertia shape_inertia(const ConvexModel& body) {
   const Mat3 T = mass_properties(body.mesh(), 1.0).inertia;
   const Quaternion q = Body::from_tensor(T).q_FB();
   return {T(0, 0) / T(2, 2), T(1, 1) / T(2, 2), norm(attitude_residual({}, normalized(q)))};

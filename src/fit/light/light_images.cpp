@@ -21,10 +21,10 @@ Quaternion half_turn(const Vec3& axis) {
 }
 
 // Whether moments are those of an even filling, so that both say which axis is the longest.
-bool is_filled(const BrightEllipsoid& body) {
+bool is_filled(const EllipsoidModel& body) {
   constexpr double same = 1e-9;
   const Ellipsoid& s = body.shape;
-  const Mat3 even = BrightEllipsoid::homogeneous(0.0, {}, {}, s).spin.inertia_F;
+  const Mat3 even = EllipsoidModel::homogeneous(0.0, {}, {}, s).spin.inertia_F;
   const Mat3& T = body.spin.inertia_F;
   return s.a >= s.b && s.b >= s.c && std::abs(T(0, 0) / T(2, 2) - even(0, 0)) < same &&
          std::abs(T(1, 1) / T(2, 2) - even(1, 1)) < same;
@@ -62,8 +62,8 @@ Vec3 permuted(const Mat3& R, const Vec3& v) {
 }
 
 // The same body in axes of which row i of R is number i, with a = 1 and Izz as the unit.
-BrightEllipsoid in_axes(const Mat3& R, const BrightEllipsoid& body) {
-  BrightEllipsoid found = body;
+EllipsoidModel in_axes(const Mat3& R, const EllipsoidModel& body) {
+  EllipsoidModel found = body;
   found.spin.q = normalized(body.spin.q) * attitude(R);
   found.spin.w_F = R * body.spin.w_F;
   const Mat3& T = body.spin.inertia_F;
@@ -80,10 +80,10 @@ double shape_distance(const Ellipsoid& a, const Ellipsoid& b) {
 
 }  // namespace
 
-BrightEllipsoid image_of(const BrightEllipsoid& body, LightImage image, const Vec3& to_sun,
-                         const Vec3& to_observer) {
+EllipsoidModel image_of(const EllipsoidModel& body, LightImage image, const Vec3& to_sun,
+                        const Vec3& to_observer) {
   const Vec3 s = (1.0 / norm(to_sun)) * to_sun, o = (1.0 / norm(to_observer)) * to_observer;
-  BrightEllipsoid found = body;
+  EllipsoidModel found = body;
   const auto turn = [&](const Vec3& axis) {
     found.spin.q = half_turn(axis) * normalized(body.spin.q);
   };
@@ -93,13 +93,13 @@ BrightEllipsoid image_of(const BrightEllipsoid& body, LightImage image, const Ve
   return found;
 }
 
-BrightEllipsoid nearest_of_same(const BrightEllipsoid& about, const BrightEllipsoid& body) {
+EllipsoidModel nearest_of_same(const EllipsoidModel& about, const EllipsoidModel& body) {
   const bool in_order = is_filled(about) && is_filled(body);
   const double rate = norm(about.spin.w_F);
-  BrightEllipsoid nearest = body;
+  EllipsoidModel nearest = body;
   double least = std::numeric_limits<double>::infinity();
   for (const Mat3& R : in_order ? half_turns() : turns_of_axes()) {
-    const BrightEllipsoid same = in_axes(R, body);
+    const EllipsoidModel same = in_axes(R, body);
     const double off = norm(attitude_residual(about.spin.q, same.spin.q)) +
                        norm(same.spin.w_F - about.spin.w_F) / rate +
                        (in_order ? 0.0 : shape_distance(about.shape, same.shape));

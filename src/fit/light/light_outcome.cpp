@@ -6,7 +6,7 @@
 #include <iterator>
 #include <limits>
 
-#include "fit/free_rotation_of.hpp"
+#include "fit/free_motion.hpp"
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
 #include "polhode/math/real.hpp"

@@ -90,7 +90,7 @@ detail::SurfaceUnknowns unknowns_of(const MeshFit& fit) {
 
 // About the spin and the law of `body`.
 std::shared_ptr<const MeshResiduals> residuals_about(const MeshFit& fit, const MeshSurface& surface,
-                                                     const BrightMesh& body, detail::Rows rows) {
+                                                     const MeshModel& body, detail::Rows rows) {
   return std::make_shared<const MeshResiduals>(fit.curves, unknowns_of(fit), body.spin, body.law,
                                                surface, detail::FollowedMoments{}, fit.loss, rows);
 }
@@ -99,7 +99,7 @@ void require_points(const MeshResiduals& r) {
   detail::require_points(mesh_name, r.curves().size(), r.unknowns(), r.curves().groups());
 }
 
-LeastSquares problem_about(const MeshFit& fit, const MeshSurface& surface, const BrightMesh& body,
+LeastSquares problem_about(const MeshFit& fit, const MeshSurface& surface, const MeshModel& body,
                            int most_iterations, detail::Rows rows) {
   const auto residuals = residuals_about(fit, surface, body, rows);
   const detail::SurfaceUnknowns unknowns = unknowns_of(fit);
@@ -158,7 +158,7 @@ LeastSquares least_squares_of(const MeshFit& fit) {
   return problem_about(fit, surface, fit.start, fit.most_iterations, detail::Rows::exact);
 }
 
-BrightMesh body_at(const MeshFit& fit, std::span<const double> x) {
+MeshModel body_at(const MeshFit& fit, std::span<const double> x) {
   const std::size_t count = unknowns_of(fit).own_at();
   if (x.size() != count)
     throw DomainError("body_at: got " + std::to_string(x.size()) + " unknowns; expected " +
@@ -168,7 +168,7 @@ BrightMesh body_at(const MeshFit& fit, std::span<const double> x) {
   return {residuals.spin_at(x), fit.start.shape, residuals.law_at(x)};
 }
 
-std::vector<std::vector<double>> model_fluxes(const BrightMesh& body,
+std::vector<std::vector<double>> model_fluxes(const MeshModel& body,
                                               std::span<const LightCurve> curves,
                                               const Loss& loss) {
   require_sound(curves, {.vectors = true});

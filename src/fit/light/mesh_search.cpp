@@ -9,14 +9,12 @@
 #include <string>
 #include <utility>
 
-#include "fit/detail/light_finds.hpp"
+#include "fit/detail/distinct_solutions.hpp"
 #include "fit/detail/light_outcome.hpp"
 #include "fit/detail/light_starts.hpp"
-#include "fit/detail/spin_motion.hpp"
 #include "fit/detail/weighed_curves.hpp"
-#include "fit/light/best_unlike.hpp"
+#include "fit/free_motion.hpp"
 #include "fit/light/search_checks.hpp"
-#include "fit/light_geometry.hpp"
 #include "fit/light_states.hpp"
 #include "polhode/ensemble/cells.hpp"
 #include "polhode/ensemble/counter_random.hpp"
@@ -195,7 +193,7 @@ class Search {
     std::vector<Start> starts;
     for (const FoundLight& f : finds_.within_limit()) {
       for (const LightImage i : images) {
-        const BrightEllipsoid image =
+        const EllipsoidModel image =
             image_of(f.solution.body, i, geometry_.to_sun, geometry_.to_observer);
         starts.push_back({image.spin, f.periods, 0.0});
       }
@@ -236,7 +234,7 @@ class Search {
   double epoch_;
   detail::LightGeometry geometry_;
   detail::WeighedCurves looked_at_;
-  detail::LightFinds finds_;
+  detail::DistinctSolutions finds_;
   std::vector<std::vector<FreeRotation>> motions_;  // of each pair of periods
   LightSearchResult result_;
 };

@@ -10,9 +10,8 @@
 #include <new>
 #include <type_traits>
 
-#include "free/detail/body_lanes_declared.hpp"
-#include "free/detail/fresh_separatrix.hpp"
-#include "free/detail/fresh_state.hpp"
+#include "free/detail/direct_flow_state.hpp"
+#include "free/detail/lanes_declared.hpp"
 #include "polhode/math/pack.hpp"
 
 namespace polhode {
@@ -23,19 +22,19 @@ namespace detail {
 inline constexpr double least_trigonometric = 0.08;
 
 // What a block is for.
-enum class FreshForm { short_arc, long_arc, near_separatrix };
+enum class DirectForm { short_arc, long_arc, near_separatrix };
 
 // Packs of bodies through one stage after another: within a stage the chains of operations of
 // several packs overlap.
-template <InstructionSet isa, class Arithmetic, FreshForm form>
-class FreshBlock {
+template <InstructionSet isa, class Arithmetic, DirectForm form>
+class DirectBlock {
  public:
   using T = Pack<isa>;
   using Two = TwoParts<Arithmetic, T>;
   static constexpr std::size_t packs = 4;
   static constexpr std::size_t bodies = packs * T::width;
 
-  FreshBlock(const BodyRows& rows, std::span<RotorState> results)
+  DirectBlock(const BodyRows& rows, std::span<RotorState> results)
       : rows_(rows), results_(results) {}
 
   // Those at index[0], index[1], ...; left[i] remains true where the body is none of these.
@@ -45,37 +44,37 @@ class FreshBlock {
     Mask<T> wanted(false);
     for (std::size_t i = 0; i < n; ++i) {
       in_place(lane_[i], [&] {
-        return primed_lane<form == FreshForm::near_separatrix, Arithmetic, T>(body(i));
+        return primed_lane<form == DirectForm::near_separatrix, Arithmetic, T>(body(i));
       });
       wanted = wanted || is_done(i);
     }
     if (!any(wanted)) return;
     for (std::size_t i = 0; i < n; ++i) in_place(rates_[i], [&] { return rates(lane_[i]); });
-    if constexpr (form == FreshForm::near_separatrix) {
+    if constexpr (form == DirectForm::near_separatrix) {
       for (std::size_t i = 0; i < n; ++i)
         in_place(near_[i], [&] { return near_series(lane_[i], rates_[i]); });
       for (std::size_t i = 0; i < n; ++i)
         put(i, near_state(body(i), lane_[i], rates_[i], near_[i]));
     } else {
       for (std::size_t i = 0; i < n; ++i)
-        in_place(series_[i], [&] { return fresh_series(lane_[i], rates_[i]); });
-      for (std::size_t i = 0; i < n; ++i) epoch_[i] = fresh_epoch(lane_[i], rates_[i]);
+        in_place(series_[i], [&] { return direct_series(lane_[i], rates_[i]); });
+      for (std::size_t i = 0; i < n; ++i) epoch_[i] = direct_epoch(lane_[i], rates_[i]);
       for (std::size_t i = 0; i < n; ++i) advance_[i] = at_time(rates_[i].phase, i);
       for (std::size_t i = 0; i < n; ++i) turn_[i] = at_time(rates_[i].half_precession, i);
       for (std::size_t i = 0; i < n; ++i)
-        put(i, fresh_state(body(i), lane_[i], series_[i], epoch_[i], advance_[i], turn_[i]));
+        put(i, direct_state(body(i), lane_[i], series_[i], epoch_[i], advance_[i], turn_[i]));
     }
     for (std::size_t i = 0; i < n; ++i)
       scatter(i, index + i * T::width, std::min(T::width, count - i * T::width), left);
   }
 
  private:
-  [[gnu::always_inline]] static FreshRates<Arithmetic, T> rates(
+  [[gnu::always_inline]] static DirectRates<Arithmetic, T> rates(
       const PrimedLane<Arithmetic, T>& p) {
-    if constexpr (form == FreshForm::short_arc) {
+    if constexpr (form == DirectForm::short_arc) {
       return short_rates(p);
     } else {
-      return long_rates < form == FreshForm::long_arc ? 5 : 9 > (p);
+      return long_rates < form == DirectForm::long_arc ? 5 : 9 > (p);
     }
   }
   // What f returns, built where it belongs: a copy of so many registers takes a tenth of the time.
@@ -86,7 +85,7 @@ class FreshBlock {
   [[gnu::always_inline]] SinCos<T> at_time(const TwoTerms<T>& rate, std::size_t i) const {
     const TwoTerms<T> phase =
         phase_at<Arithmetic>(rate, lane_[i].elapsed, TwoTerms<T>{T(0.0), T(0.0)});
-    if constexpr (form == FreshForm::short_arc) {
+    if constexpr (form == DirectForm::short_arc) {
       return sincos_of_few_turns(phase);
     } else {
       return sincos_of_few_turns(whole_turns_off<Arithmetic>(phase));
@@ -95,9 +94,9 @@ class FreshBlock {
   [[gnu::always_inline]] Mask<T> is_done(std::size_t i) const {
     const PrimedLane<Arithmetic, T>& p = lane_[i];
     const Mask<T> trigonometric = p.V.hi > T(least_trigonometric) * p.U.hi;
-    if constexpr (form == FreshForm::near_separatrix)
+    if constexpr (form == DirectForm::near_separatrix)
       return p.ordinary && !trigonometric && p.V.hi > T(0x1p-40) * p.U.hi;
-    return p.ordinary && trigonometric && (form == FreshForm::long_arc || p.is_short);
+    return p.ordinary && trigonometric && (form == DirectForm::long_arc || p.is_short);
   }
   // One row after another; read as packs only when the last is written, which is when the first has
   // left the store buffer.
@@ -146,8 +145,8 @@ class FreshBlock {
   std::span<RotorState> results_;
   alignas(64) double numbers_[packs][12][T::width];
   PrimedLane<Arithmetic, T> lane_[packs];
-  FreshRates<Arithmetic, T> rates_[packs];
-  FreshSeries<T> series_[packs];
+  DirectRates<Arithmetic, T> rates_[packs];
+  DirectSeries<T> series_[packs];
   NearSeries<T> near_[packs];
   std::int64_t done_[packs][T::width];
   SinCos<T> epoch_[packs], advance_[packs], turn_[packs];
@@ -171,9 +170,9 @@ template <InstructionSet isa>
 void bodies_in_lanes(const BodyRows& rows, std::span<RotorState> results, bool* left) {
   using Arithmetic =
       std::conditional_t<isa == InstructionSet::baseline, DekkerArithmetic, FmaArithmetic>;
-  bodies_of_form<FreshBlock<isa, Arithmetic, FreshForm::short_arc>>(rows, results, left);
-  bodies_of_form<FreshBlock<isa, Arithmetic, FreshForm::long_arc>>(rows, results, left);
-  bodies_of_form<FreshBlock<isa, Arithmetic, FreshForm::near_separatrix>>(rows, results, left);
+  bodies_of_form<DirectBlock<isa, Arithmetic, DirectForm::short_arc>>(rows, results, left);
+  bodies_of_form<DirectBlock<isa, Arithmetic, DirectForm::long_arc>>(rows, results, left);
+  bodies_of_form<DirectBlock<isa, Arithmetic, DirectForm::near_separatrix>>(rows, results, left);
 }
 
 }  // namespace detail

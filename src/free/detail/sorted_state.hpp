@@ -6,7 +6,7 @@
 #include <cstdlib>
 
 #include "polhode/free/detail/axis_order.hpp"
-#include "polhode/free/detail/primed_arc.hpp"
+#include "polhode/free/detail/normalized_arc.hpp"
 #include "polhode/rotor/body.hpp"
 
 namespace polhode {

@@ -4,7 +4,6 @@
 #include "free/detail/grid_lanes.hpp"
 #include "free/detail/sadov/lanes.hpp"
 #include "free/detail/sadov/rotor_lanes.hpp"
-#include "free/detail/sadov/serret_rotor_lanes.hpp"
 #include "free/detail/state_lanes.hpp"
 
 namespace polhode {

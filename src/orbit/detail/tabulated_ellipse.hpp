@@ -59,5 +59,13 @@ class TabulatedEllipse {
 };
 
 }  // namespace detail
+
+// PlanarKepler::point, for callers that want it inline.
+inline BasicPlanarPoint<double> PlanarKepler::point(double t, double rest) const {
+  if (table_ && table_->holds(t, rest)) [[likely]]
+    return table_->at(t, rest);
+  return solved_point(t, rest);
+}
+
 }  // namespace v0
 }  // namespace polhode

@@ -18,9 +18,9 @@
 #include "polhode/output/text_sink.hpp"
 #include "polhode/rotor/attitude.hpp"
 #include "polhode/text/units.hpp"
-#include "text/civil_time.hpp"
+#include "text/dates.hpp"
 #include "text/number_text.hpp"
-#include "text/printable.hpp"
+#include "text/words.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -184,6 +184,7 @@ class AemSink : public Sink {
   CivilTime time_of(double t) const;
   std::string head(const Provenance& provenance);
   std::string meta();
+  double rate_of(const double* row) const;
   void append_row(const double* row);
   void append(double number);
 
@@ -194,10 +195,11 @@ class AemSink : public Sink {
   Quaternion q_AI_{};  // of the axes of the file, seen from frame A
   std::size_t width_ = 0;
   std::size_t q_ = 0;
-  std::size_t w_ = 0;
+  std::optional<std::size_t> w_;
   double rate_ = 1.0;  // deg/s in the unit of the column
   std::string text_;
   std::int64_t stop_place_ = 0;
+  std::int64_t degree_place_ = 0;
   std::string stop_;
   std::optional<CivilTime> latest_;
   std::optional<PartFile> file_;
@@ -218,7 +220,11 @@ AemSink::AemSink(const SinkRequest& request)
     epoch_ = time_of_epoch(run_.epoch);
     stop_ = civil_text(time_of(run_.last));
     text = head(request.provenance);
-    stop_place_ = static_cast<std::int64_t>(text.find("\nSTOP_TIME = ") + 13);
+    const auto place_of_value = [&](std::string_view key) {
+      return static_cast<std::int64_t>(text.rfind(key) + key.size());
+    };
+    stop_place_ = place_of_value("\nSTOP_TIME = ");
+    degree_place_ = place_of_value("\nINTERPOLATION_DEGREE = ");
   } catch (const DomainError& error) {
     throw DomainError(printable(request.path, request.path.size()) + ": " + error.what());
   }
@@ -237,11 +243,18 @@ AemSink::AemSink(const SinkRequest& request)
 void AemSink::choose_columns(const std::vector<ColumnGroup>& groups) {
   for (const ColumnGroup& group : groups) width_ += group.columns.size();
   q_ = place_of(groups, attitude_columns(run_));
-  if (!needs_rates(options_)) return;
-  w_ = place_of(groups, "omega");
   for (const ColumnGroup& group : groups)
-    if (group.name == "omega")
+    if (group.name == "omega") {
+      w_ = place_of(groups, "omega");
       rate_ = degrees * Units("s").to_core(1.0, group.columns.front().unit, Dimension::rate);
+    }
+}
+
+// In radians per unit of time; without the columns omega, that of the initial state.
+double AemSink::rate_of(const double* row) const {
+  if (!w_) return run_.rate;
+  const double* const w = row + *w_;
+  return rate_ / degrees * run_.seconds * std::hypot(w[0], w[1], w[2]);
 }
 
 CivilTime AemSink::time_of(double t) const {
@@ -312,7 +325,8 @@ void AemSink::append_row(const double* row) {
   text_ += civil_text(time);
   const double* const c = row + q_;
   const Quaternion q_AB = q_AI_ * Quaternion{c[0], c[1], c[2], c[3]};
-  const double* const w = row + w_;
+  const double* const w = row + w_.value_or(0);
+  const double rate = rate_of(row);
   if (options_.form == Form::euler || options_.form == Form::spin) {
     const EulerAngles e = euler_angles(q_AB);
     const double phi = turn_below(degrees * e.phi), theta = degrees * e.theta;
@@ -326,7 +340,7 @@ void AemSink::append_row(const double* row) {
       append(turn_below(degrees * e.psi));
       append(rate_ * w[2]);
     }
-    error_.add({row[0], {phi, theta, degrees * e.psi, 0.0}, {}, q_AB});
+    error_.add({row[0], {phi, theta, degrees * e.psi, 0.0}, {}, q_AB, rate});
   } else {
     const Quaternion q = options_.body_to_frame ? conj(q_AB) : q_AB;
     if (options_.scalar_first) append(q.w);
@@ -334,7 +348,7 @@ void AemSink::append_row(const double* row) {
     if (!options_.scalar_first) append(q.w);
     if (options_.form == Form::quaternion_rate)
       for (int i = 0; i < 3; ++i) append(rate_ * w[i]);
-    InterpolationError::Row known{row[0], {q_AB.w, q_AB.x, q_AB.y, q_AB.z}, {}, q_AB};
+    InterpolationError::Row known{row[0], {q_AB.w, q_AB.x, q_AB.y, q_AB.z}, {}, q_AB, rate};
     if (options_.form == Form::quaternion_rate) {
       const double half = 0.5 * rate_ / degrees * run_.seconds;  // in radians per unit of time
       const Quaternion dot = q_AB * Quaternion{0.0, half * w[0], half * w[1], half * w[2]};
@@ -357,8 +371,10 @@ std::optional<SinkPosition> AemSink::position() {
   return bytes ? std::optional(SinkPosition{*bytes, rows_}) : std::nullopt;
 }
 
-// A run that an event has stopped ends before the STOP_TIME that it set out for.
+// A run that an event has stopped ends before the STOP_TIME that it set out for, and its rows may
+// be too few for the degree.
 void AemSink::finish() {
+  file_->overwrite(degree_place_, std::to_string(interpolation_of(options_).degree_of(rows_)));
   if (latest_ && civil_text(*latest_) != stop_) file_->overwrite(stop_place_, civil_text(*latest_));
   file_->write("DATA_STOP\n");
   file_->commit();
@@ -371,7 +387,7 @@ std::string two_digits(double x) {
 }
 
 std::vector<std::string> AemSink::warnings() const {
-  const double error = error_.estimate();
+  const double error = error_.estimate(rows_);
   if (!(error > interpolation_limit)) return {};
   const Interpolation& way = interpolation_of(options_);
   return {"between rows a reader that interpolates as INTERPOLATION_METHOD = " +

@@ -9,7 +9,7 @@
 #include "polhode/output/text_sink.hpp"
 #include "polhode/text/separated.hpp"
 #include "text/number_text.hpp"
-#include "text/printable.hpp"
+#include "text/words.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -6,13 +6,12 @@
 #include <cerrno>
 #include <cstring>
 
-#include "output/closing_notes.hpp"
 #include "output/detail/hdf5_handle.hpp"
-#include "output/detail/origin.hpp"
 #include "output/formats/formats.hpp"
+#include "output/output_notes.hpp"
 #include "output/part_file.hpp"
 #include "polhode/error.hpp"
-#include "text/printable.hpp"
+#include "text/words.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -21,6 +20,21 @@ namespace {
 
 constexpr hsize_t rows_per_chunk = 1024;
 constexpr std::size_t date_length = 26;  // 2029-04-13T21:46:00.500000
+// Name of a scale that has a length and no numbers, as the NetCDF-4 library has it.
+constexpr const char* no_variable = "This is a netCDF dimension but not a netCDF variable.";
+
+bool has_coordinate(const std::vector<ColumnGroup>& groups, const std::string& dimension) {
+  return !groups.empty() && groups.front().name == dimension && groups.front().columns.size() == 1;
+}
+
+std::string row_dimension_of(const std::vector<ColumnGroup>& groups, const Provenance& provenance) {
+  std::string name = !provenance.row_dimension.empty() ? provenance.row_dimension
+                     : has_coordinate(groups, "t")     ? "t"
+                                                       : "row";
+  if (has_coordinate(groups, name)) return name;
+  while (std::ranges::find(groups, name, &ColumnGroup::name) != groups.end()) name += "_";
+  return name;
+}
 
 // Dates are texts of one length, filled up with zeros.
 Handle date_type() {
@@ -59,8 +73,11 @@ class Hdf5Sink : public Sink, public ClosingNotes {
   void require(bool good) const;
   Handle checked(hid_t id, herr_t (*close)(hid_t)) const;
   Handle opened_file(bool exists);
-  Handle opened_dataset(const ColumnGroup& group) const;
-  Handle created_dataset(const ColumnGroup& group, bool is_date) const;
+  Handle opened_dataset(const std::string& name) const;
+  // Datasets of one number or date per row.
+  bool is_flat(const ColumnGroup& group) const;
+  Handle created_dataset(const ColumnGroup& group) const;
+  Handle created_dimension() const;
   void attach(hid_t object, const char* name, const std::vector<std::string>& texts, bool scalar);
   void append(const Group& group, std::span<const double> rows, std::size_t count);
   std::string date_texts() const;
@@ -76,7 +93,8 @@ class Hdf5Sink : public Sink, public ClosingNotes {
   std::string part_;
   JournaledFile bytes_;
   Handle file_;
-  std::vector<Group> groups_;
+  std::vector<Group> groups_;  // a dimension without coordinate is the last one, of no columns
+  std::string row_dimension_;
   std::size_t width_ = 0;
   hsize_t written_ = 0;
   std::vector<double> columns_;
@@ -107,8 +125,8 @@ Handle Hdf5Sink::opened_file(bool exists) {
 }
 
 // With as many rows as have been written.
-Handle Hdf5Sink::opened_dataset(const ColumnGroup& group) const {
-  Handle dataset = checked(H5Dopen2(file_.id(), group.name.c_str(), H5P_DEFAULT), H5Dclose);
+Handle Hdf5Sink::opened_dataset(const std::string& name) const {
+  Handle dataset = checked(H5Dopen2(file_.id(), name.c_str(), H5P_DEFAULT), H5Dclose);
   const Handle space = checked(H5Dget_space(dataset.id()), H5Sclose);
   hsize_t size[2] = {0, 1};
   require(H5Sget_simple_extent_ndims(space.id()) <= 2 &&
@@ -119,9 +137,14 @@ Handle Hdf5Sink::opened_dataset(const ColumnGroup& group) const {
   return dataset;
 }
 
-Handle Hdf5Sink::created_dataset(const ColumnGroup& group, bool is_date) const {
-  const bool flat = is_date || (group.columns.size() == 1 && group.name == "t");
-  const int rank = flat ? 1 : 2;
+bool Hdf5Sink::is_flat(const ColumnGroup& group) const {
+  return group.columns.size() == 1 &&
+         (group.columns.front().is_date || group.name == "t" || group.name == row_dimension_);
+}
+
+Handle Hdf5Sink::created_dataset(const ColumnGroup& group) const {
+  const bool is_date = group.columns.front().is_date;
+  const int rank = is_flat(group) ? 1 : 2;
   const hsize_t columns = group.columns.size();
   const hsize_t now[] = {0, columns}, most[] = {H5S_UNLIMITED, columns};
   const hsize_t chunk[] = {rows_per_chunk, columns};
@@ -132,6 +155,18 @@ Handle Hdf5Sink::created_dataset(const ColumnGroup& group, bool is_date) const {
   const Handle text = date_type();
   return checked(H5Dcreate2(file_.id(), group.name.c_str(), is_date ? text.id() : H5T_IEEE_F64LE,
                             space.id(), H5P_DEFAULT, creation.id(), H5P_DEFAULT),
+                 H5Dclose);
+}
+
+// A chunked dataset takes no room before it is written.
+Handle Hdf5Sink::created_dimension() const {
+  const hsize_t now = 0, most = H5S_UNLIMITED, chunk = rows_per_chunk;
+  const Handle space = checked(H5Screate_simple(1, &now, &most), H5Sclose);
+  const Handle creation = checked(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  require(H5Pset_chunk(creation.id(), 1, &chunk) >= 0 &&
+          H5Pset_obj_track_times(creation.id(), false) >= 0);
+  return checked(H5Dcreate2(file_.id(), row_dimension_.c_str(), H5T_STD_U8LE, space.id(),
+                            H5P_DEFAULT, creation.id(), H5P_DEFAULT),
                  H5Dclose);
 }
 
@@ -155,6 +190,7 @@ Hdf5Sink::Hdf5Sink(const std::string& path, const std::vector<ColumnGroup>& grou
       part_(part_path(path)),
       bytes_(from ? JournaledFile(part_, {from->bytes, from->rows}) : JournaledFile(part_)),
       file_(opened_file(from.has_value())),
+      row_dimension_(row_dimension_of(groups, provenance)),
       written_(from ? static_cast<hsize_t>(from->rows) : 0),
       dates_(dates) {
   const QuietScope quiet;
@@ -162,10 +198,11 @@ Hdf5Sink::Hdf5Sink(const std::string& path, const std::vector<ColumnGroup>& grou
   for (const ColumnGroup& group : groups) {
     if (group.columns.empty()) continue;
     groups_.push_back(
-        {from ? opened_dataset(group) : created_dataset(group, group.columns.front().is_date),
-         width_, group.columns.size()});
+        {from ? opened_dataset(group.name) : created_dataset(group), width_, group.columns.size()});
     width_ += group.columns.size();
   }
+  if (!has_coordinate(groups, row_dimension_))
+    groups_.push_back({from ? opened_dataset(row_dimension_) : created_dimension(), width_, 0});
   if (from) return;
   describe(groups, provenance);
   commit();
@@ -197,18 +234,20 @@ void Hdf5Sink::describe(const std::vector<ColumnGroup>& groups, const Provenance
   attach(file_.id(), "citations", provenance.citations, false);
 }
 
-// Dimension scales, as NetCDF-4 and xarray read them: rows by t, columns by their names in a
-// dataset GROUP_column.
+// Dimension scales, as NetCDF-4 and xarray read them: rows by t, another coordinate or a length
+// only; columns by their names in a dataset GROUP_column.
 void Hdf5Sink::name_dimensions(const std::vector<ColumnGroup>& groups) {
-  if (groups.empty() || groups.front().name != "t" || groups.front().columns.size() != 1) return;
-  name_scale(groups_.front().dataset.id(), "t");
+  if (has_coordinate(groups, row_dimension_))
+    name_scale(groups_.front().dataset.id(), row_dimension_);
+  else
+    name_scale(groups_.back().dataset.id(), no_variable);
   auto dataset = groups_.begin();
   for (const ColumnGroup& group : groups) {
     if (group.columns.empty()) continue;
     const hid_t id = (dataset++)->dataset.id();
-    if (group.name == "t") continue;
-    if (group.columns.front().is_date) {
-      list_scales(id, {"t"});
+    if (group.name == row_dimension_) continue;
+    if (is_flat(group)) {
+      list_scales(id, {row_dimension_});
       continue;
     }
     const std::string name = group.name + "_column";
@@ -224,7 +263,7 @@ void Hdf5Sink::name_dimensions(const std::vector<ColumnGroup>& groups) {
                                  H5Dclose);
     require(H5Dwrite(names.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, texts.data()) >= 0);
     name_scale(names.id(), name);
-    list_scales(id, {"t", name});
+    list_scales(id, {row_dimension_, name});
   }
 }
 
@@ -300,6 +339,7 @@ void Hdf5Sink::append(const Group& group, std::span<const double> rows, std::siz
   const hsize_t total[] = {written_ + count, group.columns};
   const hsize_t start[] = {written_, 0}, block[] = {count, group.columns};
   require(H5Dset_extent(group.dataset.id(), total) >= 0);
+  if (group.columns == 0) return;
   const Handle space = checked(H5Dget_space(group.dataset.id()), H5Sclose);
   const int rank = H5Sget_simple_extent_ndims(space.id());
   require(H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, start, nullptr, block, nullptr) >= 0);
@@ -449,13 +489,14 @@ std::vector<double> rows_of(const std::string& path, const std::vector<ColumnGro
 }  // namespace
 
 OutputFormat hdf5_format() {
-  OutputFormat format(
-      "hdf5", ".h5",
-      "HDF5: a dataset for each group of columns; its dimensions are t and the names of columns.",
-      [](const SinkRequest& request) {
-        return std::make_unique<Hdf5Sink>(request.path, request.groups, request.provenance,
-                                          request.from, dates_of(request));
-      });
+  OutputFormat format("hdf5", ".h5",
+                      "HDF5: a dataset for each group of columns; its dimensions are t (or member, "
+                      "row, ...) and the names of columns.",
+                      [](const SinkRequest& request) {
+                        return std::make_unique<Hdf5Sink>(request.path, request.groups,
+                                                          request.provenance, request.from,
+                                                          dates_of(request));
+                      });
   format.label = "HDF5";
   format.needs.file = true;
   format.number_bytes = {8, 8};

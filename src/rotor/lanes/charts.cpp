@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Charts in the lanes of one set of instructions.
 #include "rotor/detail/chart_lanes.hpp"
-#include "rotor/detail/poincare_lanes.hpp"
 
 namespace polhode {
 inline namespace v0 {

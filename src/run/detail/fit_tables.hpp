@@ -15,10 +15,11 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-// A table of numbers in the formats of the scenario, with notes, by PATH.part.
+// A table of numbers in the formats of the scenario, with notes, by PATH.part. The dimension of
+// rows as in Provenance.
 void write_fit_rows(const Scenario& scenario, const std::vector<ColumnGroup>& groups,
                     std::span<const double> rows, const std::vector<std::string>& notes,
-                    const std::string& path);
+                    const std::string& path, const std::string& row_dimension = {});
 // In the units of the scenario; `numbers` are the unknowns of the covariance.
 void write_fit_covariance(const Scenario& scenario, const UnknownsCovariance& covariance,
                           const std::vector<FitNumber>& numbers, const std::string& path);

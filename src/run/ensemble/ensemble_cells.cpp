@@ -10,12 +10,10 @@
 #include "polhode/run/ensemble_work.hpp"
 #include "polhode/run/run.hpp"
 #include "polhode/trajectory/state_bytes.hpp"
-#include "run/detail/sized.hpp"
-#include "run/ensemble/chunk_files.hpp"
-#include "run/ensemble/elementary_functions.hpp"
-#include "run/ensemble/ensemble_origin.hpp"
-#include "run/ensemble/failures.hpp"
-#include "text/printable.hpp"
+#include "run/detail/checkpoint.hpp"
+#include "run/ensemble/ensemble_checkpoint.hpp"
+#include "run/ensemble/ensemble_files.hpp"
+#include "text/words.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -13,7 +13,7 @@
 #include "polhode/ensemble/team.hpp"
 #include "polhode/run/ensemble.hpp"
 #include "polhode/run/ensemble_run.hpp"
-#include "run/detail/identity.hpp"
+#include "run/detail/checkpoint.hpp"
 #include "run/ensemble/statistics/statistics.hpp"
 
 namespace polhode {

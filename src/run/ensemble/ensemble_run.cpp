@@ -1,29 +1,26 @@
 // SPDX-License-Identifier: MIT
+// The run of an ensemble into files, and that of a single member.
 #include "polhode/run/ensemble_run.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <exception>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "polhode/ensemble/cells.hpp"
 #include "polhode/error.hpp"
 #include "polhode/run/run.hpp"
 #include "polhode/trajectory/state_bytes.hpp"
-#include "run/detail/kept_outputs.hpp"
-#include "run/detail/sized.hpp"
-#include "run/ensemble/chunk_files.hpp"
-#include "run/ensemble/elementary_functions.hpp"
+#include "run/detail/checkpoint.hpp"
 #include "run/ensemble/ensemble_cells.hpp"
-#include "run/ensemble/ensemble_origin.hpp"
-#include "run/ensemble/ensemble_setup.hpp"
-#include "run/ensemble/failures.hpp"
-#include "run/ensemble/histogram_files.hpp"
-#include "run/ensemble/statistics/accumulator_bytes.hpp"
+#include "run/ensemble/ensemble_checkpoint.hpp"
+#include "run/ensemble/ensemble_files.hpp"
 #include "run/ensemble/statistics/statistics.hpp"
-#include "text/printable.hpp"
+#include "text/words.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -63,6 +60,7 @@ class EnsembleRun::Parts {
             origin_),
         histograms_(detail::histogram_paths(ensemble, paths)),
         drawn_(ensemble.plan().keys().size(), NumberMoments(1)) {
+    if (cells_.has_files()) origin_.row_dimension = "chunk";
     require_work_for_all();
     if (outputs_.is_complete()) {
       detail::require_there(histograms_, options_.words);
@@ -273,6 +271,33 @@ bool EnsembleRun::continues() const { return parts_->outputs().continues(); }
 bool EnsembleRun::is_complete() const { return parts_->outputs().is_complete(); }
 std::int64_t EnsembleRun::members() const { return parts_->members(); }
 EnsembleReport EnsembleRun::run() { return parts_->run(); }
+
+// Opened when the rows are there: a member that cannot be leaves no file.
+MemberReport write_member(const ScenarioEnsemble& ensemble, std::int64_t index,
+                          const std::vector<std::string>& outputs, RunBegin begin,
+                          const BeginWords& words) {
+  const Document& file = ensemble.scenario().document;
+  const Scenario alone = scenario_from_text(ensemble.member_text(index), file.path, *file.kinds);
+  const Provenance origin = provenance(alone);
+  const std::vector<ColumnGroup>& groups = ensemble.row_groups();
+  detail::KeptSetup setup =
+      detail::setup_of_tables({"run", "runs the member anew"}, alone, groups, outputs);
+  setup.begin = begin;
+  setup.words = words;
+  detail::KeptOutputs kept(std::move(setup), origin);
+  if (kept.is_complete()) return {.was_complete = true};
+  const EnsembleMember member = ensemble.member(index);
+  kept.with_remedy([&] {
+    const std::vector<std::unique_ptr<Sink>> sinks =
+        detail::opened_tables(kept, alone, groups, origin);
+    for (const std::unique_ptr<Sink>& sink : sinks) {
+      sink->push(member.rows);
+      if (member.failure.empty()) sink->finish();
+    }
+    kept.forget();  // which asks the sinks
+  });
+  return {.failure = member.failure};
+}
 
 }  // namespace v0
 }  // namespace polhode

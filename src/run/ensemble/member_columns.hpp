@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// What rows of a member have behind the columns of its run: when each event first happened, and
-// indicators of chaos.
+// Numbers of a member of an ensemble: columns behind those of its run (first times of events and
+// indicators of chaos), and the number that a name stands for.
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -25,8 +27,9 @@ class MemberColumns {
   // Of the events, in the order of the file.
   const std::vector<std::string>& events() const { return events_; }
   std::vector<ColumnGroup> groups() const;
-  // Rows of the run become rows of the member. The first time of an event is NaN in those before;
-  // indicators take a run of their own, which may fail.
+  // Rows of the run become rows of the member. The first time of an event is NaN in the rows before
+  // it; the last row has every event up to the end of the run. Indicators take a run of their own,
+  // which may fail.
   void add(const Experiment& experiment, const RunReport& report, const Progress& progress,
            EnsembleMember& member) const;
 
@@ -41,6 +44,20 @@ class MemberColumns {
   std::size_t run_width_;
   bool backwards_;
 };
+
+struct MemberNumber {
+  enum class From { row, event, drawn };
+  From from;
+  std::size_t place;  // in a row, or among what was drawn
+  Column column;
+  bool is_angle;  // of a row
+};
+
+// Of a column but t and dates, of q too, or of a key; none where nothing is called so.
+std::optional<MemberNumber> member_number(const ScenarioEnsemble& ensemble,
+                                          const std::string& name);
+// ScenarioError at the place of a fraction or a histogram of what is not there.
+void require_known_columns(const ScenarioEnsemble& ensemble);
 
 }  // namespace detail
 }  // namespace v0

@@ -8,9 +8,9 @@
 #include "polhode/ensemble/counter_random.hpp"
 #include "polhode/error.hpp"
 #include "run/detail/fit_tables.hpp"
-#include "run/fit/driven.hpp"
+#include "run/fit/fit_torques.hpp"
 #include "scenario/value_access.hpp"
-#include "scenario/value_reader.hpp"
+#include "scenario/values.hpp"
 
 namespace polhode {
 inline namespace v0 {

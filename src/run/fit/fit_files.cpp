@@ -1,19 +1,93 @@
 // SPDX-License-Identifier: MIT
-// What a fit leaves on the disk: residuals, covariance, and scenarios that go on from a solution.
+// Files that a fit writes: residuals, covariances, scenarios that begin at a solution, and of light
+// curves tables and meshes.
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <numeric>
+#include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
+#include "fit/free_motion.hpp"
+#include "polhode/error.hpp"
 #include "polhode/run/fit.hpp"
+#include "polhode/run/light_report.hpp"
+#include "polhode/scenario/changes.hpp"
+#include "polhode/scenario/document.hpp"
+#include "polhode/tables/obj.hpp"
+#include "polhode/text/key.hpp"
 #include "run/detail/fit_tables.hpp"
-#include "run/detail/moved_files.hpp"
-#include "run/fit/driven.hpp"
-#include "text/printable.hpp"
+#include "run/detail/light_report.hpp"
+#include "run/detail/output_checks.hpp"
+#include "run/fit/fit_torques.hpp"
+#include "scenario/values.hpp"
+#include "text/number_text.hpp"
+#include "text/words.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace detail {
+
+// Paths of further files in a scenario that is written to another folder.
+
+// Where paths in a scenario that is written to `path` start; on standard output those of this one.
+std::string folder_of(const Document& document, const std::string& path);
+// A path of the scenario as a scenario in `folder` has to name it; the same where that is the
+// folder of this one, and where it begins at the root.
+std::string moved_path(const Document& document, const std::string& path,
+                       const std::string& folder);
+// The changes of every key that names a file; none where `folder` is that of the scenario.
+std::vector<ScenarioChange> relocated_paths(const Document& document, const std::string& folder);
+// "found.obj" as a text of TOML.
+std::string quoted_path(std::string_view path);
+
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path or_here(const std::string& folder) { return folder.empty() ? "." : fs::path(folder); }
+
+}  // namespace
+
+std::string folder_of(const Document& document, const std::string& path) {
+  return path == "-" ? document.folder : fs::path(path).parent_path().string();
+}
+
+std::string moved_path(const Document& document, const std::string& path,
+                       const std::string& folder) {
+  std::error_code none;
+  const fs::path from = or_here(document.folder), to = or_here(folder);
+  if (fs::path(path).is_absolute() || fs::equivalent(from, to, none)) return path;
+  // links are followed, as ".." follows them
+  const fs::path moved = fs::relative(from / path, to, none);
+  return (moved.empty() ? fs::absolute(from / path) : moved).generic_string();
+}
+
+std::vector<ScenarioChange> relocated_paths(const Document& document, const std::string& folder) {
+  std::vector<ScenarioChange> changes;
+  for (const auto& [key, value] : document.checked->values) {
+    if (!value.key->is_file && key != "light.mesh") continue;
+    const std::string& path = value.words.at(0);
+    const std::string moved = moved_path(document, path, folder);
+    if (moved != path) changes.push_back({key, quoted_path(moved)});
+  }
+  return changes;
+}
+
+std::string quoted_path(std::string_view path) {
+  std::string text = "\"";
+  for (const char c : path) {
+    if (c == '"' || c == '\\') text += '\\';
+    text += c;
+  }
+  return text + "\"";
+}
+
+}  // namespace detail
+
 namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
@@ -126,7 +200,7 @@ void write_covariance(const Scenario& scenario, const FitReport& report, std::si
 std::string detail::text_from_state(const Scenario& scenario, const FitReport& report,
                                     const SpinSolution& raw, const SpinState& state,
                                     const std::string& folder) {
-  std::vector<ScenarioChange> changes = moved_files(scenario.document, folder);
+  std::vector<ScenarioChange> changes = relocated_paths(scenario.document, folder);
   const std::vector<ScenarioChange> none_seen = without_observations(scenario);
   changes.insert(changes.end(), none_seen.begin(), none_seen.end());
   add_body(scenario, report, state, changes);
@@ -152,6 +226,211 @@ void write_solution(const Scenario& scenario, const FitReport& report, std::size
                     const std::string& path) {
   const std::string folder = detail::folder_of(scenario.document, path);
   detail::write_fit_text(scenario, solution_text(scenario, report, solution, folder), path);
+}
+
+void write_landscape(const Scenario& scenario, const LightReport& report, const std::string& path) {
+  if (!report.scan)
+    throw DomainError(scenario.document.name +
+                      ": no scan was made, and there is no landscape; expected fit.from = "
+                      "\"search\" without fit.periods");
+  const Landscape& all = report.scan->landscape;
+  const std::string unit = "1/" + scenario.units().time();
+  const double period = scenario.units().from_core(1.0, Dimension::time);
+  std::vector<double> rows;
+  rows.reserve(3 * all.chi_square.size());
+  for (std::size_t i = 0; i < all.first.count; ++i)
+    for (std::size_t j = 0; j < all.second.count; ++j)
+      rows.insert(rows.end(), {all.first.at(i) / period, all.second.at(j) / period, all.at(i, j)});
+  detail::write_fit_rows(
+      scenario,
+      {{"f1", {{"f1", unit}}}, {"f2", {{"f2", unit}}}, {"chi_square", {{"chi_square", "1"}}}}, rows,
+      {"scan of order " + std::to_string(all.orders.second) + ": " +
+       std::to_string(all.first.count) + " by " + std::to_string(all.second.count) +
+       " frequencies, f2 changes first" +
+       (report.scan->separate ? "; the sum of " + std::to_string(report.scan->separate->sessions) +
+                                    " sessions with series of their own"
+                              : std::string())},
+      path);
+}
+
+void write_light_residuals(const Scenario& scenario, const LightReport& report,
+                           std::size_t solution, const std::string& path) {
+  const std::vector<LightCurve>& curves = report.observed.curves;
+  const std::vector<std::vector<double>> model = detail::fluxes_of(report, solution);
+  std::vector<double> rows;
+  std::vector<std::string> notes;
+  for (std::size_t c = 0; c < curves.size(); ++c) {
+    for (std::size_t k = 0; k < curves[c].points.size(); ++k) {
+      const LightPoint& p = curves[c].points[k];
+      const ObservedRow& place = report.observed.curve_rows.at(c).at(k);
+      const double difference = model[c][k] - p.flux;
+      rows.insert(rows.end(), {scenario.units().from_core(p.t, Dimension::time),
+                               static_cast<double>(place.table + 1),
+                               static_cast<double>(place.line), static_cast<double>(c + 1), p.flux,
+                               p.sigma, model[c][k], difference, difference / p.sigma});
+    }
+    notes.push_back("session " + std::to_string(c + 1) + ": " +
+                    (curves[c].is_calibrated ? "calibrated" : "relative") +
+                    (curves[c].name.empty() ? "" : ", " + detail::printable(curves[c].name, 500)));
+  }
+  notes.emplace_back(
+      "difference: from what was seen to the solution; r in standard errors as given");
+  detail::write_fit_rows(scenario,
+                         {{"t", {{"t", scenario.units().time()}}},
+                          {"observation", {{"table", "1"}, {"line", "1"}, {"session", "1"}}},
+                          {"light", {{"flux", "1"}, {"sigma", "1"}, {"model", "1"}}},
+                          {"residual", {{"difference", "1"}, {"r", "1"}}}},
+                         rows, notes, path);
+}
+
+void write_light_covariance(const Scenario& scenario, const LightReport& report,
+                            std::size_t solution, const std::string& path) {
+  detail::write_fit_covariance(scenario, report.solutions.at(solution).solution.covariance,
+                               light_numbers(scenario, report, solution), path);
+}
+
+// Scenarios that begin at a solution of light curves, and the meshes beside them.
+
+namespace {
+
+using Changes = std::vector<ScenarioChange>;
+using detail::number_text;
+
+// Izz of a body of which the fit knows ratios alone: the greatest moment of the file.
+double unit_moment(const Scenario& scenario) {
+  const Vec3& I = scenario.rotation().body.moments();
+  return std::fmax(I.x, std::fmax(I.y, I.z));
+}
+
+std::vector<double> times_of(const LightReport& report) {
+  std::vector<double> times;
+  for (const LightCurve& curve : report.observed.curves)
+    for (const LightPoint& p : curve.points) times.push_back(p.t);
+  return times;
+}
+
+void add_moments(const Scenario& scenario, const Mat3& T, Changes& changes) {
+  for (const char* const key : {"moments", "tensor", "shape", "density", "scale", "column_axes"})
+    changes.push_back({std::string("body.") + key, ""});
+  const double unit = unit_moment(scenario);
+  changes.push_back(
+      {"body.moments", detail::row_text(unit * T(0, 0) / T(2, 2), unit * T(1, 1) / T(2, 2), unit)});
+}
+
+void add_state(const Scenario& scenario, const SpinState& state, Changes& changes) {
+  changes.push_back({"state." + scenario.rotation().chart, ""});
+  changes.push_back(detail::state_change(scenario, state.q, state.w_F));
+}
+
+// The rest of [fit] looked for what is found: its loss alone stays.
+void add_fit(const Scenario& scenario, Changes& changes) {
+  for (const char* const key : {"fit", "map", "ensemble"}) changes.push_back({key, ""});
+  const Loss& loss = require_fit(scenario).loss;
+  if (loss.kind == Loss::Kind::squared) return;
+  changes.push_back({"fit.loss", detail::quoted_path(detail::loss_word(loss))});
+  changes.push_back({"fit.loss_scale", number_text(loss.scale)});
+}
+
+void add_mixed_law(double multiple, Changes& changes) {
+  changes.push_back({"light.law", "\"mixed\""});
+  changes.push_back({"light.multiple", number_text(multiple)});
+}
+
+// A fit of the mesh that begins at the solution: what was observed stays, so that it can be
+// simulated and fitted again.
+Changes mesh_changes(const Scenario& scenario, const LightReport& report, const FoundLight& found,
+                     const std::string& mesh, const std::string& folder) {
+  const bool is_convex = !report.convex.empty();
+  const SpinState state = detail::spin_at(found.solution.body.spin, 0.0);
+  Changes changes;
+  add_fit(scenario, changes);
+  if (is_convex || report.unknowns.moments == MomentSource::fit) {
+    if (!is_convex && require_fit(scenario).light.mesh.empty())
+      changes.push_back(
+          {"light.mesh", detail::quoted_path(detail::moved_path(
+                             scenario.document, scenario.rotation().shape->file, folder))});
+    add_moments(scenario, state.inertia_F, changes);
+  }
+  add_state(scenario, state, changes);
+  for (const char* const key : {"convex", "moments", "semiaxes"})
+    changes.push_back({std::string("light.") + key, ""});
+  if (is_convex) {
+    changes.push_back({"light.shape", "\"mesh\""});
+    changes.push_back({"light.mesh", detail::quoted_path(mesh)});
+  }
+  if (report.unknowns.multiple) add_mixed_law(found.solution.body.law.multiple, changes);
+  changes.push_back({"free.unknowns", "[\"attitude\", \"rate\"]"});
+  detail::add_rows_of(scenario, times_of(report), changes);
+  return changes;
+}
+
+Changes ellipsoid_changes(const Scenario& scenario, const LightReport& report,
+                          const FoundLight& found) {
+  const EllipsoidModel& body = found.solution.body;
+  const SpinState state = detail::spin_at(body.spin, 0.0);
+  Changes changes;
+  add_fit(scenario, changes);
+  add_moments(scenario, state.inertia_F, changes);
+  add_state(scenario, state, changes);
+  changes.push_back({"light.semiaxes", detail::row_text(body.shape.a, body.shape.b, body.shape.c)});
+  if (report.unknowns.multiple && body.law.multiple > 0.0)
+    add_mixed_law(body.law.multiple, changes);
+  detail::add_rows_of(scenario, times_of(report), changes);
+  return changes;
+}
+
+// What the file has no keys for.
+std::string comment_of(const LightReport& report, const FoundLight& found) {
+  const EllipsoidModel& body = found.solution.body;
+  const char* const shape = report.shape == LightPlan::Shape::convex ? "convex body, like the "
+                            : report.mesh                            ? "mesh, like the "
+                                                                     : "";
+  return std::string("\n# ") + shape + "ellipsoid 1 : " + number_text(body.shape.b / body.shape.a) +
+         " : " + number_text(body.shape.c / body.shape.a) + ", weight of Lambert's law " +
+         number_text(body.law.multiple) + "\n";
+}
+
+}  // namespace
+
+std::string light_solution_text(const Scenario& scenario, const LightReport& report,
+                                std::size_t solution, const std::string& mesh,
+                                const std::optional<std::string>& folder) {
+  const FoundLight& found = report.solutions.at(solution);
+  const std::string there = folder.value_or(scenario.document.folder);
+  Changes changes = detail::relocated_paths(scenario.document, there);
+  const Changes own = report.shape != LightPlan::Shape::ellipsoid
+                          ? mesh_changes(scenario, report, found, mesh, there)
+                          : ellipsoid_changes(scenario, report, found);
+  changes.insert(changes.end(), own.begin(), own.end());
+  return "# Solution " + std::to_string(solution + 1) + " of " +
+         std::to_string(report.solutions.size()) + " of a fit of " +
+         detail::printable(scenario.document.name, 200) + ":\n# " +
+         (found.sentence.empty() ? found.solution.result.sentence : found.sentence) +
+         comment_of(report, found) + changed_text(scenario.document.text, changes);
+}
+
+void write_light_solution(const Scenario& scenario, const LightReport& report, std::size_t solution,
+                          const std::string& path) {
+  if (report.convex.empty()) {
+    detail::write_fit_text(scenario,
+                           light_solution_text(scenario, report, solution, {},
+                                               detail::folder_of(scenario.document, path)),
+                           path);
+    return;
+  }
+  const std::filesystem::path toml(path);
+  if (path == "-" || toml.extension() == ".obj")
+    throw DomainError(scenario.document.name + ": --solution " + detail::printable(path, 200) +
+                      ": expected PATH.toml; the mesh of a convex body is written beside it");
+  const std::string mesh = toml.stem().string() + "-seen.obj";
+  const std::string files[] = {path, (toml.parent_path() / mesh).string()};
+  detail::require_own_files(scenario.document, files);
+  // both before the first is written
+  const std::string text = light_solution_text(scenario, report, solution, mesh,
+                                               detail::folder_of(scenario.document, path));
+  const std::string obj = obj_text(report.convex.at(solution).mesh());
+  detail::write_fit_text(scenario, obj, files[1]);
+  detail::write_fit_text(scenario, text, files[0]);
 }
 
 }  // namespace v0

@@ -12,10 +12,10 @@
 #include "polhode/output/output_format.hpp"
 #include "polhode/rotor/attitude.hpp"
 #include "polhode/run/run.hpp"
-#include "run/detail/own_files.hpp"
-#include "run/fit/driven.hpp"
+#include "run/detail/output_checks.hpp"
+#include "run/fit/fit_torques.hpp"
 #include "scenario/value_access.hpp"
-#include "scenario/value_reader.hpp"
+#include "scenario/values.hpp"
 #include "text/number_text.hpp"
 
 namespace polhode {
@@ -34,11 +34,12 @@ std::string value_in(double number, const std::string& unit) {
 
 void write_fit_rows(const Scenario& scenario, const std::vector<ColumnGroup>& groups,
                     std::span<const double> rows, const std::vector<std::string>& notes,
-                    const std::string& path) {
+                    const std::string& path, const std::string& row_dimension) {
   const std::string paths[] = {path};
   require_own_files(scenario.document, paths);
   Provenance origin = provenance(scenario);
   origin.notes.insert(origin.notes.end(), notes.begin(), notes.end());
+  origin.row_dimension = row_dimension;
   const std::unique_ptr<Sink> sink =
       open_sink(path, groups, origin, std::nullopt, scenario.output.formats);
   sink->push(rows);
@@ -72,7 +73,7 @@ void write_fit_covariance(const Scenario& scenario, const UnknownsCovariance& c,
                  {notes,
                   "covariance with errors as given, in products of the units of the columns; "
                   "error and scaled_error in the unit of the unknown of the row"},
-                 path);
+                 path, "unknown");
 }
 
 void write_fit_text(const Scenario& scenario, const std::string& text, const std::string& path) {
@@ -125,7 +126,7 @@ Dimension dimension_of_unknown(std::string_view name) {
 }
 
 void add_fit_line(std::string& text, std::string_view label, const std::string& value) {
-  text += fmt::format("{:<18}{}\n", label, value);
+  text += fmt::format("{:<17} {}\n", label, value);
 }
 
 std::string euler_text(const Scenario& scenario, const Quaternion& q) {

@@ -6,12 +6,12 @@
 #include <cmath>
 #include <string_view>
 
-#include "polhode/fit/spin_figures.hpp"
+#include "polhode/fit/derived_parameters.hpp"
 #include "polhode/run/fit.hpp"
 #include "polhode/run/predictions.hpp"
 #include "polhode/run/summary.hpp"
 #include "run/detail/fit_tables.hpp"
-#include "run/fit/driven.hpp"
+#include "run/fit/fit_torques.hpp"
 #include "text/json.hpp"
 
 namespace polhode {
@@ -61,10 +61,10 @@ std::vector<SummaryLine> state_lines(const Scenario& scenario, const FitReport& 
 // infinite.
 std::string error_lines(const Scenario& scenario, const FoundSpin& found) {
   const Units& units = scenario.units();
-  const SpinFigures raw = spin_figures(found.raw);
+  const DerivedParameters raw = derived_parameters(found.raw);
   const auto line = [&](const char* label, Dimension dimension, const auto& shown) {
     std::string text = shown(raw);
-    if (found.scaled) text += ", scaled " + shown(spin_figures(*found.scaled));
+    if (found.scaled) text += ", scaled " + shown(derived_parameters(*found.scaled));
     return fmt::format("{:<37}{} {}\n", label, text, units.label(dimension));
   };
   const auto number = [&](double error, Dimension dimension) {
@@ -72,14 +72,17 @@ std::string error_lines(const Scenario& scenario, const FoundSpin& found) {
   };
   std::string text;
   if (raw.periods.precession_period > 0.0) {
-    text += line("error of P_phi", Dimension::time,
-                 [&](const SpinFigures& f) { return number(f.precession_error, Dimension::time); });
-    text += line("error of P_psi", Dimension::time,
-                 [&](const SpinFigures& f) { return number(f.rotation_error, Dimension::time); });
-    text += line("error of the short-axis period", Dimension::time,
-                 [&](const SpinFigures& f) { return number(f.short_error, Dimension::time); });
+    text += line("error of P_phi", Dimension::time, [&](const DerivedParameters& f) {
+      return number(f.precession_error, Dimension::time);
+    });
+    text += line("error of P_psi", Dimension::time, [&](const DerivedParameters& f) {
+      return number(f.rotation_error, Dimension::time);
+    });
+    text +=
+        line("error of the short-axis period", Dimension::time,
+             [&](const DerivedParameters& f) { return number(f.short_error, Dimension::time); });
   }
-  return text + line("error of the pole", Dimension::angle, [&](const SpinFigures& f) {
+  return text + line("error of the pole", Dimension::angle, [&](const DerivedParameters& f) {
            return number(f.pole_major, Dimension::angle) + " by " +
                   number(f.pole_minor, Dimension::angle);
          });
@@ -162,7 +165,7 @@ void add_values(detail::JsonWriter& json, const FitNumber& one) {
 
 // With errors as given, in the units of the file.
 void add_figures(detail::JsonWriter& json, const Scenario& scenario, const FoundSpin& found) {
-  const SpinFigures f = spin_figures(found.raw);
+  const DerivedParameters f = derived_parameters(found.raw);
   const Units& units = scenario.units();
   const auto add = [&](const char* key, double value, double error) {
     json.key(key).begin_object();

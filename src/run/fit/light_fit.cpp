@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-// From light curves to solutions: by a start of the file, or by scan, labels and search.
+// From light curves to solutions: from a start in the file, or by scan, labels and search.
+#include "run/detail/light_fit.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,18 +12,42 @@
 #include "polhode/light/light_curve_checks.hpp"
 #include "polhode/rotor/attitude.hpp"
 #include "polhode/run/light_report.hpp"
+#include "polhode/scenario/fit_plan.hpp"
+#include "polhode/scenario/scenario.hpp"
 #include "run/detail/fit_tables.hpp"
-#include "run/detail/free_fit.hpp"
-#include "run/detail/light_scan.hpp"
-#include "run/detail/light_sessions.hpp"
-#include "run/detail/light_surfaces.hpp"
-#include "run/detail/light_verdict.hpp"
+#include "run/detail/light_report.hpp"
 #include "scenario/value_access.hpp"
-#include "scenario/value_reader.hpp"
+#include "scenario/values.hpp"
 #include "text/number_text.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace detail {
+
+// For light curves. ScenarioError unless nothing acts on the body, no torque or jump is unknown,
+// and the state is relative to inertial axes.
+void require_free_fit(const Scenario& scenario);
+
+void require_free_fit(const Scenario& scenario) {
+  const Rotation& rotation = scenario.rotation();
+  const Values& values = scenario.document.checked->values;
+  if (!rotation.kinds.empty())
+    refuse(values, "perturbation[0].kind", scenario.document.path,
+           "expected no perturbation: a fit is one of free rotation");
+  const FitDrive& drive = require_fit(scenario).drive;
+  if (!drive.parameters.empty())
+    refuse(values, "free.parameter[0].key", scenario.document.path,
+           "expected none: light curves are fitted in free rotation");
+  if (!drive.jumps.empty())
+    refuse(values, "free.jump[0].kind", scenario.document.path,
+           "expected none: light curves are fitted in free rotation");
+  if (!rotation.frame.is_inertial())
+    refuse(values, "frame", scenario.document.path,
+           "expected none: a fit is one relative to inertial axes");
+}
+
+}  // namespace detail
+
 namespace {
 
 constexpr double speed_of_light = 299792458.0;  // m/s
@@ -44,7 +70,7 @@ Vec3 permuted(const Mat3& R, const Vec3& k_B) {
 }
 
 // The state of the file at t = 0, along axes with falling semi-axes, or rising moments.
-BrightEllipsoid start_of(const Scenario& scenario, const LightPlan& plan) {
+EllipsoidModel start_of(const Scenario& scenario, const LightPlan& plan) {
   const Rotation& rotation = scenario.rotation();
   const RotorState s = initial_state(rotation);
   const Vec3 I = rotation.body.moments();
@@ -58,8 +84,8 @@ BrightEllipsoid start_of(const Scenario& scenario, const LightPlan& plan) {
     const Vec3 axes = permuted(R, *plan.semiaxes);
     shape = {axes.x, axes.y, axes.z};
   }
-  BrightEllipsoid start =
-      BrightEllipsoid::homogeneous(0.0, normalized(s.q * q_BF), w, shape, plan.law);
+  EllipsoidModel start =
+      EllipsoidModel::homogeneous(0.0, normalized(s.q * q_BF), w, shape, plan.law);
   if (plan.unknowns.moments == MomentSource::shape) return start;
   start.spin.inertia_F = Mat3::identity();
   for (int i = 0; i < 2; ++i) start.spin.inertia_F(i, i) = moments[i] / moments.z;
@@ -71,11 +97,11 @@ void fit_from_start(const Scenario& scenario, const FitPlan& plan, const LightFi
                     LightReport& report) {
   if (report.mesh) {
     const SpinState spin = spin_state(scenario.rotation());
-    report.start = BrightEllipsoid{spin, {1.0, 1.0, 1.0}, plan.light.law};
+    report.start = EllipsoidModel{spin, {1.0, 1.0, 1.0}, plan.light.law};
     return detail::fit_surface_from_start(scenario, report);
   }
   if (plan.light.one_by_one) {
-    const BrightEllipsoid start = start_of(scenario, plan.light);
+    const EllipsoidModel start = start_of(scenario, plan.light);
     const std::size_t first = detail::nearest_session(report.observed.curves, start, plan.loss);
     detail::extend_to_sessions(scenario, first, {start}, options, report);
     report.converged = report.is_found() ? 1 : 0;
@@ -117,14 +143,16 @@ void search(const Scenario& scenario, const FitPlan& plan, const LightFitOptions
   how.periods = plan.light.periods;
   if (how.periods.empty()) {
     report.scan = detail::light_scan(scenario, how.curves, options);
+    if (options.scans_only || !plan.light.is_tumbler)
+      report.verdict = detail::scan_verdict(scenario, *report.scan, how.curves);
     if (options.scans_only) {
-      report.verdict = detail::one_period_text(scenario, *report.scan);
       report.failure = "only the scan was requested";
       return;
     }
-    if (!plan.light.is_tumbler && report.scan->one && report.scan->one->suffices) {
-      report.verdict = detail::one_period_text(scenario, *report.scan);
-      report.failure = "one period is enough; set fit.rotation = \"tumbler\" to search for two";
+    if (!report.verdict.empty()) {
+      report.failure = std::string(report.scan->constant->suffices ? "no variation is seen"
+                                                                   : "one period is enough") +
+                       "; set fit.rotation = \"tumbler\" to search for two periods";
       return;
     }
     how.periods = labelled_periods(report.scan->minima, plan.light.scan.labels);
@@ -168,7 +196,7 @@ void search(const Scenario& scenario, const FitPlan& plan, const LightFitOptions
   } else if (plan.light.one_by_one) {
     for (std::string& note : report.notes)
       note = "search of session " + std::to_string(first + 1) + ": " + note;
-    std::vector<BrightEllipsoid> starts;
+    std::vector<EllipsoidModel> starts;
     for (const FoundLight& one : report.solutions) starts.push_back(one.solution.body);
     detail::extend_to_sessions(scenario, first, std::move(starts), options, report);
   }
@@ -240,7 +268,7 @@ LightReport fit_light_scenario(const Scenario& scenario, const LightFitOptions& 
   });
   if (report.verdict.empty()) report.verdict = detail::misfit_text(scenario, report);
   add_light_times(scenario, report);
-  for (std::string& note : detail::data_notes(scenario, report.observed))
+  for (std::string& note : detail::data_notes(scenario, report))
     report.notes.push_back(std::move(note));
   return report;
 }

@@ -4,8 +4,7 @@
 #include <limits>
 
 #include "run/detail/fit_tables.hpp"
-#include "run/detail/light_verdict.hpp"
-#include "run/detail/light_words.hpp"
+#include "run/detail/light_report.hpp"
 #include "text/json.hpp"
 
 namespace polhode {
@@ -46,6 +45,11 @@ void add_scan(JsonWriter& json, const Scenario& scenario, const LightScan& scan)
     json.key("separate_sessions").value(whole(scan.separate->sessions));
     json.key("windows").value(whole(scan.separate->windows));
     json.key("pairs_in_windows").value(whole(scan.separate->pairs));
+  }
+  if (scan.constant) {
+    json.key("constant").begin_object().key("chi_square").value(scan.constant->chi_square);
+    json.key("degrees_of_freedom").value(whole(scan.constant->degrees_of_freedom));
+    json.key("suffices").value(scan.constant->suffices).end_object();
   }
   if (scan.one) {
     const FourierFit& fit = scan.one->refined.fit;
@@ -152,7 +156,7 @@ void add_joined(JsonWriter& json, const Scenario& scenario, const LightReport& r
   json.end_array();
 }
 
-void add_convex(JsonWriter& json, const Scenario& scenario, const BrightConvex& body) {
+void add_convex(JsonWriter& json, const Scenario& scenario, const ConvexModel& body) {
   const ConvexPlan& plan = require_fit(scenario).light.convex;
   json.key("convex").begin_object();
   json.key("degree").value(static_cast<std::int64_t>(body.image.degree()));

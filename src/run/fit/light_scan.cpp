@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: MIT
-// The scan of light curves: on one grid over all of their time, or session by session.
-#include "run/detail/light_scan.hpp"
-
+// The scan of light curves for periods: on one grid over all of their time, or session by session.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
+#include "polhode/error.hpp"
 #include "polhode/fit/session_scan.hpp"
 #include "run/detail/fit_tables.hpp"
-#include "run/detail/light_verdict.hpp"
+#include "run/detail/light_fit.hpp"
+#include "run/detail/light_report.hpp"
 #include "scenario/value_access.hpp"
-#include "scenario/value_reader.hpp"
+#include "scenario/values.hpp"
 #include "text/number_text.hpp"
 
 namespace polhode {
@@ -21,6 +22,7 @@ inline namespace v0 {
 namespace {
 
 constexpr double most_frequencies = 1e7;  // of one period
+constexpr double deviations = 3.0;        // of chi-square, up to which data are within their errors
 
 class Scan {
  public:
@@ -42,7 +44,7 @@ class Scan {
     const bool is_joined = plan_.sessions == ScanPlan::Sessions::joined;
     require_points(is_joined);
     LightScan scan = is_joined ? joined() : separate();
-    scan.one = one_period(scan);
+    add_simple_models(scan);
     return scan;
   }
 
@@ -84,7 +86,8 @@ class Scan {
           (curves_.size() > 1 ? fmt::format(" over {} sessions", curves_.size()) : std::string()));
     const ScanPoints points(curves_);
     LightScan scan{
-        std::move(advice_), scan_pairs(points, grid, how()), {}, std::nullopt, std::nullopt};
+        std::move(advice_), scan_pairs(points, grid, how()), {}, std::nullopt, std::nullopt,
+        std::nullopt};
     scan.minima = scan_minima(
         points, scan.landscape,
         {.most = plan_.minima, .threads = options_.threads, .between = [this] { end_if_asked(); }});
@@ -104,50 +107,83 @@ class Scan {
     SessionScan found = scan_sessions(
         curves_, least_, most_, {.scan = how(), .windows = plan_.windows, .most = plan_.minima});
     if (found.minima.size() > plan_.minima) found.minima.resize(plan_.minima);
-    return {std::move(advice_), std::move(found.coarse), std::move(found.minima),
-            SeparateSessions{found.sessions, plan_.windows, found.pairs}, std::nullopt};
+    return {std::move(advice_),
+            std::move(found.coarse),
+            std::move(found.minima),
+            SeparateSessions{found.sessions, plan_.windows, found.pairs},
+            std::nullopt,
+            std::nullopt};
   }
 
-  // The series with the fewest harmonics that describes the data, or else the one with the most.
-  // Series with more harmonics also fit at multiples of the period, and at aliases of evenly spaced
-  // observations.
-  std::optional<OnePeriod> one_period(const LightScan& scan) const {
+  // A model of the light: chi-square, its degrees of freedom with frequencies counted as unknowns,
+  // and of how many frequencies or pairs of them it is the best.
+  struct Model {
+    double chi_square, freedom, choices;
+
+    bool is_within_errors() const {
+      return chi_square <= freedom + deviations * std::sqrt(2.0 * freedom);
+    }
+    bool is_described() const { return chi_square <= most_chi_square * freedom; }
+  };
+  static Model model_of(const FourierFit& fit, double frequencies, double choices) {
+    return {fit.chi_square, static_cast<double>(fit.degrees_of_freedom) - frequencies, choices};
+  }
+
+  // The series with the fewest harmonics that describes the data, or else the one with the most,
+  // and whether a constant describes them. Series with more harmonics also fit at multiples of the
+  // period, and at aliases of evenly spaced observations.
+  void add_simple_models(LightScan& scan) const {
     constexpr std::size_t most_order = 9;
     const double count = std::floor((most_ - least_) / scan.advice.step) + 1.0;
-    if (count > most_frequencies) return std::nullopt;
+    if (count > most_frequencies) return;
+    const ScanPoints points(curves_);
+    std::optional<Model> two;
+    if (const auto pair = std::ranges::find_if(scan.minima, is_sound); pair != scan.minima.end())
+      two = model_of(pair->refined.fit, 2.0, 0.5 * count * count);
     // lines of two frequencies to an order, if they are multiples of one, are those to twice it
     const std::size_t most = std::min(2 * plan_.order, most_order);
-    const ScanPoints points(curves_);
-    for (std::size_t order = 1; order < most; order *= 2)
-      if (std::optional<OnePeriod> one = one_period(scan, points, order, count);
-          one && one->suffices)
-        return one;
-    return one_period(scan, points, most, count);
+    scan.one = one_period(scan, points, most);
+    const std::optional<Model> most_terms =
+        scan.one ? std::optional(model_of(scan.one->refined.fit, 1.0, count)) : std::nullopt;
+    const std::size_t freedom = points.size() - points.constants();
+    const Model constant{points.total(), static_cast<double>(freedom), 1.0};
+    bool varies = is_better(two, constant) || is_better(most_terms, constant);
+    if (scan.one && !suffices(*most_terms, two, std::nullopt)) scan.one->suffices = false;
+    for (std::size_t order = 1; order < most; order *= 2) {
+      std::optional<OnePeriod> one = one_period(scan, points, order);
+      if (!one) continue;
+      const Model model = model_of(one->refined.fit, 1.0, count);
+      varies = varies || is_better(model, constant);
+      if (!one->suffices || !suffices(model, two, most_terms)) continue;
+      scan.one = std::move(one);
+      break;
+    }
+    scan.constant = ConstantLight{constant.chi_square, freedom, !varies};
+    if (scan.one && !varies) scan.one->suffices = false;
   }
 
+  // The lowest; it suffices if the data cover its period twice, as a longer one has harmonics
+  // enough for any curve.
   std::optional<OnePeriod> one_period(const LightScan& scan, const ScanPoints& points,
-                                      std::size_t order, double count) const {
+                                      std::size_t order) const {
     constexpr std::size_t few = 5;
     ScanOptions how{.order = order, .threads = options_.threads};
     how.between = [this] { end_if_asked(); };
     const std::vector<ScanMinimum> minima = scan_minima(
         points, scan_periods(points, FrequencyGrid::between(least_, most_, scan.advice.step), how),
         {.most = few, .threads = options_.threads, .between = [this] { end_if_asked(); }});
-    const auto is_sound = [](const ScanMinimum& m) {
-      return m.resolved && m.refined.converged && m.refined.fit.degrees_of_freedom > 1;
-    };
     const auto one = std::ranges::find_if(minima, is_sound);
     if (one == minima.end()) return std::nullopt;
     const FourierFit& fit = one->refined.fit;
-    const auto pair = std::ranges::find_if(scan.minima, is_sound);
-    const FourierFit* const two = pair == scan.minima.end() ? nullptr : &pair->refined.fit;
-    // a series of a period longer than half of the data has harmonics enough for any curve
-    const bool is_covered = fit.f2 * scan.advice.time_base >= 2.0;
-    OnePeriod found{order, one->refined, is_covered && suffices(fit, two, count), {}};
+    OnePeriod found{order, one->refined, fit.f2 * scan.advice.time_base >= 2.0, {}};
     for (const ScanMinimum& other : minima)
       if (is_sound(other) && is_alias(other.refined.fit, fit, scan.advice.step))
         found.aliases.push_back(other.refined.fit.f2);
     return found;
+  }
+
+  static bool is_sound(const ScanMinimum& m) {
+    return m.resolved && m.refined.converged && m.refined.fit.degrees_of_freedom > 2;
   }
 
   // Another frequency that fits as well to 3 sigma and is neither a multiple nor a part of
@@ -161,22 +197,42 @@ class Scan {
     return std::fabs(high - low * std::round(high / low)) > 2.0 * step;
   }
 
-  // Whether chi-square falls from one to two frequencies by no more than more coefficients let it
-  // fall, and the choice of the lowest of all pairs of `count` frequencies.
-  static bool suffices(const FourierFit& one, const FourierFit* two, double count) {
-    constexpr double deviations = 3.0, least_noise = 0.1;
-    const auto freedom = [](const FourierFit& fit) {
-      return static_cast<double>(fit.degrees_of_freedom);
-    };
+  // Whether one period describes the data as well as two, or one with more harmonics, do.
+  static bool suffices(const Model& one, const std::optional<Model>& two,
+                       const std::optional<Model>& most_terms) {
+    if (!two) return one.is_within_errors();
     // within the errors as they are given, unless they are far too large
     constexpr double far_too_large = 0.5;
-    const bool fits = one.chi_square <= freedom(one) + deviations * std::sqrt(2.0 * freedom(one));
-    if (two == nullptr || (fits && two->chi_square > far_too_large * freedom(*two))) return fits;
-    const double noise = std::fmax(two->chi_square / freedom(*two), least_noise);
-    const double more = freedom(one) - freedom(*two);
-    const double chosen = 2.0 * std::log(0.5 * count * count);
-    return (one.chi_square - two->chi_square) / noise <=
-           more + deviations * std::sqrt(2.0 * more) + chosen;
+    if (one.is_within_errors() && two->chi_square > far_too_large * two->freedom) return true;
+    return !is_better(two, one) && !is_better(most_terms, one);
+  }
+
+  // Whether chi-square falls by more than noise lets it: an F test of the further unknowns, at the
+  // best of all choices. Where the simpler model fails and the other is within the errors, it need
+  // only be likelier than not: few degrees of freedom allow no more.
+  static bool is_better(const std::optional<Model>& model, const Model& simpler) {
+    if (!model || !(model->freedom > 0.0) || !(model->freedom < simpler.freedom)) return false;
+    constexpr double chance = 1e-3, least_noise = 0.1;
+    const auto misfit = [](const Model& of) {
+      return std::fmax(of.chi_square, least_noise * of.freedom);
+    };
+    const double ratio = misfit(*model) / misfit(simpler);
+    const double usual = model->freedom / simpler.freedom;  // the mean of noise
+    if (!(ratio < usual)) return false;
+    const bool errors_decide = !simpler.is_described() && model->is_within_errors();
+    return model->choices *
+               beta_chance(0.5 * model->freedom, 0.5 * (simpler.freedom - model->freedom), ratio) <
+           (errors_decide ? 1.0 : chance);
+  }
+
+  // The regularised incomplete beta function I_x(a, b), by its series of positive terms.
+  static double beta_chance(double a, double b, double x) {
+    double term = 1.0, sum = 1.0;
+    for (double k = 1.0; term > 1e-16 * sum; k += 1.0)
+      sum += term *= x * (a + b + k - 1.0) / (a + k);
+    return std::exp(std::lgamma(a + b) - std::lgamma(a + 1.0) - std::lgamma(b) + a * std::log(x) +
+                    b * std::log1p(-x)) *
+           sum;
   }
 
   // What to do about too many pairs.
@@ -261,5 +317,78 @@ std::vector<ChosenPair> detail::chosen_pairs(const Scenario& scenario,
   return chosen;
 }
 
+namespace detail {
+
+void require_sessions(const Scenario& scenario, std::span<const LightCurve> curves) {
+  if (curves.size() > 1) return;
+  refuse(scenario.document.checked->values, "fit.sessions", scenario.document.path,
+         "expected more than one session: one for each table [[observation]], or by "
+         "session_column");
+}
+
+std::size_t longest_session(std::span<const LightCurve> curves) {
+  std::size_t longest = 0;
+  for (std::size_t k = 1; k < curves.size(); ++k)
+    if (curves[k].points.size() > curves[longest].points.size()) longest = k;
+  return longest;
+}
+
+// By how much its model is better than a constant: errors as large as the light would hide any
+// body.
+std::size_t nearest_session(std::span<const LightCurve> curves, const EllipsoidModel& body,
+                            const Loss& loss) {
+  std::size_t nearest = 0;
+  double greatest = -std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < curves.size(); ++k) {
+    const LightCurve& curve = curves[k];
+    const std::vector<double> model = model_fluxes(body, {&curve, 1}, loss).front();
+    double weight = 0.0, mean = 0.0;
+    for (const LightPoint& p : curve.points) {
+      const double w = 1.0 / (p.sigma * p.sigma);
+      weight += w;
+      mean += w * (p.flux - mean) / weight;
+    }
+    const auto lost = [&](double flux, const LightPoint& p) {
+      const double miss = (flux - p.flux) / p.sigma, z = miss * miss / (loss.scale * loss.scale);
+      return z * value(loss, z).ratio;
+    };
+    double gain = 0.0;
+    for (std::size_t i = 0; i < model.size(); ++i)
+      gain += lost(mean, curve.points[i]) - lost(model[i], curve.points[i]);
+    if (!(gain > greatest)) continue;
+    greatest = gain;
+    nearest = k;
+  }
+  return nearest;
+}
+
+void extend_to_sessions(const Scenario& scenario, std::size_t first,
+                        std::vector<EllipsoidModel> starts, const LightFitOptions& options,
+                        LightReport& report) {
+  const FitPlan& plan = require_fit(scenario);
+  LightExtension how;
+  how.curves = report.observed.curves;
+  how.first = first;
+  how.starts = std::move(starts);
+  how.unknowns = report.unknowns;
+  how.loss = plan.loss;
+  how.within = plan.light.within_factor;
+  how.most_iterations = plan.light.most_iterations.value_or(how.most_iterations);
+  how.threads = options.threads;
+  how.between = [&] {
+    if (options.stop && options.stop())
+      throw FitStopped(scenario.document.name + ": stopped while sessions were joined");
+  };
+  if (options.begins)
+    options.begins("sessions", counted(how.curves.size(), "session", "sessions") + " one by one");
+  if (options.progress) how.progress = [&](double part) { options.progress("sessions", part); };
+  LightExtensionResult found = extend_light(how);
+  report.joined = std::move(found.joined);
+  report.solutions = std::move(found.solutions);
+  report.failure = std::move(found.failure);
+  report.notes.insert(report.notes.end(), found.notes.begin(), found.notes.end());
+}
+
+}  // namespace detail
 }  // namespace v0
 }  // namespace polhode

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Convex bodies and meshes from the ellipsoids of a search: of every pair of periods, whatever the
 // ellipsoid came to, and of the images of what is within the limit.
-#include "run/detail/light_surfaces.hpp"
-
 #include <algorithm>
 #include <mutex>
 #include <utility>
@@ -11,8 +9,9 @@
 #include "polhode/error.hpp"
 #include "polhode/fit/mesh_search.hpp"
 #include "run/detail/fit_tables.hpp"
+#include "run/detail/light_fit.hpp"
 #include "scenario/value_access.hpp"
-#include "scenario/value_reader.hpp"
+#include "scenario/values.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -27,7 +26,7 @@ struct Start {
 };
 
 // The ellipsoid with the moments of the body filled evenly.
-void add_shape(const BrightConvex& convex, LightSolution& s) {
+void add_shape(const ConvexModel& convex, LightSolution& s) {
   try {
     s.body.shape = ellipsoid_of(homogeneous_inertia(convex.mesh()));
   } catch (const DomainError& error) {
@@ -78,7 +77,7 @@ class Surfaces {
         });
     limit();
     const std::vector<Kept> kept = kept_;
-    std::vector<BrightEllipsoid> known;
+    std::vector<EllipsoidModel> known;
     for (const Kept& one : kept)
       known.push_back(report_.mesh ? one.found.solution.body : one.found.start);
     if (!report_.mesh)

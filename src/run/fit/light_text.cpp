@@ -7,8 +7,7 @@
 
 #include "polhode/run/predictions.hpp"
 #include "run/detail/fit_tables.hpp"
-#include "run/detail/light_verdict.hpp"
-#include "run/detail/light_words.hpp"
+#include "run/detail/light_report.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -85,7 +84,7 @@ void add_scan(std::string& text, const Scenario& scenario, const LightScan& scan
         text, "all sessions",
         fmt::format("{} pairs of frequencies in {} about the lowest minima of their sum",
                     scan.separate->pairs, counted(scan.separate->windows, "window", "windows")));
-  if (scan.one) {
+  if (scan.one && !scan.constant->suffices) {
     const FourierFit& fit = scan.one->refined.fit;
     add_fit_line(text, "one frequency",
                  fmt::format("order {}, {:.7g} {}, chi-square {:.5g} on {} degrees of freedom",
@@ -233,7 +232,7 @@ void add_overview(std::string& text, const Scenario& scenario, const LightReport
   const std::size_t shown = std::min(report.solutions.size(), plan.most_solutions);
   for (std::size_t i = 0; i < shown; ++i) {
     const FoundLight& one = report.solutions[i];
-    const BrightEllipsoid& body = one.solution.body;
+    const EllipsoidModel& body = one.solution.body;
     const LightFigures f = detail::light_figures(scenario, report, i);
     std::string what = detail::beside_word(one);
     if (one.beside == FoundLight::Beside::image)
@@ -299,7 +298,7 @@ void add_surface(std::string& text, const Scenario& scenario, const LightReport&
                  s.result.sentence + ": within one standard error of the least");
   }
   if (report.convex.empty()) return;
-  const BrightConvex& body = report.convex[i];
+  const ConvexModel& body = report.convex[i];
   const ConvexPlan& plan = require_fit(scenario).light.convex;
   add_fit_line(text, "convex body",
                fmt::format("{} facets, degree {}; moments as an ellipsoid 1 : {:.3f} : {:.3f}",

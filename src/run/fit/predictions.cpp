@@ -11,8 +11,8 @@
 #include "polhode/rotor/attitude.hpp"
 #include "run/detail/attitude_errors.hpp"
 #include "run/detail/fit_tables.hpp"
-#include "run/detail/light_words.hpp"
-#include "run/fit/driven.hpp"
+#include "run/detail/light_report.hpp"
+#include "run/fit/fit_torques.hpp"
 #include "scenario/fit/time_words.hpp"
 
 namespace polhode {

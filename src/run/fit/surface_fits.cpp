@@ -5,14 +5,14 @@
 #include <cmath>
 #include <utility>
 
-#include "fit/free_rotation_of.hpp"
+#include "fit/free_motion.hpp"
 #include "polhode/error.hpp"
 #include "polhode/fit/snapshots.hpp"
 #include "polhode/free/tumbler.hpp"
 #include "polhode/rotor/attitude.hpp"
 #include "polhode/shape/mass_properties.hpp"
-#include "run/detail/light_surfaces.hpp"
-#include "run/detail/light_words.hpp"
+#include "run/detail/light_fit.hpp"
+#include "run/detail/light_report.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -52,7 +52,7 @@ SurfaceFits::SurfaceFits(const Scenario& scenario, const LightReport& report)
       geometry_(geometry_of(report.observed.curves)),
       most_iterations_(plan_.light.most_iterations.value_or(usual_iterations)) {}
 
-ConvexFit SurfaceFits::convex_fit(const BrightEllipsoid& ellipsoid) const {
+ConvexFit SurfaceFits::convex_fit(const EllipsoidModel& ellipsoid) const {
   const ConvexPlan& plan = plan_.light.convex;
   ConvexFit fit;
   fit.curves = report_.observed.curves;
@@ -68,7 +68,7 @@ ConvexFit SurfaceFits::convex_fit(const BrightEllipsoid& ellipsoid) const {
   return fit;
 }
 
-SurfaceFound SurfaceFits::convex_from(const BrightEllipsoid& ellipsoid) const {
+SurfaceFound SurfaceFits::convex_from(const EllipsoidModel& ellipsoid) const {
   ConvexSolution found = fit_convex(convex_fit(ellipsoid));
   SurfaceFound one{{}, std::move(found.body), ellipsoid};
   static_cast<LightOutcome&>(one.solution) = std::move(found);
@@ -85,7 +85,7 @@ MeshFit SurfaceFits::mesh_fit(const SpinState& spin, int most_iterations) const 
           .most_iterations = most_iterations};
 }
 
-SurfaceFound SurfaceFits::mesh_from(const SpinState& spin, const BrightEllipsoid& ellipsoid,
+SurfaceFound SurfaceFits::mesh_from(const SpinState& spin, const EllipsoidModel& ellipsoid,
                                     int most_iterations) const {
   MeshSolution found = fit_mesh(mesh_fit(spin, most_iterations));
   SurfaceFound one{{}, std::nullopt, ellipsoid};
@@ -101,14 +101,14 @@ SurfaceFound SurfaceFits::mesh_from(const SpinState& spin, const BrightEllipsoid
 
 // The mesh with the mode, periods, pole and phases of an ellipsoid and of its images, in each of
 // four half turns; without those whose periods the body of the mesh cannot have.
-std::vector<SpinState> SurfaceFits::mesh_starts(const BrightEllipsoid& ellipsoid) const {
+std::vector<SpinState> SurfaceFits::mesh_starts(const EllipsoidModel& ellipsoid) const {
   const SpinState own = spin_state(scenario_.rotation());
   const Body body = Body::from_tensor(own.inertia_F);
   std::vector<SpinState> all;
-  std::vector<BrightEllipsoid> seen{ellipsoid};
+  std::vector<EllipsoidModel> seen{ellipsoid};
   for (const LightImage i : images)
     seen.push_back(image_of(ellipsoid, i, geometry_.to_sun, geometry_.to_observer));
-  for (const BrightEllipsoid& one : seen) {
+  for (const EllipsoidModel& one : seen) {
     try {
       TumblerState t = to_tumbler(free_rotation_of(one.spin), one.spin.t0);
       RotorState s;
@@ -134,7 +134,7 @@ std::vector<SpinState> SurfaceFits::mesh_starts(const BrightEllipsoid& ellipsoid
   return all;
 }
 
-std::vector<SurfaceFound> SurfaceFits::from(const BrightEllipsoid& ellipsoid) const {
+std::vector<SurfaceFound> SurfaceFits::from(const EllipsoidModel& ellipsoid) const {
   if (!report_.mesh) return {convex_from(ellipsoid)};
   std::vector<SurfaceFound> tried, found;
   for (const SpinState& spin : mesh_starts(ellipsoid))
@@ -149,17 +149,17 @@ std::vector<SurfaceFound> SurfaceFits::from(const BrightEllipsoid& ellipsoid) co
   return found;
 }
 
-bool SurfaceFits::is_known(const BrightEllipsoid& body,
-                           const std::vector<BrightEllipsoid>& known) const {
-  return std::ranges::any_of(known, [&](const BrightEllipsoid& one) {
+bool SurfaceFits::is_known(const EllipsoidModel& body,
+                           const std::vector<EllipsoidModel>& known) const {
+  return std::ranges::any_of(known, [&](const EllipsoidModel& one) {
     const SpinState& s = report_.mesh ? body.spin : nearest_of_same(one, body).spin;
     return norm(attitude_residual(one.spin.q, s.q)) < near_turn &&
            norm(s.w_F - one.spin.w_F) < near_rate * norm(one.spin.w_F);
   });
 }
 
-std::vector<SurfaceFound> SurfaceFits::from_images(
-    const BrightEllipsoid& ellipsoid, const std::vector<BrightEllipsoid>& known) const {
+std::vector<SurfaceFound> SurfaceFits::from_images(const EllipsoidModel& ellipsoid,
+                                                   const std::vector<EllipsoidModel>& known) const {
   std::vector<SurfaceFound> found;
   if (report_.mesh) {
     for (const SpinState& spin : mesh_starts(ellipsoid))
@@ -168,7 +168,7 @@ std::vector<SurfaceFound> SurfaceFits::from_images(
     return found;
   }
   for (const LightImage i : images) {
-    const BrightEllipsoid image = image_of(ellipsoid, i, geometry_.to_sun, geometry_.to_observer);
+    const EllipsoidModel image = image_of(ellipsoid, i, geometry_.to_sun, geometry_.to_observer);
     if (!is_known(image, known)) found.push_back(convex_from(image));
   }
   return found;
@@ -215,7 +215,7 @@ ConvexFit convex_fit_at(const Scenario& scenario, const LightReport& report, std
 
 MeshFit mesh_fit_at(const Scenario& scenario, const LightReport& report, std::size_t solution) {
   require_shape(report, LightPlan::Shape::mesh);
-  const BrightEllipsoid& found = report.solutions.at(solution).solution.body;
+  const EllipsoidModel& found = report.solutions.at(solution).solution.body;
   MeshFit fit =
       detail::SurfaceFits(scenario, report).mesh_fit(found.spin, detail::usual_iterations);
   fit.start.law = found.law;

@@ -1,18 +1,175 @@
 // SPDX-License-Identifier: MIT
+// Changes of single keys in the text of a scenario; everything else in it stays.
 #include "polhode/scenario/changes.hpp"
 
 #include <algorithm>
 #include <charconv>
+#include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <string_view>
 #include <utility>
+#include <variant>
+#include <vector>
 
 #include "polhode/error.hpp"
-#include "scenario/changes/toml_places.hpp"
-#include "text/printable.hpp"
-#include "text/word_list.hpp"
+#include "scenario/detail/toml.hpp"
+#include "scenario/values.hpp"
+#include "text/words.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace detail {
+
+// Where the keys of a TOML document stand in its text.
+
+// A name or an index.
+using KeyStep = std::variant<std::string, std::size_t>;
+using KeyPath = std::vector<KeyStep>;
+
+// Bytes from begin on, end not included.
+struct TextSpan {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+};
+
+// From lines and code points, as toml++ counts, to bytes.
+class TextLines {
+ public:
+  explicit TextLines(std::string_view text);
+
+  std::size_t place(const toml::source_position& at) const;
+  TextSpan span(const toml::source_region& region) const {
+    return {place(region.begin), place(region.end)};
+  }
+  // The start of the line of a byte, and that of the next one.
+  std::size_t line_start(std::size_t at) const;
+  std::size_t next_line(std::size_t at) const;
+
+ private:
+  std::string_view text_;
+  std::vector<std::size_t> starts_;
+};
+
+// Null where there is none.
+const toml::node* node_at(const toml::table& file, const KeyPath& path);
+
+// The headers [a.b] of tables, in the order of the text; with the path of each.
+struct TomlHeader {
+  std::size_t begin;  // byte of its first bracket
+  KeyPath path;
+};
+std::vector<TomlHeader> toml_headers(const toml::table& file, std::string_view text,
+                                     const TextLines& lines);
+
+// What can be parsed, or nothing.
+std::optional<toml::table> parsed_toml(std::string_view text);
+// Of equal values.
+bool are_equal(const toml::node& a, const toml::node& b);
+
+namespace {
+
+// Tables made by dots or by the header of one inside them begin where that does: the longest path
+// of a place is that of its header.
+void add_headers(const toml::node& node, const KeyPath& path, std::string_view text,
+                 const TextLines& lines, std::vector<TomlHeader>& headers) {
+  const auto add = [&](const toml::node& inner, KeyStep step) {
+    if (!inner.is_table() && !inner.is_array()) return;
+    KeyPath longer = path;
+    longer.push_back(std::move(step));
+    const std::size_t begin = lines.place(inner.source().begin);
+    if (inner.is_table() && begin < text.size() && text[begin] == '[')
+      headers.push_back({begin, longer});
+    add_headers(inner, longer, text, lines, headers);
+  };
+  if (const toml::table* const table = node.as_table()) {
+    for (const auto& [name, inner] : *table) add(inner, std::string(name.str()));
+  } else if (const toml::array* const array = node.as_array(); array->is_array_of_tables()) {
+    for (std::size_t i = 0; i < array->size(); ++i) add(*array->get(i), i);
+  }
+}
+
+std::string printed(const toml::node& node) {
+  std::ostringstream out;
+  out << toml::node_view<const toml::node>(&node);
+  return out.str();
+}
+
+}  // namespace
+
+TextLines::TextLines(std::string_view text) : text_(text), starts_{0} {
+  for (std::size_t i = 0; i < text.size(); ++i)
+    if (text[i] == '\n') starts_.push_back(i + 1);
+}
+
+std::size_t TextLines::place(const toml::source_position& at) const {
+  const std::size_t line = std::clamp<std::size_t>(at.line, 1, starts_.size());
+  std::size_t place = starts_[line - 1];
+  const auto continues = [&](std::size_t i) {
+    return i < text_.size() && (static_cast<unsigned char>(text_[i]) & 0xc0) == 0x80;
+  };
+  for (std::size_t column = 1; column < at.column && place < text_.size(); ++column) {
+    ++place;
+    while (continues(place)) ++place;
+  }
+  return place;
+}
+
+std::size_t TextLines::line_start(std::size_t at) const {
+  return *std::prev(std::upper_bound(starts_.begin(), starts_.end(), at));
+}
+
+std::size_t TextLines::next_line(std::size_t at) const {
+  const auto next = std::upper_bound(starts_.begin(), starts_.end(), at);
+  return next == starts_.end() ? text_.size() : *next;
+}
+
+const toml::node* node_at(const toml::table& file, const KeyPath& path) {
+  const toml::node* node = &file;
+  for (const KeyStep& step : path) {
+    if (const auto* const index = std::get_if<std::size_t>(&step)) {
+      const toml::array* const array = node->as_array();
+      node = array == nullptr ? nullptr : array->get(*index);
+    } else {
+      const toml::table* const table = node->as_table();
+      node = table == nullptr ? nullptr : table->get(std::get<std::string>(step));
+    }
+    if (node == nullptr) return nullptr;
+  }
+  return node;
+}
+
+std::vector<TomlHeader> toml_headers(const toml::table& file, std::string_view text,
+                                     const TextLines& lines) {
+  std::vector<TomlHeader> headers;
+  add_headers(file, {}, text, lines, headers);
+  std::stable_sort(headers.begin(), headers.end(), [](const auto& a, const auto& b) {
+    return a.begin != b.begin ? a.begin < b.begin : a.path.size() > b.path.size();
+  });
+  const auto same = [](const auto& a, const auto& b) { return a.begin == b.begin; };
+  headers.erase(std::unique(headers.begin(), headers.end(), same), headers.end());
+  return headers;
+}
+
+std::optional<toml::table> parsed_toml(std::string_view text) {
+  if (refusal(text)) return std::nullopt;
+  try {
+    return toml::parse(text);
+  } catch (const toml::parse_error&) {
+    return std::nullopt;
+  } catch (const TomlAssertion&) {
+    return std::nullopt;
+  }
+}
+
+bool are_equal(const toml::node& a, const toml::node& b) {
+  return a.type() == b.type() && printed(a) == printed(b);
+}
+
+}  // namespace detail
+
 namespace {
 
 using detail::KeyPath;

@@ -57,11 +57,11 @@ class TablesOfKinds {
 };
 
 // The rows of a table of its own, [NAME], and its word among the kinds at the top of the file.
-class OwnTable {
+class CustomTable {
  public:
-  OwnTable(const KindText& kind, std::span<const Key> keys);
-  OwnTable(const OwnTable&) = delete;
-  OwnTable& operator=(const OwnTable&) = delete;
+  CustomTable(const KindText& kind, std::span<const Key> keys);
+  CustomTable(const CustomTable&) = delete;
+  CustomTable& operator=(const CustomTable&) = delete;
 
   SchemaPart part() const { return {keys_, {}, texts_}; }
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "polhode/scenario/schema.hpp"
-#include "scenario/diagnostics.hpp"
+#include "scenario/values.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "text/nearest.hpp"
+#include "text/words.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -49,35 +49,63 @@ inline std::string meaning_of(std::string_view word, const std::vector<std::stri
   return near.empty() ? "" : "did you mean \"" + std::string(near) + "\"?";
 }
 
-// Our key for one of REBOUND's, or of other programs, if it is among these.
+// What REBOUND and other programs call an element, our key in tables of orbits, and our name of its
+// column. The true anomaly has neither.
+struct ElementName {
+  std::string_view theirs, key, column;
+};
+constexpr ElementName element_names[] = {{"a", "semi_major_axis", "a"},
+                                         {"e", "eccentricity", "e"},
+                                         {"ecc", "eccentricity", "e"},
+                                         {"inc", "inclination", "i"},
+                                         {"i", "inclination", "i"},
+                                         {"incl", "inclination", "i"},
+                                         {"Omega", "node", "Omega"},
+                                         {"raan", "node", "Omega"},
+                                         {"RAAN", "node", "Omega"},
+                                         {"omega", "pericentre_argument", "omega"},
+                                         {"argp", "pericentre_argument", "omega"},
+                                         {"aop", "pericentre_argument", "omega"},
+                                         {"pomega", "pericentre_argument", "varpi"},
+                                         {"Pomega", "pericentre_argument", "varpi"},
+                                         {"varpi", "pericentre_argument", "varpi"},
+                                         {"M", "mean_anomaly", "M"},
+                                         {"f", "mean_anomaly", ""},
+                                         {"nu", "mean_anomaly", ""},
+                                         {"true_anomaly", "mean_anomaly", ""},
+                                         {"P", "period", ""},
+                                         {"l", "mean_longitude", "lambda"},
+                                         {"lambda", "mean_longitude", "lambda"}};
+
+// Our key for one of these, if it is among those allowed.
 inline std::string_view meant_key(std::string_view name,
                                   const std::vector<std::string_view>& keys) {
-  constexpr std::pair<std::string_view, std::string_view> names[] = {
-      {"a", "semi_major_axis"},
-      {"e", "eccentricity"},
-      {"ecc", "eccentricity"},
-      {"inc", "inclination"},
-      {"i", "inclination"},
-      {"incl", "inclination"},
-      {"Omega", "node"},
-      {"raan", "node"},
-      {"RAAN", "node"},
-      {"omega", "pericentre_argument"},
-      {"pomega", "pericentre_argument"},
-      {"varpi", "pericentre_argument"},
-      {"M", "mean_anomaly"},
-      {"P", "period"},
-      {"l", "mean_longitude"}};
-  for (const auto& [theirs, ours] : names)
-    if (theirs == name && std::find(keys.begin(), keys.end(), ours) != keys.end()) return ours;
+  for (const ElementName& one : element_names)
+    if (one.theirs == name && std::find(keys.begin(), keys.end(), one.key) != keys.end())
+      return one.key;
   return {};
 }
 
-// What to say of a key of the table `path` behind the keys that there are.
-inline std::string meaning_of_key(std::string_view path, std::string_view name) {
+// Our column for one of these, for one of our keys, or for a name that is spelt much the same.
+inline std::string_view meant_column(std::string_view name,
+                                     const std::vector<std::string_view>& columns) {
+  for (const ElementName& one : element_names)
+    if ((one.theirs == name || one.key == name) &&
+        std::find(columns.begin(), columns.end(), one.column) != columns.end())
+      return one.column;
+  return nearest(name, columns);
+}
+
+// What to say of a key of the table `path`, which may mean ours, behind the keys that there are.
+inline std::string meaning_of_key(std::string_view path, std::string_view name,
+                                  std::string_view ours) {
   if (!path.starts_with("orbit.")) return "";
-  if (name == "pomega" || name == "varpi")
-    return "; pericentre_argument counts from the node: it is " + std::string(name) + " - node";
+  const std::string theirs(name);
+  if (ours == "pericentre_argument" && meant_column(name, {"varpi"}) == "varpi")
+    return "; pericentre_argument counts from the node: it is " + theirs + " - node";
+  if (ours == "mean_anomaly" && name != "M")
+    return "; " + theirs + " is the true anomaly: expected the mean anomaly, E - e sin E with " +
+           "tan(E/2) = sqrt((1 - e)/(1 + e)) tan(" + theirs + "/2)";
   return is_of_satellites(name) ? "; " + std::string(satellites_command) : "";
 }
 

@@ -13,10 +13,10 @@
 
 #include "polhode/scenario/schema.hpp"
 #include "scenario/detail/toml.hpp"
-#include "scenario/diagnostics.hpp"
-#include "text/date_text.hpp"
+#include "scenario/values.hpp"
+#include "text/dates.hpp"
 #include "text/number_text.hpp"
-#include "text/printable.hpp"
+#include "text/words.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -9,7 +9,7 @@
 #include "scenario/fit/fit_plan.hpp"
 #include "scenario/scenario_parts.hpp"
 #include "scenario/value_access.hpp"
-#include "scenario/value_reader.hpp"
+#include "scenario/values.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: MIT
 // Light curves of [[observation]]: read for a fit, written for a simulation.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <numeric>
 #include <utility>
+#include <variant>
 
 #include "polhode/error.hpp"
 #include "polhode/light/aspect.hpp"
 #include "polhode/light/magnitudes.hpp"
 #include "polhode/orbit/any_orbit.hpp"
+#include "polhode/orbit/table_orbit.hpp"
 #include "polhode/tables/alcdef.hpp"
 #include "polhode/tables/lc.hpp"
 #include "polhode/tables/light_columns.hpp"
@@ -58,11 +62,14 @@ LightColumns columns_of(const ObservationTable& of) {
   return columns;
 }
 
-LightCurveFile file_of(const ObservationTable& of) {
+LightCurveFile file_of(const ObservationTable& of, const std::vector<std::size_t>& leave_out) {
   const std::string path = of.keys.file_at("file");
-  if (of.of.light_format == Format::lc) return read_lc(path, *of.of.time_scale, of.clock->epoch);
-  if (of.of.light_format == Format::alcdef) return read_alcdef(path, of.clock->epoch);
-  return read_light_columns(path, columns_of(of));
+  if (of.of.light_format == Format::lc)
+    return read_lc(path, *of.of.time_scale, of.clock->epoch, leave_out);
+  if (of.of.light_format == Format::alcdef) return read_alcdef(path, of.clock->epoch, leave_out);
+  LightColumns columns = columns_of(of);
+  columns.leave_out = leave_out;
+  return read_light_columns(path, columns);
 }
 
 // What the file declares and the keys say must be the same.
@@ -94,20 +101,69 @@ double speed_of(const ObservationTable& of) {
   return of.keys.units().to_core(speed_of_light, "m/s", Dimension::speed);
 }
 
+// An orbit from where light leaves or where it arrives. A table goes on straight beyond its ends,
+// since the light time is found by iteration; require_cover tells whether the result lies inside.
+class LightOrbit {
+ public:
+  LightOrbit(const ObservationTable& of, const char* key)
+      : of_(of),
+        key_(key),
+        orbit_(detail::orbit_named(of.scenario.rotation().orbits, of.keys.values(),
+                                   of.keys.key_path(key), of.keys.file())),
+        motion_(any_orbit(orbit_)),
+        table_(std::get_if<TableOrbit>(&orbit_.motion)) {}
+
+  Vec3 position(double t) const {
+    if (table_ == nullptr) return motion_.position(t);
+    const double inside = std::clamp(t, table_->first_time() - table_->overhang(),
+                                     table_->last_time() + table_->overhang());
+    const Vec3 x = table_->position(inside);
+    return t == inside ? x : x + (t - inside) * table_->velocity(inside);
+  }
+  // `event` happens from the first of these times to the last.
+  void require_cover(double first, double last, const std::string& event) const {
+    constexpr double rounding = 2e-3;  // s, of dates in files
+    if (table_ == nullptr) return;
+    const Units& units = of_.keys.units();
+    const double slack = units.to_core(rounding, "s", Dimension::time);
+    const double begin = table_->first_time(), end = table_->last_time();
+    if (first >= begin - slack && last <= end + slack) return;
+    const auto text = [&](double t) {
+      const double rounded = slack * std::round(t / slack) + 0.0;  // no -0
+      return fmt::format("{:.10g}", units.from_core(rounded, Dimension::time));
+    };
+    of_.keys.refuse(key_, "it covers the times " + text(begin) + " to " + text(end) + " " +
+                              units.time() + "; expected all when light " + event + ", " +
+                              text(first) + " to " + text(last) +
+                              (orbit_.kind == "table" ? "" : " (the table is made for [time])"));
+  }
+
+ private:
+  const ObservationTable& of_;
+  const char* key_;
+  const ScenarioOrbit& orbit_;
+  AnyOrbit motion_;
+  const TableOrbit* table_;  // null: it has no end
+};
+
 // Vectors, and times at the body where `given` are those at the observer.
 LightCurve with_orbits(const ObservationTable& of, LightCurve curve, LightTime given) {
-  const std::vector<ScenarioOrbit>& orbits = of.scenario.rotation().orbits;
-  const auto orbit = [&](const char* key) {
-    return any_orbit(
-        detail::orbit_named(orbits, of.keys.values(), of.keys.key_path(key), of.keys.file()));
-  };
-  const AnyOrbit body = orbit("orbit"), observer = orbit("observer_orbit");
-  return of.keys.built("orbit", [&] {
+  const LightOrbit body(of, "orbit"), observer(of, "observer_orbit");
+  const double c = speed_of(of);
+  curve = of.keys.built("orbit", [&] {
     return with_vectors(
         std::move(curve), given, [&](double t) { return body.position(t); },
-        [&](double t) { return observer.position(t); }, [](double) { return Vec3{}; },
-        speed_of(of));
+        [&](double t) { return observer.position(t); }, [](double) { return Vec3{}; }, c);
   });
+  const auto require_cover = [&](const LightOrbit& orbit, const char* event, const auto& time) {
+    if (curve.points.empty()) return;
+    const auto [first, last] = std::ranges::minmax(curve.points, {}, time);
+    orbit.require_cover(time(first), time(last), event);
+  };
+  require_cover(body, "leaves", [](const LightPoint& p) { return p.t; });
+  require_cover(observer, "arrives",
+                [&](const LightPoint& p) { return p.t + norm(p.to_observer) / c; });
+  return curve;
 }
 
 // From when light arrived to when it left, by the vector to the observer of each point.
@@ -149,8 +205,9 @@ std::vector<std::size_t> counted_from_1(const ObservationTable& of, const char* 
   return all;
 }
 
-// Without sessions and lines that the table does not want.
-void take_wanted(const ObservationTable& of, LightCurveFile& file) {
+// Without sessions that the table does not want, nor those without a point that is not left out.
+void take_wanted(const ObservationTable& of, const std::vector<std::size_t>& left_out,
+                 LightCurveFile& file) {
   if (!of.of.sessions.empty()) {
     const std::vector<std::size_t> wanted =
         counted_from_1(of, "sessions", of.of.sessions, file.sessions.size());
@@ -159,25 +216,9 @@ void take_wanted(const ObservationTable& of, LightCurveFile& file) {
       if (std::ranges::count(wanted, k + 1) > 0) taken.push_back(std::move(file.sessions[k]));
     file.sessions = std::move(taken);
   }
-  if (of.of.leave_out.empty()) return;
-  const std::vector<std::size_t> left_out =
-      counted_from_1(of, "leave_out", of.of.leave_out, 0xffffffff);
   std::vector<std::size_t> unseen = left_out;
-  for (LightSession& session : file.sessions) {
-    LightSession kept = session;
-    kept.curve.points.clear();
-    kept.lines.clear();
-    for (std::size_t k = 0; k < session.curve.points.size() && k < session.lines.size(); ++k) {
-      const auto line = static_cast<std::size_t>(session.lines[k]);
-      if (std::ranges::count(left_out, line) > 0) {
-        std::erase(unseen, line);
-        continue;
-      }
-      kept.curve.points.push_back(session.curve.points[k]);
-      kept.lines.push_back(session.lines[k]);
-    }
-    if (session.lines.size() == session.curve.points.size()) session = std::move(kept);
-  }
+  for (const LightSession& session : file.sessions)
+    for (const std::size_t line : session.left_out) std::erase(unseen, line);
   if (!unseen.empty())
     of.keys.refuse("leave_out", "expected lines with a point of the sessions taken; line " +
                                     std::to_string(unseen.front()) + " has none");
@@ -248,8 +289,10 @@ void detail::read_light_curves(const ObservationTable& of, std::size_t index,
                                ReadObservations& all) {
   if (of.of.sigma && !(*of.of.sigma > 0.0))
     of.keys.refuse("sigma", "expected one above 0 for a fit; 0 is for simulations");
-  LightCurveFile file = file_of(of);
-  take_wanted(of, file);
+  const std::vector<std::size_t> left_out =
+      counted_from_1(of, "leave_out", of.of.leave_out, 0xffffffff);
+  LightCurveFile file = file_of(of, left_out);
+  take_wanted(of, left_out, file);
   for (LightSession& session : file.sessions) {
     require_declared(of, session);
     complete(session.curve, of.of);

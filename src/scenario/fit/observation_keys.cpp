@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The keys of each kind of [[observation]], and what a table of them says.
+// The keys of each kind of [[observation]], and the observation that a table of them describes.
 #include <array>
 #include <span>
 #include <string>
@@ -7,15 +7,158 @@
 #include <vector>
 
 #include "polhode/scenario/kind_key.hpp"
+#include "polhode/scenario/observation.hpp"
 #include "scenario/detail/kind_rows.hpp"
 #include "scenario/detail/schema_parts.hpp"
 #include "scenario/fit/fit_plan.hpp"
-#include "scenario/fit/light_curve_keys.hpp"
 #include "scenario/value_access.hpp"
 
 namespace polhode {
 inline namespace v0 {
 namespace detail {
+
+// The keys of [[observation]] of kind "light-curve".
+
+inline constexpr std::array light_curve_keys = {
+    choice_key<&Observation::axes, Observation::Axes::inertial, Observation::Axes::ecliptic,
+               Observation::Axes::equator>(
+        "axes", "inertial|ecliptic-J2000|equator-J2000",
+        "The axes of its vectors; left out, those of `state.axes`. Those of lc are of the "
+        "ecliptic.")
+        .example("\"ecliptic-J2000\""),
+    choice_key<&Observation::light_format, Observation::LightFormat::columns,
+               Observation::LightFormat::lc, Observation::LightFormat::alcdef>(
+        "format", "columns|lc|alcdef",
+        "A table of columns; the format lc of DAMIT, whose times are Julian dates at the body; or "
+        "ALCDEF, whose times are Julian dates of UTC. The last two imply `time_format`.")
+        .otherwise("\"columns\""),
+    choice_key<&Observation::brightness, Observation::Brightness::flux,
+               Observation::Brightness::magnitude>("brightness", "flux|magnitude",
+                                                   "What the second column holds.")
+        .otherwise("\"flux\""),
+    columns_key<&Observation::columns>(
+        "columns",
+        "The columns of time and brightness, by name or by number from 1. Left "
+        "out: t and flux or magnitude.")
+        .example("[\"t\", \"flux\"]"),
+    quantity_key<&Observation::sigma>(
+        "sigma", Dimension::number,
+        "Standard error of each point: a part of the mean flux of its session, "
+        "or magnitudes. With `sigma_columns` and in ALCDEF, that of points without an error of "
+        "their own; 0 only in simulations, for light without noise.")
+        .not_negative()
+        .example("0.01")
+        .shown(),
+    columns_key<&Observation::sigma_columns>("sigma_columns",
+                                             "The column of the error, one name. One of the two is "
+                                             "needed, but for ALCDEF, whose files may have errors.")
+        .example("[\"sigma\"]"),
+    columns_key<&Observation::session_column>(
+        "session_column",
+        "The column whose numbers or words tell sessions apart, one name; left "
+        "out, all rows are one.")
+        .example("[\"session\"]"),
+    columns_key<&Observation::sessions>("sessions",
+                                        "The sessions that are taken, by their order in the file "
+                                        "from 1; left out, all.")
+        .example("[1]"),
+    columns_key<&Observation::leave_out>("leave_out",
+                                         "Lines of the file, from 1, whose points are left out, as "
+                                         "residuals name them. They are not checked.")
+        .example("[17, 203]"),
+    flag_key<&Observation::sorts>("sort",
+                                  "Whether points of a session are sorted by time, where "
+                                  "the file has them in another order.")
+        .otherwise("false"),
+    flag_key<&Observation::is_calibrated>(
+        "calibrated",
+        "Whether fluxes of all sessions are in one unit; otherwise each "
+        "session has a factor of its own.")
+        .otherwise("false"),
+    columns_key<&Observation::sun_columns>("sun_columns",
+                                           "Three columns of the vector from the body to the Sun.")
+        .example("[\"sun_x\", \"sun_y\", \"sun_z\"]")
+        .shown(),
+    columns_key<&Observation::observer_columns>("observer_columns", "The same to the observer.")
+        .example("[\"observer_x\", \"observer_y\", \"observer_z\"]")
+        .shown(),
+    quantity_key<&Observation::to_sun>(
+        "to_sun", Dimension::number,
+        "The vector to the Sun of all points, where no columns have it; what "
+        "simulations take.")
+        .example("[-0.9, 0.2, 0.1]"),
+    quantity_key<&Observation::to_observer>("to_observer", Dimension::number,
+                                            "The same to the observer.")
+        .example("[-0.1, 0.9, 0.1]"),
+    name_key<&Observation::orbit>(
+        "orbit",
+        "The orbit of the body about the Sun, a table [orbit.NAME], where neither "
+        "columns nor keys have the vectors; the light time follows, too.")
+        .example("\"toutatis\""),
+    name_key<&Observation::observer_orbit>(
+        "observer_orbit",
+        "That of the observer, such as an ephemeris of the Earth from the "
+        "Sun.")
+        .example("\"earth\""),
+    flag_key<&Observation::is_of_the_time>(
+        "of_the_time",
+        "Whether fluxes are from the distances that the vectors have; "
+        "otherwise they are from unit distances.")
+        .otherwise("false"),
+};
+
+// What its format says of the times.
+void take_format(Observation& o, const KeyValues& table);
+// What of such a table does not go together; columns and clock are checked.
+void require_light_curve(const Observation& o, const KeyValues& table);
+
+void take_format(Observation& o, const KeyValues& table) {
+  if (o.light_format == Observation::LightFormat::columns) return;
+  if (!table.is_explicit("time_format")) o.time_format = Observation::TimeFormat::julian;
+  if (o.light_format == Observation::LightFormat::alcdef && !o.time_scale)
+    o.time_scale = TimeScale::UTC;
+}
+
+void require_light_curve(const Observation& o, const KeyValues& table) {
+  if (o.session_column.size() > 1) table.refuse("session_column", "expected one column");
+  if (!o.sun_columns.empty() && o.sun_columns.size() != 3)
+    table.refuse("sun_columns", "expected three columns");
+  if (!o.observer_columns.empty() && o.observer_columns.size() != 3)
+    table.refuse("observer_columns", "expected three columns");
+  if (o.orbit.empty() != o.observer_orbit.empty())
+    table.refuse(
+        o.orbit.empty() ? "observer_orbit" : "orbit",
+        o.orbit.empty() ? "expected a key orbit as well" : "expected a key observer_orbit as well");
+  for (const char* const key : {"sun_columns", "observer_columns", "to_sun", "to_observer"})
+    if (!o.orbit.empty() && table.has(key))
+      table.refuse(key, "expected none: orbits give the vectors");
+  if (!o.orbit.empty() && table.units().length() == "1")
+    table.refuse("orbit", "expected units.length as well, such as \"au\": light takes its time");
+  const bool is_alcdef = o.light_format == Observation::LightFormat::alcdef;
+  if (!o.sigma && o.sigma_columns.empty() && !is_alcdef)
+    table.refuse("kind", o.light_format == Observation::LightFormat::lc
+                             ? "expected a key sigma as well: lc has no errors"
+                             : "expected a key sigma or sigma_columns as well");
+  if (o.light_format == Observation::LightFormat::columns) return;
+  if (o.time_format != Observation::TimeFormat::julian)
+    table.refuse("format", "expected time_format = \"JD\", which its files have");
+  for (const char* const key :
+       {"sigma_columns", "session_column", "sun_columns", "observer_columns"})
+    if (table.has(key)) table.refuse(key, "expected none: the format has its own columns");
+  if (is_alcdef) {
+    if (*o.time_scale != TimeScale::UTC)
+      table.refuse("time_scale", "expected \"UTC\", as dates of ALCDEF are");
+    return;
+  }
+  if (o.times != LightTime::at_body)
+    table.refuse("times", "expected \"at-body\", as those of lc are");
+  if (!o.orbit.empty()) table.refuse("orbit", "expected none: lc has vectors");
+  if (word(table.values(), "state.axes") == "inertial")
+    table.refuse("format", "expected axes of the sky in state.axes, since vectors of lc have such");
+  if (o.axes && *o.axes != Observation::Axes::ecliptic)
+    table.refuse("axes", "expected \"ecliptic-J2000\", as those of lc are");
+}
+
 namespace {
 
 using O = Observation;
@@ -223,14 +366,19 @@ void require_clock(const Observation& o, const KeyValues& table) {
   if (!is_at_observer && table.has("light_time"))
     table.refuse("light_time", "expected none of times at the body");
   const bool is_dated = o.time_format != Observation::TimeFormat::number;
+  // what says that there are dates
+  const char* const dated = table.is_explicit("time_format") ? "time_format" : "format";
   if (is_dated && !o.time_scale)
-    table.refuse("time_format", "expected a key time_scale as well, that of the dates");
+    table.refuse(dated, o.light_format == Observation::LightFormat::lc
+                            ? "expected a key time_scale as well, such as \"UTC\": lc has Julian "
+                              "dates and does not say in which time scale"
+                            : "expected a key time_scale as well, that of the dates");
   if (is_dated && table.has("time_unit"))
     table.refuse("time_unit", "expected no unit together with dates");
   if (!is_dated && o.time_scale)
     table.refuse("time_scale", "expected a time_format of dates as well");
   if (is_dated && !has(table.values(), "state.epoch"))
-    table.refuse("time_format", "expected a key state.epoch, the date of t = 0");
+    table.refuse(dated, "expected a key state.epoch, the date of t = 0");
   static_cast<void>(table.unit("time_unit", Dimension::time));
 }
 

@@ -6,8 +6,8 @@
 
 #include "polhode/error.hpp"
 #include "scenario/detail/clock.hpp"
-#include "scenario/value_reader.hpp"
-#include "text/printable.hpp"
+#include "scenario/values.hpp"
+#include "text/words.hpp"
 
 namespace polhode {
 inline namespace v0 {

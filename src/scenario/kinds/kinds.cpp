@@ -1,31 +1,116 @@
 // SPDX-License-Identifier: MIT
+// The kinds that a scenario may name, checked before a file is read with them.
 #include "polhode/scenario/kinds.hpp"
 
 #include <algorithm>
 #include <deque>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "output/obliquity_columns.hpp"
 #include "polhode/error.hpp"
 #include "polhode/output/columns.hpp"
+#include "polhode/scenario/schema.hpp"
+#include "scenario/detail/built_in_kinds.hpp"
+#include "scenario/detail/chart_keys.hpp"
 #include "scenario/detail/experiment_kinds.hpp"
-#include "scenario/detail/frame_kinds.hpp"
 #include "scenario/detail/history_keys.hpp"
-#include "scenario/detail/kind_check.hpp"
 #include "scenario/detail/kind_rows.hpp"
-#include "scenario/detail/method_kinds.hpp"
-#include "scenario/detail/nutation_kind.hpp"
-#include "scenario/detail/orbit_kinds.hpp"
-#include "scenario/detail/output_keys.hpp"
 #include "scenario/detail/schema_table.hpp"
-#include "scenario/detail/state_keys.hpp"
-#include "scenario/detail/torque_kinds.hpp"
+#include "scenario/values.hpp"
+#include "text/words.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace detail {
+
+// What a description of a kind must be, before a file is read with it.
+
+// What is to be checked of a kind of any sort.
+struct KindParts {
+  std::string_view sort;  // "perturbation"
+  std::string_view name;
+  std::string_view help;
+  std::span<const Key> keys;
+  std::string_view sets;
+  bool is_made;  // whether it has a function that makes it
+};
+
+// DomainError "Kinds: perturbation "push", key "radius": ..." unless its name is of letters, digits
+// and -, its keys have plain names of their own and texts, its sets are of them, and what stands
+// for them or shows them is TOML that they take.
+void require_sound(const KindParts& kind);
+
+// The same of keys alone; `shown` is what has them.
+void require_keys(const std::string& shown, std::span<const Key> keys);
+
+// "Kinds: perturbation "push"", for messages.
+std::string shown_kind(std::string_view sort, std::string_view name);
+
+namespace {
+
+std::string quoted(std::string_view text) { return '"' + printable(text) + '"'; }
+
+bool is_plain(std::string_view name) {
+  return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-';
+  });
+}
+
+bool has_key(const KindParts& kind, std::string_view name) {
+  return std::any_of(kind.keys.begin(), kind.keys.end(),
+                     [&](const Key& key) { return key.path == name; });
+}
+
+void require_value(const std::string& where, const Key& key, const char* what,
+                   std::string_view toml) {
+  if (toml.empty()) return;
+  if (const std::optional<std::string> wrong = why_not(key, toml))
+    throw DomainError(where + ": " + what + " " + printable(toml) + ": " + *wrong);
+}
+
+void require_key(const std::string& where, const Key& key) {
+  if (!is_name(key.path) || key.path == "kind")
+    throw DomainError(where + "; expected letters, digits, - and _, and not \"kind\"");
+  if (key.help.empty()) throw DomainError(where + ": got no text; expected one sentence");
+  require_value(where, key, "what stands for it,", key.fallback);
+  require_value(where, key, "its example", key.example);
+}
+
+}  // namespace
+
+std::string shown_kind(std::string_view sort, std::string_view name) {
+  return "Kinds: " + std::string(sort) + " " + quoted(name);
+}
+
+void require_keys(const std::string& shown, std::span<const Key> keys) {
+  for (auto key = keys.begin(); key != keys.end(); ++key) {
+    const std::string where = shown + ", key " + quoted(key->path);
+    require_key(where, *key);
+    if (std::any_of(keys.begin(), key, [&](const Key& other) { return other.path == key->path; }))
+      throw DomainError(where + " is there twice; expected another name");
+  }
+}
+
+void require_sound(const KindParts& kind) {
+  const std::string shown = shown_kind(kind.sort, kind.name);
+  if (!is_plain(kind.name)) throw DomainError(shown + "; expected letters, digits and -");
+  if (kind.help.empty()) throw DomainError(shown + ": got no text; expected one sentence");
+  if (!kind.is_made) throw DomainError(shown + ": got no function that makes it; expected one");
+  require_keys(shown, kind.keys);
+  for (const std::string_view set : separated(kind.sets, '|'))
+    for (const std::string_view name : separated(set, '+'))
+      if (!has_key(kind, name))
+        throw DomainError(shown + ": got " + quoted(name) +
+                          " in its sets; expected one of its keys");
+}
+
+}  // namespace detail
+
 namespace {
 
 using enum KeyType;
@@ -201,8 +286,8 @@ struct Lists {
 };
 
 // [NAME] of kinds of experiments from outside.
-std::deque<detail::OwnTable> own_tables(const std::vector<ExperimentKind>& kinds) {
-  std::deque<detail::OwnTable> all;
+std::deque<detail::CustomTable> custom_tables(const std::vector<ExperimentKind>& kinds) {
+  std::deque<detail::CustomTable> all;
   for (const ExperimentKind& kind : kinds) {
     KindText text{{}, kind.name, kind.help};
     text.time_unit = kind.time_unit;
@@ -213,7 +298,7 @@ std::deque<detail::OwnTable> own_tables(const std::vector<ExperimentKind>& kinds
 }
 
 std::vector<detail::ExperimentRow> experiment_rows(const std::vector<ExperimentKind>& kinds,
-                                                   const std::deque<detail::OwnTable>& own,
+                                                   const std::deque<detail::CustomTable>& own,
                                                    const detail::DescribedParts& described) {
   std::vector<detail::ExperimentRow> rows = {detail::rotation_row(described),
                                              detail::fit_row(described),
@@ -234,7 +319,7 @@ struct Kinds::Parts {
         methods(method_table, method_kind_key, rows_of(lists.methods)),
         state(lists.charts()),
         output(lists.charts()),
-        own(own_tables(lists.experiments)),
+        own(custom_tables(lists.experiments)),
         table(experiment_rows(lists.experiments, own,
                               {state.part(), perturbations.part(), methods.part(), orbits.part(),
                                frames.part()}),
@@ -248,7 +333,7 @@ struct Kinds::Parts {
   detail::KindRows methods;
   detail::StateKeys state;
   detail::OutputKeys output;
-  std::deque<detail::OwnTable> own;
+  std::deque<detail::CustomTable> own;
   detail::SchemaTable table;
   Schema schema;
 };

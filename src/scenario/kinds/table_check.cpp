@@ -11,7 +11,7 @@
 #include "scenario/detail/clock.hpp"
 #include "scenario/value_access.hpp"
 #include "text/number_text.hpp"
-#include "text/printable.hpp"
+#include "text/words.hpp"
 
 namespace polhode {
 inline namespace v0 {

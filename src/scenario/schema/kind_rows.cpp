@@ -50,7 +50,7 @@ TablesOfKinds::TablesOfKinds(const Key& table, std::span<const KindOfTable> kind
   alternatives_.insert(alternatives_.begin(), {table.path, words_.emplace_back(std::move(all))});
 }
 
-OwnTable::OwnTable(const KindText& kind, std::span<const Key> keys) {
+CustomTable::CustomTable(const KindText& kind, std::span<const Key> keys) {
   const std::string_view name = kind.kind;
   keys_ = {{.path = name, .presence = Presence::required, .help = kind.text}};
   for (const Key& key : keys) {

@@ -4,9 +4,7 @@
 #include <algorithm>
 
 #include "scenario/detail/other_names.hpp"
-#include "text/nearest.hpp"
-#include "text/printable.hpp"
-#include "text/word_list.hpp"
+#include "text/words.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -69,7 +67,7 @@ std::string unknown(const StrayKey& stray, const KnownTable& table, const std::s
   return "unknown key; " +
          (stray.near.empty() ? "" : "did you mean " + std::string(stray.near) + "? ") +
          (table.kind.empty() ? "" : "with kind \"" + std::string(table.kind) + "\" ") +
-         "expected " + one_of(table.keys) + meaning_of_key(path, stray.name);
+         "expected " + one_of(table.keys) + meaning_of_key(path, stray.name, stray.near);
 }
 
 }  // namespace

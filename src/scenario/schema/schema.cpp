@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "text/word_list.hpp"
+#include "text/words.hpp"
 
 namespace polhode {
 inline namespace v0 {

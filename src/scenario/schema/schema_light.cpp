@@ -100,7 +100,7 @@ constexpr Key keys[] = {
      .fallback = "\"any\"",
      .example = "\"any\"",
      .help = "Of light curves: any stops after the scan if one period describes the data as well "
-             "as two do; tumbler goes on to two periods."},
+             "as two do, or a constant brightness as well as one; tumbler goes on to two periods."},
     {.path = "fit.sessions",
      .type = choice,
      .allowed = "together|one-by-one",

@@ -107,7 +107,7 @@ constexpr Key keys_of_body[] = {
      .type = number,
      .dimension = Dimension::length,
      .example = "\"1 km\"",
-     .help = "What one unit of the mesh is; left out, the unit of length of this file.",
+     .help = "What one unit of the mesh is; required with shape.",
      .range = Range::positive},
     {.path = "body.column_axes",
      .type = numbers,
@@ -141,7 +141,7 @@ constexpr Key keys_of_time[] = {
      .example = "0.5",
      .help = "Rows at start + k step, each rounded once; negative where stop is before start. In "
              "files of kind obliquity either sign will do. \"auto\": even rows from start to stop, "
-             "as many as error asks for."},
+             "as many as error asks for and at most a radian of rotation apart."},
     {.path = "time.error",
      .type = number,
      .dimension = Dimension::angle,

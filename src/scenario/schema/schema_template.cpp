@@ -7,7 +7,7 @@
 #include "polhode/error.hpp"
 #include "polhode/scenario/schema.hpp"
 #include "scenario/detail/template_text.hpp"
-#include "text/nearest.hpp"
+#include "text/words.hpp"
 
 namespace polhode {
 inline namespace v0 {

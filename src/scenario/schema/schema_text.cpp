@@ -7,7 +7,7 @@
 #include <string>
 
 #include "polhode/scenario/schema.hpp"
-#include "text/word_list.hpp"
+#include "text/words.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -5,8 +5,7 @@
 
 #include "polhode/math/pack_functions.hpp"
 #include "polhode/secular/spin_precession.hpp"
-#include "secular/detail/spin_lanes_declared.hpp"
-#include "secular/detail/turned_axis.hpp"
+#include "secular/detail/spin_axes.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -11,7 +11,7 @@
 #include "polhode/error.hpp"
 #include "polhode/text/separated.hpp"
 #include "tables/detail/chart_families.hpp"
-#include "text/word_list.hpp"
+#include "text/words.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "budgets.hpp"
-#include "dynamics/adaptive/edge_search.hpp"
+#include "dynamics/adaptive/switching_functions.hpp"
 #include "polhode/analysis/chaos_indicator.hpp"
 #include "polhode/dynamics/integrate.hpp"
 #include "polhode/error.hpp"

@@ -175,6 +175,19 @@ TEST(TimeZeros, TouchesOfAnyPower) {
   }
 }
 
+// A V is met at the bottom from either side, far from t = 0 where times are coarse.
+TEST(TimeZeros, TouchesOfAKinkWhereverItLies) {
+  for (const double from : {0.0, 1e4}) {
+    for (int k = 0; k < 4000; ++k) {
+      const double centre = from + 0.02 + 0.96 * k / 4000;
+      const auto kink = [=](double t) { return std::fabs(2.0 * std::sin(0.5 * (t - centre))); };
+      const std::vector<Zero> found = zeros_between(kink, from - 1.0, from + 3.0, 4);
+      ASSERT_EQ(found.size(), 1U) << centre;
+      EXPECT_EQ(found[0].direction, 0);
+    }
+  }
+}
+
 // Its first instant and its last, whichever looks meet it: also none.
 TEST(TimeZeros, AStretchOfZerosIsTwo) {
   const auto pulse = [](double rest) {

@@ -17,19 +17,19 @@
 
 namespace polhode::test {
 
-inline const BrightEllipsoid in_long_axis_mode = BrightEllipsoid::homogeneous(
+inline const EllipsoidModel in_long_axis_mode = EllipsoidModel::homogeneous(
     0.0, normalized(Quaternion{0.6, 0.3, -0.5, 0.2}), {2.4, 0.9, 0.3}, {1.0, 0.6, 0.45});
-inline const BrightEllipsoid in_short_axis_mode = BrightEllipsoid::homogeneous(
+inline const EllipsoidModel in_short_axis_mode = EllipsoidModel::homogeneous(
     0.0, normalized(Quaternion{0.6, 0.3, -0.5, 0.2}), {0.6, 0.5, 1.0}, {1.0, 0.85, 0.5});
 
-inline FreeRotation motion_of(const BrightEllipsoid& b) {
+inline FreeRotation motion_of(const EllipsoidModel& b) {
   const Mat3& T = b.spin.inertia_F;
   const Vec3 g{T(0, 0) * b.spin.w_F.x, T(1, 1) * b.spin.w_F.y, b.spin.w_F.z};
   return FreeRotation(Body(T(0, 0), T(1, 1), 1.0), {b.spin.q, g}, b.spin.t0);
 }
 
 // One night, of `turns` of precession, with noise relative to the flux.
-inline LightCurve night(const BrightEllipsoid& b, double turns, std::size_t count, double noise,
+inline LightCurve night(const EllipsoidModel& b, double turns, std::size_t count, double noise,
                         std::uint64_t seed) {
   const FreeRotation motion = motion_of(b);
   const double P = 2.0 * pi<double>() / motion.precession_rate_long();
@@ -48,10 +48,10 @@ inline LightCurve night(const BrightEllipsoid& b, double turns, std::size_t coun
   return curve;
 }
 
-inline BrightEllipsoid at_time(const BrightEllipsoid& b, double t) {
+inline EllipsoidModel at_time(const EllipsoidModel& b, double t) {
   const RotorState s = motion_of(b).at(t);
   const Mat3& T = b.spin.inertia_F;
-  BrightEllipsoid found = b;
+  EllipsoidModel found = b;
   found.spin.t0 = t;
   found.spin.q = s.q;
   found.spin.w_F = {s.g.x / T(0, 0), s.g.y / T(1, 1), s.g.z};
@@ -59,7 +59,7 @@ inline BrightEllipsoid at_time(const BrightEllipsoid& b, double t) {
 }
 
 // With the best factor of each session.
-inline double chi_square(const BrightEllipsoid& body, std::span<const LightCurve> curves) {
+inline double chi_square(const EllipsoidModel& body, std::span<const LightCurve> curves) {
   const std::vector<std::vector<double>> model = model_fluxes(body, curves);
   double sum = 0.0;
   for (std::size_t k = 0; k < curves.size(); ++k)
@@ -74,7 +74,7 @@ inline double chi_square(const BrightEllipsoid& body, std::span<const LightCurve
 // A tumbler drawn by its number, seen for one night: long-axis mode where that is even. Two periods
 // that the night tells apart, and a wobble of 15 deg at least.
 struct DrawnTumbler {
-  BrightEllipsoid body;
+  EllipsoidModel body;
   Regime mode;
   double f_phi, f_psi, time_base;
   LightCurve curve;
@@ -98,9 +98,9 @@ inline DrawnTumbler drawn_tumbler(std::uint64_t number, std::size_t count, doubl
     const Vec3 I = homogeneous_moments(Ellipsoid{1.0, b, c}, 1.0);
     const Vec3 g{across * std::cos(around), across * std::sin(around), z};
     const double u0 = uniform(), u1 = uniform(), u2 = uniform();
-    const BrightEllipsoid body =
-        BrightEllipsoid::homogeneous(0.0, UniformAttitude().from_uniform(u0, u1, u2),
-                                     {g.x / I.x * I.z, g.y / I.y * I.z, g.z}, {1.0, b, c});
+    const EllipsoidModel body =
+        EllipsoidModel::homogeneous(0.0, UniformAttitude().from_uniform(u0, u1, u2),
+                                    {g.x / I.x * I.z, g.y / I.y * I.z, g.z}, {1.0, b, c});
     const FreeRotation motion = motion_of(body);
     const double turns = 8.0 + 6.0 * uniform();
     const double phase = (10.0 + 60.0 * uniform()) * pi<double>() / 180.0;

@@ -24,7 +24,7 @@ using namespace polhode::test;
 using testing::HasSubstr;
 
 // A body in short-axis mode, one end of it thicker and its sides flattened.
-BrightConvex egg() {
+ConvexModel egg() {
   const GaussianImage image(4, 5);
   std::vector<double> c = image.coefficients(Ellipsoid{1.2, 1.0, 0.6});
   c[16] += 0.15;  // l = 4
@@ -77,7 +77,7 @@ double worst_derivative(const R& residuals, const std::vector<double>& x) {
 }
 
 TEST(ConvexFit, DerivativesAreThoseOfDifferences) {
-  const BrightConvex body = egg();
+  const ConvexModel body = egg();
   const std::vector<LightCurve> curves = light_of(body, 25, 0.02);
   const detail::SurfaceUnknowns unknowns{true, true};
   ConvexFit how;
@@ -106,7 +106,7 @@ TEST(ConvexFit, DerivativesAreThoseOfDifferences) {
 }
 
 TEST(ConvexFit, FindsABodyThatIsNoEllipsoid) {
-  const BrightConvex truth = egg();
+  const ConvexModel truth = egg();
   const std::vector<LightCurve> curves = light_of(truth, 150, 0.005);
   LightFit ellipsoid{curves, in_short_axis_mode, {}, {}, 100};
   ellipsoid.start.shape = {1.0, 0.85, 0.5};
@@ -214,7 +214,7 @@ TEST(ConvexFit, GoesOnFromEachPairOfPeriods) {
 
 // Areas that are far from closed have no body and no moments: said of the fit, not thrown.
 TEST(ConvexFit, SaysWhereTheShapeHasNoMoments) {
-  BrightConvex open = egg();
+  ConvexModel open = egg();
   open.coefficients[2] += 2.5;  // l = 1
   EXPECT_THAT(message_of([&] { static_cast<void>(open.mesh()); }), HasSubstr("too far from 0"));
   ConvexFit fit;
@@ -231,7 +231,7 @@ TEST(ConvexFit, SaysWhereTheShapeHasNoMoments) {
 
 TEST(MeshFit, FindsTheSpinOfAConvexMesh) {
   const FacetShape mesh = globe(8, [](const Vec3& v) { return Vec3{1.2 * v.x, v.y, 0.6 * v.z}; });
-  const BrightMesh truth{in_short_axis_mode.spin, ShadedMesh(mesh), Scattering::mixed(0.2)};
+  const MeshModel truth{in_short_axis_mode.spin, ShadedMesh(mesh), Scattering::mixed(0.2)};
   ASSERT_TRUE(truth.shape.is_shadowless());
   MeshFit fit{light_of(truth, 60, 0.0), truth, MomentSource::fit, true, {}, 100};
   fit.start.law = {};
@@ -256,7 +256,7 @@ TEST(MeshFit, TakesShadows) {
   const FacetShape pair = joined(joined(ball(-0.6, 0.6), ball(0.45, 0.45)), bulge);
   SpinState spin = in_short_axis_mode.spin;
   spin.inertia_F = homogeneous_inertia(pair);
-  const BrightMesh truth{spin, ShadedMesh(pair), {}};
+  const MeshModel truth{spin, ShadedMesh(pair), {}};
   ASSERT_FALSE(truth.shape.is_shadowless());
   MeshFit fit{light_of(truth, 40, 0.0), truth, MomentSource::start, false, {}, 12};
   for (LightPoint& p : fit.curves[0].points) p.sigma = 0.02 * p.flux;

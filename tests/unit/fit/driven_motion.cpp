@@ -10,8 +10,7 @@
 
 #include "budgets.hpp"
 #include "driven_cases.hpp"
-#include "fit/detail/spin_motion.hpp"
-#include "fit/driven/driven_legs.hpp"
+#include "fit/free_motion.hpp"
 #include "polhode/orbit/kepler_orbit.hpp"
 #include "polhode/perturb/constant_torque.hpp"
 #include "polhode/perturb/gravity_gradient.hpp"

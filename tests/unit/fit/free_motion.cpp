@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Derivatives of the motion by attitude, rate and every entry of the tensor, against differences of
 // a Taylor integration in 50 digits that knows neither principal axes nor elliptic functions.
+#include "fit/free_motion.hpp"
+
 #include <gtest/gtest.h>
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
@@ -9,7 +11,6 @@
 
 #include "budgets.hpp"
 #include "fit/detail/rotation_vector.hpp"
-#include "fit/detail/spin_motion.hpp"
 #include "worst.hpp"
 
 namespace {

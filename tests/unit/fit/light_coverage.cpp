@@ -11,7 +11,7 @@
 #include "bright_night.hpp"
 #include "budgets.hpp"
 #include "drawn_seeds.hpp"
-#include "fit/detail/light_relations.hpp"
+#include "fit/detail/distinct_solutions.hpp"
 #include "polhode/fit/fourier_scan.hpp"
 #include "polhode/fit/light_search.hpp"
 #include "polhode/fit/likely_periods.hpp"
@@ -71,11 +71,11 @@ Found found_of(const DrawnTumbler& t) {
       std::ranges::any_of(search.periods, [&](const TumblerPeriods& p) { return t.has(p); });
   const LightSearchResult result = search_light(search);
   for (const FoundLight& s : result.solutions) {
-    const BrightEllipsoid& b = s.solution.body;
+    const EllipsoidModel& b = s.solution.body;
     const bool is_true = t.has(s.solution.periods);
     f.is_first = f.is_first || (is_true && &s == &result.solutions.front());
     f.is_reported = f.is_reported || is_true;
-    const BrightEllipsoid near = nearest_of_same(b, at_time(t.body, b.spin.t0));
+    const EllipsoidModel near = nearest_of_same(b, at_time(t.body, b.spin.t0));
     const double distance = mahalanobis(s.solution.covariance, light_unknowns_at({}, b, b),
                                         light_unknowns_at({}, b, near));
     if (std::isnan(f.distance) || distance > f.distance) continue;

@@ -18,20 +18,20 @@ using namespace polhode::test;
 using testing::HasSubstr;
 
 // A night of six turns of precession that begins at `begin`.
-LightCurve night_from(const BrightEllipsoid& b, double begin, std::uint64_t seed) {
-  BrightEllipsoid later = at_time(b, begin);
+LightCurve night_from(const EllipsoidModel& b, double begin, std::uint64_t seed) {
+  EllipsoidModel later = at_time(b, begin);
   later.spin.t0 = 0.0;
   LightCurve curve = night(later, 6.0, 60, 0.02, seed);
   for (LightPoint& p : curve.points) p.t += begin;
   return curve;
 }
 
-double precession_period(const BrightEllipsoid& b) {
+double precession_period(const EllipsoidModel& b) {
   return 2.0 * pi<double>() / motion_of(b).precession_rate_long();
 }
 
 // Nights that begin so many turns of precession after t = 0.
-LightExtension nights(const BrightEllipsoid& b, const std::vector<double>& begins) {
+LightExtension nights(const EllipsoidModel& b, const std::vector<double>& begins) {
   LightExtension e;
   for (std::size_t k = 0; k < begins.size(); ++k)
     e.curves.push_back(night_from(b, begins[k] * precession_period(b), k));
@@ -40,10 +40,10 @@ LightExtension nights(const BrightEllipsoid& b, const std::vector<double>& begin
   return e;
 }
 
-class NightsOf : public testing::TestWithParam<const BrightEllipsoid*> {};
+class NightsOf : public testing::TestWithParam<const EllipsoidModel*> {};
 
 TEST_P(NightsOf, JoinToTheTruth) {
-  const BrightEllipsoid& truth = *GetParam();
+  const EllipsoidModel& truth = *GetParam();
   LightExtension e = nights(truth, {1000.0, 0.0, 100.0});  // not in the order of time
   e.first = 1;
   const LightExtensionResult r = extend_light(e);

@@ -26,7 +26,7 @@ using namespace polhode::test;
 using DD = DoubleDouble;
 
 // The residuals of one session in double-double, at x + h e_k: of attitude to second order in h.
-std::vector<DD> wide_residuals(const BrightEllipsoid& b, const LightCurve& curve, std::size_t k,
+std::vector<DD> wide_residuals(const EllipsoidModel& b, const LightCurve& curve, std::size_t k,
                                const DD& h) {
   const std::vector<DD> B = wide_brightness(b, curve, k, h);
   std::vector<DD> r;
@@ -45,7 +45,7 @@ std::vector<DD> wide_residuals(const BrightEllipsoid& b, const LightCurve& curve
 }
 
 TEST(LightFit, DerivativesAreThoseOfDifferencesInDoubleDouble) {
-  for (const BrightEllipsoid& b : {in_long_axis_mode, in_short_axis_mode}) {
+  for (const EllipsoidModel& b : {in_long_axis_mode, in_short_axis_mode}) {
     const LightCurve curve = night(b, 3.0, 12, 0.02, 3);
     const detail::LightResiduals residuals(std::vector{curve}, {}, b);
     const std::vector<double> x = light_unknowns_at({}, b, b);
@@ -83,19 +83,19 @@ LightSearch cold_search(const std::vector<LightCurve>& curves, double f, std::si
 }
 
 // Whether the truth is within the errors of one of the solutions.
-bool is_among(const LightSearchResult& found, const BrightEllipsoid& truth) {
+bool is_among(const LightSearchResult& found, const EllipsoidModel& truth) {
   return std::ranges::any_of(found.solutions, [&](const FoundLight& f) {
-    const BrightEllipsoid& b = f.solution.body;
-    const BrightEllipsoid near = nearest_of_same(b, at_time(truth, b.spin.t0));
+    const EllipsoidModel& b = f.solution.body;
+    const EllipsoidModel near = nearest_of_same(b, at_time(truth, b.spin.t0));
     return mahalanobis(f.solution.covariance, light_unknowns_at({}, b, b),
                        light_unknowns_at({}, b, near)) < budget::light_distance;
   });
 }
 
-class ColdStart : public testing::TestWithParam<BrightEllipsoid> {};
+class ColdStart : public testing::TestWithParam<EllipsoidModel> {};
 
 TEST_P(ColdStart, FindsTheTruthAmongItsImages) {
-  const BrightEllipsoid& truth = GetParam();
+  const EllipsoidModel& truth = GetParam();
   const bool is_full = std::getenv("POLHODE_TEST_FULL") != nullptr;
   const std::vector<LightCurve> curves{
       night(truth, is_full ? 11.0 : 7.0, is_full ? 350 : 90, 0.02, 7)};

@@ -17,8 +17,8 @@ using namespace polhode::test;
 using Beside = FoundLight::Beside;
 
 // The same body with its axes in another order, x y z becoming y z x.
-BrightEllipsoid in_next_axes(const BrightEllipsoid& body) {
-  BrightEllipsoid found = body;
+EllipsoidModel in_next_axes(const EllipsoidModel& body) {
+  EllipsoidModel found = body;
   const Vec3& w = body.spin.w_F;
   found.spin.w_F = {w.y, w.z, w.x};
   // v_old = r v_new r*, a third of a turn about 1, 1, 1
@@ -32,15 +32,15 @@ BrightEllipsoid in_next_axes(const BrightEllipsoid& body) {
 }
 
 TEST(LightImages, ABodyIsTheSameInAnyOrderOfItsAxes) {
-  BrightEllipsoid body = in_long_axis_mode;
+  EllipsoidModel body = in_long_axis_mode;
   body.spin.inertia_F(0, 0) *= 1.05;  // nothing says which axis is which
-  const BrightEllipsoid other = in_next_axes(body);
+  const EllipsoidModel other = in_next_axes(body);
   const std::vector<LightCurve> curves{night(body, 2.0, 20, 0.02, 3)};
   const auto here = model_fluxes(body, curves).front(), there = model_fluxes(other, curves).front();
   for (std::size_t k = 0; k < here.size(); ++k)
     EXPECT_NEAR(there[k] / here[k], 1.0, budget::fit_exact);
 
-  const BrightEllipsoid back = nearest_of_same(body, other);
+  const EllipsoidModel back = nearest_of_same(body, other);
   EXPECT_LT(norm(attitude_residual(body.spin.q, back.spin.q)), budget::fit_exact);
   EXPECT_LT(norm(back.spin.w_F - body.spin.w_F), budget::fit_exact);
   EXPECT_NEAR(back.shape.b, body.shape.b, budget::fit_exact);
@@ -49,7 +49,7 @@ TEST(LightImages, ABodyIsTheSameInAnyOrderOfItsAxes) {
     EXPECT_NEAR(back.spin.inertia_F(i, i), body.spin.inertia_F(i, i), budget::fit_exact);
 }
 
-FoundLight found_with(const BrightEllipsoid& body) {
+FoundLight found_with(const EllipsoidModel& body) {
   FoundLight f;
   f.solution.body = body;
   f.solution.periods = {Regime::long_axis, 12.0, 20.0};
@@ -60,7 +60,7 @@ FoundLight found_with(const BrightEllipsoid& body) {
 TEST(LightImages, AreThoseOfTheNearest) {
   const std::vector<LightCurve> curves{night(in_long_axis_mode, 2.0, 20, 0.02, 3)};
   const Vec3 sun = curves[0].points[0].to_sun, observer = curves[0].points[0].to_observer;
-  BrightEllipsoid beside = in_long_axis_mode;
+  EllipsoidModel beside = in_long_axis_mode;
   beside.spin.q = normalized(Quaternion{1.0, 0.075, 0.0, 0.0}) * beside.spin.q;
   for (const LightImage i : {LightImage::normal, LightImage::bisector, LightImage::difference}) {
     std::vector<FoundLight> all{found_with(in_long_axis_mode), found_with(beside),

@@ -20,8 +20,8 @@ using namespace polhode::test;
 using testing::HasSubstr;
 
 // A body whose moments are not those of its shape, and which scatters by both laws.
-BrightEllipsoid uneven() {
-  BrightEllipsoid b = in_short_axis_mode;
+EllipsoidModel uneven() {
+  EllipsoidModel b = in_short_axis_mode;
   b.law = Scattering::mixed(0.3);
   b.spin.inertia_F(0, 0) = 0.6;
   b.spin.inertia_F(1, 1) = 0.8;
@@ -29,7 +29,7 @@ BrightEllipsoid uneven() {
 }
 
 // Sessions of 2 and 3 turns, the first relative, the others calibrated, with the light of a body.
-std::vector<LightCurve> sessions_of(const BrightEllipsoid& b, double noise) {
+std::vector<LightCurve> sessions_of(const EllipsoidModel& b, double noise) {
   std::vector<LightCurve> curves;
   std::size_t seed = 3;
   for (const double shift : {0.0, 13.0, 31.0}) {
@@ -53,7 +53,7 @@ std::vector<LightCurve> sessions_of(const BrightEllipsoid& b, double noise) {
 }
 
 TEST(LightUnknowns, DerivativesOfEveryUnknownAreThoseOfDifferences) {
-  const BrightEllipsoid b = uneven();
+  const EllipsoidModel b = uneven();
   const LightUnknowns unknowns{.shape = true, .moments = MomentSource::fit, .multiple = true};
   const std::vector<LightCurve> curves = sessions_of(b, 0.02);
   const detail::LightResiduals residuals(curves, unknowns, b);
@@ -86,7 +86,7 @@ TEST(LightUnknowns, DerivativesOfEveryUnknownAreThoseOfDifferences) {
 
 // From a start beside it, exact light has its state, with all unknowns there are.
 TEST(LightUnknowns, AreFoundFromExactLight) {
-  const BrightEllipsoid truth = uneven();
+  const EllipsoidModel truth = uneven();
   LightFit fit{sessions_of(truth, 0.0), truth, {}, {}, 200};
   fit.unknowns = {.shape = true, .moments = MomentSource::fit, .multiple = true};
   fit.start.spin.q = truth.spin.q * detail::turn_by({0.03, -0.02, 0.04});
@@ -115,12 +115,12 @@ TEST(LightUnknowns, AreFoundFromExactLight) {
 }
 
 TEST(LightUnknowns, RobustLossesLeaveBadPointsOut) {
-  BrightEllipsoid truth = in_short_axis_mode;
+  EllipsoidModel truth = in_short_axis_mode;
   LightFit fit{sessions_of(truth, 0.01), truth, {}, {}, 200};
   for (const std::size_t k : {5u, 17u, 30u}) fit.curves[0].points[k].flux *= 1.5;
   // Mahalanobis' distance squared of the truth
   const auto off = [&](const LightSolution& s) {
-    const BrightEllipsoid& b = s.body;
+    const EllipsoidModel& b = s.body;
     return mahalanobis(s.covariance, light_unknowns_at({}, b, b),
                        light_unknowns_at({}, b, nearest_of_same(b, truth)));
   };
@@ -138,7 +138,7 @@ TEST(LightImages, LookTheSame) {
   const std::vector<LightCurve> curves{curve};
   const auto here = model_fluxes(in_long_axis_mode, curves).front();
   for (const LightImage i : {LightImage::normal, LightImage::bisector, LightImage::difference}) {
-    const BrightEllipsoid image =
+    const EllipsoidModel image =
         image_of(in_long_axis_mode, i, curve.points[0].to_sun, curve.points[0].to_observer);
     const auto there = model_fluxes(image, curves).front();
     for (std::size_t k = 0; k < here.size(); ++k)

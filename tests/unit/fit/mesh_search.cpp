@@ -30,7 +30,7 @@ FacetShape pear() {
 }
 
 // In its principal axes or near them.
-BrightMesh tumbler(const Vec3& w) {
+MeshModel tumbler(const Vec3& w) {
   const FacetShape shape = pear();
   return {{0.0, normalized(Quaternion{0.6, 0.3, -0.5, 0.2}), w, homogeneous_inertia(shape)},
           ShadedMesh(shape),
@@ -38,12 +38,12 @@ BrightMesh tumbler(const Vec3& w) {
 }
 
 struct Night {
-  BrightMesh truth;  // at the epoch of the search
+  MeshModel truth;  // at the epoch of the search
   TumblerPeriods periods;
   std::vector<LightCurve> curves;
 };
 
-Night night_of(BrightMesh truth, std::size_t count) {
+Night night_of(MeshModel truth, std::size_t count) {
   const Body body = Body::from_tensor(truth.spin.inertia_F);
   const Quaternion& f = body.q_FB();
   const Vec3 w_B = rotate(conj(f), truth.spin.w_F), I = body.moments();
@@ -66,7 +66,7 @@ Night night_of(BrightMesh truth, std::size_t count) {
   return {std::move(truth), {motion.regime(), P, motion.polhode_period()}, std::move(curves)};
 }
 
-double distance(const BrightMesh& truth, const LightSolution& s) {
+double distance(const MeshModel& truth, const LightSolution& s) {
   const Vec3 turn = attitude_residual(s.body.spin.q, truth.spin.q);
   const Vec3 dw = truth.spin.w_F - s.body.spin.w_F;
   double most = 0.0;

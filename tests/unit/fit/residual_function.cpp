@@ -85,7 +85,7 @@ TEST(ResidualFunction, SaysWhereThereIsNoValue) {
             std::string::npos);
 }
 
-const BrightEllipsoid body = BrightEllipsoid::homogeneous(
+const EllipsoidModel body = EllipsoidModel::homogeneous(
     0.0, normalized(Quaternion{0.6, 0.3, -0.5, 0.2}), {0.6, 0.5, 1.0}, {1.0, 0.85, 0.5});
 
 TEST(ResidualFunction, OfFitsHasTheStartAtItsStart) {

@@ -11,7 +11,7 @@
 #include "bright_night.hpp"
 #include "budgets.hpp"
 #include "fit/detail/light_residuals.hpp"
-#include "fit/detail/robust_factor.hpp"
+#include "fit/detail/weighed_curves.hpp"
 #include "polhode/ensemble/counter_random.hpp"
 #include "polhode/fit/convex_fit.hpp"
 #include "polhode/fit/light_search.hpp"
@@ -168,14 +168,14 @@ TEST(RobustFactor, IsThatOfTheGoodPoints) {
 }
 
 // A night with noise, and some points three times too bright.
-LightCurve bad_night(const BrightEllipsoid& b) {
+LightCurve bad_night(const EllipsoidModel& b) {
   LightCurve curve = night(b, 3.0, 40, 0.02, 3);
   for (const std::size_t i : {4u, 15u, 29u}) curve.points[i].flux *= 3.0;
   return curve;
 }
 
 // Residuals with the best factor under the loss, at x + h e_k.
-std::vector<Digits> wide_residuals(const BrightEllipsoid& b, const LightCurve& curve,
+std::vector<Digits> wide_residuals(const EllipsoidModel& b, const LightCurve& curve,
                                    const Loss& loss, std::size_t k, const DoubleDouble& h) {
   const std::vector<DoubleDouble> B = wide_brightness(b, curve, k, h);
   std::vector<WidePoint> points;
@@ -192,7 +192,7 @@ std::vector<Digits> wide_residuals(const BrightEllipsoid& b, const LightCurve& c
 TEST(RobustLight, DerivativesAreThoseOfDifferencesInDoubleDouble) {
   const DoubleDouble h(0x1p-30);
   for (const Kind kind : robust_kinds) {
-    const BrightEllipsoid& b = kind == Kind::soft_l1 ? in_long_axis_mode : in_short_axis_mode;
+    const EllipsoidModel& b = kind == Kind::soft_l1 ? in_long_axis_mode : in_short_axis_mode;
     const Loss loss{kind, 1.5};
     const LightCurve curve = bad_night(b);
     const LightFit fit{{curve}, b, {}, loss, 10};
@@ -246,7 +246,7 @@ double slope_by_factor(const Found& found, const LightCurve& curve, const Loss& 
 }
 
 TEST(RobustLight, FactorsOfAllFitsAreTheLeastOfWhatTheyMinimise) {
-  const BrightEllipsoid& b = in_short_axis_mode;
+  const EllipsoidModel& b = in_short_axis_mode;
   const std::vector<LightCurve> curves{bad_night(b)};
   for (const Kind kind : robust_kinds) {
     const Loss loss{kind, 1.5};
@@ -285,7 +285,7 @@ TEST(RobustLight, ErrorsAreThoseThatAFactorAmongTheUnknownsLeaves) {
     const auto light = [&](const std::vector<double>& x) {
       std::vector<detail::MotionPoint> motion;
       std::vector<double> B(about.points());
-      const BrightEllipsoid body = about.body_at(x);
+      const EllipsoidModel body = about.body_at(x);
       EXPECT_TRUE(detail::free_motion(body.spin, about.curves().times(), {}, motion));
       EXPECT_TRUE(about.brightness_of(body, motion, B));
       return B;
@@ -356,9 +356,9 @@ TEST(RobustLight, SearchesRankByWhatTheyMinimise) {
                                     return f.beside == FoundLight::Beside::image && f.of == 0;
                                   }),
             3);
-  const BrightEllipsoid truth = at_time(in_short_axis_mode, best.body.spin.t0);
+  const EllipsoidModel truth = at_time(in_short_axis_mode, best.body.spin.t0);
   EXPECT_TRUE(std::ranges::any_of(found.solutions, [&](const FoundLight& f) {
-    const BrightEllipsoid& b = f.solution.body;
+    const EllipsoidModel& b = f.solution.body;
     return mahalanobis(f.solution.covariance, light_unknowns_at({}, b, b),
                        light_unknowns_at({}, b, nearest_of_same(b, truth))) <
            budget::light_distance;

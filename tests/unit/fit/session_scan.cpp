@@ -23,7 +23,7 @@ using namespace polhode::test;
 constexpr double first_night = 0.0, second_night = 27.3, third_night = 49.6;  // turns of precession
 
 // Three nights of four turns and 60 points each, with errors of 2 %.
-std::vector<LightCurve> nights(const BrightEllipsoid& b, double P) {
+std::vector<LightCurve> nights(const EllipsoidModel& b, double P) {
   const FreeRotation motion = motion_of(b);
   const CounterRandom random(4, key_of("nights"));
   std::vector<LightCurve> curves;
@@ -54,7 +54,7 @@ double off_lines(double f, double f_phi, double f_psi) {
 }
 
 TEST(SessionScan, FindsThePeriodsOfNightsFarApart) {
-  const BrightEllipsoid& b = in_long_axis_mode;
+  const EllipsoidModel& b = in_long_axis_mode;
   const FreeRotation motion = motion_of(b);
   const double f_phi = motion.precession_rate_long() / (2.0 * pi<double>());
   const double f_psi = 1.0 / motion.polhode_period();

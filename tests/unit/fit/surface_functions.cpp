@@ -109,7 +109,7 @@ ConvexFit egg_fit() {
   const GaussianImage image(fit.degree, fit.rows);
   std::vector<double> c = image.coefficients(polhode::Ellipsoid{1.2, 1.0, 0.6});
   for (std::size_t k = 9; k < 16; ++k) c[k] += 0.1 * std::cos(3.0 * static_cast<double>(k));
-  fit.from = BrightConvex{in_short_axis_mode.spin, Scattering::mixed(0.2), image, c};
+  fit.from = ConvexModel{in_short_axis_mode.spin, Scattering::mixed(0.2), image, c};
   fit.from->spin.w_F.x *= 1.01;
   fit.from->spin.inertia_F(0, 0) *= 1.05;
   fit.curves = {night(in_short_axis_mode, 2.0, 40, 0.02, 3)};
@@ -118,7 +118,7 @@ ConvexFit egg_fit() {
 
 TEST(SurfaceFunctions, ConvexDerivativesAreThoseOfDifferencesInDoubleDouble) {
   const ConvexFit fit = egg_fit();
-  const BrightConvex& from = *fit.from;
+  const ConvexModel& from = *fit.from;
   const GaussianImage& image = from.image;
   const polhode::Ellipsoid& e = fit.start.shape;
   const std::vector<double> usual =
@@ -237,7 +237,7 @@ TEST(SurfaceFunctions, HaveNoSlopeAtWhatAFitFound) {
       slope.add(std::abs(sum) / std::sqrt(square), names[k]);
     }
     EXPECT_LE(slope.value(), budget::surface_fit_slope) << slope.where();
-    const BrightConvex same = body_at(at, x);
+    const ConvexModel same = body_at(at, x);
     EXPECT_EQ(same.coefficients, found.body.coefficients);
     EXPECT_NEAR(same.spin.inertia_F(0, 0), found.body.spin.inertia_F(0, 0), budget::convex_moments);
     // a fit that goes on from there has nothing to do
@@ -256,7 +256,7 @@ TEST(SurfaceFunctions, MomentsFollowTheShapeAtEveryX) {
   std::vector<double> x, r(m), J(m * n);
   for (const Unknown& u : problem.unknowns) x.push_back(u.start);
   x[8] += 0.05;
-  const BrightConvex body = body_at(fit, x);
+  const ConvexModel body = body_at(fit, x);
   const ShapeInertia own = shape_inertia(body);
   EXPECT_NEAR(body.spin.inertia_F(0, 0), own.Ixx, budget::convex_followed);
   EXPECT_NEAR(body.spin.inertia_F(1, 1), own.Iyy, budget::convex_followed);

@@ -8,7 +8,7 @@
 
 #include "budgets.hpp"
 #include "polhode/error.hpp"
-#include "polhode/fit/bodies_with_periods.hpp"
+#include "polhode/fit/inertia_from_periods.hpp"
 #include "polhode/fit/period_labels.hpp"
 #include "polhode/fit/scan_advice.hpp"
 #include "polhode/fit/scan_minima.hpp"
@@ -154,7 +154,7 @@ TEST(BodiesWithPeriods, HaveThem) {
     for (const double ratio : {1.2, 2.3, 5.0})
       for (const double tilt : {0.1, 0.7, 1.3}) {
         const TumblerPeriods periods{mode, 3.0, 3.0 * ratio};
-        for (const TumblingBody& b : bodies_with_periods(periods, tilt, 20)) {
+        for (const TumblingBody& b : inertia_from_periods(periods, tilt, 20)) {
           ++bodies;
           const FreeRotation motion(b.body, b.state);
           EXPECT_EQ(motion.regime(), mode);
@@ -187,7 +187,7 @@ TEST(BodiesWithPeriods, GiveABodyBack) {
 
 TEST(BodiesWithPeriods, SayWhatThereIs) {
   EXPECT_THROW(body_with_periods({Regime::short_axis, 3.0, 2.0}, 0.5, 0.7), DomainError);
-  EXPECT_TRUE(bodies_with_periods({Regime::short_axis, 3.0, 2.0}, 0.5, 20).empty());
+  EXPECT_TRUE(inertia_from_periods({Regime::short_axis, 3.0, 2.0}, 0.5, 20).empty());
   EXPECT_THROW(body_with_periods({Regime::steady, 3.0, 7.0}, 0.5, 0.7), DomainError);
   EXPECT_THROW(body_with_periods({Regime::long_axis, 0.0, 7.0}, 0.5, 0.7), DomainError);
   EXPECT_THROW(body_with_periods({Regime::long_axis, 3.0, 7.0}, 0.0, 0.7), DomainError);

@@ -15,7 +15,7 @@ namespace polhode::test {
 
 // Brightness at the points of one session in double-double, at x + h e_k: of attitude to second
 // order in h.
-inline std::vector<DoubleDouble> wide_brightness(const BrightEllipsoid& b, const LightCurve& curve,
+inline std::vector<DoubleDouble> wide_brightness(const EllipsoidModel& b, const LightCurve& curve,
                                                  std::size_t k, const DoubleDouble& h) {
   using DD = DoubleDouble;
   const auto off = [&](std::size_t j) { return j == k ? h : DD(0.0); };

@@ -6,7 +6,7 @@
 #include "free/detail/polhode_family.hpp"
 #include "polhode/elliptic/jacobi.hpp"
 #include "polhode/free/detail/cayley_klein_coefficients.hpp"
-#include "polhode/free/detail/primed_arc.hpp"
+#include "polhode/free/detail/normalized_arc.hpp"
 #include "polhode/math/double_double.hpp"
 #include "unit/free/support.hpp"
 

@@ -313,8 +313,8 @@ TEST(LightTimes, ABodyFasterThanLightHasNone) {
   const auto sun = [](double) { return Vec3{}; };
   EXPECT_EQ(
       message_of([&] { with_vectors(sound(), LightTime::at_observer, body, observer, sun, 1.0); }),
-      "light curve night 1: point 1: its light time does not converge; expected positions of "
-      "bodies that are slower than light");
+      "light curve night 1: point 1: its light time does not converge; expected finite positions "
+      "of bodies that are slower than light");
 }
 
 }  // namespace

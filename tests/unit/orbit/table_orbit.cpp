@@ -227,6 +227,96 @@ TEST(TableOrbit, HighOrdersKeepTheirDigitsAtTheEnds) {
             << order << slopes;
 }
 
+// Rows of a Kepler orbit of unit semi-major axis, and the error of a table of them relative to the
+// distance.
+struct KeplerRows {
+  explicit KeplerRows(double e) : truth({.gm = 1.0, .pericentre = 1.0 - e, .eccentricity = e}) {}
+
+  PositionTable at(const std::vector<double>& times, bool slopes) const {
+    return sampled(
+        times, [&](double t) { return truth.position(t); },
+        [&](double t) { return truth.velocity(t); }, slopes);
+  }
+  double error(const TableOrbit& orbit) const {
+    Worst largest;
+    const std::vector<double>& t = orbit.table().times;
+    for (std::size_t k = 1; k < t.size(); ++k)
+      for (const double part : {0.125, 0.25, 0.5, 0.75, 0.875}) {
+        const double at = t[k - 1] + part * (t[k] - t[k - 1]);
+        largest.add(norm(orbit.position(at) - truth.position(at)) / norm(truth.position(at)));
+      }
+    return largest.value();
+  }
+
+  KeplerOrbit truth;
+};
+
+// The rows on either side of a gap are even.
+std::vector<double> times_with_gap(double step, int rows_before, int rows, double gap) {
+  std::vector<double> t = even_times(0.0, step, rows);
+  for (int k = rows_before; k < rows; ++k) t[static_cast<std::size_t>(k)] += gap;
+  return t;
+}
+
+TEST(TableOrbit, AGapInALongTableIsInTheEstimate) {
+  const KeplerRows rows(0.1);
+  for (const bool slopes : {false, true})
+    for (const int count : {59002, 99002}) {
+      const TableOrbit orbit(rows.at(times_with_gap(0.01, 20000, count, 10.0), slopes));
+      EXPECT_GT(interpolation_error(orbit), budget::table_orbit_estimate_coarse) << slopes << count;
+    }
+}
+
+// At some lengths two orders agree in the middle of the gap.
+TEST(TableOrbit, AGapOfAnyLengthIsInTheEstimate) {
+  for (const double e : {0.0, 0.3})
+    for (const bool slopes : {false, true})
+      for (double gap = 7.0; gap < 20.0; gap *= 1.003) {
+        const TableOrbit orbit(KeplerRows(e).at(times_with_gap(0.01, 20, 40, gap), slopes));
+        EXPECT_GT(interpolation_error(orbit), budget::table_orbit_estimate_coarse)
+            << e << slopes << gap;
+      }
+}
+
+// Orders above 12 fall to 12 there.
+TEST(TableOrbit, TheEndsOfHighOrdersAreInTheEstimate) {
+  for (const double e : {0.0, 0.3})
+    for (const bool slopes : {false, true})
+      for (const int order : slopes ? std::vector{16, 24, 32} : std::vector{14, 16})
+        for (const double step : {0.3, 0.6}) {
+          const KeplerRows rows(e);
+          const TableOrbit orbit(rows.at(even_times(0.0, step, 60), slopes), order);
+          const double error = rows.error(orbit), estimate = interpolation_error(orbit);
+          EXPECT_GT(estimate, budget::table_orbit_estimate_least * error) << e << order << step;
+          EXPECT_LT(estimate, budget::table_orbit_estimate_most * error) << e << order << step;
+        }
+}
+
+TEST(TableOrbit, TwoOrThreeRowsWithVelocitiesAreJudged) {
+  constexpr double turn = 2.0 * std::numbers::pi;
+  for (const double e : {0.0, 0.1, 0.3, 0.7})
+    for (const int count : {2, 3})
+      for (const double first : {0.0, 1.0, 3.0}) {
+        const KeplerRows rows(e);
+        const auto orbit = [&](double step) {
+          return TableOrbit(rows.at(even_times(first, step, count), true));
+        };
+        // 0.0108 rad: 10 s of a low orbit
+        for (const double step : {0.0108, 0.05, 0.2, 0.5}) {
+          const double error = rows.error(orbit(step));
+          const double estimate = interpolation_error(orbit(step));
+          EXPECT_GT(estimate, budget::table_orbit_estimate_least * error) << e << step;
+          EXPECT_LT(estimate, budget::table_orbit_estimate_most * error) << e << step;
+        }
+        // after whole revolutions the rows agree
+        for (const double step : {3.2, 5.4, turn, 1.001 * turn, 2.0 * turn})
+          EXPECT_GT(interpolation_error(orbit(step)), budget::table_orbit_estimate_coarse)
+              << e << step;
+      }
+  const PositionTable lines{{0, 1, 2}, {{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}}};
+  EXPECT_TRUE(std::isnan(interpolation_error(TableOrbit(lines, 2))));
+}
+
 TEST(TableOrbit, AsManyRowsAsTheOrderNeedsAreEnough) {
   EXPECT_EQ(TableOrbit(sampled(even_times(0, 1, 8), wave, wave_slope, false), 8).order(), 8);
   EXPECT_EQ(TableOrbit(sampled(even_times(0, 1, 4), wave, wave_slope, true), 8).order(), 8);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // What a checkpoint must agree in: a run does not go on with another method than it began with,
 // though its file names none and the default is another one now.
-#include "run/detail/identity.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <string>
+
+#include "run/detail/checkpoint.hpp"
 
 namespace polhode {
 namespace {

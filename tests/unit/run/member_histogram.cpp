@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Histograms of members: chunk by chunk and through numbers the same, kept numbers as in bins.
-#include "run/ensemble/statistics/member_histogram.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
 #include "polhode/error.hpp"
+#include "run/ensemble/statistics/statistics.hpp"
 
 namespace polhode {
 namespace {

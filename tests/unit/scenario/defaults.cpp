@@ -13,6 +13,7 @@
 namespace polhode {
 namespace {
 
+using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -66,6 +67,7 @@ TEST(Defaults, AreInTheSummaryWithTheNumbersOfTheTorques) {
   const std::string text = said(plate + dipole + "field = \"earth\"\n");
   EXPECT_THAT(text, HasSubstr("the Earth's dipole of the epoch (IGRF-14: "));
   EXPECT_THAT(text, Not(HasSubstr("meridian_epoch")));  // the dipole of the epoch has its own
+  EXPECT_THAT(text, ContainsRegex(" nT; pole [^ ]+, [^ ]+, 0.99999[0-9]+, meridian [0-9.-]+ "));
   EXPECT_THAT(said(plate + dipole + "gauss = [-3e-5, 0, 0]\nreference_radius = 6371.2\n"),
               HasSubstr("meridian_epoch = 0, pole = [0, 0, 1]"));
   EXPECT_THAT(text, HasSubstr("moment = { value = [0, 0, 1], unit = \"A m2\" }"));
@@ -79,6 +81,13 @@ TEST(Defaults, AreInTheSummaryWithTheNumbersOfTheTorques) {
       folder.write("s.toml", head + "[[surface]]\nshape = \"box.obj\"\nscale = \"1 m\"\n"));
   EXPECT_THAT(summary_table(summary(of_mesh)),
               HasSubstr("0.003 x 0.002 x 0.001 km, area 2.2e-05 km2, 12 facets"));
+  const Scenario dimensionless =
+      read_scenario(folder.write("n.toml",
+                                 "schema = 1\n[body]\nshape = \"box.obj\"\ndensity = 1\nscale = 1\n"
+                                 "[state.andoyer]\nL = 1\nG = 2\n"));
+  const std::string numbers = summary_table(summary(dimensionless));
+  EXPECT_THAT(numbers, HasSubstr("3 x 2 x 1, area 22, 12 facets"));
+  EXPECT_THAT(numbers, ContainsRegex("state.andoyer, not in the file +g = 0, h = 0, l = 0\n"));
 }
 
 // Between them the interpolation is worthless, and nothing said so.

@@ -14,7 +14,7 @@
 #include "message_of.hpp"
 #include "polhode/error.hpp"
 #include "polhode/run/citations.hpp"
-#include "polhode/run/own_experiment.hpp"
+#include "polhode/run/custom_experiment.hpp"
 #include "polhode/run/scenario_run.hpp"
 #include "polhode/run/summary.hpp"
 #include "polhode/scenario/scenario.hpp"
@@ -44,7 +44,7 @@ constexpr KindKey<Arguments> keys[] = {
         .positive(),
 };
 
-OwnExperiment made(const Arguments& a, const ExperimentContext& at) {
+CustomExperiment made(const Arguments& a, const ExperimentContext& at) {
   if (a.moments.x == 7.0) throw DomainError("seven is refused");
   ModelExperiment<Gyrostat> of{
       .model = Gyrostat(a.moments, {0.0, 0.0, a.wheel}, 0.05),
@@ -57,7 +57,7 @@ OwnExperiment made(const Arguments& a, const ExperimentContext& at) {
           },
       .facts = {{"wheel", "wheel", a.wheel, Dimension::momentum}}};
   of.events.push_back({"half", [](const BasicSample<GyrostatState>& s) { return s.t - 5.5; }});
-  return own_experiment<Gyrostat>("gyrostat", at, std::move(of));
+  return custom_experiment<Gyrostat>("gyrostat", at, std::move(of));
 }
 
 ExperimentKind gyrostat(std::string_view name = "gyrostat") {
@@ -181,11 +181,11 @@ TEST_F(ExperimentKinds, NamesOfTablesAreTaken) {
 TEST_F(ExperimentKinds, OneWithoutAModelDoesNotRun) {
   ExperimentKind empty = gyrostat();
   empty.made = [](const ExperimentContext& at) {
-    return OwnExperiment{.kind = "gyrostat", .rows = at.rows(), .columns = {}};
+    return CustomExperiment{.kind = "gyrostat", .rows = at.rows(), .columns = {}};
   };
   const Scenario scenario = read(head + body + rows, default_kinds().with(empty));
   EXPECT_THAT(message_of([&] { polhode::run(scenario, {}); }),
-              HasSubstr("without a model; expected one that own_experiment has made"));
+              HasSubstr("without a model; expected one that custom_experiment has made"));
 }
 
 }  // namespace

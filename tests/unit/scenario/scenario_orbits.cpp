@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
 
 #include "budgets.hpp"
 #include "oracle/oblate_motion.hpp"
@@ -324,9 +325,36 @@ TEST_F(ScenarioOrbits, ACoarseTableIsCalledOne) {
   EXPECT_THAT(said(20), HasSubstr("orbit moon: interpolation error"));
   EXPECT_THAT(said(20), HasSubstr("3e-07 of the distance\n"));
   EXPECT_THAT(said(20), HasSubstr("table moon.csv, 60 rows, t = 0 to 5900 s\n"));
-  // two rows with velocities: nothing to hold them against
-  EXPECT_TRUE(std::isnan(interpolation_error(TableOrbit(
-      {{0.0, 1.0}, {{1.0, 0.0, 0.0}, {1.0, 1.0, 0.0}}, {{0.0, 1.0, 0.0}, {0.0, 1.0, 0.0}}}))));
+}
+
+// A circle of 7000 km, by two or three rows.
+TEST_F(ScenarioOrbits, AFewRowsAreJudgedToo) {
+  constexpr double r = 7000.0, rate = 1.078e-3;
+  const auto write_rows = [&](int count, double step, bool slopes) {
+    std::string text = slopes ? "t,x,y,z,vx,vy,vz\n" : "t,x,y,z\n";
+    for (int k = 0; k < count; ++k) {
+      const double t = k * step, c = std::cos(rate * t), s = std::sin(rate * t);
+      text += std::to_string(t) + "," + std::to_string(r * c) + "," + std::to_string(r * s) + ",0";
+      if (slopes)
+        text += "," + std::to_string(-r * rate * s) + "," + std::to_string(r * rate * c) + ",0";
+      text += "\n";
+    }
+    write("moon.csv", text);
+  };
+  const std::string table = "kind = \"table\"\nfile = \"moon.csv\"\n";
+  const std::string coarse = "rows that are too far apart: between them the interpolation errs";
+  for (const auto& [count, step] : {std::pair{2, 5000.0}, {3, 3000.0}}) {
+    write_rows(count, step, true);
+    EXPECT_THAT(error_of(table), HasSubstr(coarse)) << count;
+    EXPECT_THAT(warnings(read(table + "allow_coarse = true\n")).at(0), HasSubstr(coarse));
+  }
+  write_rows(2, 10.0, true);
+  EXPECT_TRUE(warnings(read(table)).empty());
+  write_rows(3, 10.0, false);
+  const Scenario lines = read(table + "order = 2\n");
+  EXPECT_THAT(warnings(lines).at(0),
+              HasSubstr("the interpolation error cannot be estimated from so few rows"));
+  EXPECT_THAT(summary_table(summary(lines)), HasSubstr("unknown: too few rows to estimate it"));
 }
 
 // What Horizons sends: a banner, names, and rows between two marks.

@@ -16,8 +16,6 @@
 #include "polhode/scenario/fit_plan.hpp"
 #include "polhode/scenario/scenario.hpp"
 #include "scenario/detail/schema_table.hpp"
-#include "scenario/diagnostics.hpp"
-#include "scenario/value_reader.hpp"
 #include "scenario/values.hpp"
 #include "worst.hpp"
 

@@ -70,8 +70,12 @@ TEST(ScenarioShape, RefusesInOneLine) {
               HasSubstr("none.obj: cannot be read: No such file"));
   EXPECT_THAT(said("moments = [1, 2, 2]\nscale = 2\n"), HasSubstr("body.scale: got 2; expected"));
   EXPECT_THAT(said("shape = \"box.obj\"\nscale = 1\n"), HasSubstr("density"));
-  EXPECT_THAT(said("shape = \"box.obj\"\ndensity = 1\n"),
-              HasSubstr("body.scale: got nothing; expected the length of one unit of the mesh"));
+  const std::string no_scale = "shape = \"box.obj\"\ndensity = 1\n";
+  const std::string expected =
+      "body.scale: got nothing; expected the length of one unit of the mesh";
+  EXPECT_THAT(said(no_scale), HasSubstr(expected + ", such as \"1 m\""));
+  EXPECT_THAT(refusal("schema = 1\n[body]\n" + no_scale + "[state.andoyer]\nL = 1\nG = 2\n", name),
+              HasSubstr(expected + ", such as 1"));
 }
 
 // The torque of the file's term is that of the term built by hand, in the body axes of its tensor.

@@ -22,7 +22,7 @@
 #include "polhode/series/compiled_series.hpp"
 #include "polhode/series/derivative.hpp"
 #include "polhode/series/expanded.hpp"
-#include "secular/rotation_harmonics.hpp"
+#include "secular/gravity_gradient_transform.hpp"
 #include "worst.hpp"
 
 namespace {

@@ -107,6 +107,18 @@ TEST(LightCurvesOfAlcdef, AreReadWithWhatTheFileDeclares) {
   EXPECT_THAT(second.lines, ElementsAre(51U, 52U));
 }
 
+TEST(LightCurvesOfAlcdef, LinesThatAreLeftOutAreNotChecked) {
+  const std::string bad = changed_text(two_sessions, "2451425.653700|-0.125", "|faint");
+  EXPECT_EQ(message_of([&] { alcdef_from_text(bad, "x.txt"); }).substr(0, 9), "x.txt:34:");
+  const std::vector<std::size_t> leave_out = {34, 51, 52};
+  const LightCurveFile file = alcdef_from_text(bad, "x.txt", std::nullopt, leave_out);
+  ASSERT_EQ(file.sessions.size(), 2U);
+  EXPECT_THAT(file.sessions[0].lines, ElementsAre(33U, 35U, 36U));
+  EXPECT_THAT(file.sessions[0].left_out, ElementsAre(34U));
+  EXPECT_TRUE(file.sessions[1].curve.points.empty());
+  EXPECT_THAT(file.sessions[1].left_out, ElementsAre(51U, 52U));
+}
+
 TEST(LightCurvesOfAlcdef, MagnitudesBecomeFluxes) {
   const LightCurveFile file = alcdef_from_text(two_sessions, "x.txt");
   const std::vector<LightPoint>& relative = file.sessions[0].curve.points;

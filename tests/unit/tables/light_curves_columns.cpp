@@ -147,6 +147,28 @@ TEST_F(LightColumnFiles, SessionsHaveNamesAndErrorsMayBeEmpty) {
   EXPECT_THAT(message_of([&] { require_sound(file); }), HasSubstr("error 0; expected one above 0"));
 }
 
+TEST_F(LightColumnFiles, LinesThatAreLeftOutAreNotChecked) {
+  LightColumns columns;
+  columns.magnitude = "m";
+  columns.sigma = "e";
+  columns.session = "s";
+  const std::string table =
+      write("bad",
+            "s,t,m,e\n,x,14,0.1\nA,1,14,0.1\nB,2,nan,0.1\nA,3,900,0.1\nA,4,15,\nB,5\nC,6,14,0.1\n");
+  EXPECT_THAT(message_of([&] { read_light_columns(table, columns); }), HasSubstr("bad:2: column"));
+  columns.leave_out = {2, 4, 5, 7};
+  const LightCurveFile file = read_light_columns(table, columns);
+  ASSERT_EQ(file.sessions.size(), 3U);  // as they are counted without leave_out
+  EXPECT_EQ(file.sessions[0].curve.name, "A");
+  EXPECT_THAT(file.sessions[0].lines, ElementsAre(3U, 6U));
+  EXPECT_THAT(file.sessions[0].left_out, ElementsAre(2U, 5U));
+  EXPECT_EQ(file.sessions[0].curve.points[1].sigma, 0.0);
+  EXPECT_NEAR(mean_flux(file.sessions[0].curve), 1.0, budget::light_flux);
+  EXPECT_TRUE(file.sessions[1].curve.points.empty());
+  EXPECT_THAT(file.sessions[1].left_out, ElementsAre(4U, 7U));
+  EXPECT_THAT(file.sessions[2].lines, ElementsAre(8U));
+}
+
 TEST_F(LightColumnFiles, OfColumnsComeBackBitForBit) {
   const std::vector<LightCurve> curves{
       {"a\nb",

@@ -70,6 +70,18 @@ TEST(LightCurvesOfDamit, AreReadWithWhatTheFormatDeclares) {
               HasSubstr("x.lc:2: light curve 1 has no errors"));
 }
 
+TEST(LightCurvesOfDamit, LinesThatAreLeftOutAreNotChecked) {
+  const std::string bad = changed_text(changed_text(two_nights, "1.021 ", "nan "), "  0.5  ", " ");
+  EXPECT_THAT(lc_refusal(bad), HasSubstr("x.lc:4: "));
+  const std::vector<std::size_t> leave_out = {4, 8};
+  const LightCurveFile file = lc_from_text(bad, "x.lc", TimeScale::TT, std::nullopt, leave_out);
+  ASSERT_EQ(file.sessions.size(), 2U);
+  EXPECT_THAT(file.sessions[0].lines, ElementsAre(3U, 5U));
+  EXPECT_THAT(file.sessions[0].left_out, ElementsAre(4U));
+  EXPECT_TRUE(file.sessions[1].curve.points.empty());
+  EXPECT_THAT(file.sessions[1].left_out, ElementsAre(8U));
+}
+
 TEST(LightCurvesOfDamit, CountLeapSecondsFromTheEpochThatIsAskedFor) {
   const std::string text =
       "1\n2 0\n2457754.25 1 1 0 0 0 1 0\n2457754.75 1 1 0 0 0 1 0\n";  // 2016-12-31T18, 06

@@ -6,9 +6,13 @@
 #include <gtest/gtest.h>
 #include <zlib.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "polhode/error.hpp"
 #include "temp_folder.hpp"
@@ -71,6 +75,39 @@ TEST_F(NumberTableFile, SemicolonsSeparateToo) {
   EXPECT_THAT(table.columns[0], ElementsAre(1.0, 2.0));
   EXPECT_THAT(table.columns[1], ElementsAre(0.0, 10.0));
   EXPECT_EQ(error_of("t;x\n0;1,5\n"), ":2: column 2: \"1,5\" is not a number");
+}
+
+TEST_F(NumberTableFile, TheLastFieldMayBeEmpty) {
+  const std::vector<std::string> columns = {"t", "e"};
+  const std::vector<FieldReader> readers = {
+      number_from_field, [](std::string_view field) { return field.empty() ? -1.0 : 0.5; }};
+  for (const char separator : {',', ';'})
+    for (const std::string head : {"t,f,e\n", "# t f e\n", "# t,f,e,\n"}) {
+      std::string text = head + "0,1,\n1,2,0.1\n2,3,\n";
+      std::ranges::replace(text, ',', separator);
+      const NumberTable table = read_number_table(holding(text), columns, readers);
+      EXPECT_THAT(table.columns[1], ElementsAre(-1.0, 0.5, -1.0)) << text;
+      EXPECT_THAT(table_columns(path_), ElementsAre("t", "f", "e")) << text;
+    }
+}
+
+TEST_F(NumberTableFile, ASeparatorAtTheEndIsNoColumn) {
+  EXPECT_THAT(table_columns(holding("0,1,2,\n1,2,3,\n")), ElementsAre("1", "2", "3"));
+  EXPECT_THAT(table_columns(holding("# t x\n0,1,\n1,2,\n")), ElementsAre("t", "x"));
+  EXPECT_EQ(error_of("0,1,\n", {"1", "4"}), ":1: has 2 columns; expected one of number 4");
+}
+
+TEST_F(NumberTableFile, LinesMayGoUnchecked) {
+  const std::vector<std::string> columns = {"t", "x"};
+  const std::vector<FieldReader> readers(2, number_from_field);
+  const std::vector<std::size_t> unchecked = {3, 4};
+  const NumberTable table =
+      read_number_table(holding("t,x\n0,1\n1,nan\nend\n2,3\n"), columns, readers, unchecked);
+  EXPECT_THAT(table.lines, ElementsAre(2U, 3U, 4U, 5U));
+  EXPECT_EQ(table.columns[0][1], 1.0);
+  EXPECT_TRUE(std::isnan(table.columns[1][1]));
+  EXPECT_TRUE(std::isnan(table.columns[0][2]));
+  EXPECT_EQ(table.columns[1][3], 3.0);
 }
 
 TEST_F(NumberTableFile, ACommentRightAboveNamesTheColumns) {
@@ -140,7 +177,8 @@ TEST_F(NumberTableFile, WhatIsWrongIsNamedWithItsLine) {
   EXPECT_EQ(error_of("0 1\n1 x1\n"), ":2: column 2: \"x1\" is not a number");
   EXPECT_EQ(error_of("0 1\n1 nan\n"), ":2: column 2: \"nan\" is not a finite number");
   EXPECT_EQ(error_of("0 1\n1 1e999\n"), ":2: column 2: \"1e999\" is not a finite number");
-  EXPECT_EQ(error_of("0,1\n1,\n"), ":2: has 1 fields; expected one in column 2");
+  EXPECT_EQ(error_of("0,1\n1\n"), ":2: has 1 fields; expected one in column 2");
+  EXPECT_EQ(error_of("0,1\n1,\n"), ":2: column 2: \"\" is not a number");
   EXPECT_EQ(error_of("0,1\n1,,2\n"), ":2: column 2: \"\" is not a number");
   EXPECT_EQ(error_of("0 1\n", {"1", "3"}), ":1: has 2 columns; expected one of number 3");
   EXPECT_EQ(error_of("t x\n0 1\n", {"t", "X"}),

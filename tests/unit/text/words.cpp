@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Words in messages: the nearest known one, text from outside, lists.
+#include "text/words.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -8,9 +10,6 @@
 #include <string_view>
 
 #include "polhode/text/separated.hpp"
-#include "text/nearest.hpp"
-#include "text/printable.hpp"
-#include "text/word_list.hpp"
 
 namespace polhode {
 namespace {

@@ -2,6 +2,8 @@
 // What refuses a problem whose times are not finite where it is made. It holds nothing.
 #pragma once
 
+#include "polhode/version.hpp"  // asks for C++20
+
 namespace polhode {
 inline namespace v0 {
 namespace detail {

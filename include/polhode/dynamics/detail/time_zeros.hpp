@@ -7,6 +7,8 @@
 #include <optional>
 #include <vector>
 
+#include "polhode/version.hpp"  // asks for C++20
+
 namespace polhode {
 inline namespace v0 {
 namespace detail {

@@ -2,6 +2,8 @@
 // Errors of pairs that are not the members of a modulus.
 #pragma once
 
+#include "polhode/version.hpp"  // asks for C++20
+
 namespace polhode {
 inline namespace v0 {
 namespace detail {

@@ -6,6 +6,8 @@
 #include <functional>
 #include <memory>
 
+#include "polhode/version.hpp"  // asks for C++20
+
 namespace polhode {
 inline namespace v0 {
 namespace detail {

@@ -9,8 +9,8 @@
 #include <limits>
 
 #include "polhode/free/detail/cayley_klein_coefficients.hpp"
+#include "polhode/free/detail/normalized_arc.hpp"
 #include "polhode/free/detail/precession.hpp"
-#include "polhode/free/detail/primed_arc.hpp"
 #include "polhode/free/detail/state_at.hpp"
 #include "polhode/free/free_kernel.hpp"
 #include "polhode/math/dual.hpp"
@@ -138,7 +138,7 @@ CayleyKleinSeries<T> rounded(const CayleyKleinSeries<P>& s) {
 // omega constant: q(t) = q0 exp(omega (t - t0) / 2).
 template <Number T, Real P>
 BasicFreeKernel<T> steady_kernel(const BasicVec3<P>& moments, const BasicQuaternion<P>& q0,
-                                 const BasicVec3<P>& g, const PrimedArc<P>& arc) {
+                                 const BasicVec3<P>& g, const NormalizedArc<P>& arc) {
   BasicFreeKernel<T> k;
   k.steady = true;
   k.left = rounded<T>(q0);
@@ -153,7 +153,7 @@ BasicFreeKernel<T> steady_kernel(const BasicVec3<P>& moments, const BasicQuatern
 }
 
 template <Number T, Real P>
-BasicFreeKernel<T> series_kernel(const BasicQuaternion<P>& q0, const PrimedArc<P>& arc) {
+BasicFreeKernel<T> series_kernel(const BasicQuaternion<P>& q0, const NormalizedArc<P>& arc) {
   using To = RoundedTo<T>;
   BasicFreeKernel<T> k;
   k.steady = false;
@@ -200,10 +200,10 @@ void unset_derivatives(BasicFreeKernel<Dual<S, N>>& k, const BasicVec3<Dual<S, N
   }
 }
 
-// The kernel of primed_arc(moments, s0.g). Moments, momentum and epoch are doubles, with
+// The kernel of normalized_arc(moments, s0.g). Moments, momentum and epoch are doubles, with
 // derivatives in P.
 template <Number T, Real P>
-BasicFreeKernel<T> arc_kernel(const PrimedArc<P>& arc, const BasicVec3<P>& moments,
+BasicFreeKernel<T> arc_kernel(const NormalizedArc<P>& arc, const BasicVec3<P>& moments,
                               const BasicRotorState<P>& s0, const T& t0) {
   using std::ldexp;
   const BasicQuaternion<P> q0 = normalized(s0.q);

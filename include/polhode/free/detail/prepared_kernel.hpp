@@ -74,7 +74,7 @@ BasicFreeKernel<T> prepared_kernel(const BasicVec3<T>& moments, const BasicRotor
     require_preparable("prepare", Body(I.x, I.y, I.z), s, to_double(t0));
     const auto wide_moments = in_working_number(moments);
     const auto wide_s0 = in_working_number(s0);
-    return arc_kernel<T>(primed_arc(wide_moments, wide_s0.g), wide_moments, wide_s0, t0);
+    return arc_kernel<T>(normalized_arc(wide_moments, wide_s0.g), wide_moments, wide_s0, t0);
   }
 }
 

@@ -2,6 +2,8 @@
 // What sine and cosine are made of within an eighth of a turn.
 #pragma once
 
+#include "polhode/version.hpp"  // asks for C++20
+
 namespace polhode {
 inline namespace v0 {
 namespace detail {

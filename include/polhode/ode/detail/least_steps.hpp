@@ -2,6 +2,8 @@
 // How AdaptiveRungeKutta distinguishes a jump of f from a solution that grows beyond all bounds.
 #pragma once
 
+#include "polhode/version.hpp"  // asks for C++20
+
 namespace polhode {
 inline namespace v0 {
 namespace detail {

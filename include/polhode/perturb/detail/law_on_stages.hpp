@@ -10,7 +10,7 @@
 #include <type_traits>
 
 #include "polhode/math/pack.hpp"
-#include "polhode/perturb/detail/turned_back.hpp"
+#include "polhode/perturb/detail/rotate_inverse.hpp"
 #include "polhode/perturb/effect.hpp"
 #include "polhode/perturb/stages.hpp"
 
@@ -127,7 +127,7 @@ template <InstructionSet isa, class Law, std::size_t vectors>
     } else {
       const BasicQuaternion<T> q{loaded(rows.q_IS, 0), loaded(rows.q_IS, 1), loaded(rows.q_IS, 2),
                                  loaded(rows.q_IS, 3)};
-      store(law.of_vectors(x, [&](const BasicVec3<T>& v) { return turned_back(q, v); }));
+      store(law.of_vectors(x, [&](const BasicVec3<T>& v) { return rotate_inverse(q, v); }));
     }
   }
 }

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <algorithm>
+#include <concepts>
 #include <cstring>
 #include <memory>
+#include <span>
 
-#include "polhode/perturb/detail/stage_law.hpp"
+#include "polhode/perturb/detail/law_on_stages.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -34,7 +36,7 @@ SpaceAxes axes_of_vectors(const P& term) {
 }
 
 template <Timewise P>
-class TimewiseStages final : public StageTerm, public StageLawOf<typename P::Law> {
+class TimewiseStages final : public StageTerm {
  public:
   using Law = typename P::Law;
 
@@ -91,11 +93,6 @@ class TimewiseStages final : public StageTerm, public StageLawOf<typename P::Law
   bool is_smooth() const override { return LibraryLaw<Law>; }
   bool has_unnamed_kinks() const override { return polhode::has_unnamed_kinks(term_); }
   bool adds_rate() const override { return Law::adds_rate; }
-  const StageLaw* law() const override { return sides_.empty() ? this : nullptr; }
-
-  std::span<const StageRow> of_time() const override { return of_time_; }
-  void add_to(const LawRows& rows) const override { effect_(term_.law(), {}, rows); }
-  Law law_itself() const override { return term_.law(); }
 
  private:
   template <class Rows>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The end of a run of rows, and what an OwnExperiment holds: the run of its rows, whatever its
+// The end of a run of rows, and what an CustomExperiment holds: the run of its rows, whatever its
 // state.
 #pragma once
 

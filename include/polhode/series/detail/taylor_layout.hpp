@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "polhode/version.hpp"  // asks for C++20
+
 namespace polhode {
 inline namespace v0 {
 namespace detail {

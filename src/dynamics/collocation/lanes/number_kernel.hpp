@@ -3,9 +3,9 @@
 // once for each set of instructions.
 #pragma once
 
-#include "dynamics/collocation/lanes/lost_by_product.hpp"
+#include "dynamics/collocation/gauss_scheme.hpp"
 #include "dynamics/collocation/lanes/of_stages.hpp"
-#include "dynamics/collocation/number_lanes.hpp"
+#include "dynamics/collocation/lanes/product_error.hpp"
 #include "polhode/math/error_free.hpp"
 #include "polhode/math/pack.hpp"
 
@@ -116,7 +116,7 @@ struct NumberKernel {
     for (std::size_t n = 0; n < numbers; ++n) {
       low[n] = s.carry[first + n];
       for (std::size_t i = 0; i < filled; i += T::width) {
-        store(lost_by_product(loaded(hb, i), loaded(s.F[first + n], i)), lost[n], i);
+        store(product_error(loaded(hb, i), loaded(s.F[first + n], i)), lost[n], i);
       }
     }
     for (std::size_t j = 0; j < stages; ++j)

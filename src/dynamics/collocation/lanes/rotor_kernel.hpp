@@ -5,10 +5,10 @@
 
 #include <limits>
 
-#include "dynamics/collocation/lanes/lost_by_product.hpp"
+#include "dynamics/collocation/gauss_scheme.hpp"
 #include "dynamics/collocation/lanes/of_stages.hpp"
+#include "dynamics/collocation/lanes/product_error.hpp"
 #include "dynamics/collocation/lanes/rotor_rates.hpp"
-#include "dynamics/collocation/rotor_step.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -178,7 +178,7 @@ struct RotorKernel {
     std::array<StageRow, 7> lost;
     for (std::size_t n = 0; n < 7; ++n)
       for (std::size_t i = 0; i < filled; i += T::width)
-        store(lost_by_product(loaded(s.hb, i), loaded(s.F[n], i)), lost[n], i);
+        store(product_error(loaded(s.hb, i), loaded(s.F[n], i)), lost[n], i);
     double low[7];
     for (std::size_t n = 0; n < 7; ++n) low[n] = s.carry[n];
     for (std::size_t j = 0; j < stages; ++j) {

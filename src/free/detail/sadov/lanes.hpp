@@ -13,9 +13,7 @@
 #include <cstddef>
 #include <cstring>
 
-#include "free/detail/sadov/curve.hpp"
-#include "free/detail/sadov/frame.hpp"
-#include "free/detail/sadov/mean.hpp"
+#include "free/detail/sadov/polhode.hpp"
 #include "polhode/free/sadov.hpp"
 #include "polhode/math/pack_functions.hpp"
 #include "polhode/math/pack_rows.hpp"

@@ -7,10 +7,7 @@
 #include <cstddef>
 
 #include "free/detail/sadov/constants.hpp"
-#include "free/detail/sadov/curve.hpp"
-#include "free/detail/sadov/deficit.hpp"
-#include "free/detail/sadov/frame.hpp"
-#include "free/detail/sadov/mean.hpp"
+#include "free/detail/sadov/polhode.hpp"
 #include "polhode/math/pack_functions.hpp"
 
 namespace polhode {

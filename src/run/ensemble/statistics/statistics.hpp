@@ -1,27 +1,81 @@
 // SPDX-License-Identifier: MIT
-// The statistics of an ensemble at each of its times, of members that come in any number of chunks.
+// The statistics of an ensemble at each of its times, histograms included, of members that come in
+// any number of chunks.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "polhode/ensemble/attitude_moments.hpp"
 #include "polhode/ensemble/attitude_spread.hpp"
 #include "polhode/ensemble/first_events.hpp"
 #include "polhode/ensemble/fractions.hpp"
+#include "polhode/ensemble/histogram.hpp"
 #include "polhode/ensemble/number_moments.hpp"
 #include "polhode/ensemble/quantiles.hpp"
 #include "polhode/run/ensemble_run.hpp"
 #include "polhode/trajectory/state_bytes.hpp"
-#include "run/ensemble/member_numbers.hpp"
-#include "run/ensemble/statistics/member_histogram.hpp"
+#include "run/ensemble/member_columns.hpp"
 
 namespace polhode {
 inline namespace v0 {
 namespace detail {
+
+// Accumulators in the bytes of a checkpoint or a message.
+
+// Of each its numbers, and how many these are before them.
+template <class A>
+void transfer_all(StateBytes& bytes, std::vector<A>& all) {
+  for (A& one : all) {
+    std::vector<double> numbers;
+    if (!bytes.reads()) numbers = one.numbers();
+    bytes(numbers);
+    if (bytes.reads()) one = one.restored(numbers);
+  }
+}
+
+// An Accumulator of one or two numbers of each member: in bins that are known beforehand, or kept
+// until their range is.
+
+// Even ones over a range and `margin` of it on either side, wide enough for doubles to lie between
+// the edges.
+Bins bins_over(double least, double greatest, double margin, int count);
+
+class MemberHistogram {
+ public:
+  // In the bins of one axis or two; without any, numbers of so many axes are kept.
+  explicit MemberHistogram(std::span<const Bins> bins);
+  static MemberHistogram kept(std::size_t axes);
+
+  std::size_t axes() const;
+  // Numbers that are not finite are passed over.
+  void add(std::int64_t member, std::span<const double> x);
+  void merge(const MemberHistogram& later);
+
+  // Rows of `time`, the edges of each axis, the count and the part of all: the cells of the first
+  // bin of the first axis side by side; the first and the last bin are open. Numbers that were kept
+  // go into `bins` of each axis over their range.
+  void append_rows(double time, int bins, std::vector<double>& rows) const;
+
+  std::vector<double> numbers() const;
+  MemberHistogram restored(std::span<const double> numbers) const;
+
+ private:
+  struct Kept {
+    std::size_t axes;
+    std::vector<double> numbers;  // of one member after the other
+  };
+  using Of = std::variant<Kept, Histogram, Histogram2D>;
+  explicit MemberHistogram(Of of) : of_(std::move(of)) {}
+
+  Of of_;
+};
 
 // What is made of the columns of a row.
 struct StatisticsColumns {

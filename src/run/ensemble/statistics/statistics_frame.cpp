@@ -9,7 +9,6 @@
 
 #include "polhode/error.hpp"
 #include "run/ensemble/member_columns.hpp"
-#include "run/ensemble/statistics/member_histogram.hpp"
 #include "run/ensemble/statistics/statistics.hpp"
 
 namespace polhode {

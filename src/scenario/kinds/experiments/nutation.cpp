@@ -12,7 +12,7 @@
 #include "polhode/scenario/planet_nutation.hpp"
 #include "polhode/text/epoch.hpp"
 #include "polhode/text/separated.hpp"
-#include "scenario/detail/nutation_kind.hpp"
+#include "scenario/detail/built_in_kinds.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -134,9 +134,9 @@ void fill(const NutationTheory& theory, double t, std::span<double> row) {
   *next++ = last.obliquity + moved.obliquity;
 }
 
-OwnExperiment made(const Arguments& a, const ExperimentContext& at) {
+CustomExperiment made(const Arguments& a, const ExperimentContext& at) {
   const PlanetNutation of = completed(request_of(a, at));
-  OwnExperiment own{.kind = "nutation", .rows = at.rows(), .columns = columns()};
+  CustomExperiment own{.kind = "nutation", .rows = at.rows(), .columns = columns()};
   const double second = second_of(at);
   const auto lazy = std::make_shared<const Lazy>(of);
   own.formula = [lazy, second](double t, std::span<double> row) {
@@ -148,7 +148,7 @@ OwnExperiment made(const Arguments& a, const ExperimentContext& at) {
   own.more_facts = [of, second] {
     const NutationTheory theory(nutation_problem(of));
     const NutationOffset precession = theory.precession();
-    return std::vector<OwnFact>{
+    return std::vector<SummaryItem>{
         {"precession", "precession in longitude", precession.longitude / second, Dimension::rate},
         {"obliquity_rate", "rate of the mean obliquity", precession.obliquity / second,
          Dimension::rate},

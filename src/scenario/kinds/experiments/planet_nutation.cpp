@@ -12,7 +12,7 @@
 #include "polhode/orbit/mean_ellipse.hpp"
 #include "polhode/secular/planet.hpp"
 #include "polhode/text/separated.hpp"
-#include "text/word_list.hpp"
+#include "text/words.hpp"
 
 namespace polhode {
 inline namespace v0 {

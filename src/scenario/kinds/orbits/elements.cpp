@@ -9,7 +9,7 @@
 #include "scenario/kinds/orbits/shared_keys.hpp"
 #include "scenario/value_access.hpp"
 #include "text/number_text.hpp"
-#include "text/printable.hpp"
+#include "text/words.hpp"
 
 namespace polhode {
 inline namespace v0 {

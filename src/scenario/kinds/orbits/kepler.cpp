@@ -6,8 +6,8 @@
 #include <string>
 
 #include "polhode/scenario/schema.hpp"
+#include "scenario/detail/built_in_kinds.hpp"
 #include "scenario/detail/clock.hpp"
-#include "scenario/detail/orbit_kinds.hpp"
 #include "scenario/kinds/orbits/shared_keys.hpp"
 #include "scenario/value_access.hpp"
 #include "scenario/values.hpp"

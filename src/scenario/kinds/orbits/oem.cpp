@@ -7,12 +7,12 @@
 
 #include "polhode/ephemeris/date.hpp"
 #include "polhode/scenario/schema.hpp"
+#include "scenario/detail/built_in_kinds.hpp"
 #include "scenario/detail/clock.hpp"
-#include "scenario/detail/orbit_kinds.hpp"
 #include "scenario/detail/reference_axes.hpp"
 #include "scenario/value_access.hpp"
-#include "text/civil_time.hpp"
-#include "text/printable.hpp"
+#include "text/dates.hpp"
+#include "text/words.hpp"
 
 namespace polhode {
 inline namespace v0 {

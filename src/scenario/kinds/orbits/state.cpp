@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // [orbit.NAME] from a position and a velocity, about an attracting body that may be oblate.
 #include "polhode/scenario/schema.hpp"
-#include "scenario/detail/orbit_kinds.hpp"
+#include "scenario/detail/built_in_kinds.hpp"
 #include "scenario/detail/reference_axes.hpp"
 #include "scenario/kinds/orbits/shared_keys.hpp"
 #include "scenario/value_access.hpp"

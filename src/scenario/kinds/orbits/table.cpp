@@ -8,17 +8,17 @@
 
 #include "polhode/scenario/schema.hpp"
 #include "polhode/tables/number_table.hpp"
+#include "scenario/detail/built_in_kinds.hpp"
 #include "scenario/detail/clock.hpp"
-#include "scenario/detail/orbit_kinds.hpp"
 #include "scenario/detail/other_names.hpp"
 #include "scenario/detail/reference_axes.hpp"
 #include "scenario/detail/table_check.hpp"
 #include "scenario/kinds/orbits/shared_keys.hpp"
 #include "scenario/value_access.hpp"
-#include "tables/two_line_elements.hpp"
-#include "text/date_text.hpp"
+#include "tables/table_header.hpp"
+#include "text/dates.hpp"
 #include "text/number_text.hpp"
-#include "text/printable.hpp"
+#include "text/words.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -317,7 +317,7 @@ ScenarioOrbit table_orbit(const OrbitContext& at) {
   const auto& table = std::get<TableOrbit>(orbit.motion);
   require_cover(at, rows, table);
   const double error = interpolation_error(table);
-  if (!std::isnan(error)) orbit.interpolation_error = error;
+  orbit.interpolation_error = error;
   orbit.warnings = rows_warning(at, rows, error, 1e-4, "the distance");
   return orbit;
 }

@@ -2,7 +2,7 @@
 // [[perturbation]] kind = "constant-torque".
 #include "polhode/perturb/constant_torque.hpp"
 
-#include "scenario/detail/torque_kinds.hpp"
+#include "scenario/detail/built_in_kinds.hpp"
 #include "scenario/kinds/torques/shared_keys.hpp"
 
 namespace polhode {

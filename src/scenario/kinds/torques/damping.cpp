@@ -1,19 +1,27 @@
 // SPDX-License-Identifier: MIT
-// [[perturbation]] kind = "damping".
+// [[perturbation]] of kinds "damping", "internal-damping", "anelastic-damping" and "kane-damper".
+#include <algorithm>
+#include <optional>
+
+#include "polhode/perturb/internal_damping.hpp"
 #include "polhode/perturb/linear_damping.hpp"
-#include "scenario/detail/torque_kinds.hpp"
+#include "scenario/detail/built_in_kinds.hpp"
+#include "scenario/kinds/torques/shared_keys.hpp"
 
 namespace polhode {
 inline namespace v0 {
 namespace detail {
+
+// [[perturbation]] kind = "damping".
+
 namespace {
 
-struct Arguments {
+struct LinearDampingArguments {
   LinearMap coefficients;
 };
 
-constexpr KindKey<Arguments> keys[] = {
-    quantity_key<&Arguments::coefficients>(
+constexpr KindKey<LinearDampingArguments> linear_damping_keys[] = {
+    quantity_key<&LinearDampingArguments::coefficients>(
         "coefficients", Dimension::damping,
         "D of the torque -D omega in body axes: its diagonal, or three rows.")
         .required()
@@ -21,7 +29,7 @@ constexpr KindKey<Arguments> keys[] = {
 };
 
 // The body axes of the file are those of its tensor; the term wants principal axes.
-MadeTerms made(const Arguments& a, const TermContext& at) {
+MadeTerms made_linear_damping(const LinearDampingArguments& a, const TermContext& at) {
   const Mat3& D = a.coefficients.matrix;
   return at.built("coefficients", [&]() -> AnyPerturbation {
     if (a.coefficients.is_diagonal && at.has_principal_axes())
@@ -34,8 +42,161 @@ MadeTerms made(const Arguments& a, const TermContext& at) {
 }  // namespace
 
 PerturbationKind damping_kind() {
-  return perturbation_kind<Arguments>(
-      "damping", "A torque against the angular velocity, in proportion to it.", keys, made);
+  return perturbation_kind<LinearDampingArguments>(
+      "damping", "A torque against the angular velocity, in proportion to it.", linear_damping_keys,
+      made_linear_damping);
+}
+
+// [[perturbation]] kind = "internal-damping".
+
+namespace {
+
+struct InternalDampingArguments {
+  std::optional<Vec3> k;
+  bool grows;
+  double wobble_time;
+  double rate;
+};
+
+constexpr KindKey<InternalDampingArguments> internal_damping_keys[] = {
+    quantity_key<&InternalDampingArguments::k>(
+        "k", Dimension::number,
+        "Of v = k g x omega, along the principal axes; in one over momentum.")
+        .alternative()
+        .example("[0.01, 0.01, 0.01]"),
+    flag_key<&InternalDampingArguments::grows>(
+        "grows", "Whether k is multiplied by the momentum; it is then in one over its square.")
+        .otherwise("false"),
+    quantity_key<&InternalDampingArguments::wobble_time>(
+        "wobble_time", Dimension::time,
+        "Time in which a small wobble about the axis of the largest moment falls by e.")
+        .alternative()
+        .example("\"100 d\"")
+        .positive(),
+    quantity_key<&InternalDampingArguments::rate>(
+        "rate", Dimension::rate, "The rate of rotation about that axis at which it does.")
+        .alternative()
+        .example("\"360 deg/d\"")
+        .positive(),
+};
+
+MadeTerms made_internal_damping(const InternalDampingArguments& a, const TermContext& at) {
+  if (a.k)
+    return at.built("k", [&]() -> AnyPerturbation {
+      return {"internal damping", InternalDamping(*a.k, a.grows)};
+    });
+  if (a.grows) at.refuse("grows", "expected a key k as well");
+  const Vec3& I = at.body().moments();
+  return at.built("kind", [&]() -> AnyPerturbation {
+    return {"internal damping", InternalDamping::of_wobble(at.body(), a.wobble_time,
+                                                           a.rate * std::max({I.x, I.y, I.z}))};
+  });
+}
+
+}  // namespace
+
+PerturbationKind internal_damping_kind() {
+  PerturbationKind kind = perturbation_kind<InternalDampingArguments>(
+      "internal-damping", "Friction inside the body: energy falls, angular momentum stays.",
+      internal_damping_keys, made_internal_damping);
+  kind.sets = "wobble_time+rate|k";
+  return kind;
+}
+
+// [[perturbation]] kind = "anelastic-damping".
+
+namespace {
+
+constexpr KindKey<DampedMaterial> anelastic_damping_keys[] = {
+    body_radius_key<&DampedMaterial::radius>(),
+    quantity_key<&DampedMaterial::rigidity>("rigidity", Dimension::pressure,
+                                            "Of the material of the body.")
+        .required()
+        .example("\"1 GPa\"")
+        .positive(),
+    quantity_key<&DampedMaterial::quality_factor>("quality_factor", Dimension::number,
+                                                  "Q of its oscillations.")
+        .required()
+        .example("100")
+        .positive(),
+    quantity_key<&DampedMaterial::density>("body_density", Dimension::density,
+                                           "Mean density of the body.")
+        .required()
+        .example("\"2000 kg/m3\"")
+        .positive(),
+    quantity_key<&DampedMaterial::shape_factor>(
+        "shape_factor", Dimension::number,
+        "K3 squared: about 0.1 for elongated bodies, 0.01 for nearly spherical ones.")
+        .otherwise("0.1")
+        .positive(),
+};
+
+MadeTerms made_anelastic_damping(const DampedMaterial& material, const TermContext& at) {
+  return at.built("kind", [&]() -> AnyPerturbation {
+    return {"internal damping", InternalDamping::of_material(at.body(), material)};
+  });
+}
+
+}  // namespace
+
+PerturbationKind anelastic_damping_kind() {
+  return perturbation_kind<DampedMaterial>(
+      "anelastic-damping", "Friction inside the body, from the material that it is made of.",
+      anelastic_damping_keys, made_anelastic_damping,
+      {{"burns1973",
+        "Burns, J. A., Safronov, V. S. (1973). Asteroid nutation angles. Monthly Notices of the "
+        "Royal Astronomical Society 165, 403-411.",
+        "the time in which a wobble dies"}});
+}
+
+// [[perturbation]] kind = "kane-damper", which is no term: a scenario has one at most.
+
+namespace {
+
+struct KaneDamperArguments {
+  double sphere_moment;
+  double friction;
+  std::optional<Vec3> rate_relative;
+};
+
+constexpr KindKey<KaneDamperArguments> kane_damper_keys[] = {
+    quantity_key<&KaneDamperArguments::sphere_moment>(
+        "sphere_moment", Dimension::moment,
+        "Moment of inertia of the sphere about its centre; the moments of the body are those of "
+        "both.")
+        .required()
+        .example("0.1"),
+    quantity_key<&KaneDamperArguments::friction>(
+        "friction", Dimension::damping, "Torque on the sphere per rate relative to the body.")
+        .required()
+        .example("0.01"),
+    quantity_key<&KaneDamperArguments::rate_relative>(
+        "rate_relative", Dimension::rate,
+        "Rate of the sphere relative to the body at t = 0, along the body axes; left out, it turns "
+        "with the body.")
+        .example("[0.0, 0.0, 0.0]"),
+};
+
+MadeTerms made_kane_damper(const KaneDamperArguments& a, const TermContext& at) {
+  if (!(a.friction >= 0.0)) at.refuse("friction", "expected a friction that is not negative");
+  const KaneDamper damper = at.built("sphere_moment", [&] {
+    const KaneDamper one(a.sphere_moment, a.friction);
+    one.require_room(at.body());
+    return one;
+  });
+  return DamperAtStart{damper, a.rate_relative ? at.principal(*a.rate_relative) : Vec3{}};
+}
+
+}  // namespace
+
+PerturbationKind kane_damper_kind() {
+  return perturbation_kind<KaneDamperArguments>(
+      "kane-damper", "A sphere in a cavity of the body, with viscous friction between them.",
+      kane_damper_keys, made_kane_damper,
+      {{"kane1966",
+        "Kane, T. R., Barba, P. M. (1966). Effects of energy dissipation on a spinning satellite. "
+        "AIAA Journal 4, 1392-1394.",
+        "a sphere in a cavity that damps"}});
 }
 
 }  // namespace detail

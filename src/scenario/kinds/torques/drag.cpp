@@ -4,7 +4,7 @@
 #include <string>
 
 #include "polhode/perturb/atmospheric_drag.hpp"
-#include "scenario/detail/torque_kinds.hpp"
+#include "scenario/detail/built_in_kinds.hpp"
 #include "scenario/kinds/torques/shared_keys.hpp"
 
 namespace polhode {

@@ -9,7 +9,7 @@
 
 #include "polhode/perturb/higher_gravity.hpp"
 #include "polhode/perturb/oblate_gravity.hpp"
-#include "scenario/detail/torque_kinds.hpp"
+#include "scenario/detail/built_in_kinds.hpp"
 #include "scenario/kinds/torques/shared_keys.hpp"
 
 namespace polhode {

@@ -5,7 +5,7 @@
 #include <variant>
 
 #include "polhode/perturb/tidal_torque.hpp"
-#include "scenario/detail/torque_kinds.hpp"
+#include "scenario/detail/built_in_kinds.hpp"
 #include "scenario/kinds/torques/shared_keys.hpp"
 
 namespace polhode {

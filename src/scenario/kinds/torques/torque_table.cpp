@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "polhode/tables/number_table.hpp"
+#include "scenario/detail/built_in_kinds.hpp"
 #include "scenario/detail/table_check.hpp"
-#include "scenario/detail/torque_kinds.hpp"
 #include "scenario/kinds/torques/shared_keys.hpp"
 
 namespace polhode {

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+// The search for events: where to look along a motion of a System or along a free rotation.
+#include "dynamics/events/event_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "math/number_text.hpp"
+#include "polhode/dynamics/detail/event_watch.hpp"
+#include "polhode/dynamics/free_events.hpp"
+#include "polhode/error.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+namespace {
+
+// In the time of the fastest turn. With slopes a function is known by twice as many numbers: a sine
+// of three times that frequency is still distinguished from its neighbours.
+constexpr double looks_per_turn = 12.0;
+// Over which a slope is taken, in intervals; and in roundings of the time, where these are coarse.
+constexpr double short_while = 0x1p-16;
+constexpr double roundings = 64.0 * std::numeric_limits<double>::epsilon();
+// In one step, in which nobody can stop the run: minutes.
+constexpr double most_looks = 1e8;
+
+}  // namespace
+
+double time_between_looks(double turning_rate) {
+  return 2.0 * std::numbers::pi / turning_rate / looks_per_turn;
+}
+
+double time_of_slope(double from, double to, double n) {
+  const double h = to - from;
+  const double least = roundings * std::fmax(std::fabs(from), std::fabs(to));
+  return std::copysign(std::fmax(short_while * std::fabs(h / n), least), h);
+}
+
+bool are_too_many_looks(double n) { return n > most_looks; }
+
+std::string nan_event_text(const std::string& event, double t) {
+  return "event \"" + event + "\" is NaN after t = " + number_text(t) +
+         ": mend its function, or leave it out";
+}
+
+std::string too_many_looks_text(const std::string& event, double interval, double from, double to) {
+  std::string text = "event \"" + event + "\" needs more than " + number_text(most_looks) +
+                     " looks in the step from t = " + number_text(from) + " to " + number_text(to) +
+                     ": ";
+  if (interval > 0.0) text += "is its interval of " + number_text(interval) + " too short? ";
+  return text + "Give the method a largest_step, or take free_events where the body is free";
+}
+
+// |I^-1 g|^2 is linear in the squares of the components, and so are G^2 and 2 T: along a polhode it
+// is linear in the square of the middle component, and largest at an end of its range.
+double fastest_rate(const Body& body, const Vec3& g) {
+  Vec3 I = body.moments(), w{g.x / I.x, g.y / I.y, g.z / I.z};
+  const auto order = [&](int i, int j) {
+    if (!(I[i] > I[j])) return;
+    std::swap(I[i], I[j]);
+    std::swap(w[i], w[j]);
+  };
+  order(0, 1), order(1, 2), order(0, 1);
+  const double now = std::hypot(w.x, w.y, w.z);
+  if (!(I.z > I.x) || !(now > 0.0) || !std::isfinite(now)) return now;
+  // in units of now: squares w1^2 + c1 w2^2 and w3^2 + c3 w2^2 are constants of the motion
+  const double x = w.x / now, y = w.y / now, z = w.z / now;
+  const double c1 = I.y * (I.z - I.y) / (I.x * (I.z - I.x));
+  const double c3 = I.y * (I.y - I.x) / (I.z * (I.z - I.x));
+  const double most = std::fmin((x * x + c1 * y * y) / c1, (z * z + c3 * y * y) / c3);
+  const double slope = 1.0 - c1 - c3, rest = 1.0 - slope * y * y;
+  return now * std::sqrt(std::fmax(1.0, std::fmax(rest, rest + slope * most)));
+}
+
+template <class Field>
+auto TermMotion<Field>::rates(const Sample& s, bool forward) const -> typename Field::Values {
+  ++evaluations_;
+  const double far = (forward ? 1.0 : -1.0) * std::numeric_limits<double>::infinity();
+  const DoubleDouble t = breakpoints_.stretch(s.t, far).inside(s.t);
+  return field_(t, Field::values(s.s));
+}
+
+template <class Field>
+auto TermMotion<Field>::moved(const Sample& s, double time) const -> Sample {
+  const typename Field::Values r = rates(s, time > 0.0);
+  typename Field::Values y = Field::values(s.s);
+  for (std::size_t i = 0; i < y.size(); ++i) y[i] = y[i] + time * r[i];
+  return {s.t + time, Field::state(y)};
+}
+
+template <class Field>
+double TermMotion<Field>::turning_rate(const Sample& s, bool forward) const {
+  const System& system = field_.system();
+  const typename Field::Values r = rates(s, forward);
+  const double relative = 2.0 * std::hypot(std::hypot(r[0], r[1]), std::hypot(r[2], r[3]));
+  const double frame = system.frame().is_inertial() ? 0.0 : norm(system.frame().at(s.t).mu_S);
+  return std::fmax(relative, fastest_rate(system.body(), rotor_of(s.s).g)) + frame;
+}
+
+template class TermMotion<RotorField<double>>;
+template class TermMotion<DamperField<double>>;
+template class EventWatch<RotorMotion>;
+
+}  // namespace detail
+
+namespace detail {
+namespace {
+
+constexpr int intervals_at_once = 64;
+
+RotorState seen(const System& system, double t, const RotorState& s_I) {
+  return system.frame().is_inertial() ? s_I : reference_state(system, t, s_I);
+}
+
+// The closed form between two times.
+class FreeStretch final : public DenseStep {
+ public:
+  FreeStretch(const FreeRotation& motion, const System& system, double t0, double t1)
+      : DenseStep(t0, t1), motion_(motion), system_(system) {}
+  RotorState at(double t) const override { return seen(system_, t, motion_.at(t)); }
+
+ private:
+  const FreeRotation& motion_;
+  const System& system_;
+};
+
+std::vector<Event> valid(std::vector<Event> events) {
+  for (const Event& event : events) require_valid(event);
+  return events;
+}
+
+}  // namespace
+
+FreeEventSearch::FreeEventSearch(const FreeRotation& motion, const Frame& frame,
+                                 std::vector<Event> events, double start)
+    : motion_(motion),
+      system_(motion.body(), frame),
+      watch_(RotorMotion(system_), valid(std::move(events))),
+      t_(start) {
+  // At its epoch the motion is what it was given, without a rounding.
+  Sample first = sample(start);
+  if (start == motion_.epoch()) {
+    const auto& [q, g] = motion_.initial_state();
+    first.s = seen(system_, start, {normalized(q), g});
+  }
+  watch_.begin(first, true);
+}
+
+Sample FreeEventSearch::sample(double t) const { return {t, seen(system_, t, motion_.at(t))}; }
+
+RotorWatch::Found FreeEventSearch::advance(double until) {
+  const bool forward = until >= t_;
+  // infinite for a body at rest
+  const double reach = intervals_at_once * watch_.interval(sample(t_), forward);
+  double end = until;
+  if (reach < std::fabs(until - t_)) {
+    end = t_ + (forward ? reach : -reach);
+    if (end == t_) end = std::nextafter(t_, until);
+  }
+  const FreeStretch stretch(motion_, system_, t_, end);
+  RotorWatch::Found found = watch_.search(stretch, stretch, sample(end), intervals_at_once / 4);
+  t_ = refusal().empty() ? end : watch_.reached();
+  return found;
+}
+
+}  // namespace detail
+
+FreeEvents free_events(const FreeRotation& motion, const std::vector<Event>& events, double start,
+                       double stop, const Frame& frame, const Progress& progress) {
+  if (!std::isfinite(start) || !std::isfinite(stop))
+    throw DomainError("free_events: start " + detail::number_text(start) + " and stop " +
+                      detail::number_text(stop) + " must be finite");
+  FreeEvents result;
+  detail::FreeEventSearch search(motion, frame, events, start);
+  const auto keep = [&result](detail::RotorWatch::Found found) {
+    for (EventRecord& event : found.records) result.events.push_back(std::move(event));
+    if (!found.stops) return;
+    result.outcome.status = Outcome::Status::stopped_by_event;
+    result.outcome.t = result.events.back().t;
+  };
+  result.outcome.t = start;
+  for (;;) {
+    const std::string& refusal = search.refusal();
+    if (!refusal.empty()) {
+      result.outcome.status = Outcome::Status::failed;
+      result.outcome.advice = refusal;
+      return result;
+    }
+    if (search.t() == stop) break;
+    keep(search.advance(stop));
+    if (result.outcome.status == Outcome::Status::stopped_by_event) return result;
+    result.outcome.t = search.t();
+    if (progress) progress(search.t());
+  }
+  keep(search.finish());
+  return result;
+}
+
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// The search for events along the motion of a System, and along a free rotation.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "dynamics/adaptive/breakpoints.hpp"
+#include "dynamics/adaptive/damper_field.hpp"
+#include "dynamics/adaptive/rotor_field.hpp"
+#include "polhode/dynamics/detail/event_watch.hpp"
+#include "polhode/free/free_rotation.hpp"
+#include "polhode/system/system.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+// How a sample of a run of a System moves on, and how fast it turns: what looks at a function of it
+// need.
+
+// The largest |I^-1 g| on the polhode through g: the largest rate of the free motion.
+double fastest_rate(const Body& body, const Vec3& g);
+
+inline RotorState nearer(const Quaternion& to, RotorState s) {
+  const Quaternion &p = to, q = s.q;
+  if (p.w * q.w + p.x * q.x + p.y * q.y + p.z * q.z < 0.0) s.q = {-q.w, -q.x, -q.y, -q.z};
+  return s;
+}
+
+template <class Field>
+class TermMotion {
+ public:
+  using State = typename Field::State;
+  using Sample = BasicSample<State>;
+
+  explicit TermMotion(const System& system) : field_(system), breakpoints_(system) {}
+
+  Sample moved(const Sample& s, double time) const;
+  // No direction in the body turns faster as seen from the frame or from inertial axes, nor does
+  // the momentum in the body.
+  double turning_rate(const Sample& s, bool forward) const;
+  static RotorState near(const RotorState& to, const RotorState& s) { return nearer(to.q, s); }
+  static DampedRotorState near(const DampedRotorState& to, const DampedRotorState& s) {
+    return {nearer(to.rotor.q, s.rotor), s.damper_rate};
+  }
+  std::int64_t evaluations() const { return evaluations_; }
+  void transfer(StateBytes& bytes) { bytes(evaluations_); }
+
+ private:
+  typename Field::Values rates(const Sample& s, bool forward) const;
+
+  Field field_;
+  Breakpoints breakpoints_;
+  mutable std::int64_t evaluations_ = 0;
+};
+
+using RotorMotion = TermMotion<RotorField<double>>;
+using DamperMotion = TermMotion<DamperField<double>>;
+extern template class TermMotion<RotorField<double>>;
+extern template class TermMotion<DamperField<double>>;
+using RotorWatch = EventWatch<RotorMotion>;
+extern template class EventWatch<RotorMotion>;
+
+// The search for events along a free rotation, a few turns at a time.
+
+class FreeEventSearch {
+ public:
+  // `motion` is in inertial axes, samples are in the frame. Zeros at `start` count.
+  FreeEventSearch(const FreeRotation& motion, const Frame& frame, std::vector<Event> events,
+                  double start);
+
+  double t() const { return t_; }  // how far it has come: where it cannot go on, up to there
+  // On towards `until`, by some turns at most.
+  RotorWatch::Found advance(double until);
+  // A zero where it has come to.
+  RotorWatch::Found finish() { return watch_.finish(); }
+  // Why it cannot go on; empty where it can.
+  const std::string& refusal() const { return watch_.refusal(); }
+  Sample sample(double t) const;
+  void transfer(StateBytes& bytes) {
+    bytes(t_);
+    watch_.transfer(bytes);
+  }
+
+ private:
+  FreeRotation motion_;
+  System system_;
+  RotorWatch watch_;
+  double t_;
+};
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

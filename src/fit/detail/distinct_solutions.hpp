@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// The distinct solutions of a search of light curves, and how they are related.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "fit/light_states.hpp"
+#include "polhode/fit/light_search.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+// Which of many states of a search are one, and what the others are beside it.
+
+// Near enough that fits from both would most likely meet.
+bool are_alike(const EllipsoidModel& a, const EllipsoidModel& b);
+// Within the errors of the first, with the same counts of turns over the time base: these are known
+// far better than each unknown by itself.
+bool are_same(const LightSolution& a, const LightSolution& b, const LightUnknowns& unknowns,
+              double time_base);
+
+// How many starts came to each solution or to one of its images. They have been described.
+std::vector<std::size_t> starts_of_images(const std::vector<FoundLight>& solutions);
+
+// Says of each solution what it is beside those before it; `half_turns` as describe_solutions.
+void describe_relations(std::vector<FoundLight>& solutions, const LightGeometry& geometry,
+                        bool half_turns);
+
+// What the fits of a search came to: solutions, each once, and the best of each pair of periods.
+
+class DistinctSolutions {
+ public:
+  // Rounds of more starts, at most.
+  static constexpr int most_rounds = 6;
+
+  // Whether the second solution is the first one again.
+  using AreSame = std::function<bool(const LightSolution&, const LightSolution&)>;
+
+  // `half_turns`: of bodies that are the same after half turns about their axes.
+  DistinctSolutions(std::span<const LightCurve> curves, std::size_t periods, double within,
+                    AreSame are_same, bool half_turns);
+
+  // Solutions from here on have other unknowns; the best of each pair of periods stays.
+  void begin(AreSame are_same);
+  void add(const LightSolution& found, std::size_t periods);
+
+  const std::vector<FoundLight>& all() const { return solutions_; }
+  const std::optional<LightSolution>& best_of(std::size_t periods) const { return best_[periods]; }
+  // The lowest first, with what each is beside those before it.
+  std::vector<FoundLight> within_limit() const;
+  // Not so far beyond the limit that it is given up.
+  bool is_near(double cost) const;
+
+  // The pairs of periods for which more starts may find something, the lowest first.
+  std::vector<std::size_t> open_pairs(int round) const;
+  // How many of the solutions within the limit one start alone came to, images taken as one.
+  std::size_t seldom() const;
+
+  void move_to(LightSearchResult& result);
+
+ private:
+  double limit() const;
+
+  double within_;
+  LightGeometry geometry_;
+  AreSame are_same_;
+  bool half_turns_;
+  std::size_t converged_ = 0;
+  std::vector<FoundLight> solutions_;
+  std::vector<std::optional<LightSolution>> best_;
+};
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: MIT
+// [[perturbation]] of kinds "residual-dipole" and "eddy-currents": torques in a magnetic field.
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "polhode/ephemeris/earth.hpp"
+#include "polhode/perturb/magnetic_torque.hpp"
+#include "polhode/scenario/perturbation_kind.hpp"
+#include "scenario/detail/built_in_kinds.hpp"
+#include "scenario/detail/clock.hpp"
+#include "scenario/detail/reference_axes.hpp"
+#include "scenario/kinds/torques/shared_keys.hpp"
+#include "scenario/value_access.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+enum class FieldSource { coefficients, earth };
+
+struct DipoleArguments {
+  std::string orbit;
+  FieldSource field;
+  std::optional<Vec3> gauss;
+  std::optional<double> reference_radius;
+  Vec3 pole;
+  std::optional<double> rotation_rate;
+  std::optional<double> meridian;
+  double meridian_epoch;
+};
+
+inline constexpr std::string_view earth = "field = \"earth\"";
+
+// Of arguments A that derive from these.
+template <class A>
+inline constexpr std::array<KindKey<A>, 8> dipole_keys = {
+    orbit_key<&DipoleArguments::orbit, A>(),
+    choice_key<&DipoleArguments::field, A, FieldSource::coefficients, FieldSource::earth>(
+        "field", "coefficients|earth",
+        "earth: the dipole of the IGRF and the orientation of the Earth at state.epoch, in place "
+        "of the keys gauss to meridian_epoch.")
+        .otherwise("\"coefficients\""),
+    quantity_key<&DipoleArguments::gauss, A>(
+        "gauss", Dimension::magnetic_field,
+        "Gauss coefficients g10, g11, h11 of the dipole field, as the IGRF lists them.")
+        .example("{ value = [-29442.0, -1501.0, 4797.1], unit = \"nT\" }")
+        .shown()
+        .unused_with(earth),
+    quantity_key<&DipoleArguments::reference_radius, A>("reference_radius", Dimension::length,
+                                                        "The radius that belongs to them.")
+        .example("\"6371.2 km\"")
+        .positive()
+        .shown()
+        .unused_with(earth),
+    pole_key<&DipoleArguments::pole, A>().unused_with(earth),
+    quantity_key<&DipoleArguments::rotation_rate, A>(
+        "rotation_rate", Dimension::rate,
+        "How fast it turns; may be left out if g11 and h11 are 0.")
+        .example("\"360.98564736629 deg/d\"")
+        .shown()
+        .unused_with(earth),
+    quantity_key<&DipoleArguments::meridian, A>(
+        "meridian", Dimension::angle,
+        "Where the meridian of longitude 0 is at the time `meridian_epoch`: from inertial axis 1, "
+        "or, where the pole is not axis 3, from the ascending node of its equator. May be left out "
+        "if g11 and h11 are 0.")
+        .example("\"0 deg\"")
+        .shown()
+        .unused_with(earth),
+    quantity_key<&DipoleArguments::meridian_epoch, A>("meridian_epoch", Dimension::time,
+                                                      "The time t that the meridian belongs to.")
+        .otherwise("0")
+        .unused_with(earth),
+};
+
+// The dipole, and what a summary says of it.
+struct NamedDipole {
+  DipoleField field;
+  std::string text;  // empty, or ", ..."
+};
+NamedDipole dipole_of(const DipoleArguments& a, const TermContext& at);
+
+inline Citation dipole_citation() {
+  return {"thebault2015",
+          "Thebault, E., et al. (2015). International Geomagnetic Reference Field: the 12th "
+          "generation. Earth, Planets and Space 67, 79.",
+          "the dipole field and its Gauss coefficients"};
+}
+
+// The dipole of a scenario: by its coefficients, or the Earth's of the epoch.
+
+namespace {
+
+// The Earth's orientation at t = 0 along the axes of the state.
+PrimaryRotation earth_at_epoch(const TermContext& at, const Clock& clock, const std::string& axes) {
+  const Mat3 R = j2000_from_earth(clock.epoch, clock.dut1);
+  const auto column = [&](int k) {
+    return in_other_axes(Vec3{R(0, k), R(1, k), R(2, k)}, "equator-J2000", axes);
+  };
+  const Vec3 pole = column(2), greenwich = column(0);
+  const Vec3 node = cross(Vec3{0.0, 0.0, 1.0}, pole);
+  const double meridian = std::atan2(dot(cross(node, greenwich), pole), dot(node, greenwich));
+  return {.pole = pole,
+          .rate = at.units().to_core(earth_rotation_rate, "rad/s", Dimension::rate),
+          .meridian = meridian,
+          .epoch = 0.0};
+}
+
+NamedDipole earth_dipole(const TermContext& at) {
+  const std::string& axes = word(at.values(), "state.axes");
+  if (axes == "inertial")
+    at.refuse("field",
+              "expected axes = \"equator-J2000\" or \"ecliptic-J2000\" in [state] as well, "
+              "and epoch");
+  const Clock clock = clock_of(at.values(), at.units(), at.key_path("field"), at.file());
+  return at.built("field", [&]() -> NamedDipole {
+    const Vec3 g = igrf_dipole(clock.epoch);
+    const auto core = [&](double x) {
+      return at.units().to_core(x, "nT", Dimension::magnetic_field);
+    };
+    const double radius = at.units().to_core(igrf_radius_km, "km", Dimension::length);
+    const PrimaryRotation earth = earth_at_epoch(at, clock, axes);
+    const Vec3& pole = earth.pole;
+    return {
+        DipoleField::from_gauss({core(g.x), core(g.y), core(g.z)}, radius, earth),
+        fmt::format(", the Earth's dipole of the epoch (IGRF-14: {:.1f}, {:.1f}, {:.1f} nT; "
+                    "pole {:.9f}, {:.9f}, {:.9f}, meridian {:.6f} {})",
+                    g.x, g.y, g.z, pole.x, pole.y, pole.z,
+                    at.units().from_core(earth.meridian, Dimension::angle), at.units().angle())};
+  });
+}
+
+}  // namespace
+
+NamedDipole dipole_of(const DipoleArguments& a, const TermContext& at) {
+  if (a.field == FieldSource::earth) return earth_dipole(at);
+  if (!a.gauss)
+    at.refuse("gauss", "expected the Gauss coefficients g10, g11, h11, or field = \"earth\"");
+  if (!a.reference_radius)
+    at.refuse("reference_radius", "expected the radius that belongs to gauss");
+  const bool turns_show = a.gauss->y != 0.0 || a.gauss->z != 0.0;
+  if (turns_show && !a.rotation_rate)
+    at.refuse("rotation_rate", "expected the rotation rate of the field; 0 for a fixed field");
+  if (turns_show && !a.meridian)
+    at.refuse("meridian", "expected the angle of the prime meridian at t = meridian_epoch");
+  require_pole(at, "pole");
+  const PrimaryRotation primary{.pole = a.pole,
+                                .rate = a.rotation_rate.value_or(0.0),
+                                .meridian = a.meridian.value_or(0.0),
+                                .epoch = a.meridian_epoch};
+  if (primary.pole == Vec3{}) at.refuse("pole", "expected a vector that is not zero");
+  return at.built("gauss", [&]() -> NamedDipole {
+    const Vec3& g = *a.gauss;
+    return {DipoleField::from_gauss({g.x, g.y, g.z}, *a.reference_radius, primary), ""};
+  });
+}
+
+// [[perturbation]] kind = "residual-dipole".
+
+namespace {
+
+struct ResidualDipoleArguments : DipoleArguments {
+  Vec3 moment;
+};
+
+constexpr std::array moment_keys = {
+    quantity_key<&ResidualDipoleArguments::moment>("moment", Dimension::magnetic_moment,
+                                                   "Magnetic moment of the body, along its axes.")
+        .required()
+        .example("{ value = [0.0, 0.0, 1.0], unit = \"A m2\" }"),
+};
+constexpr auto residual_dipole_keys = joined(dipole_keys<ResidualDipoleArguments>, moment_keys);
+
+MadeTerms made_residual_dipole(const ResidualDipoleArguments& a, const TermContext& at) {
+  const ScenarioOrbit& orbit = at.orbit("orbit");
+  const NamedDipole dipole = dipole_of(a, at);
+  const Vec3 m = at.principal(a.moment);
+  return std::visit(
+      [&](const auto& motion) -> AnyPerturbation {
+        return {"residual dipole, orbit " + orbit.name + dipole.text,
+                ResidualDipole(m, FieldAlongOrbit(motion, dipole.field))};
+      },
+      orbit.motion);
+}
+
+}  // namespace
+
+PerturbationKind residual_dipole_kind() {
+  return perturbation_kind<ResidualDipoleArguments>(
+      "residual-dipole", "A magnetic moment of the body in a dipole field.", residual_dipole_keys,
+      made_residual_dipole, {dipole_citation()});
+}
+
+// [[perturbation]] kind = "eddy-currents".
+
+namespace {
+
+struct EddyCurrentArguments : DipoleArguments {
+  LinearMap tensor;
+  bool field_rate;
+};
+
+constexpr std::array tensor_keys = {
+    quantity_key<&EddyCurrentArguments::tensor>(
+        "tensor", Dimension::magnetic_tensor,
+        "Magnetic tensor M of the torque (M (omega x B - dB/dt)) x B in body axes: its diagonal, "
+        "or three rows.")
+        .required()
+        .example("{ value = [500, 500, 500], unit = \"S m4\" }"),
+    flag_key<&EddyCurrentArguments::field_rate>(
+        "field_rate", "Whether dB/dt along the orbit counts; false: currents by omega x B alone.")
+        .otherwise("true"),
+};
+constexpr auto eddy_current_keys = joined(dipole_keys<EddyCurrentArguments>, tensor_keys);
+
+MadeTerms made_eddy_currents(const EddyCurrentArguments& a, const TermContext& at) {
+  const ScenarioOrbit& orbit = at.orbit("orbit");
+  const NamedDipole dipole = dipole_of(a, at);
+  const FieldRate rate = a.field_rate ? FieldRate::along_orbit : FieldRate::left_out;
+  return at.built("tensor", [&] {
+    return std::visit(
+        [&](const auto& motion) -> AnyPerturbation {
+          const FieldAlongOrbit field(motion, dipole.field);
+          const EddyCurrents in_file_axes(a.tensor.matrix, field, rate);  // refuses
+          return {"eddy currents, orbit " + orbit.name + dipole.text,
+                  EddyCurrents(at.principal(in_file_axes.tensor()), field, rate)};
+        },
+        orbit.motion);
+  });
+}
+
+}  // namespace
+
+PerturbationKind eddy_currents_kind() {
+  return perturbation_kind<EddyCurrentArguments>(
+      "eddy-currents", "Currents that a magnetic field induces in a body that turns in it.",
+      eddy_current_keys, made_eddy_currents,
+      {{"praly2012",
+        "Praly, N., Hillion, M., Bonnal, C., Laurent-Varin, J., Petit, N. (2012). Study on the "
+        "eddy current damping of the spin dynamics of space debris from the Ariane launcher upper "
+        "stages. Acta Astronautica 76, 145-153.",
+        "the torque on eddy currents"},
+       dipole_citation()});
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode
