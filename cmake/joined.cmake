@@ -10,11 +10,12 @@ whole build, more after a change of one file" OFF)
 # the time. With it GCC 12 takes the destructor of an optional variant for the use of an empty one.
 set(polhode_thin "")
 if(CMAKE_CXX_COMPILER_ID MATCHES "^(GNU|Clang|AppleClang)$")
-  set(polhode_thin $<$<CONFIG:Release>:-O1> $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
+  set(polhode_thin $<$<CONFIG:Release>:-O1> 
+    $<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU>>:-Wno-maybe-uninitialized>)
 endif()
 
-# The sources of a target in groups, by CMake's unity builds. Those whose paths match `alone`, and those
-# with compile options of their own, are compiled by themselves.
+# The sources of a target in groups, by CMake's unity builds. Those whose paths match `alone` ("^$" if
+# none do), and those with compile options of their own, are compiled by themselves.
 function(polhode_grouped target alone)
   if(NOT POLHODE_JOINED)
     return()

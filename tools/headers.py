@@ -39,7 +39,8 @@ def label_errors(path):
 
 
 def standard_errors(path):
-    """By the first include that a compiler follows to its end."""
+    """A header without other polhode headers must include version.hpp, which rejects compilers
+    older than C++20."""
     text = path.read_text(encoding="utf-8")
     if path.name == "version.hpp" or '#include "polhode/' in text:
         return []

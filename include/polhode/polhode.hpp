@@ -182,6 +182,7 @@
 #include "polhode/system/axes.hpp"
 #include "polhode/system/canonical_rates.hpp"
 #include "polhode/system/damped_rotor_state.hpp"
+#include "polhode/system/element_rates.hpp"
 #include "polhode/system/modified_andoyer.hpp"
 #include "polhode/system/osculation.hpp"
 #include "polhode/system/rotor_equations.hpp"

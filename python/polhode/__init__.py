@@ -87,11 +87,10 @@ from polhode.surface_fits import (
 
 __all__ = [
     "ArgumentFit",
-    "ConvexModel",
-    "EllipsoidModel",
-    "MeshModel",
     "Citation",
+    "ConvexModel",
     "ConvexResiduals",
+    "EllipsoidModel",
     "EnsembleHistogram",
     "EnsembleResults",
     "FirstTimes",
@@ -113,6 +112,7 @@ __all__ = [
     "LightSolution",
     "LikelyPeriods",
     "MapResults",
+    "MeshModel",
     "MeshResiduals",
     "PeriodLabel",
     "Posterior",

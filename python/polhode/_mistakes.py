@@ -27,7 +27,7 @@ _OTHER_NAMES = {
     "a": "semi_major_axis", "e": "eccentricity", "ecc": "eccentricity", "inc": "inclination",
     "i": "inclination", "Omega": "node", "raan": "node", "omega": "argument",
     "pomega": "argument", "Pomega": "argument", "varpi": "argument", "argp": "argument",
-    "M": "mean_anomaly", "f": "mean_anomaly", "nu": "mean_anomaly",
+    "M": "mean_anomaly",
 }
 _PLURALS = {"float": "numbers", "int": "ints", "str": "texts"}
 _RANGE = 2**31

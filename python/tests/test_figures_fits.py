@@ -156,7 +156,7 @@ def test_a_body_is_seen_where_its_ellipsoid_is():
     light = axes[0].images[0].get_array()
     seen = light[np.isfinite(light)]
     assert largest(seen) == 1.0 and smallest(seen) >= DARK
-    with pytest.raises(TypeError, match="expected a solution, a EllipsoidModel"):
+    with pytest.raises(TypeError, match="expected a solution, an EllipsoidModel"):
         figures.body_as_seen(3, [0.0], SUN, OBSERVER)
     with pytest.raises(ValueError, match="to_sun: got shape"):
         figures.body_as_seen(BODY, [0.0], [1.0], OBSERVER)

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <memory>
-#include <utility>
 
 #include "analysis/detail/deviation_field.hpp"
 #include "dynamics/collocation/collocation_stepper.hpp"
@@ -13,10 +12,7 @@
 namespace polhode {
 inline namespace v0 {
 namespace detail {
-
-// A motion with a deviation from it, as Collocation sees them: the rotor, at 7 what is next to it,
-// at 14 the integral of the growth L, at 15 that of MEGNO; and the logarithm of what the deviation
-// was scaled down by.
+namespace {
 
 // At 7: dq and dg, of the derivative of the steps.
 class SweptVariation {
@@ -67,7 +63,9 @@ class SweptNeighbour {
   double scale_;
 };
 
-// `By` is one of the two.
+// A motion with a deviation from it, as Collocation sees them: the rotor, at 7 the deviation `By`
+// one of the two above, at 14 the integral of the growth L, at 15 that of MEGNO; and the logarithm
+// of the factor that the deviation was scaled down by.
 template <class By>
 class SweptDeviation {
  public:
@@ -140,8 +138,6 @@ class SweptDeviation {
   By by_;
   Growth growth_;
 };
-
-namespace {
 
 // The integrals of the growth, at the stages of a step whose motions are solved.
 template <class Stages>

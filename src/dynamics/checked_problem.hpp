@@ -20,9 +20,8 @@ template <MotionState S>
 BasicProblem<System, S> checked_problem(const std::string& function,
                                         BasicProblem<System, S> problem, DamperState carried);
 
-// The sample times of a problem that are within its span.
-
-// DomainError, naming `function`, when they do not run from start to stop.
+// The sample times that are within the span of a problem. DomainError, naming `function`, unless
+// they run from start to stop.
 std::vector<double> sample_times(const std::string& function, const Problem& problem,
                                  const SaveAt& samples);
 

@@ -21,17 +21,18 @@
 namespace polhode {
 inline namespace v0 {
 namespace detail {
+namespace {
 
 // A run of one state shown as that of another: of a rotor with a damper as that of the rotor, and
 // of a rotor as that of one whose damper rests in the body.
 template <MotionState To, MotionState From>
 To shown(const From& s);
 template <>
-inline RotorState shown(const DampedRotorState& s) {
+RotorState shown(const DampedRotorState& s) {
   return s.rotor;
 }
 template <>
-inline DampedRotorState shown(const RotorState& s) {
+DampedRotorState shown(const RotorState& s) {
   return {s, {}};
 }
 
@@ -114,8 +115,8 @@ BasicTrajectory<To> shown_run(BasicTrajectory<From> run) {
 }
 
 // The run of a problem of a System: of a rotor, or of a rotor with its damper.
-inline RotorMotion motion_of(const Problem& p) { return RotorMotion(p.system); }
-inline DamperMotion motion_of(const DampedProblem& p) { return DamperMotion(p.system); }
+RotorMotion motion_of(const Problem& p) { return RotorMotion(p.system); }
+DamperMotion motion_of(const DampedProblem& p) { return DamperMotion(p.system); }
 
 template <MotionState S>
 BasicProblem<System, S> checked(const BasicProblem<System, S>& problem) {
@@ -139,7 +140,7 @@ template <MotionState S>
 using SystemRun = Run<S, SystemWatch<S>>;
 
 // The method in words, and the terms that it has to ask for one stage after the other.
-inline std::string method_text_for(const System& system, const Method& method) {
+std::string method_text_for(const System& system, const Method& method) {
   std::string text = method_text(method);
   if (!std::holds_alternative<Collocation>(method)) return text;
   for (const AnyPerturbation& term : system.terms())
@@ -160,7 +161,6 @@ std::unique_ptr<SystemRun<S>> system_run(const BasicProblem<System, S>& problem,
                                         keep_dense, samples, progress);
 }
 
-// What makes it.
 template <MotionState S>
 auto system_maker(const BasicProblem<System, S>& problem, const Progress& progress) {
   return [&problem, &progress](bool keep_dense, SampleQueue<S>& samples) {
@@ -189,6 +189,7 @@ Features system_features(const BasicProblem<System, S>& problem, const SaveAt& t
   return run_features(p, times, std::move(moving));
 }
 
+}  // namespace
 }  // namespace detail
 
 template class BasicTrajectory<DampedRotorState>;

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <string>
 #include <utility>
 
 #include "dynamics/checked_problem.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Orientation of the Earth: rotation, nutation, and the axes of two-line elements (TEME).
+// The Earth at a date: rotation, nutation, axes of two-line elements (TEME), and the IGRF dipole.
 #include "polhode/ephemeris/earth.hpp"
 
 #include <erfa.h>
@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string>
 
 #include "math/number_text.hpp"
 #include "polhode/ephemeris/iau_nutation.hpp"

@@ -20,6 +20,7 @@
 namespace polhode {
 inline namespace v0 {
 namespace detail {
+namespace {
 
 // [low, high], one or both of which may be infinite.
 class Interval {
@@ -62,15 +63,11 @@ class ChangeOfVariable {
   std::optional<TriangleBound> triangle_;
 };
 
-namespace {
-
 constexpr double infinite = std::numeric_limits<double>::infinity();
 // How near to a bound counts as on it.
 constexpr double near = 1e-5;
-// What the mixing of two sides of a triangle, and whoever divided by a third, may round.
+// Of the mixing of two sides of a triangle, and of a division by the third before it.
 constexpr double rounding = 16.0 * std::numeric_limits<double>::epsilon();
-
-}  // namespace
 
 Interval::Interval(double low, double high, double start) : low_(low), high_(high), near_(0.0) {
   const bool below = std::isfinite(low), above = std::isfinite(high);
@@ -154,6 +151,7 @@ std::string ChangeOfVariable::bound_text(std::size_t i, bool low) const {
   return names_[i] + " is on its bound, " + number_text(low ? v.low() : v.high());
 }
 
+}  // namespace
 }  // namespace detail
 
 namespace {

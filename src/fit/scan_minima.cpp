@@ -19,22 +19,12 @@
 
 namespace polhode {
 inline namespace v0 {
-namespace detail {
 
-// The cells of a landscape that are minima.
+namespace {
+
 struct LandscapeCell {
   std::size_t row, column;
 };
-
-// The lowest first, at most `most`.
-std::vector<LandscapeCell> minimum_cells(const Landscape& of, std::size_t most);
-
-// Pairs that refinement brought together, in either order: nearer than a hundredth of a step.
-bool are_one(const FourierFit& a, const FourierFit& b, double step);
-
-}  // namespace detail
-
-namespace {
 
 bool is_minimum(const Landscape& of, std::size_t row, std::size_t column) {
   const double here = of.at(row, column);
@@ -55,19 +45,19 @@ bool at_end(std::size_t i, const FrequencyGrid& grid) {
 
 constexpr double one_pair = 0.01;  // of a step
 
-bool is_same(const Landscape& of, const FourierFit& a, const FourierFit& b) {
-  if (of.orders.first == 0) return std::abs(a.f2 - b.f2) < one_pair * of.second.step;
-  return detail::are_one(a, b, std::max(of.first.step, of.second.step));
-}
-
-}  // namespace
-
-bool detail::are_one(const FourierFit& a, const FourierFit& b, double step) {
+// Pairs that refinement brought together, in either order: nearer than a hundredth of a step.
+bool are_one(const FourierFit& a, const FourierFit& b, double step) {
   const auto near = [&](double x, double y) { return std::abs(x - y) < one_pair * step; };
   return (near(a.f1, b.f1) && near(a.f2, b.f2)) || (near(a.f1, b.f2) && near(a.f2, b.f1));
 }
 
-std::vector<detail::LandscapeCell> detail::minimum_cells(const Landscape& of, std::size_t most) {
+bool is_same(const Landscape& of, const FourierFit& a, const FourierFit& b) {
+  if (of.orders.first == 0) return std::abs(a.f2 - b.f2) < one_pair * of.second.step;
+  return are_one(a, b, std::max(of.first.step, of.second.step));
+}
+
+// The cells of a landscape that are minima, the lowest first, at most `most`.
+std::vector<LandscapeCell> minimum_cells(const Landscape& of, std::size_t most) {
   std::vector<LandscapeCell> cells;
   for (std::size_t r = 0; r < of.first.count; ++r)
     for (std::size_t c = 0; c < of.second.count; ++c)
@@ -78,9 +68,11 @@ std::vector<detail::LandscapeCell> detail::minimum_cells(const Landscape& of, st
   return cells;
 }
 
+}  // namespace
+
 std::vector<ScanMinimum> scan_minima(const ScanPoints& points, const Landscape& of,
                                      const MinimaOptions& options) {
-  const std::vector<detail::LandscapeCell> cells = detail::minimum_cells(of, options.most);
+  const std::vector<LandscapeCell> cells = minimum_cells(of, options.most);
 
   // a cell of the grid; of one frequency alone, what the time base tells apart
   double reach = std::numeric_limits<double>::infinity();
@@ -125,9 +117,8 @@ FrequencyGrid window(const FrequencyGrid& coarse, std::size_t at, double step) {
 }
 
 bool is_known(std::span<const ScanMinimum> found, const ScanMinimum& m, double step) {
-  return std::ranges::any_of(found, [&](const ScanMinimum& one) {
-    return detail::are_one(one.refined.fit, m.refined.fit, step);
-  });
+  return std::ranges::any_of(
+      found, [&](const ScanMinimum& one) { return are_one(one.refined.fit, m.refined.fit, step); });
 }
 
 const std::string who = "scan_sessions: ";
@@ -168,7 +159,7 @@ class SessionScanner {
     const double step = scan_advice(sessions_, options_.scan.order).step;
     std::size_t windows = 0;
     // each minimum off the diagonal is there twice
-    for (const auto& [row, column] : detail::minimum_cells(result_->coarse, 2 * options_.windows)) {
+    for (const auto& [row, column] : minimum_cells(result_->coarse, 2 * options_.windows)) {
       if (row > column || windows == options_.windows) continue;
       ++windows;
       look_into(points, row, column, step);

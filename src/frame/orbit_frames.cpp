@@ -20,12 +20,11 @@
 
 namespace polhode {
 inline namespace v0 {
-namespace detail {
 
-// The normal of an orbit as a function of time, on any number type that frames are called with.
+namespace {
 
 // The rate of a frame along a table takes the second derivative of its path.
-inline void require_curved(const TableOrbit& orbit) {
+void require_curved(const TableOrbit& orbit) {
   if (orbit.order() < 4)
     throw DomainError("a frame along a table of order " + std::to_string(orbit.order()) +
                       "; expected 4 or more, for a path with a curvature");
@@ -94,7 +93,7 @@ class WholeTurns {
 
 // The whole turns of the node of a plane that precesses, on inertial axes that are tilted against
 // those in which it does.
-
+//
 // The node on the tilted axes is the direction (cos(tilt) sin(i) cos(node) - sin(tilt) cos(i),
 // sin(i) sin(node)). It goes round with the node, or, where i is smaller than the tilt, to and fro:
 // in each case there is an angle that follows the node and stays less than half a turn away. Where
@@ -168,10 +167,6 @@ class TurnedNode {
   std::int64_t first_ = 0;
 };
 
-}  // namespace detail
-
-namespace {
-
 constexpr double turn = 2.0 * std::numbers::pi;
 
 // The attitude as a function of time. The argument of latitude comes from the position, its whole
@@ -225,11 +220,11 @@ class VerticalOfTable {
     const std::vector<double>& times = orbit.table().times;
     Vec3 sum{};
     for (const double t : times) {
-      const Vec3 n = detail::normal_of(orbit.position(t), orbit.velocity(t));
+      const Vec3 n = normal_of(orbit.position(t), orbit.velocity(t));
       if (std::isfinite(n.z)) sum = sum + n;
     }
     retrograde_ = sum.z < 0.0;
-    turns_ = detail::WholeTurns::along(times, [this](double t) { return in_plane(t).angle; });
+    turns_ = WholeTurns::along(times, [this](double t) { return in_plane(t).angle; });
   }
 
   template <class T>
@@ -250,10 +245,10 @@ class VerticalOfTable {
   InPlane<T> in_plane(const T& t) const {
     using std::atan2;
     const BasicVec3<T> x = orbit_.position(t);
-    BasicVec3<T> n = detail::normal_of(x, orbit_.velocity(t));
+    BasicVec3<T> n = normal_of(x, orbit_.velocity(t));
     // half a turn about axis 1 first: (x, y, z) to (x, -y, -z)
     if (retrograde_) n = {n.x, -n.y, -n.z};
-    BasicQuaternion<T> plane = detail::shortest_turn_to(n);
+    BasicQuaternion<T> plane = shortest_turn_to(n);
     if (retrograde_) plane = BasicQuaternion<T>{T(0.0), T(1.0), T(0.0), T(0.0)} * plane;
     const BasicVec3<T> own = rotate(conj(plane), x);
     return {plane, atan2(own.y, own.x)};
@@ -261,13 +256,13 @@ class VerticalOfTable {
 
   TableOrbit orbit_;
   bool retrograde_ = false;
-  detail::WholeTurns turns_;
+  WholeTurns turns_;
 };
 
 }  // namespace
 
 Frame local_vertical_frame(const TableOrbit& orbit) {
-  detail::require_curved(orbit);
+  require_curved(orbit);
   return Frame::from_attitude(VerticalOfTable(orbit));
 }
 
@@ -326,7 +321,7 @@ class PlaneOfTable {
 
   template <class T>
   BasicVec3<T> normal(const T& t) const {
-    return detail::normal_of(orbit_.position(t), orbit_.velocity(t));
+    return normal_of(orbit_.position(t), orbit_.velocity(t));
   }
 
  private:
@@ -366,7 +361,7 @@ template <class Plane>
 Frame by_turn(Plane plane) {
   return Frame::from_attitude([plane = std::move(plane)](const auto& t) {
     using T = std::remove_cvref_t<decltype(t)>;
-    return detail::shortest_turn_to<T>(plane.normal(t));
+    return shortest_turn_to<T>(plane.normal(t));
   });
 }
 
@@ -392,18 +387,18 @@ Frame orbit_plane_frame(const TurnedKeplerOrbit& turned, PlaneOrigin origin) {
   const PlaneOfElements plane(orbit.elements(), orbit.rates(), turned.angle());
   if (origin == PlaneOrigin::shortest_turn) return by_turn(plane);
   const KeplerElements& k = orbit.elements();
-  const detail::TurnedNode turns(
+  const TurnedNode turns(
       {k.epoch, k.node, orbit.rates().node, k.inclination, orbit.rates().inclination},
       turned.angle());
   return Frame::from_attitude(ByNode(plane, turns));
 }
 
 Frame orbit_plane_frame(const TableOrbit& orbit, PlaneOrigin origin) {
-  detail::require_curved(orbit);
+  require_curved(orbit);
   const PlaneOfTable plane(orbit);
   if (origin == PlaneOrigin::shortest_turn) return by_turn(plane);
   const auto node = [&](double t) { return node_of(plane.normal(t)); };
-  return Frame::from_attitude(ByNode(plane, detail::WholeTurns::along(orbit.table().times, node)));
+  return Frame::from_attitude(ByNode(plane, WholeTurns::along(orbit.table().times, node)));
 }
 
 }  // namespace v0

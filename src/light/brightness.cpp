@@ -19,6 +19,8 @@
 namespace polhode {
 inline namespace v0 {
 
+namespace {
+
 // Component by component.
 constexpr Vec3 product(const Vec3& a, const Vec3& b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
 
@@ -33,8 +35,6 @@ struct Direction {
     return inverse_length * (by_unit - dot(unit, by_unit) * unit);
   }
 };
-
-namespace {
 
 template <int points>
 detail::LatitudeRule<points> made_rule() {

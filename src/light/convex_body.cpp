@@ -21,9 +21,22 @@
 
 namespace polhode {
 inline namespace v0 {
-namespace detail {
 
-[[noreturn]] void refuse_body(const std::string& what);
+namespace {
+
+// The error of areas, of their mean, at which the method ends, and its steps.
+constexpr double settled = 1e-9;
+constexpr int most_steps = 100, most_halvings = 30;
+// Half the side of the square that a facet is cut from, in distances from the origin.
+constexpr double beyond = 1e3;
+// The part of each area that may be taken from it for closure.
+constexpr double most_taken = 0.5;
+// Of the smallest facet that there will be: a start has all facets that are larger than this.
+constexpr double least_of_start = 0.1;
+
+[[noreturn]] void refuse_body(const std::string& what) {
+  throw DomainError("convex_body: " + what);
+}
 
 // A facet of the polyhedron: corners in order, and beyond the edge from each to the next, which.
 struct Polygon {
@@ -56,24 +69,6 @@ struct ClosedAreas {
   Eigen::VectorXd kept;  // 1 - n_j . t
   Eigen::Matrix3d tensor;
 };
-ClosedAreas closed_areas(std::span<const Vec3> normals, std::span<const double> areas);
-
-// Distances of the facets that have areas A, from `start` where that has all facets.
-Eigen::VectorXd distances_of(const Polyhedron& body, const Eigen::VectorXd& A,
-                             std::span<const double> start = {});
-
-namespace {
-
-// The error of areas, of their mean, at which the method ends, and its steps.
-constexpr double settled = 1e-9;
-constexpr int most_steps = 100, most_halvings = 30;
-// Half the side of the square that a facet is cut from, in distances from the origin.
-constexpr double beyond = 1e3;
-// What is taken from the areas for closure, at most, of each.
-constexpr double most_taken = 0.5;
-// Of the smallest facet that there will be: a start has all facets that are larger than this.
-constexpr double least_of_start = 0.1;
-
 // The part of a polygon on the inner side of the plane n . x = h, of facet k.
 void cut(Polygon& p, const Vec3& n, double h, std::size_t k, Polygon& spare) {
   spare.corners.clear();
@@ -92,10 +87,6 @@ void cut(Polygon& p, const Vec3& n, double h, std::size_t k, Polygon& spare) {
   }
   std::swap(p, spare);
 }
-
-}  // namespace
-
-void refuse_body(const std::string& what) { throw DomainError("convex_body: " + what); }
 
 Polyhedron::Polyhedron(std::span<const Vec3> normals) : normals_(normals) {
   for (std::size_t j = 0; j < normals.size(); ++j) {
@@ -179,14 +170,12 @@ ClosedAreas closed_areas(std::span<const Vec3> normals, std::span<const double> 
   for (std::size_t j = 0; j < areas.size(); ++j) {
     const double taken = normals[j].x * t.x() + normals[j].y * t.y() + normals[j].z * t.z();
     if (!(std::abs(taken) <= most_taken))
-      refuse_body("the sum of areas times normals, " + tuple_text({C.x(), C.y(), C.z()}) +
+      refuse_body("the sum of areas times normals, " + detail::tuple_text({C.x(), C.y(), C.z()}) +
                   " mean areas, is too far from 0 for a closed body");
     kept[static_cast<Eigen::Index>(j)] = 1.0 - taken;
   }
   return {A.cwiseProduct(kept), kept, T};
 }
-
-namespace {
 
 // The start, of the size of the areas; all distances alike where it lacks a facet.
 Eigen::VectorXd first_distances(const Polyhedron& body, const Eigen::VectorXd& A,
@@ -205,12 +194,11 @@ Eigen::VectorXd first_distances(const Polyhedron& body, const Eigen::VectorXd& A
   return h * std::sqrt(A.sum() / a.sum());
 }
 
-}  // namespace
-
-// Distances of the facets: Newton's method for a(h) = A, each step as long as leaves every facet
-// half of what the smallest has and takes the residual down (Kitagawa, Merigot & Thibert 2019).
+// Distances of the facets that have areas A, from `start` if that has all facets: Newton's method
+// for a(h) = A, each step as long as leaves every facet half of what the smallest has and takes the
+// residual down (Kitagawa, Merigot & Thibert 2019).
 Eigen::VectorXd distances_of(const Polyhedron& body, const Eigen::VectorXd& A,
-                             std::span<const double> start) {
+                             std::span<const double> start = {}) {
   const Eigen::MatrixXd N = body.rows();
   Eigen::MatrixXd M;
   Eigen::VectorXd h = first_distances(body, A, start), a = body.areas(h, &M);
@@ -231,19 +219,12 @@ Eigen::VectorXd distances_of(const Polyhedron& body, const Eigen::VectorXd& A,
     }
     if (halvings == most_halvings)
       refuse_body("no step makes the areas more alike; they are off by " +
-                  rounded_text(off.cwiseAbs().maxCoeff()) + " mean areas");
+                  detail::rounded_text(off.cwiseAbs().maxCoeff()) + " mean areas");
     h += part * d;
     a = body.areas(h, &M);
   }
   refuse_body("the areas did not settle in " + std::to_string(most_steps) + " steps");
 }
-
-}  // namespace detail
-
-namespace {
-
-using detail::Polyhedron;
-using detail::refuse_body;
 
 // Corners this near to each other, of the size of the body, are one.
 constexpr double one_place = 1e-9;
@@ -299,7 +280,7 @@ struct Integrals {
   Vec3 first, second;
 };
 
-Integrals over(const detail::Polygon& p, const Vec3& normal) {
+Integrals over(const Polygon& p, const Vec3& normal) {
   Integrals sum;
   for (std::size_t i = 1; i + 1 < p.corners.size(); ++i) {
     const Vec3 &a = p.corners[0], &b = p.corners[i], &c = p.corners[i + 1];
@@ -331,8 +312,7 @@ FacetShape convex_body(std::span<const Vec3> normals, std::span<const double> ar
   double mean = 0.0;
   for (const double A : areas) mean += A / static_cast<double>(areas.size());
   const Polyhedron body(unit);
-  const FacetShape found =
-      meshed(body, detail::distances_of(body, detail::closed_areas(unit, areas).areas));
+  const FacetShape found = meshed(body, distances_of(body, closed_areas(unit, areas).areas));
   require_closed(found, "convex_body");
   return found.moved(mass_properties(found, 1.0).centre, std::sqrt(mean));
 }
@@ -341,8 +321,8 @@ ConvexMoments convex_moments(std::span<const Vec3> normals, std::span<const doub
                              std::span<const double> start) {
   const std::vector<Vec3> unit = unit_normals(normals, areas);
   const Polyhedron body(unit);
-  const detail::ClosedAreas closed = detail::closed_areas(unit, areas);
-  const Eigen::VectorXd h = detail::distances_of(body, closed.areas, start);
+  const ClosedAreas closed = closed_areas(unit, areas);
+  const Eigen::VectorXd h = distances_of(body, closed.areas, start);
   // a facet that moves out by dh adds its integrals times dh
   std::vector<Integrals> facets;
   Integrals whole;

@@ -10,9 +10,8 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-// std::max with a NaN that stays: what judges a step or a term must not lose one.
-
-// Without a branch that depends on which is larger.
+// std::max that keeps a NaN, since a step or a term must not lose one; without a branch that
+// depends on which is larger.
 constexpr double larger(double a, double b) {
   const double most = a < b ? b : a;
   return b == b ? most : b;

@@ -156,9 +156,10 @@ double largest_distance(const PositionTable& table) {
 double size_at(const Vec3& x, double largest) { return std::fmax(norm(x), 1e-3 * largest); }
 
 // The error of cubics through two or three rows with velocities. In a curve that turns by an angle
-// a between rows, `bend` is a^2 / 8 of the size, `twist` a^3 / 12 and the error a^4 / 384. After a
-// whole revolution only the twist is left. The factors are 6 times those of a circle, since along
-// ellipses and straight falls the fourth derivative is up to 14 times the square of the second.
+// a between rows, `bend` is a^2 / 8 of the size, `twist` a^3 / 12 and the error a^4 / 384. Two
+// bounds are combined: after a whole revolution the velocities agree, and only the twist is left.
+// The factors are 6 times those of a circle, since along ellipses and straight falls the fourth
+// derivative is up to 14 times the square of the second.
 double cubic_error(const TableOrbit& orbit, ErrorSize size) {
   const PositionTable& table = orbit.table();
   const std::vector<double>& t = table.times;
@@ -192,7 +193,7 @@ double interpolation_error(const TableOrbit& orbit, ErrorSize size) {
                                   : std::numeric_limits<double>::quiet_NaN();
   const TableOrbit other(table, falls || !is_long ? order - step : above);
   const TableOrbit lowest(table, falls ? order - 2 * step : order);
-  // at the ends, where higher orders fall to this one
+  // orders above 12 fall to 12 at the ends
   const int end_order = std::min(order, static_cast<int>(most_end_nodes));
   const bool drops = order > end_order;
   const auto half = static_cast<std::size_t>(order / per_row / 2);  // of the rows of a polynomial

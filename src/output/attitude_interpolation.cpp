@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The error of attitudes that a reader interpolates between the rows of a file.
 #include "output/detail/attitude_interpolation.hpp"
 
 #include <algorithm>

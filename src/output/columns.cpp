@@ -27,8 +27,6 @@
 namespace polhode {
 inline namespace v0 {
 
-// The table of column groups: names, dimensions, and what fills a group: a function, or a chart.
-
 // The state of a row. A motion that is free in inertial axes is there itself, with the numbers, by
 // group, of the charts that are constant along it. A system with a damper is that at the rate of
 // the row.
@@ -75,10 +73,6 @@ class ColumnTable {
  private:
   std::vector<GroupSpec> groups_;
 };
-
-}  // namespace detail
-
-namespace detail {
 
 namespace {
 

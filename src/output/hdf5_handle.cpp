@@ -26,12 +26,11 @@ std::vector<std::string> attribute_texts(hid_t object, const char* name) {
   return texts;
 }
 
-// HDF5's driver of files, over a JournaledFile. HDF5 changes its file in place, and one that is
-// killed between two writes leaves what it cannot read; and it crashes when a write fails. Here it
-// writes to memory, and its file changes between two states that it can read.
-
 namespace {
 
+// A file of HDF5's driver over a JournaledFile. HDF5 changes its file in place, and one that is
+// killed between two writes leaves a file that it cannot read; and it crashes when a write fails.
+// Here it writes to memory, and its file changes between two states that it can read.
 struct OpenFile {
   H5FD_t base;  // first, as HDF5 knows no more of it
   JournaledFile* file;

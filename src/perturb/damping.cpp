@@ -16,15 +16,40 @@
 
 namespace polhode {
 inline namespace v0 {
-namespace detail {
 
 namespace {
 
+using detail::number_text;
+using Kernel = detail::DamperKernel<double>;
+
 constexpr double symmetry = 8.0 * std::numeric_limits<double>::epsilon();
 
-std::string text(const Vec3& v) { return tuple_text({v.x, v.y, v.z}); }
+std::string text(const Vec3& v) { return detail::tuple_text({v.x, v.y, v.z}); }
+
+Mat3 diagonal(const Vec3& d) { return {{{d.x, 0.0, 0.0}, {0.0, d.y, 0.0}, {0.0, 0.0, d.z}}}; }
+
+void require_positive(const char* what, double x) {
+  if (!(x > 0.0) || !std::isfinite(x))
+    throw DomainError(std::string("InternalDamping: ") + what + " " + number_text(x) +
+                      " must be positive and finite");
+}
+
+// (1/2)(1/A + 1/B) - 1/C, C the largest moment: a small wobble falls as exp(-k G^2 t) to this
+// power.
+double wobble_factor(const Body& body) {
+  const Vec3& I = body.moments();
+  double m[] = {I.x, I.y, I.z};
+  std::sort(m, m + 3);
+  const double factor = 0.5 * ((m[2] - m[0]) / (m[0] * m[2]) + (m[2] - m[1]) / (m[1] * m[2]));
+  if (!(factor > 0.0))
+    throw DomainError("InternalDamping: moments " + text(I) +
+                      " of a sphere have no wobble to damp: give a coefficient");
+  return factor;
+}
 
 }  // namespace
+
+namespace detail {
 
 Eigen::Matrix3d dense(const Mat3& m) {
   Eigen::Matrix3d out;
@@ -60,14 +85,6 @@ Mat3 friction_matrix(const Mat3& D, const std::string& called) {
 }
 
 }  // namespace detail
-
-namespace {
-
-Mat3 diagonal(const Vec3& d) { return {{{d.x, 0.0, 0.0}, {0.0, d.y, 0.0}, {0.0, 0.0, d.z}}}; }
-
-std::string text(const Vec3& v) { return detail::tuple_text({v.x, v.y, v.z}); }
-
-}  // namespace
 
 LinearDamping::LinearDamping(double d) : LinearDamping(Vec3{d, d, d}) {}
 
@@ -116,36 +133,10 @@ RotorState LinearDamping::flow(const Setting& at, double h) const {
   return {at.s.q, g + m.to_g * change};
 }
 
-namespace {
-
-using detail::number_text;
-
-void require_positive(const char* what, double x) {
-  if (!(x > 0.0) || !std::isfinite(x))
-    throw DomainError(std::string("InternalDamping: ") + what + " " + number_text(x) +
-                      " must be positive and finite");
-}
-
-// (1/2)(1/A + 1/B) - 1/C, C the largest moment: a small wobble falls as exp(-k G^2 t) to this
-// power.
-double wobble_factor(const Body& body) {
-  const Vec3& I = body.moments();
-  double m[] = {I.x, I.y, I.z};
-  std::sort(m, m + 3);
-  const double factor = 0.5 * ((m[2] - m[0]) / (m[0] * m[2]) + (m[2] - m[1]) / (m[1] * m[2]));
-  if (!(factor > 0.0))
-    throw DomainError("InternalDamping: moments " + detail::tuple_text({I.x, I.y, I.z}) +
-                      " of a sphere have no wobble to damp: give a coefficient");
-  return factor;
-}
-
-}  // namespace
-
 InternalDamping::InternalDamping(const Vec3& k_B, bool grows) : law_{k_B, grows} {
   for (const double x : {k_B.x, k_B.y, k_B.z})
     if (!(x >= 0.0) || !std::isfinite(x))
-      throw DomainError("InternalDamping: coefficients " +
-                        detail::tuple_text({k_B.x, k_B.y, k_B.z}) + " must be >= 0 and finite");
+      throw DomainError("InternalDamping: coefficients " + text(k_B) + " must be >= 0 and finite");
 }
 
 InternalDamping::InternalDamping(double k) : InternalDamping(Vec3{k, k, k}) {}
@@ -175,13 +166,6 @@ double wobble_time(const DampedMaterial& m, double rate) {
          (m.density * m.shape_factor * (m.radius * m.radius) * (rate * rate * rate));
 }
 
-namespace {
-
-using detail::number_text;
-using Kernel = detail::DamperKernel<double>;
-
-}  // namespace
-
 KaneDamper::KaneDamper(double moment, double friction) : moment_(moment), friction_(friction) {
   if (!(moment > 0.0) || !std::isfinite(moment))
     throw DomainError("KaneDamper: moment " + number_text(moment) + " must be positive and finite");
@@ -197,7 +181,7 @@ void KaneDamper::require_room(const Body& body) const {
   const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * m[2];
   if (moment_ <= room + rounding && moment_ < m[0]) return;
   throw DomainError("KaneDamper: moment " + number_text(moment_) + " in a body of moments " +
-                    detail::tuple_text({I.x, I.y, I.z}) + " must be at most " + number_text(room) +
+                    text(I) + " must be at most " + number_text(room) +
                     ", the sum of the two smaller ones less the largest, and less than each: what "
                     "is left must be a body");
 }

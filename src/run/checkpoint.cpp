@@ -29,7 +29,28 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
+// The contents of a checkpoint, behind a line for people.
+struct CheckpointFile {
+  std::string kind;
+  Identity identity;
+  KeptState state;
+  std::vector<SinkPosition> positions;
+
+  void transfer(StateBytes& bytes) {
+    bytes(kind);
+    sized(bytes, identity, [&](IdentityPart& part) { bytes.all(part.name, part.text); });
+    bytes.all(state.bytes, state.reached, state.goes_on);
+    sized(bytes, positions, [&](SinkPosition& p) { bytes.all(p.bytes, p.rows); });
+  }
+};
+
 namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view checkpoint_format = "polhode outputs 2";
+constexpr std::string_view pointer_head = "the checkpoint is\n";
+constexpr std::size_t hash_bytes = 8;
 
 std::string fingerprint_text(std::string_view bytes) {
   return "mark " + std::to_string(fingerprint(bytes));
@@ -66,8 +87,53 @@ std::string surroundings_of(const Obliquity& of) {
 }
 std::string surroundings_of(const CustomExperiment& own) { return fingerprint_text(own.identity); }
 
-std::string file_name(const std::string& path) {
-  return std::filesystem::path(path).filename().string();
+std::string file_name(const std::string& path) { return fs::path(path).filename().string(); }
+
+bool is_there(const std::string& path) {
+  std::error_code ignored;
+  return fs::exists(path, ignored);
+}
+
+// The file next to an output itself, or the checkpoint that it points to.
+std::string followed(const std::string& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::string head(pointer_head.size(), '\0');
+  stream.read(head.data(), static_cast<std::streamsize>(head.size()));
+  if (!stream || head != pointer_head) return file;
+  std::ostringstream rest;
+  rest << stream.rdbuf();
+  std::string target = rest.str();
+  if (target.ends_with('\n')) target.pop_back();
+  return (fs::path(file).parent_path() / target).string();
+}
+
+std::string bytes_of(CheckpointFile file) {
+  StateBytes body, head;
+  file.transfer(body);
+  std::string title(checkpoint_format);
+  std::uint64_t hash = fingerprint(body.bytes());
+  head.all(title, hash);
+  return file.state.reached + "\n" + head.bytes() + body.bytes();
+}
+
+// Nothing if the text is no checkpoint of this format, or was damaged.
+std::optional<CheckpointFile> file_in(const std::string& text) {
+  const std::size_t line = text.find('\n');
+  const std::string bytes = line == std::string::npos ? "" : text.substr(line + 1);
+  StateBytes reader(bytes);
+  CheckpointFile file;
+  try {
+    std::string title;
+    std::uint64_t hash = 0;
+    reader.all(title, hash);
+    const std::size_t head = sizeof(std::uint64_t) + title.size() + hash_bytes;
+    if (title != checkpoint_format || fingerprint(std::string_view(bytes).substr(head)) != hash)
+      return std::nullopt;
+    file.transfer(reader);
+  } catch (const DomainError&) {
+    return std::nullopt;
+  }
+  return file;
 }
 
 }  // namespace
@@ -105,32 +171,6 @@ std::string difference(const Identity& theirs, const Identity& ours) {
   }
   return {};
 }
-
-namespace {
-
-namespace fs = std::filesystem;
-
-constexpr std::string_view pointer_head = "the checkpoint is\n";
-
-bool is_there(const std::string& path) {
-  std::error_code ignored;
-  return fs::exists(path, ignored);
-}
-
-// What the file next to an output is, or points to.
-std::string followed(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::string head(pointer_head.size(), '\0');
-  stream.read(head.data(), static_cast<std::streamsize>(head.size()));
-  if (!stream || head != pointer_head) return file;
-  std::ostringstream rest;
-  rest << stream.rdbuf();
-  std::string target = rest.str();
-  if (target.ends_with('\n')) target.pop_back();
-  return (fs::path(file).parent_path() / target).string();
-}
-
-}  // namespace
 
 std::string shown_path(const std::string& path) { return printable(path, 500); }
 
@@ -204,61 +244,6 @@ bool are_complete(std::span<const PlannedOutput> outputs, const OutputFormats& f
   }
   return true;
 }
-
-namespace {
-
-constexpr std::string_view format = "polhode outputs 2";
-constexpr std::size_t hash_bytes = 8;
-
-}  // namespace
-
-// The file of a checkpoint: a line for people, then these.
-struct CheckpointFile {
-  std::string kind;
-  Identity identity;
-  KeptState state;
-  std::vector<SinkPosition> positions;
-
-  void transfer(StateBytes& bytes) {
-    bytes(kind);
-    sized(bytes, identity, [&](IdentityPart& part) { bytes.all(part.name, part.text); });
-    bytes.all(state.bytes, state.reached, state.goes_on);
-    sized(bytes, positions, [&](SinkPosition& p) { bytes.all(p.bytes, p.rows); });
-  }
-};
-
-namespace {
-
-std::string bytes_of(CheckpointFile file) {
-  StateBytes body, head;
-  file.transfer(body);
-  std::string title(format);
-  std::uint64_t hash = fingerprint(body.bytes());
-  head.all(title, hash);
-  return file.state.reached + "\n" + head.bytes() + body.bytes();
-}
-
-// None of a text that is not a checkpoint of this format, or was damaged.
-std::optional<CheckpointFile> file_in(const std::string& text) {
-  const std::size_t line = text.find('\n');
-  const std::string bytes = line == std::string::npos ? "" : text.substr(line + 1);
-  StateBytes reader(bytes);
-  CheckpointFile file;
-  try {
-    std::string title;
-    std::uint64_t hash = 0;
-    reader.all(title, hash);
-    const std::size_t head = sizeof(std::uint64_t) + title.size() + hash_bytes;
-    if (title != format || fingerprint(std::string_view(bytes).substr(head)) != hash)
-      return std::nullopt;
-    file.transfer(reader);
-  } catch (const DomainError&) {
-    return std::nullopt;
-  }
-  return file;
-}
-
-}  // namespace
 
 KeptOutput kept_output(Sink& sink) {
   return {[&sink] { return sink.position(); }, [&sink] { sink.kept(); }};

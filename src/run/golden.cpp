@@ -29,8 +29,9 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-// What each golden case is: the numbers it starts from and the times it is asked for.
+namespace {
 
+// The numbers that a golden case starts from, and the times of its samples.
 struct GoldenStart {
   std::string_view name;
   std::string_view description;
@@ -39,13 +40,6 @@ struct GoldenStart {
   Vec3 omega0;
   std::span<const double> times;
 };
-
-std::span<const GoldenStart> golden_starts();
-
-// The table of golden cases. Moments and rates have few bits, so that I omega is exact; with
-// moments 3, 4, 6 the separatrix is |3 omega1| = |6 omega3|, exactly.
-
-namespace {
 
 constexpr std::array<double, 9> tens_of_turns{0, 0.5, 1, 2, 5, 10, 20, 50, 100};
 constexpr std::array<double, 9> million_turns{0, 1, 10, 100, 1e3, 1e4, 1e5, 1e6, 1e7};
@@ -57,6 +51,8 @@ constexpr Vec3 triaxial{3, 4, 6}, oblate{3, 3, 5}, prolate{2, 5, 5}, flat{3, 4, 
 constexpr Quaternion q1{1, 0, 0, 0}, q2{0.5, 0.5, 0.5, 0.5}, q3{0.8, 0, 0.6, 0},
     q4{0.1, 0.7, -0.5, 0.5}, q5{0.2, 0.4, -0.4, 0.8}, q6{0.7, 0.1, -0.7, 0.1};
 
+// The table of golden cases. Moments and rates have few bits, so that I omega is exact; with
+// moments 3, 4, 6 the separatrix is |3 omega1| = |6 omega3|, exactly.
 constexpr std::array starts{
     GoldenStart{"sam", "short-axis mode", triaxial, q1, {0.5, 0.25, 1}, tens_of_turns},
     GoldenStart{
@@ -255,9 +251,6 @@ constexpr std::array starts{
 };
 
 }  // namespace
-
-std::span<const GoldenStart> golden_starts() { return starts; }
-
 }  // namespace detail
 
 namespace {
@@ -322,8 +315,7 @@ void make_folder(const std::string& folder) {
 
 std::vector<GoldenCase> golden_cases() {
   std::vector<GoldenCase> cases;
-  for (const detail::GoldenStart& start : detail::golden_starts())
-    cases.push_back(evaluated_case(start));
+  for (const detail::GoldenStart& start : detail::starts) cases.push_back(evaluated_case(start));
   return cases;
 }
 
@@ -337,13 +329,11 @@ void write_golden(const std::string& folder, const std::vector<GoldenCase>& case
   csv.commit();
 }
 
-// Golden cases as JSON and as CSV: what is given in the shortest form, which is exact; what is
-// computed with 17 digits.
-
 namespace {
 
 using Numbers = std::vector<double>;
 
+// Of computed numbers; given ones have their shortest form, which is exact.
 std::string digits17(double value) {
   char text[detail::longest_number];
   return std::string(text, std::to_chars(text, text + detail::longest_number, value,

@@ -34,22 +34,16 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-// The results of a cell, without its axes.
-ColumnGroup result_columns(const MapPlan& plan, const Units& units);
-// A cell that failed has one row of NaN.
-MapCell failed_cell(std::size_t width, std::string why);
-// What the map wants of a cell.
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
 struct CellContext {
   const MapPlan& plan;
   const Units& units;
   std::span<const ChartKind> charts;
 };
-// Of the experiment of a cell, which the map can wrap.
-MapCell map_cell(const Rotation& rotation, const CellContext& of, const Progress& progress);
-MapCell map_cell(const Obliquity& obliquity, const CellContext& of, const Progress& progress);
-MapCell map_cell(const CustomExperiment&, const CellContext& of, const Progress& progress);
-// Where the run did not end, why.
-MapCell ended(std::vector<double> numbers, const Outcome& outcome, std::size_t width);
+
 // The least, the largest and the last value.
 class Extremes {
  public:
@@ -69,9 +63,16 @@ class Extremes {
   double last_ = least_;
 };
 
-namespace {
+// A cell that failed has one row of NaN.
+MapCell failed_cell(std::size_t width, std::string why) {
+  return {std::vector<double>(width, nan), std::move(why)};
+}
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+// A failed cell with the advice of the outcome if the run did not end.
+MapCell ended(std::vector<double> numbers, const Outcome& outcome, std::size_t width) {
+  if (!outcome.ok()) return failed_cell(width, outcome.advice);
+  return {std::move(numbers), ""};
+}
 
 // Of a system without a damper: chaos_indicator says so.
 MapCell chaos_cell(const DampedProblem& given, const Progress& progress) {
@@ -151,13 +152,7 @@ MapCell spin_orbit_cell(const DampedProblem& problem, const PrecessingKeplerOrbi
   return ended(rows.take(), end.outcome, 4);
 }
 
-}  // namespace
-
-MapCell ended(std::vector<double> numbers, const Outcome& outcome, std::size_t width) {
-  if (!outcome.ok()) return failed_cell(width, outcome.advice);
-  return {std::move(numbers), ""};
-}
-
+// The results of a cell, without its axes.
 ColumnGroup result_columns(const MapPlan& plan, const Units& units) {
   const std::string time = units.label(Dimension::time), angle = units.label(Dimension::angle),
                     momentum = units.label(Dimension::momentum),
@@ -187,10 +182,7 @@ ColumnGroup result_columns(const MapPlan& plan, const Units& units) {
   return {};
 }
 
-MapCell failed_cell(std::size_t width, std::string why) {
-  return {std::vector<double>(width, nan), std::move(why)};
-}
-
+// Makes the cell of an experiment: one overload for each kind.
 MapCell map_cell(const Rotation& rotation, const CellContext& of, const Progress& progress) {
   const DampedProblem problem = rotor_problem(rotation);
   switch (of.plan.kind) {
@@ -209,10 +201,6 @@ MapCell map_cell(const Rotation& rotation, const CellContext& of, const Progress
 }
 
 MapCell map_cell(const CustomExperiment&, const CellContext&, const Progress&) { return {}; }
-
-// The cells of a map over spin axes: extremes of a column, and how steady the precession is.
-
-namespace {
 
 // seen(t, state) for every row.
 template <class Seen>
@@ -284,13 +272,12 @@ MapCell frequency_cell(const Obliquity& obliquity, const CellContext& of,
   return {{shown(sign * first), shown(sign * later), std::fabs(1.0 - later / first)}, ""};
 }
 
-}  // namespace
-
 MapCell map_cell(const Obliquity& obliquity, const CellContext& of, const Progress& progress) {
   return of.plan.kind == MapKind::frequency ? frequency_cell(obliquity, of, progress)
                                             : column_cell(obliquity, of, progress);
 }
 
+}  // namespace
 }  // namespace detail
 
 namespace {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The run of a map into files.
 #include "polhode/run/map_run.hpp"
 
 #include <algorithm>

@@ -267,9 +267,7 @@ void detail::add_facts(const Rotation& rotation, RunFacts& facts) {
   facts.epoch = rotation.epoch;
   facts.axes = rotation.axes;
   facts.moving_frame = !rotation.frame.is_inertial();
-  const DampedProblem problem = rotor_problem(rotation);
-  const RotorState& initial = problem.initial.rotor;
-  facts.rate = norm(angular_velocity(problem.system, 0.0, initial).inertial);
+  facts.rate = norm(angular_velocity(rotation.body, initial_state(rotation)));
 }
 
 RowLayout detail::row_layout(const Rotation& rotation, const Scenario& scenario) {

@@ -23,17 +23,6 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-// Lines of a summary about the spin of a body: where its momentum points, between which angles its
-// axes swing, and what a run has made of it; and what looks like a mistake of the file.
-
-// At t = 0. The motion is the free one in the axes of the reference frame.
-void add_spin(Lines& lines, const Rotation& rotation, const FreeRotation& motion);
-// Mode, periods and pole at t = 0 and at the end of a run.
-void add_change(Lines& lines, const Rotation& rotation, const Units& units,
-                const DampedSample& end);
-// Notes: a quaternion that looks scalar-last, an orbit that lies inside of what it goes round.
-void add_doubts(Lines& lines, const Rotation& rotation, const Scenario& scenario);
-
 namespace {
 
 constexpr double turn = 2.0 * std::numbers::pi;
@@ -137,8 +126,7 @@ void add_low_orbit(Lines& lines, const ScenarioOrbit& orbit, const std::optional
   }
 }
 
-}  // namespace
-
+// At t = 0. The motion is the free one in the axes of the reference frame.
 void add_spin(Lines& lines, const Rotation& rotation, const FreeRotation& motion) {
   if (motion.regime() == Regime::rest) return;
   const Vec3& I = motion.body().moments();
@@ -160,6 +148,7 @@ void add_spin(Lines& lines, const Rotation& rotation, const FreeRotation& motion
   lines.numbers("pole", pole_label(rotation), {pole.longitude, pole.latitude}, Dimension::angle);
 }
 
+// Mode, periods and pole at t = 0 and at the end of a run.
 void add_change(Lines& lines, const Rotation& rotation, const Units& units,
                 const DampedSample& end) {
   const System system = rotor_system(rotation);
@@ -170,6 +159,8 @@ void add_change(Lines& lines, const Rotation& rotation, const Units& units,
       spin_text(system, units, end.t, end.s.rotor));
 }
 
+// Notes on probable mistakes: a quaternion that looks scalar-last, an orbit inside its central
+// body.
 void add_doubts(Lines& lines, const Rotation& rotation, const Scenario& scenario) {
   constexpr double nearly_all = 0.99;
   const auto* const given = std::get_if<AttitudeRate>(&rotation.state);
@@ -187,6 +178,7 @@ void add_doubts(Lines& lines, const Rotation& rotation, const Scenario& scenario
     add_low_orbit(lines, orbit, rotation.time, scenario.units());
 }
 
+}  // namespace
 }  // namespace detail
 
 namespace {

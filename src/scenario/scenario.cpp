@@ -71,10 +71,9 @@ std::string file_note(const ScenarioFile& file) {
 
 namespace detail {
 
-// [output.NAME]: what a scenario asks of a format of files.
-
 namespace {
 
+// From a table [output.NAME], the keys of a format of files.
 OptionValues option_values(const Values& values, const OutputFormat& format,
                            const std::string& table) {
   std::map<std::string, OptionValue, std::less<>> by_name;

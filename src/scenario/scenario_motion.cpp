@@ -117,6 +117,12 @@ void check_damper(const Rotation& rotation, const OutputPlan& output, const Valu
       refuse(values, "event[" + std::to_string(i) + "].column", name, message);
 }
 
+// Refuses forward steps from a start that the file has put behind stop.
+void require_way(const Values& values, double start, double stop, const std::string& name) {
+  if (is_explicit(values, "time.start") && start > stop && number(values, "time.step") > 0.0)
+    refuse(values, "time.start", name, "expected a time before stop, since step is positive");
+}
+
 }  // namespace
 
 Crossing crossing_of(const std::string& word) {
@@ -138,12 +144,6 @@ std::optional<Method> method_of(const KindContext& at) {
       throw DomainError("expected a kind whose methods have its name, not " + traits.kind);
     return made;
   });
-}
-
-// Forward steps from a start that the file has put behind stop.
-void require_way(const Values& values, double start, double stop, const std::string& name) {
-  if (is_explicit(values, "time.start") && start > stop && number(values, "time.step") > 0.0)
-    refuse(values, "time.start", name, "expected a time before stop, since step is positive");
 }
 
 bool has_automatic_rows(const Values& values) {

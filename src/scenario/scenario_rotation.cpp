@@ -132,10 +132,9 @@ ScenarioOrbit orbit_of(const OrbitsContext& at, const std::string& path, OrbitUs
 
 }  // namespace detail
 
-// From the chart of a rotation to the hub, and the problem that its run solves.
-
 namespace {
 
+// From the chart of a rotation to the quaternion-momentum state.
 struct ToMotion {
   const Body& body;
   const Quaternion& q_file;

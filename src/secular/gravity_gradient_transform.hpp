@@ -2,7 +2,6 @@
 // The gravity gradient on a freely turning body as a Poisson series, and its Lie transform.
 #pragma once
 
-#include <complex>
 #include <vector>
 
 #include "polhode/free/sadov.hpp"
@@ -17,14 +16,6 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-// The gravity gradient on a freely turning body as a Poisson series in Sadov's angles and the mean
-// anomaly.
-//
-// The momentum's axes have x along the node of the plane normal to it, y across, z along it. There
-// the tensor of inertia, its trace taken off, is d0 = I_zz, d1 exp(i phi_g) = I_xz + i I_yz and
-// d2 exp(2 i phi_g) = (I_xx - I_yy)/2 + i I_xy. d0, d1 and d2 turn with phi_l alone and depend on
-// the ratio I_l / I_g alone.
-
 // A function of I_l, I_g and I_h about chosen values.
 constexpr int action_degree = 3;
 using ActionTaylor = TaylorCoefficient<double, 3, action_degree>;
@@ -37,6 +28,11 @@ struct ActionVariables {
         I_h(ActionTaylor::variable(2, at.I_h)) {}
 };
 
+// The momentum's axes have x along the node of the plane normal to it, y across, z along it. There
+// the tensor of inertia, its trace taken off, is d0 = I_zz, d1 exp(i phi_g) = I_xz + i I_yz and
+// d2 exp(2 i phi_g) = (I_xx - I_yy)/2 + i I_xy. d0, d1 and d2 turn with phi_l alone and depend on
+// the ratio I_l / I_g alone.
+//
 // (re + i im) exp(i multiple phi_l) of d0, d1 or d2.
 struct TensorWave {
   int multiple;
@@ -66,8 +62,6 @@ OrbitWaves orbit_waves(const Eccentricity& e, double least);
 Series<ActionTaylor> gradient_series(const Symbols& symbols, const TurningTensor& tensor,
                                      const OrbitWaves& orbit, const SadovState& at,
                                      double strength);
-
-// The Lie transform of a gravity gradient: which terms it takes, and what it refuses.
 
 // What is asked for, and the actions to expand about.
 struct GravityGradientRequest {

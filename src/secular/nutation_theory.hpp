@@ -5,7 +5,6 @@
 #include <map>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "polhode/secular/nutation.hpp"
@@ -44,10 +43,8 @@ inline ComplexSeries turned(const ComplexSeries& a, const Multiples& by, const T
           product(a.re, s, keep) + product(a.im, c, keep)};
 }
 
-// The pull on a planet's bulge as Fourier series in the arguments.
-
-// Pairs: h, less its mean, with x = H / G0 - cos I0; Phi, where it is there, with y = G / G0 - 1.
-// k counts orders. Then the arguments.
+// The symbols of the pull on a planet's bulge. Pairs: h, less its mean, with x = H / G0 - cos I0;
+// Phi, where it is there, with y = G / G0 - 1. k counts orders. Then the arguments.
 class NutationSymbols {
  public:
   explicit NutationSymbols(const NutationProblem& problem);
@@ -78,9 +75,6 @@ struct NutationTorque {
 
 // The rate of the arguments in a key.
 double rate_of(const Symbols& symbols, const TermKey& key, const std::vector<double>& rates);
-
-// How the axes answer the torque: the momentum by a Lie transform, the body about it by Euler's
-// equations.
 
 // By multipliers, of which the first that is not zero is positive.
 using Waves = std::map<std::vector<int>, NutationWave>;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
+// The gravity gradient's Poisson series: functions of I_l / I_g, harmonics of the body and of the
+// orbit, and their product.
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <numbers>
 
 #include "polhode/free/free_rotation.hpp"

@@ -25,8 +25,9 @@
 namespace polhode {
 inline namespace v0 {
 namespace detail {
+namespace {
 
-// SpinBlock: the spin axes of up to N bodies on one orbit, as one state of the common loop.
+// The spin axes of up to N bodies on one orbit, as one state of the common loop.
 template <std::size_t N>
 struct SpinBlock {
   std::array<double, 3 * N> column{};  // x of all, y, z
@@ -83,6 +84,7 @@ struct SpinBlockModel {
   }
 };
 
+}  // namespace
 }  // namespace detail
 
 namespace {

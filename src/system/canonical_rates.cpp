@@ -14,10 +14,11 @@
 
 namespace polhode {
 inline namespace v0 {
-namespace detail {
+
+namespace {
 
 // Tangent vectors (theta_B, g_B) of the hub and matrices that act on them.
-inline std::array<double, 6> product(const Matrix6& m, const std::array<double, 6>& x) {
+std::array<double, 6> product(const Matrix6& m, const std::array<double, 6>& x) {
   std::array<double, 6> y{};
   for (int i = 0; i < 6; ++i)
     for (int j = 0; j < 6; ++j)
@@ -25,13 +26,9 @@ inline std::array<double, 6> product(const Matrix6& m, const std::array<double, 
   return y;
 }
 
-inline std::array<double, 6> product(const Matrix6& m, const HubRates& x) {
+std::array<double, 6> product(const Matrix6& m, const HubRates& x) {
   return product(m, std::array<double, 6>{x.theta.x, x.theta.y, x.theta.z, x.g.x, x.g.y, x.g.z});
 }
-
-}  // namespace detail
-
-namespace {
 
 constexpr CanonicalChart euler_chart{CanonicalSet::euler};
 constexpr CanonicalChart andoyer_chart{CanonicalSet::andoyer};
@@ -40,7 +37,7 @@ constexpr CanonicalChart andoyer_chart{CanonicalSet::andoyer};
 // G = |g| where g = 0.
 CanonicalRates charted(const CanonicalChart& chart, const RotorState& s, const HubRates& x) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  CanonicalRates z = detail::product(inverse_chart_jacobian(chart, s), x);
+  CanonicalRates z = product(inverse_chart_jacobian(chart, s), x);
   for (double& rate : z)
     if (!std::isfinite(rate)) rate = none;
   if (s.g == Vec3{} && chart.set != CanonicalSet::euler)
@@ -102,9 +99,9 @@ AndoyerRates modified_andoyer_rates(const System& system, double t0, double t,
                                     const RotorState& s) {
   const FreeRotation motion(system.body(), s, t);
   const std::array<double, 6> at_epoch =
-      detail::product(motion.state_transition(t0), perturbation_rates(system, t, s));
+      product(motion.state_transition(t0), perturbation_rates(system, t, s));
   CanonicalRates z =
-      detail::product(inverse_chart_jacobian({CanonicalSet::andoyer}, motion.at(t0)), at_epoch);
+      product(inverse_chart_jacobian({CanonicalSet::andoyer}, motion.at(t0)), at_epoch);
   for (double& rate : z)
     if (!std::isfinite(rate)) rate = std::numeric_limits<double>::quiet_NaN();
   return {z[0], z[1], z[2], z[3], z[4], z[5]};

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Light curves in the ALCDEF format.
 #include "polhode/tables/alcdef.hpp"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Light curves in the lc format of DAMIT.
 #include "polhode/tables/lc.hpp"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdint>

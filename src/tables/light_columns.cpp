@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Light curves as columns of a table.
 #include "polhode/tables/light_columns.hpp"
 
 #include <algorithm>

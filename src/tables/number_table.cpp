@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Tables of numbers in text files, row by row.
 #include "polhode/tables/number_table.hpp"
 
 #include <algorithm>
@@ -135,7 +136,7 @@ class TableReader {
     }
   }
 
-  // Of a row; behind a separator at its end there is an empty one.
+  // The fields of a row; the last is empty if the line ends with a separator.
   const Fields& fields() const { return fields_; }
   std::size_t count_of_columns() const {
     const bool ends_empty = fields_.size() > 1 && fields_.back().empty();

@@ -15,7 +15,6 @@ namespace detail {
 
 // Dates of a calendar with 86400 s a day: TT, TDB and TAI by plain arithmetic, UTC through its leap
 // seconds.
-
 struct CivilTime {
   std::int64_t day = 0;   // from 2000-01-01
   std::int64_t nano = 0;  // nanoseconds of the day; beyond 86400 s in a leap second of UTC
@@ -37,8 +36,6 @@ bool has_text(const CivilTime& time);
 // Elapsed seconds of the scale "TT", "TDB", "TAI", "GPS" or "UTC", and back.
 double seconds_between(std::string_view scale, const CivilTime& from, const CivilTime& to);
 CivilTime after(std::string_view scale, const CivilTime& from, double seconds);
-
-// Dates in files, as text and as instants.
 
 // Whether a text begins as a date does: "2013-", or "JD ".
 bool is_dated(std::string_view text);

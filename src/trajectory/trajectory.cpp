@@ -2,6 +2,7 @@
 // Sample times and trajectories: their checks.
 #include "polhode/trajectory/trajectory.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>

@@ -6,10 +6,10 @@ namespace polhode::budget {
 
 // --- a method from outside, Runge-Kutta of order 4 (tests/unit/dynamics/custom_method.cpp) ---
 // Of the order; of the end of half a turn with steps of 0.005; inside steps of 0.01; of an event.
-inline constexpr double own_method_order = 0.3;
-inline constexpr double own_method_fine = 1e-6;
-inline constexpr double own_method_dense = 1e-5;
-inline constexpr double own_method_event = 1e-5;
+inline constexpr double custom_method_order = 0.3;
+inline constexpr double custom_method_fine = 1e-6;
+inline constexpr double custom_method_dense = 1e-5;
+inline constexpr double custom_method_event = 1e-5;
 
 // --- splittings (tests/unit/dynamics/splitting.cpp) ---
 // Sum of the coefficients, in double-double, less 1.

@@ -195,6 +195,10 @@ IN_THE_FILE = {
     "a true anomaly": (
         pulled("kind = \"kepler\"\nsemi_major_axis = 7000\ngm = 3\nf = 1\n"),
         "22:1: orbit.earth.f: unknown key; did you mean mean_anomaly?"),
+    "a mean anomaly that is misspelt": (
+        pulled("kind = \"kepler\"\nsemi_major_axis = 7000\ngm = 3\nmean_anomoly = 1\n"),
+        "22:1: orbit.earth.mean_anomoly: unknown key; did you mean mean_anomaly? with kind "
+        "\"kepler\" expected kind,"),
     "an empty table of an orbit": (
         pulled("kind = \"table\"\nfile = \"empty.csv\"\n"),
         "20:8: orbit.earth.file: got \"empty.csv\"; empty.csv: holds no row"),
@@ -216,8 +220,8 @@ BEHIND_RUN = {
 }
 
 
-def test_there_are_51():
-    assert len(IN_THE_FILE) + len(BEHIND_RUN) == 51
+def test_there_are_52():
+    assert len(IN_THE_FILE) + len(BEHIND_RUN) == 52
 
 
 def refused(run, folder, scenario, arguments):

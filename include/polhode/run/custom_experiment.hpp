@@ -31,8 +31,8 @@ struct ModelExperiment {
   using State = typename M::State;
 
   M model;
-  State initial;                   // at t = 0
-  std::vector<OwnColumn> columns;  // behind t
+  State initial;                      // at t = 0
+  std::vector<CustomColumn> columns;  // behind t
   // The numbers of the columns, in core units.
   std::function<void(const BasicSample<State>&, std::span<double>)> row;
   std::vector<SummaryItem> facts = {};

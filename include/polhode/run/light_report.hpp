@@ -50,7 +50,7 @@ struct SeparateSessions {
   std::size_t windows;
   std::size_t pairs;  // in the windows
 };
-// Light that does not vary, and whether no period describes the data better than noise lets it.
+// A constant brightness; it suffices if no period lowers chi-square by more than noise does.
 struct ConstantLight {
   double chi_square;
   std::size_t degrees_of_freedom;
@@ -58,7 +58,7 @@ struct ConstantLight {
 };
 // The series of one frequency with the fewest harmonics that describes the data as well as more
 // harmonics and the lowest resolved pair of frequencies do, or else the one with the most. It does
-// not suffice where a constant does.
+// not suffice if a constant does.
 struct OnePeriod {
   std::size_t order;  // of the series
   RefinedPair refined;
@@ -70,7 +70,7 @@ struct LightScan {
   Landscape landscape;              // of separate sessions the sum of theirs
   std::vector<ScanMinimum> minima;  // on all of the time
   std::optional<SeparateSessions> separate;
-  // Nothing where the grid of one frequency would have too many.
+  // Both are empty if the grid of one frequency would be too long.
   std::optional<ConstantLight> constant;
   std::optional<OnePeriod> one;
 };

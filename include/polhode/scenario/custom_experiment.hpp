@@ -29,7 +29,7 @@ namespace detail {
 struct RowsMaker;
 }
 
-struct OwnColumn {
+struct CustomColumn {
   std::string name;
   Dimension dimension;
 };
@@ -43,9 +43,9 @@ struct SummaryItem {
 };
 
 struct CustomExperiment {
-  std::string kind;                // "gyrostat"
-  std::optional<SaveAt> rows;      // always there
-  std::vector<OwnColumn> columns;  // behind t
+  std::string kind;                   // "gyrostat"
+  std::optional<SaveAt> rows;         // always there
+  std::vector<CustomColumn> columns;  // behind t
   Method method = default_model_method;
   std::vector<SummaryItem> facts = {};
   // Further facts, which take time to find: asked for when they are shown.

@@ -3,13 +3,14 @@
 //
 // Units       those of the file; what a column means is the caller's to say.
 // Domain      one row per line; fields are separated by semicolons or else commas, or by blanks
-//             where the first row has neither. A separator at the end of a line adds no column,
-//             but a column of the row that comes next is empty. After # is a comment, blank lines
-//             are skipped. The first line without numbers names the columns; without one, a comment
-//             right above the first row does, if it has as many words ("# t x y z"); comments above
-//             the rows are kept for who understands them. Of what JPL's Horizons sends (CSV_FORMAT
-//             = YES) the rows between $$SOE and $$EOE, with the names above. Numbers as in C or
-//             Fortran (1.5e3, 1.5D+03). Lines of at most 1 MiB.
+//             where the first row has neither. An empty field behind the last separator of a line
+//             is no column, but is read as an empty field if a column is asked for there. After #
+//             is a comment, blank lines are skipped. The first line without numbers names the
+//             columns; without one, a comment right above the first row does, if it has as many
+//             words ("# t x y z"); comments above the rows are kept for who understands them. Of
+//             what JPL's Horizons sends (CSV_FORMAT = YES) the rows between $$SOE and $$EOE, with
+//             the names above. Numbers as in C or Fortran (1.5e3, 1.5D+03). Lines of at most
+//             1 MiB.
 // Accuracy    the nearest double.
 // Errors      DomainError "FILE:LINE: ..." for the first thing wrong: a missing column or field,
 //             text that is no finite number, a damaged .gz; "FILE: ..." for what cannot be read.

@@ -365,6 +365,7 @@ void bind_system_functions(nb::module_& m) {
   bind_motion(m);
   bind_osculation(m);
   bind_modified(m);
+  bind_element_rates(m);
   bind_canonical_rates(m);
   bind_axes(m);
 }

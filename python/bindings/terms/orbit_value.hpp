@@ -35,7 +35,7 @@ AnyPythonOrbit orbit_of(nb::handle orbit, const std::string& label,
 void bind_ephemeris(nb::module_& m);
 
 // A UserWarning for a table whose interpolation error, as a part `of` something, is noticeable
-// or NaN, which nobody can tell.
+// or cannot be estimated (NaN).
 void warn_of_coarse_rows(const char* what, double error, double noticeable, const char* of);
 
 }  // namespace polhode::python

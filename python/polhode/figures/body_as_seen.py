@@ -62,7 +62,7 @@ def body_as_seen(
     bright = body.body if isinstance(body, (LightSolution, LightScenarioSolution)) else body
     if not isinstance(bright, (EllipsoidModel, ConvexModel, MeshModel)):
         raise TypeError(
-            f"body_as_seen: got {body!r}; expected a solution, a EllipsoidModel, a ConvexModel "
+            f"body_as_seen: got {body!r}; expected a solution, an EllipsoidModel, a ConvexModel "
             "or a MeshModel"
         )
     at = np.atleast_1d(np.asarray(_numbers(times, "times"), float))

@@ -18,8 +18,6 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-// What Adaptive asks of its steps, with what the terms of a problem know of their time scales.
-
 // The shortest quarter of a period among what the terms follow, and of the frame at the start;
 // infinite where none is known.
 double time_scale(const System& system, double start);

@@ -23,8 +23,7 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-// SwitchWatch: on which side of every switching function of a system a run is.
-
+// The side of every switching function of a system on which a run is.
 class SwitchWatch {
  public:
   // `jumps`, where it is not null, says why no torque may jump at an edge that the state decides:
@@ -94,8 +93,6 @@ class SwitchWatch {
   std::vector<double> largest_;  // of each function, so far
 };
 
-// Where a switching function falls through zero within a step.
-
 // f is taken for positive at a; it is negative at b. x is the first try, `slope` that of f there or
 // NaN. Secants, and a bisection where they leave the bracket and at every fourth trip: at most 200,
 // and three as a rule.
@@ -116,8 +113,6 @@ double falling_root(const F& f, double a, double b, double x, double slope, doub
   }
   return x;
 }
-
-// The first place of a step where a switching function changes its sign.
 
 // Switching functions times their sides along a step, x from 0 to 1: negative beyond an edge.
 class SwitchCurve {
@@ -143,6 +138,12 @@ struct EdgeSearch {
 // or a V, or longer than a quarter of the step.
 EdgeSearch search_edges(const SwitchCurve& curve);
 
+// Of a method: its tolerance, and what a step of 1 next to an edge errs, of the bend of the torque.
+struct EdgeRule {
+  double tolerance;
+  double power_error;
+};
+
 // Steps that grow away from an edge and shrink towards it, for methods whose polynomials span whole
 // steps.
 //
@@ -151,14 +152,8 @@ EdgeSearch search_edges(const SwitchCurve& curve);
 // step that is no longer than its distance from the edge converges by a factor of 5.8 a degree. The
 // step next to the edge is so short that what it errs is a small part of the tolerance, by the bend
 // of the torque there. On the other side of the edge, where there is no power, it is not shorter.
-
-// Of a method: its tolerance, and what a step of 1 next to an edge errs, of the bend of the torque.
-struct EdgeRule {
-  double tolerance;
-  double power_error;
-};
-
-// Of the borders of penumbras. Other edges, of facets that turn away or of a shadow like a
+//
+// The edges are the borders of penumbras. Others, of facets that turn away or of a shadow like a
 // cylinder, have smooth sides.
 class EdgeGrading {
  public:

@@ -22,8 +22,6 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-// Why a step could not be made, in words: the term that gives no number, or what the step says.
-
 // The first term, or the frame, that is not finite in the step tried; empty when all are.
 template <class Field>
 std::string not_finite_text(const Field& field, const DoubleDouble& t,
@@ -67,9 +65,6 @@ std::string failure_text(const Field& field, const DoubleDouble& t, const typena
          ", below the rounding of t: does a torque or the frame jump there repeatedly, or grow "
          "without bound? Name the switching functions of the term, or try a larger tolerance";
 }
-
-// One step of an adaptive solver within which every term is smooth: it ends at a breakpoint in
-// time, and at an edge, where a switching function changes its sign.
 
 // The step that a solver has made from `savepoint`, as a curve: a quartic of the values and rates
 // at its ends and of one rate inside, for the search, and shorter steps, which are the truth.

@@ -15,9 +15,8 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-// The step that a collocation has made, as a curve on which switching functions are looked at.
-
-// The polynomial of the step for the search; that of twice as many stages is the truth.
+// The step that a collocation has made, as a curve on which edges are searched: its polynomial for
+// the search, and that of twice as many stages as the truth.
 template <class Solver>
 class CollocationCurve final : public SwitchCurve {
  public:

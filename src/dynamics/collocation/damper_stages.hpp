@@ -15,9 +15,7 @@ inline namespace v0 {
 namespace detail {
 
 // A decay that is part of the rate of a number, s' = r - d s: solved within each sweep, so that
-// sweeps converge however fast it is.
-
-// S = P - d mu (hb S), P what the stages would be by r alone.
+// sweeps converge however fast it is. S = P - d mu (hb S), P the stages by r alone.
 class StageDecay {
  public:
   // For steps of weights hb: the inverse of 1 + d mu hb, by elimination with pivots. Its worst loop

@@ -18,6 +18,9 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
+// A matrix by columns: what number j contributes to every row.
+using StageMatrix = std::array<StageRow, most_stages>;
+
 // Gauss-Legendre collocation of s stages (Butcher 1964): implicit, of order 2 s, symmetric, and
 // symplectic in canonical variables; it keeps every quadratic invariant, |q|^2 among them.
 //
@@ -26,10 +29,6 @@ namespace detail {
 // With a_ij = mu_ij b_j, the method is symplectic where mu_ij + mu_ji = 1 (Sanz-Serna 1988). In
 // doubles that holds to the last bit, and then rounding makes no invariant drift (Antonana,
 // Makazaga and Murua 2017).
-
-// A matrix by columns: what number j contributes to every row.
-using StageMatrix = std::array<StageRow, most_stages>;
-
 struct GaussScheme {
   std::size_t stages;
   StageRow c;               // nodes in [0, 1]
@@ -58,8 +57,6 @@ StepWeights step_weights(const GaussScheme& scheme, double h);
 StageMatrix continuation(const GaussScheme& scheme, double ratio);
 // [m][i]: P_m at the nodes of `fine`, inside the same step.
 StageMatrix refinement(const GaussScheme& scheme, const GaussScheme& fine);
-
-// The numbers of one step of a rotor by collocation, and what is done with them in lanes.
 
 // How often a sweep moves the stages by the effects that it has asked for. Where torques are weak
 // next to the free rotation these settle long before the attitude does.

@@ -178,8 +178,6 @@ class StepChoice {
   bool is_cut_ = false;
 };
 
-// A step by collocation as a polynomial.
-
 // As many numbers, all 0.
 template <class Values>
 Values zeros_like(Values y) {
@@ -225,8 +223,6 @@ struct StepPolynomial {
                          [this](std::size_t n, std::size_t m) { return rates[n][m]; });
   }
 };
-
-// The error of a step by collocation, by its rates in Legendre polynomials.
 
 // The effects of the terms of a System, u and then v, in Legendre polynomials; the last row is 0.
 using DriveRows = std::array<StageRow, 7>;

@@ -105,9 +105,6 @@ template class TermMotion<RotorField<double>>;
 template class TermMotion<DamperField<double>>;
 template class EventWatch<RotorMotion>;
 
-}  // namespace detail
-
-namespace detail {
 namespace {
 
 constexpr int intervals_at_once = 64;

@@ -17,9 +17,6 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-// How a sample of a run of a System moves on, and how fast it turns: what looks at a function of it
-// need.
-
 // The largest |I^-1 g| on the polhode through g: the largest rate of the free motion.
 double fastest_rate(const Body& body, const Vec3& g);
 
@@ -29,6 +26,7 @@ inline RotorState nearer(const Quaternion& to, RotorState s) {
   return s;
 }
 
+// How a sample of a run of a System moves on, and how fast it turns, for the search of events.
 template <class Field>
 class TermMotion {
  public:
@@ -64,7 +62,6 @@ using RotorWatch = EventWatch<RotorMotion>;
 extern template class EventWatch<RotorMotion>;
 
 // The search for events along a free rotation, a few turns at a time.
-
 class FreeEventSearch {
  public:
   // `motion` is in inertial axes, samples are in the frame. Zeros at `start` count.

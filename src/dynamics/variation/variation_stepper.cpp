@@ -23,10 +23,11 @@
 namespace polhode {
 inline namespace v0 {
 namespace detail {
+namespace {
 
 // The rates of the constants of the free rotation: of the inertial state that the motion would have
 // had at a reference epoch without terms and frame.
-
+//
 // x(t) = Phi(t - epoch, y) in inertial axes; dy/dt = DPhi^-1 (v, g x v + u), the inverse being the
 // flow back from x(t).
 class VariationField {
@@ -77,8 +78,6 @@ class VariationField {
   ShortFlow free_;
   DoubleDouble epoch_;
 };
-
-namespace {
 
 using Values = RotorValues<double>;
 using Constants = CompensatedState<double, rotor_size<double>>;

@@ -15,14 +15,6 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-// sn, cn, dn in lanes for 1 - m >= 0.14, by theta functions of the nome's square and one ascending
-// step of Landen's: docs/design/0040-jacobi-in-lanes.md.
-//
-// With s = m1^(1/4), x = pi u / (2 K) and theta of nome q^2:
-//   D = theta4(x), T = theta3(x), A = sin x - q^4 sin 3x + q^12 sin 5x, B = cos x + q^4 cos 3x +
-//   ... sn : cn : dn : 1 = D A / w : (D0^2 / (P Q)) B T : D^2 - 4 q A^2 : D^2 + 4 q A^2,
-// D0 = theta4(0), P = theta3(0), Q = 1 + q^4 + q^12, w = P Q pi / (2 K) [DLMF 20.7, 22.7].
-
 // The bits of so many numbers, to be shifted without their sign, which only AVX-512 does with it.
 template <std::size_t width>
 struct UnsignedBits;
@@ -123,7 +115,15 @@ struct JacobiInLanes {
   T sn, cn, dn;
 };
 
-// The nome, sin x and cos x.
+// sn, cn, dn in lanes for 1 - m >= 0.14, by theta functions of the nome's square and one ascending
+// step of Landen's: docs/design/0040-jacobi-in-lanes.md.
+//
+// With s = m1^(1/4), x = pi u / (2 K) and theta of nome q^2:
+//   D = theta4(x), T = theta3(x), A = sin x - q^4 sin 3x + q^12 sin 5x, B = cos x + q^4 cos 3x +
+//   ... sn : cn : dn : 1 = D A / w : (D0^2 / (P Q)) B T : D^2 - 4 q A^2 : D^2 + 4 q A^2,
+// D0 = theta4(0), P = theta3(0), Q = 1 + q^4 + q^12, w = P Q pi / (2 K) [DLMF 20.7, 22.7].
+//
+// Of the nome, sin x and cos x.
 template <InstructionSet isa>
 [[gnu::always_inline]] inline JacobiInLanes<Pack<isa>> trigonometric_jacobi(
     const Pack<isa>& q, const SinCos<Pack<isa>>& x) {
@@ -145,14 +145,6 @@ template <InstructionSet isa>
   const T over = one / (D2 + A2);
   return {(D * A) * (of_sn * over), (B * theta3) * (of_cn * over), (D2 - A2) * over};
 }
-
-// sn, cn, dn in lanes for 0 < 1 - m < 0.14, by theta functions of the complementary nome:
-// docs/design/0040-jacobi-in-lanes.md.
-//
-// With s = m^(1/4), v = pi u / (2 K') less periods of ln(1/q1), y = q1 cosh 2v, and theta of nome
-// q1 and i v, over 2 q1^(1/4) where odd:
-//   sn = theta1 / (s^2 theta2) ..., cn and dn = b theta4 / (s theta2), b theta3 / theta2,
-// b = (1 + q1^2 + q1^6) / theta3(0)  [DLMF 22.6(iv), 20.2].
 
 // m^(1/4) of 0.86 < m <= 1.
 template <InstructionSet isa>
@@ -240,6 +232,14 @@ template <InstructionSet isa>
   return power_of_two(Pack<isa>(0x1.8p52 - 1.0) - (doublings - Pack<isa>(0x1.8p52)));
 }
 
+// sn, cn, dn in lanes for 0 < 1 - m < 0.14, by theta functions of the complementary nome:
+// docs/design/0040-jacobi-in-lanes.md.
+//
+// With s = m^(1/4), v = pi u / (2 K') less periods of ln(1/q1), y = q1 cosh 2v, and theta of nome
+// q1 and i v, over 2 q1^(1/4) where odd:
+//   sn = theta1 / (s^2 theta2) ..., cn and dn = b theta4 / (s theta2), b theta3 / theta2,
+// b = (1 + q1^2 + q1^6) / theta3(0)  [DLMF 22.6(iv), 20.2].
+//
 // s = m^(1/4), the nome, sinh and cosh of v less its whole periods, and these in the low bits.
 template <InstructionSet isa>
 [[gnu::always_inline]] inline JacobiInLanes<Pack<isa>> hyperbolic_jacobi(const Pack<isa>& s,

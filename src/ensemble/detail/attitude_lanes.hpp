@@ -3,7 +3,6 @@
 // compiled once for each set of instructions.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 

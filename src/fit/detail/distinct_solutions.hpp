@@ -15,8 +15,6 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-// Which of many states of a search are one, and what the others are beside it.
-
 // Near enough that fits from both would most likely meet.
 bool are_alike(const EllipsoidModel& a, const EllipsoidModel& b);
 // Within the errors of the first, with the same counts of turns over the time base: these are known
@@ -31,8 +29,8 @@ std::vector<std::size_t> starts_of_images(const std::vector<FoundLight>& solutio
 void describe_relations(std::vector<FoundLight>& solutions, const LightGeometry& geometry,
                         bool half_turns);
 
-// What the fits of a search came to: solutions, each once, and the best of each pair of periods.
-
+// Groups equivalent solutions and labels ambiguities: each solution once, and the best of each pair
+// of periods.
 class DistinctSolutions {
  public:
   // Rounds of more starts, at most.

@@ -9,15 +9,11 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-// What makes numbers of a covariance independent and of unit variance.
-
-// L^-1 of C = L L^T.
+// L^-1 of a covariance C = L L^T: numbers times it are independent and of unit variance.
 template <class Matrix>
 Matrix inverse_root(const Eigen::LLT<Matrix>& factor) {
   return factor.matrixL().solve(Matrix::Identity(factor.rows(), factor.cols()));
 }
-
-// Columns of derivatives at length 1, whatever the units of their unknowns.
 
 using RowByRow = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "fit/free_motion.hpp"
@@ -15,8 +14,6 @@
 namespace polhode {
 inline namespace v0 {
 namespace detail {
-
-// What was seen beside a motion: residuals, and their derivatives from those of the motion.
 
 // The attitude and the rate at one time and, by each unknown, the rotation vector of the attitude
 // in body axes F and the change of the rate; none without derivatives.

@@ -14,6 +14,11 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
+// The residual is u - f v; v is not below 0.
+struct FactorPoint {
+  double u, v;
+};
+
 // The factor of a session under a robust loss.
 //
 // Equations   f of the least sum scale^2 rho((u - f v)^2 / scale^2) (polhode/fit/loss.hpp), u and v
@@ -29,12 +34,6 @@ namespace detail {
 // Accuracy    budget robust_factor in tests/budgets/fit.hpp.
 // Errors      NaN where no v has a weight, or a number is none.
 // Cost        a sort of the points, and some ten passes through them.
-
-// The residual is u - f v; v is not below 0.
-struct FactorPoint {
-  double u, v;
-};
-
 double robust_factor(const Loss& loss, std::span<const FactorPoint> points);
 
 // One point; its session's factor is that of `group`.

@@ -15,8 +15,6 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-// The way of a driven body from t0 to all times that are asked for, forwards and backwards.
-
 // A part of the motion without a jump, its times in order, of which the first are asked for and
 // `to` is one; then a jump, made forwards and unmade backwards.
 struct DrivenLeg {

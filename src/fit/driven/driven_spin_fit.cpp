@@ -23,6 +23,7 @@
 namespace polhode {
 inline namespace v0 {
 namespace detail {
+namespace {
 
 // Residuals of snapshots of a driven body, and what their unknowns are.
 class DrivenResiduals {
@@ -54,18 +55,11 @@ class DrivenResiduals {
   SnapshotRows rows_;
 };
 
-std::vector<Vec3> changes_of(const SpinDrive& drive);
-std::vector<double> starts_of(const SpinDrive& drive);
-
-namespace {
-
 Vec3 unit_vector(std::size_t k) {
   Vec3 e;
   e[static_cast<int>(k)] = 1.0;
   return e;
 }
-
-}  // namespace
 
 std::vector<Vec3> changes_of(const SpinDrive& drive) {
   std::vector<Vec3> found;
@@ -182,6 +176,7 @@ double DrivenResiduals::attitude_rms(std::span<const double> x) const {
   return rows_.attitude_rms(attitudes);
 }
 
+}  // namespace
 }  // namespace detail
 
 namespace {

@@ -15,8 +15,6 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-// Whether effects depend on what is unknown as their derivatives suppose.
-
 namespace {
 
 constexpr const char* function = "fit_driven_spin";
@@ -51,6 +49,7 @@ void require_one_order(const std::vector<AnyPerturbation>& a, const std::vector<
 
 }  // namespace
 
+// The derivatives by the unknowns suppose effects that are affine in them.
 void DrivenMotion::require_affine(std::span<const double> times, bool moments) const {
   const std::vector<AnyPerturbation>& terms = system_.terms();
   for (const AnyPerturbation& term : terms) {
@@ -97,10 +96,6 @@ void DrivenMotion::require_affine(std::span<const double> times, bool moments) c
     }
   }
 }
-
-// Whether a torque jumps where the state says so. The time of such a jump moves with the unknowns,
-// which the variational equations do not know: derivatives would be wrong, and nothing would show
-// it.
 
 namespace {
 
@@ -197,6 +192,8 @@ bool jumps(const AnyPerturbation& term, const Body& body, const RotorState& star
 
 }  // namespace
 
+// The time of a jump that the state decides moves with the unknowns, which the variational
+// equations do not know: derivatives would be wrong, and nothing would show it.
 void DrivenMotion::require_no_jumps(std::span<const double> times) const {
   const std::size_t stride = 1 + times.size() / most_jump_times;
   for (const AnyPerturbation& term : system_.terms()) {

@@ -25,6 +25,7 @@
 namespace polhode {
 inline namespace v0 {
 namespace detail {
+namespace {
 
 // Bodies whose light in one session is that of a solution, with other counts of turns until another
 // session.
@@ -34,12 +35,6 @@ struct TurnCounts {
   bool has_periods = true;             // else the solution alone: its periods are not determined
   std::vector<EllipsoidModel> bodies;  // at the epoch of the solution; none of more than `most`
 };
-
-// See light_extension.hpp; `distance` is D.
-TurnCounts turn_counts(const LightSolution& solution, const LightUnknowns& unknowns,
-                       double distance, std::size_t most);
-
-namespace {
 
 constexpr double errors = 3.0;  // up to which counts of turns are looked for
 // Of a step, what their standard errors are widened by: neighbours of a point are always among
@@ -181,13 +176,13 @@ class Counts {
   Eigen::Matrix2d V_;
 };
 
-}  // namespace
-
+// `distance` is D of light_extension.hpp.
 TurnCounts turn_counts(const LightSolution& solution, const LightUnknowns& unknowns,
                        double distance, std::size_t most) {
   return Counts(solution, unknowns, distance).found(most);
 }
 
+}  // namespace
 }  // namespace detail
 
 namespace {

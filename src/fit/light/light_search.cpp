@@ -3,7 +3,6 @@
 #include "polhode/fit/light_search.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numeric>
 #include <optional>

@@ -210,13 +210,12 @@ template <bool near, class Arithmetic, Number T>
   return p;
 }
 
-// The two mean rates of a fresh arc, by one arithmetic-geometric mean in two parts and the sum of
-// the third kind that goes with it.
+// The two mean rates of a normalized arc, by one arithmetic-geometric mean in two parts and the sum
+// of the third kind that goes with it.
 //
 // U and V are the squares of a0 and b0: agm(a0, b0) / (A B C) is the rate of the phase x. With
 // t_n = a_n b_n and s_0 = S, the mean of the third kind is 1 + e0/2 (1 + e1/2 (1 + ...)),
 // e_n = (s_n - t_n)/(s_n + t_n), s_(n+1) = (s_n + t_n)^2 / (4 s_n)  [DLMF 19.8.6].
-
 template <class Arithmetic, Number T>
 struct DirectRates {
   TwoTerms<T> phase;            // of x; negative in long-axis mode

@@ -11,9 +11,9 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-// From the rates of a fresh arc to its state: theta series with coefficients from the amplitudes of
-// the momentum, the phase at the epoch as a point of the circle, never as an angle.
-
+// From the rates of a normalized arc to its state: theta series with coefficients from the
+// amplitudes of the momentum, the phase at the epoch as a point of the circle, never as an angle.
+//
 // w = w0 + y (w1 + ...), z = sin 2x (...), x = sin x (...), y = cos x (...), of y = cos 2x: the
 // trigonometric form of CayleyKleinSeries for q < 0.17.
 template <Number T>
@@ -194,8 +194,7 @@ template <class Arithmetic, Number T>
   return direct_attitude(body, lane, w0, z0, p, turn);
 }
 
-// The state of a fresh arc next to the separatrix: the hyperbolic form of the series.
-
+// The state of a normalized arc next to the separatrix: the hyperbolic form of the series, with
 // nu = qt = exp(-pi K / (2 K')), and theta functions of that nome: A_m = nu^(m^2) cos (2m + 1) b,
 // B_m with the sine.
 template <Number T>

@@ -173,9 +173,6 @@ T precession(const EulerFlow<T>& flow) {
   return flow.turn - atan2(flow.node_sin, flow.node_cos);
 }
 
-// Derivatives of the free flow in the tangent of the hub: what a change of the momentum at the
-// start of an arc makes of the momentum and of the attitude at its end.
-
 // Rotation, along g, of the frame (node of axis p, g) that follows a change dg: the connection.
 template <Real T>
 T turn_of_node(const BasicVec3<T>& g, const BasicVec3<T>& dg, bool about_first) {
@@ -188,6 +185,8 @@ T turn_of_node(const BasicVec3<T>& g, const BasicVec3<T>& dg, bool about_first) 
   return along * c[pole] / (sqrt(G2) * across2);
 }
 
+// The changes of the momentum and of the attitude at the end of an arc by one of the momentum at
+// its start.
 template <Number T>
 struct FlowTangent {
   BasicVec3<T> momentum;  // dg_B at the end

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
@@ -22,8 +21,6 @@
 namespace polhode {
 inline namespace v0 {
 namespace detail {
-
-// The times of an even grid in the lanes of a pack.
 
 // States 64 n, ..., 64 n + 63 of a grid share the angles that are reduced for the first of them.
 inline constexpr std::size_t tile = 64;

@@ -11,8 +11,7 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-// What a free arc on an even grid of times needs besides its kernel.
-
+// A free arc on an even grid of times needs these besides its kernel:
 // left qz(0) right of a kernel and left qz(pi) right, each with the rounding of the result alone.
 struct GridFrame {
   Quaternion now, quarter_turn_on;

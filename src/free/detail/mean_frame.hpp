@@ -18,7 +18,6 @@ inline namespace v0 {
 namespace detail {
 
 // The two slow constants of a kernel at a time t: the phase x on the polhode and the mean frame.
-
 struct MeanPhase {
   DoubleDouble x;        // pi u / (2K) in (-pi, pi]; 0 on the separatrix
   DoubleDouble u_per_x;  // 2K / pi; 0 on the separatrix
@@ -82,12 +81,6 @@ inline MeanPhase mean_phase(const FreeKernel& k, double t) {
   return m;
 }
 
-// A rotor state put together from flow-adapted elements: a polhode, a phase on it, and the attitude
-// of the mean frame (axis 3 along the momentum, turning at the mean precession of primed axis 1).
-//
-// q = qz(h) qx(I) qz(mean angle) p(x) q_P, with p the Cayley-Klein sum and q_P: primed <- body
-// axes.
-
 // Where the primed axes lie in the sorted ones: s1, s3 are the signs of the momentum along them.
 struct PrimedSense {
   bool long_axis;
@@ -115,6 +108,12 @@ BasicQuaternion<T> mean_frame(const InvariableElements<T>& e) {
   return rotation_z(e.h) * BasicQuaternion<T>{c, s, zero, zero} * rotation_z(e.mean_angle);
 }
 
+// A rotor state put together from flow-adapted elements: a polhode, a phase on it, and the attitude
+// of the mean frame (axis 3 along the momentum, turning at the mean precession of primed axis 1).
+//
+// q = qz(h) qx(I) qz(mean angle) p(x) q_P, with p the Cayley-Klein sum and q_P: primed <- body
+// axes.
+//
 // The state in the user's body axes; the curve is scaled to momentum 1.
 template <Real T>
 BasicRotorState<T> assembled(const AxisOrder& sorted, const PrimedSense& sense,

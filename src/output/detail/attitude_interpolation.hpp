@@ -3,9 +3,9 @@
 //
 // Equations   every other row is left out and interpolated from the rows beside it; a polynomial of
 //             degree d is 2^(d+1) times nearer at half the spacing, and `ends` times farther in the
-//             first interval of its rows than in the middle one. Rows do not show
-//             whole revolutions between them. If the body rotates by theta = |omega| step from row
-//             to row about a fixed axis, a polynomial of degree d of its quaternion is off by about
+//             first interval of its rows than in the middle one. Rows do not show whole
+//             revolutions between them. If the body rotates by theta = |omega| step from row to row
+//             about a fixed axis, a polynomial of degree d of its quaternion is off by about
 //             2 (theta/2)^(d+1)/(d+1)! prod |s - s_i| in the first interval of its rows, and
 //             angles, from theta = pi on, by up to pi.
 // Domain      rows that rise in time, evenly or nearly so.

@@ -20,7 +20,7 @@ namespace {
 
 constexpr hsize_t rows_per_chunk = 1024;
 constexpr std::size_t date_length = 26;  // 2029-04-13T21:46:00.500000
-// Name of a scale that has a length and no numbers, as the NetCDF-4 library has it.
+// By this name the NetCDF-4 library knows a dimension without values.
 constexpr const char* no_variable = "This is a netCDF dimension but not a netCDF variable.";
 
 bool has_coordinate(const std::vector<ColumnGroup>& groups, const std::string& dimension) {

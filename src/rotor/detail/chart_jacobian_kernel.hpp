@@ -218,9 +218,7 @@ BasicMatrix6<T> inverse_chart_jacobian(const BasicMatrix6<T>& B, const BasicVec3
   return inverse_of_columns(inertial_columns(B, g_B));
 }
 
-// The Jacobians of the Poincare-type sets on any Real.
-
-// q = A_I qz(sigma) A_J, each outer factor a polynomial in its pair.
+// Of the Poincare-type sets: q = A_I qz(sigma) A_J, each outer factor a polynomial in its pair.
 template <Real T>
 struct PoincareFactors {
   T G;
@@ -340,9 +338,6 @@ BasicMatrix6<T> inertial_columns(const PoincareFactors<T>& f, const PoleDivisors
                           rotate(conj(q), BasicVec3<T>{v.x, -v.y, v.z}));
 }
 
-// The entries of a chart Jacobian within 2^-300 of a pole of the chart: what is divided by the
-// small number apart from the rest, in units in which double-double holds it.
-
 // Powers of two that bring a divisor next to a pole to [1, 2); 0 farther off and exactly at it.
 inline int pole_exponent(const DoubleDouble& divisor) {
   const double size = std::abs(divisor.hi);
@@ -359,7 +354,9 @@ inline void add_terms(BasicMatrix6<DoubleDouble>& m, const BasicMatrix6<DoubleDo
     }
 }
 
-// columns(PoleDivisors) where it divides by J and I, one term at a time if need be.
+// columns(PoleDivisors) where it divides by J and I, one term at a time if need be: within 2^-300
+// of a pole the terms that are divided by the small number are added by themselves, in units in
+// which double-double holds them.
 template <class Columns>
 BasicMatrix6<DoubleDouble> sum_of_terms(const DoubleDouble& J, const DoubleDouble& I,
                                         const Columns& columns) {

@@ -189,9 +189,8 @@ void converted_in_lanes(const From* states, std::size_t count, To* results, How.
   std::memcpy(results + i, found, (count - i) * sizeof(To));
 }
 
-// Conversions between Poincare-type sets and the hub in lanes; a lane's set may be any of the four.
-
-// Six numbers, and the two poles in the place of a seventh.
+// Six numbers of a Poincare-type set, and the two poles in the place of a seventh: the set of a
+// lane may be any of the four.
 template <>
 struct Rows<PoincareState> {
   static constexpr std::size_t numbers = 7;

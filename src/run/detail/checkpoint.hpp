@@ -24,8 +24,7 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-// What a checkpoint must agree in with the run or map that goes on from it.
-
+// A property in which a checkpoint must agree with the run or map that resumes from it.
 struct IdentityPart {
   std::string name;  // as messages call it: "columns"
   std::string text;
@@ -46,10 +45,8 @@ Identity identity_of(const Scenario& scenario, const IdentityOutputs& outputs);
 // "columns was "q g", is "q"": how the first part that differs does. Empty: none.
 std::string difference(const Identity& theirs, const Identity& ours);
 
-// When to make a checkpoint.
-
-// Looks at the clock after every 1 to 64 steps, and leaves most of the
-// time to the run.
+// Decides when to make a checkpoint: looks at the clock after every 1 to 64 steps, and leaves most
+// of the time to the run.
 class Pace {
  public:
   using Clock = std::chrono::steady_clock;
@@ -83,9 +80,7 @@ class Pace {
   Clock::time_point next_;
 };
 
-// Lists of structs in the bytes of a checkpoint.
-
-// The number of elements, then each, as `each` transfers it.
+// A list as bytes of a checkpoint: the number of elements, then each, as `each` transfers it.
 template <class T, class Each>
 void sized(StateBytes& bytes, std::vector<T>& all, const Each& each) {
   std::uint64_t size = all.size();
@@ -94,9 +89,7 @@ void sized(StateBytes& bytes, std::vector<T>& all, const Each& each) {
   for (std::uint64_t i = 0; i < size; ++i) each(bytes.reads() ? all.emplace_back() : all[i]);
 }
 
-// What an earlier run has left next to its outputs, and what is said of it.
-
-// As messages name it.
+// A path as messages name it.
 std::string shown_path(const std::string& path);
 // PATH.checkpoint
 std::string checkpoint_path(const std::string& output);
@@ -136,11 +129,7 @@ void with_remedy(const F& f, const Next& next) {
   }
 }
 
-// The outputs of a run or a map that may be stopped, killed and continued: what earlier ones have
-// left next to them, how far each has been written, and the checkpoint FIRST_OUTPUT.checkpoint,
-// which is replaced as a whole.
-
-// How messages call what is kept.
+// The words of messages for a run, a map or an ensemble.
 struct KeptKind {
   std::string name;   // "run"
   std::string again;  // what a restart does: "runs the scenario anew"
@@ -176,6 +165,9 @@ struct KeptState {
 
 struct CheckpointFile;
 
+// The outputs of a run or a map that may be stopped, killed and continued: the files that earlier
+// ones have left next to them, how far each has been written, and the checkpoint
+// FIRST_OUTPUT.checkpoint, which is replaced as a whole.
 class KeptOutputs {
  public:
   // Finds what is there. DomainError for what must not be lost or is of another run.

@@ -24,14 +24,6 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-// The scenario of one member of an ensemble.
-
-// DomainError for an index that no member has.
-void require_member(const ScenarioEnsemble& ensemble, std::int64_t index);
-// The text of a scenario with [ensemble], with the numbers of a member in place of its own and
-// without the table. DomainError where the text cannot be changed so that it holds them.
-std::string member_text(const Scenario& scenario, std::int64_t index);
-
 namespace {
 
 // Where a number may stand in TOML: that of an array also in { value = [..], unit = ".." }.
@@ -70,14 +62,15 @@ const Value& value_in(const Scenario& scenario, const NumberLocation& at) {
   return scenario.document.checked->values.find(at.path)->second;
 }
 
-}  // namespace
-
+// DomainError for an index that no member has.
 void require_member(const ScenarioEnsemble& ensemble, std::int64_t index) {
   if (index >= 0 && index < ensemble.size()) return;
   throw DomainError(ensemble.scenario().document.name + ": got member " + std::to_string(index) +
                     "; expected 0 to " + std::to_string(ensemble.size() - 1));
 }
 
+// The text of a scenario with [ensemble], with the numbers of a member in place of its own and
+// without the table. DomainError if the text cannot be changed so that it holds them.
 std::string member_text(const Scenario& scenario, std::int64_t index) {
   const EnsemblePlan& plan = *scenario.ensemble;
   const std::vector<std::string> keys = plan.keys();
@@ -107,6 +100,7 @@ std::string member_text(const Scenario& scenario, std::int64_t index) {
          text;
 }
 
+}  // namespace
 }  // namespace detail
 
 namespace {

@@ -2,7 +2,6 @@
 #include "run/ensemble/ensemble_cells.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
 

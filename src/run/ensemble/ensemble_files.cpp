@@ -137,8 +137,6 @@ std::unique_ptr<Sink> ChunkFiles::open(std::int64_t first, std::int64_t end) con
                    ensemble_.scenario().output.formats);
 }
 
-namespace {}  // namespace
-
 std::vector<std::string> histogram_paths(const ScenarioEnsemble& ensemble,
                                          const std::vector<std::string>& outputs) {
   const EnsemblePlan& plan = ensemble.plan();

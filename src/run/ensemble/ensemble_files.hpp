@@ -25,7 +25,6 @@ Provenance provenance_of(const ScenarioEnsemble& ensemble, const StatisticsFrame
 
 // Rows of an ensemble in one file for each chunk, which whoever computes the chunk writes, and an
 // index of them: no row goes through the process that leads.
-
 class ChunkFiles {
  public:
   // The path that has "{chunk}" in it; empty: none has. DomainError where there are others beside
@@ -48,10 +47,9 @@ class ChunkFiles {
   std::string pattern_;
 };
 
-// The files of histograms, OUT.NAME.csv next to the first output OUT.csv of an ensemble.
-
-// Of each histogram of the plan; none where there are no outputs, or no statistics. DomainError
-// where no output is a file, and for files that the scenario reads or another output is.
+// Paths OUT.NAME.csv of the histograms of a plan, next to the first output OUT.csv; none without
+// outputs or statistics. DomainError if no output is a file, or a path is also that of an input or
+// output.
 std::vector<std::string> histogram_paths(const ScenarioEnsemble& ensemble,
                                          const std::vector<std::string>& outputs);
 
@@ -71,7 +69,7 @@ inline constexpr std::size_t failures_named = 20;
 void say_failures(Sink& sink, std::span<const EnsembleReport::Failure> failures,
                   std::int64_t failed, std::int64_t members);
 
-// Of an ensemble of which no member is left, with the first reasons.
+// Text when every member failed, with the first reasons.
 std::string all_failed_text(const std::string& name,
                             std::span<const EnsembleReport::Failure> failures,
                             std::int64_t members);

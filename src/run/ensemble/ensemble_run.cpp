@@ -3,9 +3,7 @@
 #include "polhode/run/ensemble_run.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <exception>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <utility>

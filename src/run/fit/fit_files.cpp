@@ -5,7 +5,6 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
-#include <numeric>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -31,31 +30,20 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-// Paths of further files in a scenario that is written to another folder.
-
-// Where paths in a scenario that is written to `path` start; on standard output those of this one.
-std::string folder_of(const Document& document, const std::string& path);
-// A path of the scenario as a scenario in `folder` has to name it; the same where that is the
-// folder of this one, and where it begins at the root.
-std::string moved_path(const Document& document, const std::string& path,
-                       const std::string& folder);
-// The changes of every key that names a file; none where `folder` is that of the scenario.
-std::vector<ScenarioChange> relocated_paths(const Document& document, const std::string& folder);
-// "found.obj" as a text of TOML.
-std::string quoted_path(std::string_view path);
-
 namespace {
 
 namespace fs = std::filesystem;
 
 fs::path or_here(const std::string& folder) { return folder.empty() ? "." : fs::path(folder); }
 
-}  // namespace
-
+// The folder that paths in a scenario written to `path` start from; on standard output that of this
+// scenario.
 std::string folder_of(const Document& document, const std::string& path) {
   return path == "-" ? document.folder : fs::path(path).parent_path().string();
 }
 
+// A path of the scenario as a scenario in `folder` has to name it: unchanged if that is the folder
+// of this one or the path is absolute.
 std::string moved_path(const Document& document, const std::string& path,
                        const std::string& folder) {
   std::error_code none;
@@ -66,6 +54,17 @@ std::string moved_path(const Document& document, const std::string& path,
   return (moved.empty() ? fs::absolute(from / path) : moved).generic_string();
 }
 
+// "found.obj" as a string of TOML.
+std::string quoted_path(std::string_view path) {
+  std::string text = "\"";
+  for (const char c : path) {
+    if (c == '"' || c == '\\') text += '\\';
+    text += c;
+  }
+  return text + "\"";
+}
+
+// The changes of every key that names a file; none if `folder` is that of the scenario.
 std::vector<ScenarioChange> relocated_paths(const Document& document, const std::string& folder) {
   std::vector<ScenarioChange> changes;
   for (const auto& [key, value] : document.checked->values) {
@@ -77,15 +76,7 @@ std::vector<ScenarioChange> relocated_paths(const Document& document, const std:
   return changes;
 }
 
-std::string quoted_path(std::string_view path) {
-  std::string text = "\"";
-  for (const char c : path) {
-    if (c == '"' || c == '\\') text += '\\';
-    text += c;
-  }
-  return text + "\"";
-}
-
+}  // namespace
 }  // namespace detail
 
 namespace {
@@ -288,8 +279,6 @@ void write_light_covariance(const Scenario& scenario, const LightReport& report,
   detail::write_fit_covariance(scenario, report.solutions.at(solution).solution.covariance,
                                light_numbers(scenario, report, solution), path);
 }
-
-// Scenarios that begin at a solution of light curves, and the meshes beside them.
 
 namespace {
 

@@ -22,33 +22,27 @@
 
 namespace polhode {
 inline namespace v0 {
-namespace detail {
+namespace {
 
 // For light curves. ScenarioError unless nothing acts on the body, no torque or jump is unknown,
 // and the state is relative to inertial axes.
-void require_free_fit(const Scenario& scenario);
-
 void require_free_fit(const Scenario& scenario) {
   const Rotation& rotation = scenario.rotation();
-  const Values& values = scenario.document.checked->values;
+  const detail::Values& values = scenario.document.checked->values;
   if (!rotation.kinds.empty())
-    refuse(values, "perturbation[0].kind", scenario.document.path,
-           "expected no perturbation: a fit is one of free rotation");
+    detail::refuse(values, "perturbation[0].kind", scenario.document.path,
+                   "expected no perturbation: a fit is one of free rotation");
   const FitDrive& drive = require_fit(scenario).drive;
   if (!drive.parameters.empty())
-    refuse(values, "free.parameter[0].key", scenario.document.path,
-           "expected none: light curves are fitted in free rotation");
+    detail::refuse(values, "free.parameter[0].key", scenario.document.path,
+                   "expected none: light curves are fitted in free rotation");
   if (!drive.jumps.empty())
-    refuse(values, "free.jump[0].kind", scenario.document.path,
-           "expected none: light curves are fitted in free rotation");
+    detail::refuse(values, "free.jump[0].kind", scenario.document.path,
+                   "expected none: light curves are fitted in free rotation");
   if (!rotation.frame.is_inertial())
-    refuse(values, "frame", scenario.document.path,
-           "expected none: a fit is one relative to inertial axes");
+    detail::refuse(values, "frame", scenario.document.path,
+                   "expected none: a fit is one relative to inertial axes");
 }
-
-}  // namespace detail
-
-namespace {
 
 constexpr double speed_of_light = 299792458.0;  // m/s
 // Starts of each pair of periods where the file does not say how many there are.
@@ -243,7 +237,7 @@ bool observes_light(const Scenario& scenario) {
 
 LightReport fit_light_scenario(const Scenario& scenario, const LightFitOptions& options) {
   const FitPlan& plan = require_fit(scenario);
-  detail::require_free_fit(scenario);
+  require_free_fit(scenario);
   if (!plan.has_light())
     detail::refuse(scenario, "observation[0].kind", "expected \"light-curve\"");
   if (plan.light.unknowns.moments == MomentSource::start && plan.light.searches &&

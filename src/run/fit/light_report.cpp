@@ -392,6 +392,7 @@ void add_loss(std::string& text, const Scenario& scenario, const LightReport& re
 
 std::string scan_verdict(const Scenario& scenario, const LightScan& scan,
                          std::span<const LightCurve> curves) {
+  constexpr double scatter_part = 0.5;  // of a misfit, from which on the errors are blamed for it
   if (scan.constant && scan.constant->suffices)
     return fmt::format(
         "no variation is seen in these data: a constant brightness has chi-square {:.5g} on {} "
@@ -408,14 +409,17 @@ std::string scan_verdict(const Scenario& scenario, const LightScan& scan,
   std::string text;
   if (reduced > most_chi_square) {
     const double factor = std::sqrt(reduced);
+    const double spread = neighbour_spread(departures_of(curves));  // NaN of few points
+    const std::string small =
+        fmt::format("errors of the data may be too small, by a factor of {:.2g}", factor);
+    const std::string unexplained = "the light changes in a way that no period explains";
+    const std::string cause = std::isnan(spread)               ? small + ", or " + unexplained
+                              : spread > scatter_part * factor ? small
+                                                               : unexplained;
     text = fmt::format(
         "no model of this kind describes these data: chi-square of one period per degree of "
         "freedom is {:.4g}, above {:g}, and two periods are no better; {}; the period is {:.7g} {}",
-        reduced, most_chi_square,
-        neighbour_spread(departures_of(curves)) > main_part * factor
-            ? fmt::format("errors of the data may be too small, by a factor of {:.2g}", factor)
-            : "the light changes in a way that no period explains",
-        period, time);
+        reduced, most_chi_square, cause, period, time);
   } else {
     text = fmt::format(
         "one period describes these data: {:.7g} {}, chi-square {:.5g} on {} degrees of freedom",

@@ -33,7 +33,7 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-// Light curves that would be observed.
+namespace {
 
 // The motion at one time.
 struct Seen {
@@ -60,13 +60,7 @@ class Noise {
   CounterRandom random_;
 };
 
-// Of a table of light curves, whose rows are those of the motion.
-std::vector<LightCurve> simulated_sessions(const Scenario& scenario, std::size_t table,
-                                           const std::vector<Seen>& motion);
-
-namespace {
-
-// What is seen, from directions along inertial axes.
+// The flux of the body, from directions along inertial axes.
 class SeenBody {
  public:
   explicit SeenBody(const Scenario& scenario) : law_(require_fit(scenario).light.law) {
@@ -115,8 +109,7 @@ double sum_of(const LightCurve& curve) {
   return sum;
 }
 
-}  // namespace
-
+// The light curves of a table, whose rows are those of the motion.
 std::vector<LightCurve> simulated_sessions(const Scenario& scenario, std::size_t table,
                                            const std::vector<Seen>& motion) {
   const FitPlan& plan = require_fit(scenario);
@@ -161,6 +154,7 @@ std::vector<LightCurve> simulated_sessions(const Scenario& scenario, std::size_t
   return curves;
 }
 
+}  // namespace
 }  // namespace detail
 
 namespace {

@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cstddef>
-#include <cstdint>
+#include <iterator>
 #include <optional>
+#include <span>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -23,7 +24,7 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-// Where the keys of a TOML document stand in its text.
+namespace {
 
 // A name or an index.
 using KeyStep = std::variant<std::string, std::size_t>;
@@ -53,24 +54,11 @@ class TextLines {
   std::vector<std::size_t> starts_;
 };
 
-// Null where there is none.
-const toml::node* node_at(const toml::table& file, const KeyPath& path);
-
-// The headers [a.b] of tables, in the order of the text; with the path of each.
+// A header [a.b] of a table.
 struct TomlHeader {
   std::size_t begin;  // byte of its first bracket
   KeyPath path;
 };
-std::vector<TomlHeader> toml_headers(const toml::table& file, std::string_view text,
-                                     const TextLines& lines);
-
-// What can be parsed, or nothing.
-std::optional<toml::table> parsed_toml(std::string_view text);
-// Of equal values.
-bool are_equal(const toml::node& a, const toml::node& b);
-
-namespace {
-
 // Tables made by dots or by the header of one inside them begin where that does: the longest path
 // of a place is that of its header.
 void add_headers(const toml::node& node, const KeyPath& path, std::string_view text,
@@ -96,8 +84,6 @@ std::string printed(const toml::node& node) {
   out << toml::node_view<const toml::node>(&node);
   return out.str();
 }
-
-}  // namespace
 
 TextLines::TextLines(std::string_view text) : text_(text), starts_{0} {
   for (std::size_t i = 0; i < text.size(); ++i)
@@ -126,6 +112,7 @@ std::size_t TextLines::next_line(std::size_t at) const {
   return next == starts_.end() ? text_.size() : *next;
 }
 
+// Null if there is none.
 const toml::node* node_at(const toml::table& file, const KeyPath& path) {
   const toml::node* node = &file;
   for (const KeyStep& step : path) {
@@ -141,6 +128,7 @@ const toml::node* node_at(const toml::table& file, const KeyPath& path) {
   return node;
 }
 
+// In the order of the text.
 std::vector<TomlHeader> toml_headers(const toml::table& file, std::string_view text,
                                      const TextLines& lines) {
   std::vector<TomlHeader> headers;
@@ -153,6 +141,7 @@ std::vector<TomlHeader> toml_headers(const toml::table& file, std::string_view t
   return headers;
 }
 
+// Nothing if the text cannot be parsed.
 std::optional<toml::table> parsed_toml(std::string_view text) {
   if (refusal(text)) return std::nullopt;
   try {
@@ -164,10 +153,12 @@ std::optional<toml::table> parsed_toml(std::string_view text) {
   }
 }
 
+// Equal in type and value.
 bool are_equal(const toml::node& a, const toml::node& b) {
   return a.type() == b.type() && printed(a) == printed(b);
 }
 
+}  // namespace
 }  // namespace detail
 
 namespace {

@@ -49,8 +49,8 @@ inline std::string meaning_of(std::string_view word, const std::vector<std::stri
   return near.empty() ? "" : "did you mean \"" + std::string(near) + "\"?";
 }
 
-// What REBOUND and other programs call an element, our key in tables of orbits, and our name of its
-// column. The true anomaly has neither.
+// An orbital element: its name in REBOUND and other programs, the key of [orbit.NAME] to suggest,
+// and our column, which is empty if there is none.
 struct ElementName {
   std::string_view theirs, key, column;
 };
@@ -97,13 +97,12 @@ inline std::string_view meant_column(std::string_view name,
 }
 
 // What to say of a key of the table `path`, which may mean ours, behind the keys that there are.
-inline std::string meaning_of_key(std::string_view path, std::string_view name,
-                                  std::string_view ours) {
+inline std::string meaning_of_key(std::string_view path, std::string_view name) {
   if (!path.starts_with("orbit.")) return "";
   const std::string theirs(name);
-  if (ours == "pericentre_argument" && meant_column(name, {"varpi"}) == "varpi")
+  if (name == "pomega" || name == "Pomega" || name == "varpi")
     return "; pericentre_argument counts from the node: it is " + theirs + " - node";
-  if (ours == "mean_anomaly" && name != "M")
+  if (name == "f" || name == "nu" || name == "true_anomaly")
     return "; " + theirs + " is the true anomaly: expected the mean anomaly, E - e sin E with " +
            "tan(E/2) = sqrt((1 - e)/(1 + e)) tan(" + theirs + "/2)";
   return is_of_satellites(name) ? "; " + std::string(satellites_command) : "";

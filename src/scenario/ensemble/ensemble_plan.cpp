@@ -18,14 +18,6 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-// From [ensemble] to what is wanted of its members beside their rows: fractions, histograms,
-// indicators. Which columns there are is for whoever makes the rows to say.
-
-std::vector<EnsembleFraction> wanted_fractions(const EnsembleContext& at);
-std::vector<EnsembleHistogram> wanted_histograms(const EnsembleContext& at);
-std::vector<EnsembleIndicator> wanted_indicators(const EnsembleContext& at,
-                                                 const Experiment& experiment);
-
 namespace {
 
 constexpr std::int64_t most_histogram_bins = 10'000;  // along each of its columns
@@ -102,8 +94,6 @@ std::string without_indicators(const CustomExperiment&) {
   return "no indicators, which are those of a file of kind \"rotation\"";
 }
 
-}  // namespace
-
 std::vector<EnsembleFraction> wanted_fractions(const EnsembleContext& at) {
   std::vector<EnsembleFraction> all;
   Names names;
@@ -138,8 +128,6 @@ std::vector<EnsembleIndicator> wanted_indicators(const EnsembleContext& at,
     all.push_back(one == "lyapunov" ? EnsembleIndicator::lyapunov : EnsembleIndicator::mean_megno);
   return all;
 }
-
-namespace {
 
 constexpr std::int64_t most_members = 1'000'000'000'000, most_bins = 1'000'000;
 constexpr std::int64_t largest_chunk = 1024, chunks = 64;  // where the file names none

@@ -14,9 +14,7 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-// Which of two angles that draw a direction goes round, and from where the other one counts: their
-// keys say it.
-
+// The parts of the two angles that draw a direction, as their keys name them.
 struct DirectionAngles {
   std::size_t around;  // the place of the longitude among the two keys; the other one tilts
   bool from_pole;      // an inclination, 0 at the pole; or a latitude, 0 at the equator

@@ -3,7 +3,6 @@
 #include "scenario/fit/fit_plan.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -22,11 +21,6 @@
 namespace polhode {
 inline namespace v0 {
 namespace detail {
-
-// From the tables [[free.parameter]] and [[free.jump]] to the plan of a fit.
-
-// Adds them, and their priors, to a plan. Throws a ScenarioError at the place of what is wrong.
-void add_drive(const FitContext& at, const Rotation& rotation, FitPlan& plan);
 
 namespace {
 
@@ -91,8 +85,8 @@ void add_jump(const FitContext& at, const std::string& path, FitPlan& plan) {
   plan.drive.jumps.push_back(std::move(jump));
 }
 
-}  // namespace
-
+// Adds the tables [[free.parameter]] and [[free.jump]], and their priors, to a plan. Throws a
+// ScenarioError at the place of what is wrong.
 void add_drive(const FitContext& at, const Rotation& rotation, FitPlan& plan) {
   for (const std::string& path : array_paths(at.values, "free.parameter"))
     add_parameter(at, path, plan);
@@ -107,6 +101,7 @@ void add_drive(const FitContext& at, const Rotation& rotation, FitPlan& plan) {
            "expected torques or jumps as well: free rotation has none");
 }
 
+}  // namespace
 }  // namespace detail
 
 SpinDrive spin_drive(const Scenario& scenario) {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <numeric>
@@ -101,8 +100,9 @@ double speed_of(const ObservationTable& of) {
   return of.keys.units().to_core(speed_of_light, "m/s", Dimension::speed);
 }
 
-// An orbit from where light leaves or where it arrives. A table goes on straight beyond its ends,
-// since the light time is found by iteration; require_cover tells whether the result lies inside.
+// The orbit of the body or of the observer. Beyond its ends a table is continued in a straight
+// line, since the iteration for the light time may try such times; require_cover rejects a result
+// there.
 class LightOrbit {
  public:
   LightOrbit(const ObservationTable& of, const char* key)
@@ -205,7 +205,7 @@ std::vector<std::size_t> counted_from_1(const ObservationTable& of, const char* 
   return all;
 }
 
-// Without sessions that the table does not want, nor those without a point that is not left out.
+// Removes the sessions that the table does not name, and those of which all points are left out.
 void take_wanted(const ObservationTable& of, const std::vector<std::size_t>& left_out,
                  LightCurveFile& file) {
   if (!of.of.sessions.empty()) {

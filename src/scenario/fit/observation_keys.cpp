@@ -17,9 +17,9 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-// The keys of [[observation]] of kind "light-curve".
+namespace {
 
-inline constexpr std::array light_curve_keys = {
+constexpr std::array light_curve_keys = {
     choice_key<&Observation::axes, Observation::Axes::inertial, Observation::Axes::ecliptic,
                Observation::Axes::equator>(
         "axes", "inertial|ecliptic-J2000|equator-J2000",
@@ -107,11 +107,7 @@ inline constexpr std::array light_curve_keys = {
         .otherwise("false"),
 };
 
-// What its format says of the times.
-void take_format(Observation& o, const KeyValues& table);
-// What of such a table does not go together; columns and clock are checked.
-void require_light_curve(const Observation& o, const KeyValues& table);
-
+// Sets the format and the scale of the times as the format of the file has them.
 void take_format(Observation& o, const KeyValues& table) {
   if (o.light_format == Observation::LightFormat::columns) return;
   if (!table.is_explicit("time_format")) o.time_format = Observation::TimeFormat::julian;
@@ -119,6 +115,8 @@ void take_format(Observation& o, const KeyValues& table) {
     o.time_scale = TimeScale::UTC;
 }
 
+// Refuses keys of a light curve that do not go together. Its columns and its clock are checked
+// before.
 void require_light_curve(const Observation& o, const KeyValues& table) {
   if (o.session_column.size() > 1) table.refuse("session_column", "expected one column");
   if (!o.sun_columns.empty() && o.sun_columns.size() != 3)
@@ -158,8 +156,6 @@ void require_light_curve(const Observation& o, const KeyValues& table) {
   if (o.axes && *o.axes != Observation::Axes::ecliptic)
     table.refuse("axes", "expected \"ecliptic-J2000\", as those of lc are");
 }
-
-namespace {
 
 using O = Observation;
 using ObservationKey = KindKey<Observation>;

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "polhode/error.hpp"
 #include "polhode/rotor/attitude.hpp"

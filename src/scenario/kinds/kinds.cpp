@@ -28,9 +28,9 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-// What a description of a kind must be, before a file is read with it.
+namespace {
 
-// What is to be checked of a kind of any sort.
+// The parts of a kind of any sort that are checked.
 struct KindParts {
   std::string_view sort;  // "perturbation"
   std::string_view name;
@@ -39,19 +39,6 @@ struct KindParts {
   std::string_view sets;
   bool is_made;  // whether it has a function that makes it
 };
-
-// DomainError "Kinds: perturbation "push", key "radius": ..." unless its name is of letters, digits
-// and -, its keys have plain names of their own and texts, its sets are of them, and what stands
-// for them or shows them is TOML that they take.
-void require_sound(const KindParts& kind);
-
-// The same of keys alone; `shown` is what has them.
-void require_keys(const std::string& shown, std::span<const Key> keys);
-
-// "Kinds: perturbation "push"", for messages.
-std::string shown_kind(std::string_view sort, std::string_view name);
-
-namespace {
 
 std::string quoted(std::string_view text) { return '"' + printable(text) + '"'; }
 
@@ -81,12 +68,12 @@ void require_key(const std::string& where, const Key& key) {
   require_value(where, key, "its example", key.example);
 }
 
-}  // namespace
-
+// "Kinds: perturbation "push"", for messages.
 std::string shown_kind(std::string_view sort, std::string_view name) {
   return "Kinds: " + std::string(sort) + " " + quoted(name);
 }
 
+// DomainError unless the keys have plain names of their own and texts; `shown` is what has them.
 void require_keys(const std::string& shown, std::span<const Key> keys) {
   for (auto key = keys.begin(); key != keys.end(); ++key) {
     const std::string where = shown + ", key " + quoted(key->path);
@@ -96,6 +83,9 @@ void require_keys(const std::string& shown, std::span<const Key> keys) {
   }
 }
 
+// DomainError "Kinds: perturbation "push", key "radius": ..." unless its name is of letters, digits
+// and -, its keys have plain names of their own and texts, its sets are of them, and their defaults
+// and examples are TOML that they take.
 void require_sound(const KindParts& kind) {
   const std::string shown = shown_kind(kind.sort, kind.name);
   if (!is_plain(kind.name)) throw DomainError(shown + "; expected letters, digits and -");
@@ -109,6 +99,7 @@ void require_sound(const KindParts& kind) {
                           " in its sets; expected one of its keys");
 }
 
+}  // namespace
 }  // namespace detail
 
 namespace {

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <utility>
 
 #include "polhode/scenario/schema.hpp"
 #include "polhode/text/epoch.hpp"

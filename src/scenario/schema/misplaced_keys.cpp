@@ -67,7 +67,7 @@ std::string unknown(const StrayKey& stray, const KnownTable& table, const std::s
   return "unknown key; " +
          (stray.near.empty() ? "" : "did you mean " + std::string(stray.near) + "? ") +
          (table.kind.empty() ? "" : "with kind \"" + std::string(table.kind) + "\" ") +
-         "expected " + one_of(table.keys) + meaning_of_key(path, stray.name, stray.near);
+         "expected " + one_of(table.keys) + meaning_of_key(path, stray.name);
 }
 
 }  // namespace

@@ -40,8 +40,8 @@ TEST(CustomMethod, HasTheOrderOfItsMap) {
     const RotorState exact = end_by(Adaptive{.tolerance = 1e-15}, 0.0, stop);
     const double coarse = distance(end_by(runge_kutta_4(0.01), 0.0, stop), exact);
     const double fine = distance(end_by(runge_kutta_4(0.005), 0.0, stop), exact);
-    EXPECT_NEAR(std::log2(coarse / fine), 4.0, budget::own_method_order) << stop;
-    EXPECT_LE(fine, budget::own_method_fine);
+    EXPECT_NEAR(std::log2(coarse / fine), 4.0, budget::custom_method_order) << stop;
+    EXPECT_LE(fine, budget::custom_method_fine);
   }
 }
 
@@ -59,7 +59,7 @@ TEST(CustomMethod, IsDense) {
   const Trajectory exact = integrate(w1(Adaptive{.tolerance = 1e-14}, 0.0, 2.0));
   for (int i = 0; i < 100; ++i) {
     const double t = 0.0199 * i;
-    EXPECT_LE(distance(run.at(t), exact.at(t)), budget::own_method_dense) << t;
+    EXPECT_LE(distance(run.at(t), exact.at(t)), budget::custom_method_dense) << t;
   }
 }
 
@@ -74,7 +74,7 @@ TEST(CustomMethod, FindsEvents) {
   ASSERT_GE(expected.size(), 2U);
   ASSERT_EQ(found.size(), expected.size());
   for (std::size_t i = 0; i < found.size(); ++i)
-    EXPECT_NEAR(found[i].t, expected[i].t, budget::own_method_event);
+    EXPECT_NEAR(found[i].t, expected[i].t, budget::custom_method_event);
 }
 
 TEST(CustomMethod, SaysWhatItIs) {
@@ -117,7 +117,7 @@ TEST(CustomMethod, AStateThatIsNotFiniteEndsTheRun) {
                      }});
   const Outcome outcome = integrate(w1(breaks, 0.0, 2.0)).outcome();
   EXPECT_FALSE(outcome.ok());
-  EXPECT_NEAR(outcome.t, 1.0, budget::own_method_event);
+  EXPECT_NEAR(outcome.t, 1.0, budget::custom_method_event);
   EXPECT_THAT(outcome.advice, HasSubstr("not finite after the step from t = "));
 }
 

@@ -85,9 +85,9 @@ TEST(Defaults, AreInTheSummaryWithTheNumbersOfTheTorques) {
       read_scenario(folder.write("n.toml",
                                  "schema = 1\n[body]\nshape = \"box.obj\"\ndensity = 1\nscale = 1\n"
                                  "[state.andoyer]\nL = 1\nG = 2\n"));
-  const std::string numbers = summary_table(summary(dimensionless));
-  EXPECT_THAT(numbers, HasSubstr("3 x 2 x 1, area 22, 12 facets"));
-  EXPECT_THAT(numbers, ContainsRegex("state.andoyer, not in the file +g = 0, h = 0, l = 0\n"));
+  const std::string plain = summary_table(summary(dimensionless));
+  EXPECT_THAT(plain, HasSubstr("3 x 2 x 1, area 22, 12 facets"));
+  EXPECT_THAT(plain, ContainsRegex("state.andoyer, not in the file +g = 0, h = 0, l = 0\n"));
 }
 
 // Between them the interpolation is worthless, and nothing said so.

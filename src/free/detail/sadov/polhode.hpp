@@ -110,7 +110,7 @@ template <InstructionSet isa>
 // that is circulated about, the deficit d of the action is a convex function of y, and
 // d' = sqrt(1 + kappa^2) 2K / pi. It lies between its chord and its tangent at y = 0, so Newton's
 // steps from between these settle soon. docs/design/0036-threads-and-the-way-back.md.
-
+//
 // The deficit of an action at y, and its derivative.
 template <class T>
 struct DeficitSlope {
@@ -223,8 +223,6 @@ template <class T>
 [[gnu::always_inline]] inline T log_of_shift(const SadovMean<T>& s, const T& kap2, const T& r2) {
   return select(kap2 < r2, T(s.nome - s.shift), s.shift);
 }
-
-// The angles of the mean frame in each lane of a pack.
 
 // A complex number: a direction in a plane, times a positive scale that is of no interest.
 template <class T>

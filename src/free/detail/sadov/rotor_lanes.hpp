@@ -134,14 +134,6 @@ void rotors_of_sadov_in_lanes(const SadovConstants& constants, const SadovState*
   block.convert(sets, count, results, usual);
 }
 
-// The states of many sets of Serret's elements of a body at times, as many at a time as a register
-// holds; compiled once for each set of instructions.
-//
-// The polhode of an energy, in two parts as far as it cancels. The frame's mean rate is 2T/G less
-// the phase's rate times the deficit of the action, since the energy is of degree two in the
-// actions: so the turn that grows with time is a product of two given numbers.
-// docs/design/0036-threads-and-the-way-back.md.
-
 // Phases of more lose digits; elements whose t0 is the nearest to t have at most half a turn.
 inline constexpr double most_phase = 4.0;
 
@@ -153,6 +145,13 @@ template <InstructionSet isa>
   return s.hi + (s.lo - (p.lo + E.lo * T(I)));
 }
 
+// The states of many sets of Serret's elements of a body at times, as many at a time as a register
+// holds; compiled once for each set of instructions.
+//
+// The polhode of an energy, in two parts as far as it cancels. The frame's mean rate is 2T/G less
+// the phase's rate times the deficit of the action, since the energy is of degree two in the
+// actions: so the turn that grows with time is a product of two given numbers.
+// docs/design/0036-threads-and-the-way-back.md.
 template <InstructionSet isa>
 class RotorsOfSerret : private StatesOnPolhodes<isa> {
   using Base = StatesOnPolhodes<isa>;

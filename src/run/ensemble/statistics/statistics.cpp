@@ -247,8 +247,6 @@ void RowStatistics::transfer(StateBytes& bytes) {
   for (std::vector<MemberHistogram>& of_times : histograms_) transfer_all(bytes, of_times);
 }
 
-// What the rows of the statistics are, and what outputs say of them.
-
 namespace {
 
 const char* const axis_pairs[] = {"11", "12", "13", "22", "23", "33"};

@@ -27,9 +27,7 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-// Accumulators in the bytes of a checkpoint or a message.
-
-// Of each its numbers, and how many these are before them.
+// Accumulators as bytes of a checkpoint or a message: for each how many numbers it has, then these.
 template <class A>
 void transfer_all(StateBytes& bytes, std::vector<A>& all) {
   for (A& one : all) {
@@ -40,13 +38,12 @@ void transfer_all(StateBytes& bytes, std::vector<A>& all) {
   }
 }
 
-// An Accumulator of one or two numbers of each member: in bins that are known beforehand, or kept
-// until their range is.
-
 // Even ones over a range and `margin` of it on either side, wide enough for doubles to lie between
 // the edges.
 Bins bins_over(double least, double greatest, double margin, int count);
 
+// An Accumulator of one or two numbers of each member: in bins that are known beforehand, or kept
+// until their range is.
 class MemberHistogram {
  public:
   // In the bins of one axis or two; without any, numbers of so many axes are kept.

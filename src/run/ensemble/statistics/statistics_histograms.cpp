@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "polhode/ensemble/accumulator.hpp"
 #include "polhode/error.hpp"

@@ -111,10 +111,10 @@ class Lazy {
 
 // Longitude and obliquity of each axis, then of that of rotation once more, for the rate relative
 // to the ecliptic of date.
-std::vector<OwnColumn> columns() {
+std::vector<CustomColumn> columns() {
   std::vector<std::string> axes(planet_axes.begin(), planet_axes.end());
   axes.emplace_back("relative");
-  std::vector<OwnColumn> all;
+  std::vector<CustomColumn> all;
   for (const std::string& axis : axes)
     for (const char* const angle : {"dpsi_", "deps_"})
       all.push_back({angle + axis, Dimension::angle});

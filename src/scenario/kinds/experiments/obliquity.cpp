@@ -25,8 +25,7 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-// The satellites of a planet, [[planet.satellite]], and the tides, [planet.tides], from the values
-// of a file.
+namespace {
 
 // In core units; mass over that of the planet.
 struct PlanetSatellite {
@@ -36,8 +35,12 @@ struct PlanetSatellite {
   double eccentricity, inclination;  // of an outer one
 };
 
-// Of a planet without name, for want of a key that satellites and tides need.
-[[noreturn]] void refuse_without(const KindContext& at, const char* key);
+// Refuses a planet without a name that lacks a key which satellites and tides need.
+[[noreturn]] void refuse_without(const KindContext& at, const char* key) {
+  refuse(at.values, "planet", at.name,
+         std::string("expected a key ") + key +
+             " or the name of a planet, for its satellites and tides");
+}
 
 class PlanetSatellites {
  public:
@@ -73,19 +76,9 @@ class PlanetSatellites {
   std::vector<PlanetSatellite> satellites_;
 };
 
-namespace {
-
 double mean_motion(double gm, const OuterSatellite& of) {
   const double a = of.distance;
   return std::sqrt(gm * (1.0 + of.mass) / a) / a;
-}
-
-}  // namespace
-
-void refuse_without(const KindContext& at, const char* key) {
-  refuse(at.values, "planet", at.name,
-         std::string("expected a key ") + key +
-             " or the name of a planet, for its satellites and tides");
 }
 
 PlanetSatellites::PlanetSatellites(const KindContext& at, const KeyValues& planet,
@@ -201,8 +194,6 @@ TidalRates PlanetSatellites::tides(double w, double n) const {
   }
   return rates;
 }
-
-namespace {
 
 const std::vector<std::string> usual_columns = {"obliquity", "precession", "climatic_precession"};
 

@@ -50,8 +50,6 @@ Body body_of(double ellipticity, double triaxiality) {
   return {1.0 - ellipticity - 0.5 * triaxiality, 1.0 - ellipticity + 0.5 * triaxiality, 1.0};
 }
 
-// --- Earth ---
-
 DelaunayArguments delaunay(std::span<const double> at) {
   return {at[0], at[1], at[2], at[3], at[4]};
 }
@@ -121,10 +119,9 @@ NutationProblem earth_problem(const PlanetNutation& of) {
           2.0 * std::numbers::pi / (10.0 * century)};
 }
 
-// --- Planets under the Sun alone ---
-
-// Simon et al. (1994), equinox of J2000: au, deg, arcsec; rates a century, where they have those of
-// e and the perihelion in a thousand years.
+// Mean elements of planets under the Sun only, Simon et al. (1994), equinox of J2000: au, deg,
+// arcsec; rates per century, whereas the source gives those of e and the perihelion per thousand
+// years.
 struct MeanElements {
   double a, e, e_rate, mean_motion, mean_longitude, perihelion, perihelion_rate, inclination, node;
 };

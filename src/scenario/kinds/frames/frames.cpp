@@ -14,8 +14,6 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-// [frame.precessing].
-
 namespace {
 
 struct PrecessingArguments {
@@ -82,8 +80,6 @@ FrameKind precessing_kind() {
   return kind;
 }
 
-// [frame.orbit-plane].
-
 namespace {
 
 struct OrbitPlaneArguments {
@@ -123,8 +119,6 @@ FrameKind orbit_plane_kind() {
       "table and of an ephemeris that of position and velocity.",
       orbit_plane_keys, made_orbit_plane);
 }
-
-// [frame.local-vertical].
 
 namespace {
 

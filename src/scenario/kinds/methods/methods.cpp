@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The kinds of [method].
 #include <array>
-#include <cmath>
+#include <limits>
 #include <variant>
 
 #include "polhode/error.hpp"
@@ -12,8 +12,9 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-// The keys of methods that choose their steps.
+namespace {
 
+// Keys of methods that choose their steps.
 template <class A>
 constexpr KindKey<A> tolerance_key =
     quantity_key<&A::tolerance, A>(
@@ -31,7 +32,7 @@ constexpr KindKey<A> largest_step_key =
         .example("1")
         .positive();
 
-// As it is, if it is in range.
+// The method itself, if its tolerance is in range.
 template <class A>
 Method valid_tolerance(const A& method, const KeyValues& at) {
   return at.built("tolerance", [&] {
@@ -39,10 +40,6 @@ Method valid_tolerance(const A& method, const KeyValues& at) {
     return method;
   });
 }
-
-// [method] kind = "adaptive".
-
-namespace {
 
 constexpr std::array adaptive_keys = {
     tolerance_key<Adaptive>,
@@ -67,8 +64,6 @@ MethodKind adaptive_kind() {
       "adaptive", "Runge-Kutta of order 9 with steps as long as the tolerance lets them be.",
       adaptive_keys, valid_tolerance, adaptive_citations);
 }
-
-// [method] kind = "collocation".
 
 namespace {
 
@@ -124,8 +119,6 @@ MethodKind collocation_kind() {
       collocation_keys, made_collocation, collocation_citations);
 }
 
-// [method] kind = "splitting".
-
 namespace {
 
 using enum SplittingScheme;
@@ -147,7 +140,7 @@ Method made_splitting(const Splitting& method, const KeyValues& at) {
   });
 }
 
-// What one of the schemes rests on; the second order has been known for ever.
+// The source of a scheme; none for order 2, which is common knowledge.
 std::vector<Citation> of_scheme(SplittingScheme scheme) {
   switch (scheme) {
     case order2:
@@ -195,8 +188,6 @@ MethodKind splitting_kind() {
       "Exact free rotation and exact kicks of the torques in turn, with a step that you choose.",
       splitting_keys, made_splitting, splitting_citations);
 }
-
-// [method] kind = "variation-of-constants".
 
 namespace {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // [orbit.NAME] from a table of elements over ages.
-#include <cmath>
+#include <algorithm>
 #include <utility>
 
 #include "polhode/rotor/attitude.hpp"

@@ -52,8 +52,8 @@ constexpr Key allow_coarse_key = {
         "distance, or of the largest eccentricity or inclination. Above 1e-4 (of elements "
         "1e-3) there is a warning."};
 
-// The warning of rows whose interpolation errs by more than `noticeable`, or by NaN, which nobody
-// can tell; otherwise nothing. Refuses coarse rows.
+// The warning of rows whose interpolation error is more than `noticeable` or cannot be estimated
+// (NaN); otherwise nothing. Rejects coarse rows.
 inline std::vector<std::string> rows_warning(const OrbitContext& at, std::string_view key,
                                              double error, double noticeable, std::string_view of) {
   constexpr double coarse = 1e-2;

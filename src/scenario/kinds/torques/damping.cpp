@@ -12,8 +12,6 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-// [[perturbation]] kind = "damping".
-
 namespace {
 
 struct LinearDampingArguments {
@@ -46,8 +44,6 @@ PerturbationKind damping_kind() {
       "damping", "A torque against the angular velocity, in proportion to it.", linear_damping_keys,
       made_linear_damping);
 }
-
-// [[perturbation]] kind = "internal-damping".
 
 namespace {
 
@@ -103,8 +99,6 @@ PerturbationKind internal_damping_kind() {
   return kind;
 }
 
-// [[perturbation]] kind = "anelastic-damping".
-
 namespace {
 
 constexpr KindKey<DampedMaterial> anelastic_damping_keys[] = {
@@ -149,10 +143,9 @@ PerturbationKind anelastic_damping_kind() {
         "the time in which a wobble dies"}});
 }
 
-// [[perturbation]] kind = "kane-damper", which is no term: a scenario has one at most.
-
 namespace {
 
+// A Kane damper is no term: a scenario has at most one.
 struct KaneDamperArguments {
   double sphere_moment;
   double friction;

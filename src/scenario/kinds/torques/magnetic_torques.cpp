@@ -22,6 +22,8 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
+namespace {
+
 enum class FieldSource { coefficients, earth };
 
 struct DipoleArguments {
@@ -35,11 +37,11 @@ struct DipoleArguments {
   double meridian_epoch;
 };
 
-inline constexpr std::string_view earth = "field = \"earth\"";
+constexpr std::string_view earth_field = "field = \"earth\"";
 
 // Of arguments A that derive from these.
 template <class A>
-inline constexpr std::array<KindKey<A>, 8> dipole_keys = {
+constexpr std::array<KindKey<A>, 8> dipole_keys = {
     orbit_key<&DipoleArguments::orbit, A>(),
     choice_key<&DipoleArguments::field, A, FieldSource::coefficients, FieldSource::earth>(
         "field", "coefficients|earth",
@@ -51,20 +53,20 @@ inline constexpr std::array<KindKey<A>, 8> dipole_keys = {
         "Gauss coefficients g10, g11, h11 of the dipole field, as the IGRF lists them.")
         .example("{ value = [-29442.0, -1501.0, 4797.1], unit = \"nT\" }")
         .shown()
-        .unused_with(earth),
+        .unused_with(earth_field),
     quantity_key<&DipoleArguments::reference_radius, A>("reference_radius", Dimension::length,
                                                         "The radius that belongs to them.")
         .example("\"6371.2 km\"")
         .positive()
         .shown()
-        .unused_with(earth),
-    pole_key<&DipoleArguments::pole, A>().unused_with(earth),
+        .unused_with(earth_field),
+    pole_key<&DipoleArguments::pole, A>().unused_with(earth_field),
     quantity_key<&DipoleArguments::rotation_rate, A>(
         "rotation_rate", Dimension::rate,
         "How fast it turns; may be left out if g11 and h11 are 0.")
         .example("\"360.98564736629 deg/d\"")
         .shown()
-        .unused_with(earth),
+        .unused_with(earth_field),
     quantity_key<&DipoleArguments::meridian, A>(
         "meridian", Dimension::angle,
         "Where the meridian of longitude 0 is at the time `meridian_epoch`: from inertial axis 1, "
@@ -72,30 +74,25 @@ inline constexpr std::array<KindKey<A>, 8> dipole_keys = {
         "if g11 and h11 are 0.")
         .example("\"0 deg\"")
         .shown()
-        .unused_with(earth),
+        .unused_with(earth_field),
     quantity_key<&DipoleArguments::meridian_epoch, A>("meridian_epoch", Dimension::time,
                                                       "The time t that the meridian belongs to.")
         .otherwise("0")
-        .unused_with(earth),
+        .unused_with(earth_field),
 };
 
-// The dipole, and what a summary says of it.
+// The dipole, and its note in a summary.
 struct NamedDipole {
   DipoleField field;
   std::string text;  // empty, or ", ..."
 };
-NamedDipole dipole_of(const DipoleArguments& a, const TermContext& at);
 
-inline Citation dipole_citation() {
+Citation dipole_citation() {
   return {"thebault2015",
           "Thebault, E., et al. (2015). International Geomagnetic Reference Field: the 12th "
           "generation. Earth, Planets and Space 67, 79.",
           "the dipole field and its Gauss coefficients"};
 }
-
-// The dipole of a scenario: by its coefficients, or the Earth's of the epoch.
-
-namespace {
 
 // The Earth's orientation at t = 0 along the axes of the state.
 PrimaryRotation earth_at_epoch(const TermContext& at, const Clock& clock, const std::string& axes) {
@@ -136,8 +133,7 @@ NamedDipole earth_dipole(const TermContext& at) {
   });
 }
 
-}  // namespace
-
+// By its coefficients, or the Earth's of the epoch.
 NamedDipole dipole_of(const DipoleArguments& a, const TermContext& at) {
   if (a.field == FieldSource::earth) return earth_dipole(at);
   if (!a.gauss)
@@ -160,10 +156,6 @@ NamedDipole dipole_of(const DipoleArguments& a, const TermContext& at) {
     return {DipoleField::from_gauss({g.x, g.y, g.z}, *a.reference_radius, primary), ""};
   });
 }
-
-// [[perturbation]] kind = "residual-dipole".
-
-namespace {
 
 struct ResidualDipoleArguments : DipoleArguments {
   Vec3 moment;
@@ -196,8 +188,6 @@ PerturbationKind residual_dipole_kind() {
       "residual-dipole", "A magnetic moment of the body in a dipole field.", residual_dipole_keys,
       made_residual_dipole, {dipole_citation()});
 }
-
-// [[perturbation]] kind = "eddy-currents".
 
 namespace {
 

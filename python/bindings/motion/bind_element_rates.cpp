@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: MIT
+// Equations of motion of elements in any gauge.
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "charts/states.hpp"
+#include "interface/dual_number.hpp"
+#include "interface/gil.hpp"
+#include "interface/python_function.hpp"
+#include "motion/system_functions.hpp"
+#include "motion/system_value.hpp"
+#include "polhode/system/element_rates.hpp"
+
+namespace polhode::python {
+
+namespace {
+
+using Rotors = Batch<RotorState>;
+using AnyGauge = Typed<"str | typing.Callable[[typing.Any, typing.Any], typing.Any]">;
+
+// Python's Phi(C, t), with C an object array of six Duals and t a Dual.
+class PythonPhi {
+ public:
+  explicit PythonPhi(SharedFunction function) : function_(std::move(function)) {}
+
+  BasicVec3<Tangent> operator()(const Gauge::Elements& C, const Tangent& t) const {
+    const WithGil acquired;
+    nb::list elements;
+    for (const Tangent& x : C) elements.append(to_python(x));
+    const nb::object array = nb::module_::import_("numpy").attr("array")(elements);
+    const nb::object returned = (*function_)(array, to_python(t));
+    BasicVec3<Tangent> phi;
+    bool is_good = nb::hasattr(returned, "__len__") && nb::len(returned) == 3;
+    for (int k = 0; k < 3 && is_good; ++k) is_good = from_python(returned[k], phi[k]);
+    if (!is_good)
+      function_->refuse(returned,
+                        "3 numbers, the convective term along the body axes: floats, or Duals "
+                        "made of C and t");
+    return phi;
+  }
+
+ private:
+  SharedFunction function_;
+};
+
+Gauge gauge_of(nb::handle gauge) {
+  if (nb::isinstance<nb::str>(gauge)) {
+    const auto word = nb::cast<std::string>(gauge);
+    if (word == "canonical") return Gauge::canonical();
+    if (word == "osculating") return Gauge::osculating();
+    throw nb::value_error(("gauge: got \"" + word +
+                           R"("; expected "canonical", "osculating" or a function Phi(C, t))")
+                              .c_str());
+  }
+  return Gauge(PythonPhi(std::make_shared<PythonFunction>(gauge, "gauge")));
+}
+
+// f(set, t) of the elements of every position, as a set of one of the kinds of element_rates.hpp.
+template <class C, class F>
+auto with_set(const C& elements, std::optional<double>, const F& f)
+  requires(!std::same_as<C, AndoyerState>)
+{
+  return f(elements);
+}
+template <class F>
+auto with_set(const AndoyerState& elements, std::optional<double> t0, const F& f) {
+  return t0 ? f(ModifiedAndoyerState{elements, *t0}) : f(elements);
+}
+
+// f(elements, t) of six or three numbers.
+template <std::size_t N, class C, class F>
+FloatArray numbers_of(const Batch<C>& elements, ArrayLike t, const F& f) {
+  Numbers times(t, "t");
+  const Shape shape = broadcast(elements.shape(), times.shape(), "elements", times.name());
+  times.broadcast(shape);
+  const Lane lane(elements.shape(), shape);
+  Result out(shape, {N});
+  for_each(size_of(shape), [&](std::size_t k) {
+    double* to = out.at(k);
+    const auto found = f(elements[lane(k)], times[k]);
+    if constexpr (N == 3)
+      for (int i = 0; i < 3; ++i) to[i] = found[i];
+    else
+      for (const double x : found) *to++ = x;
+  });
+  return out.take();
+}
+
+constexpr const char* rates_doc =
+    R"(Equations of motion of elements of the free rotor, in any gauge: dC/dt. [SA (104)-(111)]
+
+Elements are those of a free motion that has the attitude of the body. The angular velocity of the
+body is that of the free motion plus the convective term Phi. Canonical elements have Phi = dH'/dg
+and obey Hamilton's equations; osculating elements have Phi = 0, the Lagrange constraint, so that
+the free motion touches the true one; any other Phi(C, t) is a gauge as well.
+
+Parameters
+----------
+system : body, frame and perturbations.
+t : float or array, broadcast with the elements.
+elements : AndoyerState, SerretState or SadovState, of any shape.
+gauge : "canonical", "osculating", or a function Phi(C, t) that returns the convective term (3,)
+    along the body axes, rad per time, of an object array C (6,) and a time t that are Duals.
+t0 : with an AndoyerState: the elements are the initial values at this epoch (the modified Andoyer
+    set, constants of the free motion).
+
+Returns
+-------
+array (..., 6): angles first, then momenta, in the order of the fields; of Serret's elements
+g0, h, -t0, G, H, T.
+
+Raises
+------
+ValueError at a singularity of the set, and where the linear system for dC/dt is singular.
+
+Examples
+--------
+>>> body = polhode.Body(3, 4, 6)
+>>> state = polhode.rotor_state(body, [1, 0, 0, 0], [0.4, 0.2, 0.3])
+>>> system = polhode.System(body, polhode.Frame.precessing([0, 0.6, 0.8], 0.01))
+>>> C = polhode.elements_of_state("andoyer", system, 0.0, state, "osculating")
+>>> polhode.element_rates(system, 0.0, C, "osculating").shape
+(6,)
+)";
+
+template <class C>
+void bind_set(nb::module_& m) {
+  m.def(
+      "element_rates",
+      [](const PythonSystem& system, ArrayLike t, const Batch<C>& elements, AnyGauge gauge,
+         std::optional<double> t0) {
+        const Gauge of = gauge_of(gauge);
+        return numbers_of<6>(elements, t, [&](const C& one, double at) {
+          return with_set(one, t0,
+                          [&](const auto& set) { return element_rates(system, at, set, of); });
+        });
+      },
+      "system"_a, "t"_a, "elements"_a, "gauge"_a = "canonical", "t0"_a = nb::none(), rates_doc);
+  m.def(
+      "element_state",
+      [](const PythonSystem& system, ArrayLike t, const Batch<C>& elements, AnyGauge gauge,
+         std::optional<double> t0) {
+        const Gauge of = gauge_of(gauge);
+        Numbers times(t, "t");
+        return mapped(elements, times, [&](const C& one, double at) {
+          return with_set(one, t0,
+                          [&](const auto& set) { return element_state(system, at, set, of); });
+        });
+      },
+      "system"_a, "t"_a, "elements"_a, "gauge"_a = "canonical", "t0"_a = nb::none(),
+      "The canonical states (q, g) of bodies with these elements in this gauge: angular_velocity "
+      "of them is the inertial and the relative angular velocity. Arguments as element_rates.");
+  m.def(
+      "element_convective_term",
+      [](const PythonSystem& system, ArrayLike t, const Batch<C>& elements, AnyGauge gauge,
+         std::optional<double> t0) {
+        const Gauge of = gauge_of(gauge);
+        return numbers_of<3>(elements, t, [&](const C& one, double at) {
+          return with_set(one, t0, [&](const auto& set) {
+            return element_convective_term(system, at, set, of);
+          });
+        });
+      },
+      "system"_a, "t"_a, "elements"_a, "gauge"_a = "canonical", "t0"_a = nb::none(),
+      "Phi (..., 3), rad per time along the body axes: the angular velocity relative to the frame "
+      "less that of the free motion of the elements. Arguments as element_rates. [SA (106)]");
+}
+
+template <class C>
+nb::object of_state(const System& system, ArrayLike t, const Rotors& states, const Gauge& gauge,
+                    std::optional<double> t0) {
+  Numbers times(t, "t");
+  return nb::cast(mapped(states, times, [&](const RotorState& s, double at) {
+    if constexpr (std::same_as<C, AndoyerState>)
+      if (t0) return elements_of_state(system, at, s, ModifiedAndoyerState{{}, *t0}, gauge).initial;
+    return elements_of_state(system, at, s, C{}, gauge);
+  }));
+}
+
+}  // namespace
+
+void bind_element_rates(nb::module_& m) {
+  bind_set<AndoyerState>(m);
+  bind_set<SerretState>(m);
+  bind_set<SadovState>(m);
+  m.def(
+      "elements_of_state",
+      [](const std::string& chart, const PythonSystem& system, ArrayLike t, const Rotors& states,
+         AnyGauge gauge,
+         std::optional<double> t0) -> Typed<"AndoyerState | SerretState | SadovState"> {
+        const Gauge of = gauge_of(gauge);
+        if (chart == "andoyer") return of_state<AndoyerState>(system, t, states, of, t0);
+        if (chart == "serret") return of_state<SerretState>(system, t, states, of, t0);
+        if (chart == "sadov") return of_state<SadovState>(system, t, states, of, t0);
+        throw nb::value_error(("elements_of_state: got the chart \"" + chart +
+                               R"("; expected "andoyer", "serret" or "sadov")")
+                                  .c_str());
+      },
+      "chart"_a, "system"_a, "t"_a, "state"_a, "gauge"_a = "canonical", "t0"_a = nb::none(),
+      "The elements of canonical states, in the chart \"andoyer\", \"serret\" or \"sadov\" and a "
+      "gauge: the inverse of element_state. Other arguments as element_rates.");
+}
+
+}  // namespace polhode::python

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// Orders of terms by the weights of a truncation, and the limit on the size of a product.
+#include "polhode/series/detail/orders.hpp"
+
+#include <cstddef>
+#include <string>
+
+#include "math/number_text.hpp"
+#include "polhode/error.hpp"
+#include "polhode/series/symbols.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+namespace {
+
+// Twelve weighted exponents of 16 bits stay below 2^31.
+constexpr int largest_weight = 1000;
+
+}  // namespace
+
+Orders::Orders(const Symbols& symbols, const Truncation& keep) : fields_(symbols.exponents()) {
+  for (const auto& [name, weight] : keep.weights) {
+    if (weight < 0 || weight > largest_weight)
+      throw DomainError("Truncation: the weight " + std::to_string(weight) + " of " + name +
+                        " is out of [0, " + std::to_string(largest_weight) + "]");
+    weights_.emplace_back(symbols.variable(name), weight);
+  }
+}
+
+void require_room(const ProductSize& size, std::size_t most_bytes) {
+  if (size.bytes <= static_cast<double>(most_bytes)) return;
+  throw DomainError("product: " + rounded_text(size.pairs) + " pairs of terms may become " +
+                    rounded_text(size.terms) + " terms and take " + rounded_text(size.bytes / 1e9) +
+                    " GB, more than the " + rounded_text(static_cast<double>(most_bytes) / 1e9) +
+                    " GB allowed; lower the order, or raise Truncation::most_bytes");
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode
