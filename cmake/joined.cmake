@@ -10,7 +10,7 @@ whole build, more after a change of one file" OFF)
 # the time. With it GCC 12 takes the destructor of an optional variant for the use of an empty one.
 set(polhode_thin "")
 if(CMAKE_CXX_COMPILER_ID MATCHES "^(GNU|Clang|AppleClang)$")
-  set(polhode_thin $<$<CONFIG:Release>:-O1> 
+  set(polhode_thin $<$<CONFIG:Release>:-O1>
     $<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU>>:-Wno-maybe-uninitialized>)
 endif()
 

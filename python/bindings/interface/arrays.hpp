@@ -122,6 +122,10 @@ inline void put(double* out, const Quaternion& q) {
 void put(double* out, const Mat3& m);
 void put(double* out, const Matrix6& m);
 inline void put(double* out, double number) { *out = number; }
+template <std::size_t N>
+void put(double* out, const std::array<double, N>& numbers) {
+  std::copy(numbers.begin(), numbers.end(), out);
+}
 
 // f(begin, end) for parts of 0 .. size, without the GIL where it is worth it, with a look at
 // signals every few milliseconds whatever f costs: so that Ctrl-C ends a conversion of any length.

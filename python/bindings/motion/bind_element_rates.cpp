@@ -69,25 +69,6 @@ auto with_set(const AndoyerState& elements, std::optional<double> t0, const F& f
   return t0 ? f(ModifiedAndoyerState{elements, *t0}) : f(elements);
 }
 
-// f(elements, t) of six or three numbers.
-template <std::size_t N, class C, class F>
-FloatArray numbers_of(const Batch<C>& elements, ArrayLike t, const F& f) {
-  Numbers times(t, "t");
-  const Shape shape = broadcast(elements.shape(), times.shape(), "elements", times.name());
-  times.broadcast(shape);
-  const Lane lane(elements.shape(), shape);
-  Result out(shape, {N});
-  for_each(size_of(shape), [&](std::size_t k) {
-    double* to = out.at(k);
-    const auto found = f(elements[lane(k)], times[k]);
-    if constexpr (N == 3)
-      for (int i = 0; i < 3; ++i) to[i] = found[i];
-    else
-      for (const double x : found) *to++ = x;
-  });
-  return out.take();
-}
-
 constexpr const char* rates_doc =
     R"(Equations of motion of elements of the free rotor, in any gauge: dC/dt. [SA (104)-(111)]
 
@@ -132,7 +113,8 @@ void bind_set(nb::module_& m) {
       [](const PythonSystem& system, ArrayLike t, const Batch<C>& elements, AnyGauge gauge,
          std::optional<double> t0) {
         const Gauge of = gauge_of(gauge);
-        return numbers_of<6>(elements, t, [&](const C& one, double at) {
+        Numbers times(t, "t");
+        return mapped_numbers(elements, times, {6}, [&](const C& one, double at) {
           return with_set(one, t0,
                           [&](const auto& set) { return element_rates(system, at, set, of); });
         });
@@ -157,7 +139,8 @@ void bind_set(nb::module_& m) {
       [](const PythonSystem& system, ArrayLike t, const Batch<C>& elements, AnyGauge gauge,
          std::optional<double> t0) {
         const Gauge of = gauge_of(gauge);
-        return numbers_of<3>(elements, t, [&](const C& one, double at) {
+        Numbers times(t, "t");
+        return mapped_numbers(elements, times, {3}, [&](const C& one, double at) {
           return with_set(one, t0, [&](const auto& set) {
             return element_convective_term(system, at, set, of);
           });

@@ -236,11 +236,6 @@ void bind_modified(nb::module_& m) {
       "(103)]");
 }
 
-template <std::size_t N>
-void put_all(double* out, const std::array<double, N>& a) {
-  for (const double x : a) *out++ = x;
-}
-
 // f(chart, system, t, state) of N numbers.
 template <std::size_t N>
 void def_of_chart(nb::module_& m, const char* name,
@@ -252,14 +247,8 @@ void def_of_chart(nb::module_& m, const char* name,
       [f](AnyChart chart, const PythonSystem& system, ArrayLike t, const Rotors& states) {
         const CanonicalChart of = chart_of(chart, "chart");
         Numbers times(t, "t");
-        const Shape shape = broadcast(states.shape(), times.shape(), "states", times.name());
-        times.broadcast(shape);
-        const Lane lane(states.shape(), shape);
-        Result out(shape, {N});
-        for_each(size_of(shape), [&](std::size_t k) {
-          put_all(out.at(k), f(of, system, times[k], states[lane(k)]));
-        });
-        return out.take();
+        return mapped_numbers(states, times, {N},
+                              [&](const RotorState& s, double at) { return f(of, system, at, s); });
       },
       "chart"_a, "system"_a, "t"_a, "state"_a, doc);
 }
