@@ -121,7 +121,8 @@ def test_what_a_run_was(apophis):
 
 
 def test_the_end_of_a_run_may_lie_behind_its_last_row():
-    text = DAMPED.replace(TIME, "[time]\nstop = 3.9\nstep = 1\n[output]\ncolumns = [\"q\", \"g\"]\n")
+    text = DAMPED.replace(TIME, "[time]\nstop = 3.9\nstep = 1\n")
+    text += "[output]\ncolumns = [\"q\", \"g\"]\n"
     results = Scenario.from_text(text).run()
     assert results.t[-1] == 3.0 and results.end.t == 3.9
     rows = Scenario.from_text(text.replace("step = 1", "step = 3.9")).run()

@@ -12,6 +12,7 @@
 #include "budgets.hpp"
 #include "message_of.hpp"
 #include "polhode/fit/light_search.hpp"
+#include "worst.hpp"
 
 namespace {
 using namespace polhode;
@@ -141,13 +142,14 @@ double worst_time_left(LightSearch search, double from) {
   search.progress = [&](double part) { calls.push_back({now() - begun, part}); };
   search_light(search);
   const double whole = now() - begun;
-  double worst = 1.0;
+  Worst worst;
   for (const auto& [time, part] : calls) {
     if (time < from * whole || time > 0.8 * whole) continue;
     const double ratio = time * (1.0 - part) / part / (whole - time);
-    worst = std::max(worst, std::max(ratio, 1.0 / ratio));
+    worst.add(ratio);
+    worst.add(1.0 / ratio);
   }
-  return worst;
+  return worst.value();
 }
 
 // Starts may be nearly all of the work, or the fits of many solutions be: then the number of
