@@ -327,8 +327,9 @@ def eq_A44():
     equal(cos(incl), cos(theta) * cos(J) + sin(theta) * sin(J) * cos(psi - l), of_five)
 
 
-@section.misprint("(A44) and (A1)", "(A44) is the same as (A1), up to a cyclic transposition",
-                  right="(A44) is the law of cosines of angles: (A1) of the polar triangle")  # fmt: skip
+@section.misprint("same as (A1)", "(A44) is the same as (A1), up to a cyclic transposition",
+                  right="it is the law of cosines of angles: (A1) of the polar"
+                  " triangle")  # fmt: skip
 def eq_A44_and_A1():
     """The transpositions of (A1) give cosines of the sides phi - h and psi - l, and not cI. In the
     polar triangle pi minus an angle stands for the opposite side, pi minus a side for the opposite

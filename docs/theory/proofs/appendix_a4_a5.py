@@ -42,8 +42,7 @@ of_node = Matrix([
 def rate_of_three_rotations(i):
     three = R3(l) * R1(J) * R3(g)
     equal(-along(three, node_rates) * three.T, hat(of_node))
-    holds_as_5_to_7 = omega.subs(dict(zip((*q, *rates), (g, J, l, gd, Jd, ld))))
-    equal(of_node[i], holds_as_5_to_7[i])
+    equal(of_node[i], omega[i].subs(dict(zip((*q, *rates), (g, J, l, gd, Jd, ld)))))
 
 
 @section.equation("(9995)", "omega1 = gdot sJ sl + Jdot cl")
@@ -230,9 +229,8 @@ def eq_p_and_star():
     l_rate = body[2] - g_rate * cos(J)  # (9997)
     L_rate = g_of_plane.cross(body)[2]  # third component of gdot = g x omega
     by_L, by_l = (diff(energy, v).subs(L, G * cos(J)) for v in (L, l))
-    through = {}
-    equal(l_rate, by_L, through)
-    equal(L_rate, -by_l * 1)
+    equal(l_rate, by_L)
+    equal(L_rate, -by_l)
     differs(L_rate, by_l)
     differs(l_rate, -by_L)
 

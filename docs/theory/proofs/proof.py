@@ -148,7 +148,7 @@ class Algebra:
         if angle in self.angles:
             return tuple(map(self.rewritten, self.angles[angle]))
         if angle not in self.circles:
-            sine, cosine = sp.Symbol(f"s_{angle}"), sp.Symbol(f"c_{angle}")
+            sine, cosine = sp.Symbol(f"sin({angle})"), sp.Symbol(f"cos({angle})")
             self.circles[angle] = (sine, cosine)
             self.relations.append((sine, 1 - cosine**2))
         return self.circles[angle]

@@ -81,7 +81,8 @@ sI, cI, sh, ch = sin(incl), cos(incl), sin(h), cos(h)
 @section.misprint("v1", "row 1: (cl cg - sl cJ sg) ch - (cl sg + sl cJ cg) cI - sl sJ sI sh; row 2:"
                   " -sl cg - cl cJ sg ch - (-sl sg + cl cJ cg) cI - cl sJ sI sh",
                   right="row 1: (cl cg - sl cJ sg) ch - [(cl sg + sl cJ cg) cI - sl sJ sI] sh;"
-                  " row 2: (-sl cg - cl cJ sg) ch - [(-sl sg + cl cJ cg) cI - cl sJ sI] sh")  # fmt: skip
+                  " row 2: (-sl cg - cl cJ sg) ch - [(-sl sg + cl cJ cg) cI"
+                  " - cl sJ sI] sh")  # fmt: skip
 def eq_v1():
     """The first column of the product Rnew; its row 3 is right as printed."""
     differs(five[0, 0], along_j1 * ch - across1 * cI - up1 * sI * sh)
@@ -95,7 +96,8 @@ def eq_v1():
 @section.misprint("v2", "row 1: (cl cg - sl cJ sg) sh + (cl sg + sl cJ cg) cI - sl sJ sI ch; row 2:"
                   " -sl cg - cl cJ sg sh + (-sl sg + cl cJ cg) cI - cl sJ sI ch",
                   right="row 1: (cl cg - sl cJ sg) sh + [(cl sg + sl cJ cg) cI - sl sJ sI] ch;"
-                  " row 2: (-sl cg - cl cJ sg) sh + [(-sl sg + cl cJ cg) cI - cl sJ sI] ch")  # fmt: skip
+                  " row 2: (-sl cg - cl cJ sg) sh + [(-sl sg + cl cJ cg) cI"
+                  " - cl sJ sI] ch")  # fmt: skip
 def eq_v2():
     """The second column of the product Rnew; its row 3 is right as printed."""
     differs(five[0, 1], along_j1 * sh + across1 * cI - up1 * sI * ch)

@@ -241,6 +241,9 @@ def eq_122():
     equal(convective[2], (mu[0] * sin(psi) + mu[1] * cos(psi)) * cot(theta) - mu[2])
 
 
+section.definition("(128)", "cI = H/G, cJ = L/G", "As (84).")
+
+
 @section.equation("(123)", "omega(qdot) = omega(g) + omega(DeltaH_p)")
 def eq_123():
     """(5) to (7) are linear in the rates."""

@@ -180,8 +180,8 @@ def sadov(state, moments):
 
 MOMENTS = [mpmath.mpf(x) for x in ("1", "1.7", "2.1")]
 # l, g, L, G around b3, -b3, b1 and -b1
-STATES = [[mpmath.mpf(x) for x in row.split()]
-          for row in ("0.7 0.4 1.9 2", "0.7 0.4 -1.9 2", "1.4 0.4 0.3 2", "-1.4 0.4 0.3 2")]  # fmt: skip
+ROWS = ("0.7 0.4 1.9 2", "0.7 0.4 -1.9 2", "1.4 0.4 0.3 2", "-1.4 0.4 0.3 2")
+STATES = [[mpmath.mpf(x) for x in row.split()] for row in ROWS]
 
 
 @section.equation("ActioTransf", "the map to Sadov's variables is canonical", slow=True)
@@ -319,11 +319,11 @@ def eq_slope_of_action():
 
 
 @section.equation("partialPhiU", "dphi/du = I_g/(dI_l/dlambda)"
-                  " = -pi (kappa^2 + lambda^2)^(3/2)/[2 kappa lambda sqrt(1 + kappa^2) K]")  # fmt: skip
+                  " = -pi (kappa^2 + lambda^2)^(3/2)/[2 kappa lambda sqrt(1 + kappa^2)"
+                  " K]")  # fmt: skip
 def eq_partialPhiU():
     """The derivative of the inverse function."""
-    equal(alpha2 / slope_of_action,
-          -pi * root_both**3 / (2 * kappa * lam * root_kappa * K))  # fmt: skip
+    equal(alpha2 / slope_of_action, -pi * root_both**3 / (2 * kappa * lam * root_kappa * K))
 
 
 lambda_by_Ig = (kappa**2 + lam**2) / (alpha2 * kappa**2 * lam * K) * (
