@@ -40,7 +40,7 @@ from section3_1 import (
     t,
     u,
 )
-from sympy import Matrix, cos, diag, diff, pi, sin, sqrt, symbols
+from sympy import Function, Integral, Matrix, cos, diag, diff, pi, sin, sqrt, symbols
 
 section = Section("A.1-A.3", "Spherical triangle, elliptic solution, variations of S")
 
@@ -68,21 +68,23 @@ sx, cx, sy, cy = sin(phi - h), cos(phi - h), sin(psi - l), cos(psi - l)
 @section.misprint("(A2)", "sg dg = [sx cy - sx sy ctheta] dx + [cx sy - sx cy ctheta] dy"
                   " + s(phi - l) sy stheta dtheta, with x = phi - h, y = psi - l",
                   right="[sx cy + cx sy ctheta] dx + [cx sy + sx cy ctheta] dy"
-                  " - sx sy stheta dtheta")  # fmt: skip
+                  " - sx sy stheta dtheta")
 def eq_A2():
-    """Minus the differential of (A1)."""
+    """Take minus the differential of (A1)."""
     minus = -along(side, {phi: dx, psi: dy, theta: dth})
     differs(minus, (sx * cy - sx * sy * cos(theta)) * dx + (cx * sy - sx * cy * cos(theta)) * dy
-            + sin(phi - l) * sy * sin(theta) * dth)  # fmt: skip
+            + sin(phi - l) * sy * sin(theta) * dth)
     equal(minus, (sx * cy + cx * sy * cos(theta)) * dx + (cx * sy + sx * cy * cos(theta)) * dy
-          - sx * sy * sin(theta) * dth)  # fmt: skip
+          - sx * sy * sin(theta) * dth)
 
 
-@section.misprint("(A3)", "both lines with plus in front of the term in dtheta",
-                  right="minus in front of the term in dtheta")  # fmt: skip
+@section.misprint("(A3)", "sg dg = sg cI d(phi - h) + sg cJ d(psi - l)"
+                  " + s(phi - h) s(psi - l) stheta dtheta"
+                  " = sg cI d(phi - h) + sg cJ d(psi - l) + s(psi - l) sJ sg dtheta",
+                  right="minus in front of both terms in dtheta")
 def eq_A3():
-    """Laws of sines and cosines of the triangle: (A2) for arbitrary differentials of the five
-    angles. Only with minus does (50) follow."""
+    """The differentials of the five angles are arbitrary, and the triangle is given by them. Only
+    with minus does (50) follow."""
     first = sin(g) * (cos(incl) * (dphi - dh) + cos(J) * (dpsi - dl))
     term = sx * sy * sin(theta) * dtheta
     equal(term, sy * sin(J) * sin(g) * dtheta, of_five)
@@ -113,7 +115,7 @@ def eq_A8():
 
 @section.equation("(A9)", "(alpha', beta', gamma') = g/G = (I1 omega1, I2 omega2, I3 omega3)/G")
 def eq_A9():
-    """By (A7). In the footnote: they are sJ sl, sJ cl, cJ, by (32)."""
+    """Insert (A7). By (32) they are sJ sl, sJ cl, cJ, as the footnote says."""
     equal(inertia * omega / G, Matrix([m * w / G for m, w in zip(moments, omega)]))
     equal(g_of_plane / G, Matrix([sin(J) * sin(l), sin(J) * cos(l), cos(J)]))
 
@@ -125,13 +127,13 @@ of_omega = {x: m * w / G for x, m, w in zip(cosines, moments, omega)}
 
 @section.equation("(A11)", "G^2 P^2 = sum I_i omega_i^2")
 def eq_A11():
-    """Insertion of (A9) in (A10)."""
+    """Insert (A9) into (A10)."""
     equal(G**2 * binet.subs(of_omega), sum(m * w**2 for m, w in zip(moments, omega)))
 
 
 @section.equation("(A12)", "G^2 P^2 = 2 T")
 def eq_A12():
-    """In Andoyer's variables."""
+    """Insert Andoyer's variables."""
     equal(G**2 * binet.subs(of_plane), 2 * energy.subs(L, G * cos(J)))
 
 
@@ -142,9 +144,9 @@ def eq_A13():
 
 @section.equation("(A14)", "P^2 - 1/I3 = (1/I1 - 1/I3) alpha'^2 + (1/I2 - 1/I3) beta'^2")
 def eq_A14():
-    """(A10) with gamma'^2 of (A13)."""
+    """Insert gamma'^2 of (A13) into (A10)."""
     equal(binet.subs(gamma, sqrt(1 - alpha**2 - beta**2)) - 1 / I3,
-          (1 / I1 - 1 / I3) * alpha**2 + (1 / I2 - 1 / I3) * beta**2)  # fmt: skip
+          (1 / I1 - 1 / I3) * alpha**2 + (1 / I2 - 1 / I3) * beta**2)
 
 
 section.definition("(A15)", "a^2 = (P^2 - 1/I3)/(1/I1 - 1/I3)", "Abbreviation.")
@@ -154,28 +156,28 @@ a2, b2 = (P2 - 1 / I3) / (1 / I1 - 1 / I3), (P2 - 1 / I3) / (1 / I2 - 1 / I3)
 
 @section.equation("(A17)", "alpha'^2/a^2 + beta'^2/b^2 = 1")
 def eq_A17():
-    """(A14) with (A15) and (A16)."""
+    """Insert (A15) and (A16) into (A14)."""
     at = {P2: binet.subs(of_plane)}
     equal((of_plane[alpha] ** 2 / a2 + of_plane[beta] ** 2 / b2).subs(at), 1)
 
 
 section.definition("(A18)", "alpha'^2/a^2 = cos^2 xi, beta'^2/b^2 = sin^2 xi",
-                   "The angle of a point of the ellipse (A17).")  # fmt: skip
+                   "The angle of a point of the ellipse (A17).")
 a, b, xi, kappa = symbols("a b xi kappa")
 
 
 @section.equation("(A19)", "gamma'^2 = (1 - a^2)(1 - (b^2 - a^2)/(1 - a^2) sin^2 xi)")
 def eq_A19():
-    """Insertion of (A18) in (A13)."""
+    """Insert (A18) into (A13)."""
     equal(1 - a**2 * cos(xi) ** 2 - b**2 * sin(xi) ** 2,
-          (1 - a**2) * (1 - (b**2 - a**2) / (1 - a**2) * sin(xi) ** 2))  # fmt: skip
+          (1 - a**2) * (1 - (b**2 - a**2) / (1 - a**2) * sin(xi) ** 2))
 
 
 section.definition("(A20)", "kappa^2 = (b^2 - a^2)/(1 - a^2)",
-                   "The modulus. It is Sadov's lambda, and not his kappa.")  # fmt: skip
+                   "The modulus. It is Sadov's lambda, and not his kappa.")
 section.definition("(A21)", "Delta xi = sqrt(1 - kappa^2 sin^2 xi)", "Abbreviation.")
 section.definition("(A22)", "alpha' = a cos xi", "A root of (A18).")
-section.definition("(A23)", "beta' = b sin xi", "A root of (A18); of the sign of L, if L < 0.")
+section.definition("(A23)", "beta' = b sin xi", "A root of (A18). For L < 0 it has the other sign.")
 kappa2 = (b**2 - a**2) / (1 - a**2)
 delta = sqrt(1 - kappa2 * sin(xi) ** 2)
 root_a = sqrt(1 - a**2)
@@ -184,7 +186,7 @@ of_xi = {alpha: a * cos(xi), beta: b * sin(xi), gamma: root_a * delta}
 
 @section.equation("(A24)", "gamma' = sqrt(1 - a^2) Delta xi")
 def eq_A24():
-    """A root of (A19) with (A20) and (A21); of the sign of L, if L < 0. The three add to 1."""
+    """It is a root of (A19); for L < 0 it has the other sign. The three squares add to 1."""
     equal(of_xi[gamma] ** 2, (1 - a**2) * (1 - kappa2 * sin(xi) ** 2))
     equal(sum(x**2 for x in of_xi.values()), 1)
 
@@ -198,7 +200,7 @@ cosine_rates = [
 
 
 @section.misprint("due to (A13)", "P^2 is a constant of motion due to (A13)",
-                  right="due to (A12): G and T are constant")  # fmt: skip
+                  right="due to (A12): G and T are constant")
 def eq_P_is_constant():
     """(A13) holds for every motion of the three cosines, and along an arbitrary one of them, such
     as one at constant gamma', P^2 changes. Along free rotation, (A28) to (A30), it does not."""
@@ -209,7 +211,7 @@ def eq_P_is_constant():
 
 
 euler = [omega[1] * omega[2] * (I2 - I3), omega[2] * omega[0] * (I3 - I1),
-         omega[0] * omega[1] * (I1 - I2)]  # fmt: skip
+         omega[0] * omega[1] * (I1 - I2)]
 
 
 def euler_equation(i):
@@ -219,19 +221,19 @@ def euler_equation(i):
 
 @section.equation("(A25)", "I1 domega1/dt = omega2 omega3 (I2 - I3)")
 def eq_A25():
-    """The first component of (12)."""
+    """It is the first component of (12)."""
     euler_equation(0)
 
 
 @section.equation("(A26)", "I2 domega2/dt = omega3 omega1 (I3 - I1)")
 def eq_A26():
-    """The second component of (12)."""
+    """It is the second component of (12)."""
     euler_equation(1)
 
 
 @section.equation("(A27)", "I3 domega3/dt = omega1 omega2 (I1 - I2)")
 def eq_A27():
-    """The third component of (12)."""
+    """It is the third component of (12)."""
     euler_equation(2)
 
 
@@ -241,31 +243,31 @@ def cosine_rate(i):
 
 @section.equation("(A28)", "dalpha'/dt = G beta' gamma' (1/I3 - 1/I2)")
 def eq_A28():
-    """(A25) with (A9)."""
+    """Insert (A9) into (A25)."""
     cosine_rate(0)
 
 
 @section.equation("(A29)", "dbeta'/dt = G gamma' alpha' (1/I1 - 1/I3)")
 def eq_A29():
-    """(A26) with (A9)."""
+    """Insert (A9) into (A26)."""
     cosine_rate(1)
 
 
 @section.equation("(A30)", "dgamma'/dt = G alpha' beta' (1/I2 - 1/I1)")
 def eq_A30():
-    """(A27) with (A9)."""
+    """Insert (A9) into (A27)."""
     cosine_rate(2)
 
 
 @section.equation("(A33)", "dxi/Delta xi = (b/a) sqrt(1 - a^2) (1/I2 - 1/I3) G dt")
 def eq_A33():
-    """(A22) to (A24) in (A28)."""
+    """Insert (A22) to (A24) into (A28)."""
     xi_rate = b / a * root_a * (1 / I2 - 1 / I3) * G * delta
     equal(diff(of_xi[alpha], xi) * xi_rate, cosine_rates[0].subs(of_xi))
 
 
 @section.equation("(A34)", "dxi/sqrt(1 - kappa^2 sin^2 xi)"
-                  " = G dt sqrt((1/I1 - P^2)(1/I2 - 1/I3))")  # fmt: skip
+                  " = G dt sqrt((1/I1 - P^2)(1/I2 - 1/I3))")
 def eq_A34():
     """The squares of both factors of G dt agree, by (A15) and (A16)."""
     equal(b2 / a2 * (1 - a2) * (1 / I2 - 1 / I3) ** 2, (1 / I1 - P2) * (1 / I2 - 1 / I3))
@@ -273,7 +275,7 @@ def eq_A34():
 
 section.definition("(A35)", "n = G sqrt((1/I1 - P^2)(1/I2 - 1/I3))",
                    "The rate of the argument u, and not a mean motion: the momentum comes round"
-                   " after 4 K/n.")  # fmt: skip
+                   " after 4 K/n.")
 
 
 @section.equation("(A36)", "int dxi/sqrt(1 - kappa^2 sin^2 xi) from 0 = n (t - t_o)")
@@ -284,12 +286,12 @@ def eq_A36():
 
 section.definition("(A37)", "u = int n dt = n (t - t_o)", "Dimensionless time.")
 section.definition("(A38)", "F(xi, kappa) = int dx/sqrt(1 - kappa^2 sin^2 x) from 0 to xi",
-                   "The second argument is the modulus.")  # fmt: skip
+                   "The second argument is the modulus.")
 
 
 @section.equation("(A39)", "u = F(xi, kappa)")
 def eq_A39():
-    """(A36) with (A37) and (A38)."""
+    """Insert (A37) and (A38) into (A36)."""
     eq_A34()
 
 
@@ -305,21 +307,21 @@ section.definition("(A40)", "xi = am(u, kappa)", "am is the inverse of F.")
 
 @section.equation("(A41)", "sin xi = sn(u, kappa)")
 def eq_A41():
-    """A definition by am; the sn of theta functions agrees."""
+    """This defines sn by am. The sn of theta functions agrees."""
     at_amplitudes(lambda x, w, m: close(mpmath.ellipfun("sn", w, m=m), mpmath.sin(x)))
 
 
 @section.equation("(A42)", "cos xi = cn(u, kappa)")
 def eq_A42():
-    """A definition by am; the cn of theta functions agrees."""
+    """This defines cn by am. The cn of theta functions agrees."""
     at_amplitudes(lambda x, w, m: close(mpmath.ellipfun("cn", w, m=m), mpmath.cos(x)))
 
 
 @section.equation("(A43)", "Delta xi = sqrt(1 - kappa^2 sn^2 u) = dn(u, kappa)")
 def eq_A43():
-    """A definition by am; the dn of theta functions agrees."""
+    """This defines dn by am. The dn of theta functions agrees."""
     at_amplitudes(lambda x, w, m: close(mpmath.ellipfun("dn", w, m=m),
-                                        mpmath.sqrt(1 - m * mpmath.sin(x) ** 2)))  # fmt: skip
+                                        mpmath.sqrt(1 - m * mpmath.sin(x) ** 2)))
 
 
 @section.equation("(A44)", "cI = ctheta cJ + stheta sJ c(psi - l)")
@@ -329,7 +331,7 @@ def eq_A44():
 
 @section.misprint("same as (A1)", "(A44) is the same as (A1), up to a cyclic transposition",
                   right="it is the law of cosines of angles: (A1) of the polar"
-                  " triangle")  # fmt: skip
+                  " triangle")
 def eq_A44_and_A1():
     """The transpositions of (A1) give cosines of the sides phi - h and psi - l, and not cI. In the
     polar triangle pi minus an angle stands for the opposite side, pi minus a side for the opposite
@@ -344,9 +346,9 @@ def eq_A44_and_A1():
 
 
 @section.equation("(A45)", "sJ c(psi - l) = alpha' spsi + beta' cpsi"
-                  " = a spsi cos am(u) + b cpsi sin am(u)")  # fmt: skip
+                  " = a spsi cos am(u) + b cpsi sin am(u)")
 def eq_A45():
-    """The addition theorem, (A9), and (A22) and (A23)."""
+    """Use the addition theorem, (A9), (A22) and (A23)."""
     middle = alpha * sin(psi) + beta * cos(psi)
     equal(sin(J) * cos(psi - l), middle.subs(of_plane))
     equal(middle.subs(of_xi), a * sin(psi) * cos(xi) + b * cos(psi) * sin(xi))
@@ -354,9 +356,9 @@ def eq_A45():
 
 @section.misprint("(A46)", "cI = ctheta sqrt(1 - a^2) Delta am(u) + a stheta spsi cos am(u)"
                   " + b cpsi sin am(u)",
-                  right="last term b stheta cpsi sin am(u)")  # fmt: skip
+                  right="last term b stheta cpsi sin am(u)")
 def eq_A46():
-    """(A44) with (A45) and (A24); Delta am(u) is dn(u)."""
+    """Insert (A45) and (A24) into (A44). Delta am(u) is dn(u)."""
     law = cos(theta) * gamma + sin(theta) * (alpha * sin(psi) + beta * cos(psi))
     equal(cos(incl), law.subs(of_plane), of_five)
     first = cos(theta) * root_a * delta + a * sin(theta) * sin(psi) * cos(xi)
@@ -366,60 +368,60 @@ def eq_A46():
 
 # --- A.3
 
-vT, vG, vH, vg, vh, vl, v_cJ, W, vW = symbols("vT vG vH vg vh vl v_cJ W vW")
-# W is int cJ dl from pi/2 to l, vW the integral of the variation of cJ at fixed l
+vT, vG, vH, vg, vh, vl, v_cJ, x = symbols("vT vG vH vg vh vl v_cJ x")
+# cJ as a function of l, T, G; its integral; the integral of its variation at fixed l
+tilt = Function("cJ")
+W = Integral(tilt(x, T, G), (x, pi / 2, l))
+vW = diff(W, T) * vT + diff(W, G) * vG
 section.definition("(A47)", "S = -t T + G h cI + G g + G int cJ dl + C", "(51).")
 section.definition("(A48)", "S = S(t, T, l, L, g, G, h, H)", "The variables of S.")
 
 
-def variation(v_of_W):
-    """Of (A47) at fixed t, with H = G cI."""
-    X = symbols("X")
-    whole = along(-t * T + h * H + G * g + G * X, {T: vT, h: vh, H: vH, G: vG, g: vg, X: v_of_W})
-    return whole.subs(X, W)
-
-
+# The variation of (A47) at fixed t, with H = G cI
+whole = along(-t * T + h * H + G * g + G * W, {T: vT, h: vh, H: vH, G: vG, g: vg, l: vl})
 without_l = -t * vT + H * vh + h * vH + (g + W) * vG + G * vg + G * vW
 
 
-@section.misprint("(A51)", "no term in delta l", right="+ G cJ delta l")
+@section.misprint("(A51)", "delta S = -t delta T + G cI delta h + h delta(G cI)"
+                  " + (g + int cJ dl) delta G + G delta g + G int delta(cJ) dl",
+                  right="one more term: + G cJ delta l")
 def eq_A51():
-    """Leibniz's rule: int cJ dl also changes with its upper limit l, by cJ delta l, when the
-    variation of cJ is taken at fixed l."""
-    whole = variation(vW + cos(J) * vl)
+    """Use Leibniz's rule. The upper limit l adds cJ delta l, when the variation of cJ is taken at
+    fixed l."""
     differs(whole, without_l)
-    equal(whole, without_l + G * cos(J) * vl)
+    equal(whole, without_l + G * tilt(l, T, G) * vl)
 
 
 @section.equation("(A52)", "dg - cI d(phi - h) = -cJ d(l - psi) + sJ s(l - psi) dtheta")
 def eq_A52():
-    """(50). It is (A3), with its corrected sign, over sg."""
+    """It is (50), and (A3) with its corrected sign, over sg."""
     equal(dg - cos(incl) * (dphi - dh), -cos(J) * (dl - dpsi) + sin(J) * sin(l - psi) * dtheta,
-          of_five)  # fmt: skip
+          of_five)
 
 
 @section.equation("(A53)", "G delta g = -G cJ delta l - G cI delta h")
 def eq_A53():
-    """(A52) with dphi = dtheta = dpsi = 0."""
+    """Set dphi = dtheta = dpsi = 0 in (A52)."""
     free = vg - cos(incl) * (0 - vh) + cos(J) * (vl - 0)
     equal(G * free, G * vg + G * cos(J) * vl + G * cos(incl) * vh)
 
 
-fixed_orientation = {vg: -cos(J) * vl - H / G * vh}
+fixed_orientation = {vg: -tilt(l, T, G) * vl - H / G * vh}
 
 
-@section.misprint("(A54)", "- G cJ delta l at the end", right="no such term")
+@section.misprint("(A54)", "delta S = -t delta T + h delta(G cI) + (g + int cJ dl) delta G"
+                  " + G int delta(cJ) dl - G cJ delta l",
+                  right="without - G cJ delta l")
 def eq_A54():
-    """(A53) in the corrected (A51)."""
-    whole = variation(vW + cos(J) * vl).subs(fixed_orientation)
+    """Insert (A53) into the corrected (A51)."""
     right = -t * vT + h * vH + (g + W) * vG + G * vW
-    differs(whole, right - G * cos(J) * vl)
-    equal(whole, right)
+    differs(whole.subs(fixed_orientation), right - G * tilt(l, T, G) * vl)
+    equal(whole.subs(fixed_orientation), right)
 
 
 @section.equation("Binet", "alpha'^2/I1 + beta'^2/I2 + gamma'^2/I3 = 2 T/G^2")
 def eq_Binet():
-    """(A10) and (A12); the direction cosines are those of (A9), printed (A12)."""
+    """Combine (A10) and (A12). The direction cosines are those of (A9), and not of (A12)."""
     equal(binet.subs(of_plane), 2 * energy.subs(L, G * cos(J)) / G**2)
 
 
@@ -429,7 +431,7 @@ T_of_plane = energy.subs(L, G * cos(J))
 
 @section.equation("(A55)", "(1 - gamma'^2)(sl^2/I1 + cl^2/I2 - 1/I3) = 2 T/G^2 - 1/I3")
 def eq_A55():
-    """Also the equation before it, sJ^2 (sl^2/I1 + cl^2/I2) + cJ^2/I3 = 2 T/G^2."""
+    """So is the equation before it, sJ^2 (sl^2/I1 + cl^2/I2) + cJ^2/I3 = 2 T/G^2."""
     equal(sin(J) ** 2 * spread + cos(J) ** 2 / I3, 2 * T_of_plane / G**2)
     equal((1 - cos(J) ** 2) * spread_3, 2 * T_of_plane / G**2 - 1 / I3)
 
@@ -447,34 +449,36 @@ def product():
 
 
 @section.equation("(A56)", "2 dT/G^2 - 4 T dG/G^3 = -2 gamma' dgamma' (sl^2/I1 + cl^2/I2 - 1/I3)"
-                  " + 2 alpha' beta' (1/I1 - 1/I2) dl")  # fmt: skip
+                  " + 2 alpha' beta' (1/I1 - 1/I2) dl")
 def eq_A56():
-    """The differential of (A55)."""
+    """Differentiate (A55)."""
     equal(2 * dT / G**2 - 4 * T_of_gamma * dG / G**3,
-          -2 * gamma * d_gamma * spread_3 + 2 * product() * (1 / I1 - 1 / I2) * dl)  # fmt: skip
+          -2 * gamma * d_gamma * spread_3 + 2 * product() * (1 / I1 - 1 / I2) * dl)
 
 
 square_bracket = cos(l) ** 2 * (1 / I2 - 1 / I1) + (1 / I1 - 1 / I3)
 
 
-@section.equation("(A57)", "(delta T - 2 T delta G/G) dt through delta gamma' and delta l")
+@section.equation("(A57)", "(delta T - 2 T delta G/G) dt = -G^2 dt gamma' delta gamma'"
+                  " [cl^2 (1/I2 - 1/I1)"
+                  " + (1/I1 - 1/I3)] + G^2 dt alpha' beta' (1/I1 - 1/I2) delta l")
 def eq_A57():
-    """(A56) times G^2 dt/2; sl^2/I1 + cl^2/I2 - 1/I3 is its square bracket."""
+    """Multiply (A56) by G^2 dt/2. The square bracket is sl^2/I1 + cl^2/I2 - 1/I3."""
     equal(spread_3, square_bracket)
     equal(dT - 2 * T_of_gamma * dG / G,
           -(G**2) * gamma * d_gamma * square_bracket
-          + G**2 * product() * (1 / I1 - 1 / I2) * dl)  # fmt: skip
+          + G**2 * product() * (1 / I1 - 1 / I2) * dl)
 
 
 @section.equation("(A58)", "G dt alpha' beta' (1/I1 - 1/I2) = -dgamma'")
 def eq_A58():
-    """(A30)."""
+    """It is (A30)."""
     equal(G * alpha * beta * (1 / I1 - 1 / I2), -cosine_rates[2])
 
 
 @section.equation("(A59)", "G^2 dt alpha' beta' (1/I1 - 1/I2) delta l = -G dgamma' delta l")
 def eq_A59():
-    """(A58) times G delta l."""
+    """Multiply (A58) by G delta l."""
     equal(G**2 * alpha * beta * (1 / I1 - 1 / I2) * vl, -G * cosine_rates[2] * vl)
 
 
@@ -483,9 +487,10 @@ def rates_per_dt():
     return cosine_rates[1], cosine_rates[2]
 
 
-@section.equation("(A60)", "four forms of the first term of (A57)")
+@section.equation("(A60)", "the first term of (A57) = ... = -G delta gamma' [beta' gamma' dgamma'"
+                  " + (1 - gamma'^2) dbeta']/[alpha' (1 - gamma'^2)]")
 def eq_A60():
-    """(A61), and dbeta', dgamma' of (A29), (A30); all per dt."""
+    """All four forms agree, by (A61) and with dbeta', dgamma' of (A29), (A30)."""
     d_beta, d_gamma_ = rates_per_dt()
     variation_, rest = symbols("vgamma"), 1 - gamma**2
     first = -(G**2) * gamma * variation_ * square_bracket
@@ -495,7 +500,7 @@ def eq_A60():
                                    + d_beta / (alpha * gamma)),
         -G * variation_ / alpha * (beta * gamma / rest * d_gamma_ + d_beta),
         -G * variation_ / (alpha * rest) * (beta * gamma * d_gamma_ + rest * d_beta),
-    ]  # fmt: skip
+    ]
     for form in forms:
         equal(first.subs(of_plane), form.subs(of_plane))
 
@@ -508,7 +513,7 @@ def eq_A61():
 
 @section.equation("(A62)", "dbeta' = -gamma' beta' dgamma'/(1 - gamma'^2) - alpha' dl")
 def eq_A62():
-    """The middle forms with sJ for sqrt(1 - gamma'^2)."""
+    """Differentiate sJ cl. In the middle forms sJ stands for sqrt(1 - gamma'^2)."""
     change = {J: dJ, l: dl}
     d_gamma_ = along(of_plane[gamma], change)
     d_beta = along(of_plane[beta], change)
@@ -519,40 +524,40 @@ def eq_A62():
 
 @section.equation("(A63)", "the first term of (A57) is G delta(cJ) dl")
 def eq_A63():
-    """(A62) in (A60)."""
+    """Insert (A62) into (A60)."""
     d_gamma_, variation_ = symbols("x vgamma")
     rest = 1 - gamma**2
     d_beta = -gamma * beta * d_gamma_ / rest - alpha * dl
     equal(-G * variation_ / (alpha * rest) * (beta * gamma * d_gamma_ + rest * d_beta),
-          G * dl * variation_)  # fmt: skip
+          G * dl * variation_)
 
 
 @section.equation("(A64)", "(delta T - 2 T delta G/G) dt = G delta(cJ) dl - G d(cJ) delta l")
 def eq_A64():
-    """For arbitrary variations of cJ, l and G, with dl and d(cJ) of free rotation."""
+    """The variations of cJ, l and G are arbitrary; dl and d(cJ) are those of free rotation."""
     varied = along(T_of_gamma, {G: vG, gamma: v_cJ, l: vl}).subs(gamma, cos(J))
     l_rate_ = G * cos(J) * (1 / I3 - spread)
     equal(varied - 2 * T_of_plane * vG / G,
-          G * v_cJ * l_rate_ - G * cosine_rates[2].subs(of_plane) * vl)  # fmt: skip
+          G * v_cJ * l_rate_ - G * cosine_rates[2].subs(of_plane) * vl)
 
 
 @section.misprint("(A65)", "G int delta(cJ) dl = (delta T - 2 T delta G/G) u/n + G cJ delta l",
-                  right="G int delta(cJ) dl = (delta T - 2 T delta G/G) u/n")  # fmt: skip
+                  right="G int delta(cJ) dl = (delta T - 2 T delta G/G) u/n")
 def eq_A65():
-    """Derivatives under the integral sign at fixed l: G d(cJ)/dT dl = dt and G d(cJ)/dG dl =
+    """Differentiate under the integral sign at fixed l: G d(cJ)/dT dl = dt and G d(cJ)/dG dl =
     -(2 T/G) dt. The slips of (A51), (A54) and (A65) cancel."""
-    tilt = L_of / G
+    cJ = L_of / G
     speed = l_rate.subs(L, L_of)
-    integrand = G * (diff(tilt, T) * vT + diff(tilt, G) * vG) * speed
+    integrand = G * (diff(cJ, T) * vT + diff(cJ, G) * vG) * speed
     right = vT - 2 * T * vG / G
     equal(integrand, right)
     differs(right * u / n + G * cos(J) * vl, right * u / n)
 
 
 @section.equation("(A66)", "delta S = (u/n - t) delta T + h delta(G cI)"
-                  " + (g + int cJ dl - 2 (T/G) u/n) delta G")  # fmt: skip
+                  " + (g + int cJ dl - 2 (T/G) u/n) delta G")
 def eq_A66():
-    """The corrected (A51), (A53) and the corrected (A65)."""
-    fixed_l = (vT - 2 * T * vG / G) * u / n
-    whole = variation(vW + cos(J) * vl).subs(fixed_orientation).subs(vW, fixed_l / G)
-    equal(whole, (u / n - t) * vT + h * vH + (g + W - 2 * T / G * u / n) * vG)
+    """Insert (A53) and the corrected (A65) into the corrected (A51)."""
+    by_T, by_G = u / n / G, -2 * T / G**2 * u / n  # (A65), by the coefficients of vT and vG
+    equal(whole.subs(fixed_orientation).subs({diff(W, T): by_T, diff(W, G): by_G}),
+          (u / n - t) * vT + h * vH + (g + W - 2 * T / G * u / n) * vG)

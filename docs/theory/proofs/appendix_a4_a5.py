@@ -36,7 +36,7 @@ of_node = Matrix([
     gd * sin(J) * sin(l) + Jd * cos(l),
     gd * sin(J) * cos(l) - Jd * sin(l),
     ld + gd * cos(J),
-])  # fmt: skip
+])
 
 
 def rate_of_three_rotations(i):
@@ -47,19 +47,19 @@ def rate_of_three_rotations(i):
 
 @section.equation("(9995)", "omega1 = gdot sJ sl + Jdot cl")
 def eq_9995():
-    """(5) for the angles g, J, l from the invariable plane, which stands still."""
+    """It is (5) for the angles g, J, l from the invariable plane, which stands still."""
     rate_of_three_rotations(0)
 
 
 @section.equation("(9996)", "omega2 = gdot sJ cl - Jdot sl")
 def eq_9996():
-    """(6) for the angles g, J, l from the invariable plane, which stands still."""
+    """It is (6) for the angles g, J, l from the invariable plane, which stands still."""
     rate_of_three_rotations(1)
 
 
 @section.equation("(9997)", "omega3 = ldot + gdot cJ")
 def eq_9997():
-    """(7) for the angles g, J, l from the invariable plane, which stands still."""
+    """It is (7) for the angles g, J, l from the invariable plane, which stands still."""
     rate_of_three_rotations(2)
 
 
@@ -68,14 +68,14 @@ across = of_node[0] * sin(l) + of_node[1] * cos(l)
 
 @section.equation("A.4, gdot", "gdot = (omega1 sl + omega2 cl)/sJ")
 def eq_A4_g():
-    """Insertion of (9995) and (9996)."""
+    """Insert (9995) and (9996)."""
     equal(across / sin(J), gd)
 
 
 @section.misprint("A.4", "ldot cJ = omega3 cJ - cos^2 theta/sJ (omega1 sl + omega2 cl)",
-                  right="cos^2 J/sJ")  # fmt: skip
+                  right="cos^2 J/sJ")
 def eq_A4():
-    """Insertion of (9995) to (9997)."""
+    """Insert (9995) to (9997)."""
     differs(ld * cos(J), of_node[2] * cos(J) - cos(theta) ** 2 / sin(J) * across)
     equal(ld * cos(J), of_node[2] * cos(J) - cos(J) ** 2 / sin(J) * across)
 
@@ -88,7 +88,7 @@ def eq_A4_sum():
     equal(total, of_node[2] * cos(J) + sin(J) * across)
     w = inertia.inv() * g_of_plane
     equal(w[2] * cos(J) + sin(J) * (w[0] * sin(l) + w[1] * cos(l)),
-          2 * energy.subs(L, G * cos(J)) / G)  # fmt: skip
+          2 * energy.subs(L, G * cos(J)) / G)
 
 
 # --- A.5: three degrees of freedom; x, y, K are arbitrary functions of z1 to z6 and t
@@ -126,13 +126,13 @@ section.definition("Lagrange brackets", "[u, v] = sum x_u y_v - y_u x_v", "Defin
 
 @section.equation("linear", "H_zk + [z_k, t] + sum [z_k, z_l] zdot_l = 0")
 def eq_linear():
-    """Arbitrary functions x, y of z1 to z6 and t. The footnote's equations are the chain rule and
-    the insertion of (eqHam)."""
+    """x and y are arbitrary functions of z1 to z6 and t. The two equations of the footnote hold as
+    well."""
     for u in z:
         equal(H_by(u) + lagrange_bracket(u, t)
-              + sum(lagrange_bracket(u, w) * v for w, v in zip(z, z_rates)))  # fmt: skip
+              + sum(lagrange_bracket(u, w) * v for w, v in zip(z, z_rates)))
         equal(H_by(u) + sum(diff(a, u) * whole_rate(b) - diff(b, u) * whole_rate(a)
-                            for a, b in zip(x, y)))  # fmt: skip
+                            for a, b in zip(x, y)))
 
 
 section.definition("defJ", "J_u = K_u + sum y x_u", "K is arbitrary.")
@@ -140,7 +140,7 @@ section.definition("defJ", "J_u = K_u + sum y x_u", "K is arbitrary.")
 
 @section.equation("[u, v]", "[u, v] = dJ_u/dv - dJ_v/du")
 def eq_brackets():
-    """All 21 pairs of z1 to z6 and t."""
+    """It holds for all 21 pairs of z1 to z6 and t."""
     variables = (*z, t)
     for i, u in enumerate(variables):
         for v in variables[:i]:
@@ -149,10 +149,10 @@ def eq_brackets():
 
 @section.misprint("H'", "H' = H - t", right="H' = H - J_t, with J_t = K_t + sum y x_t")
 def eq_H_prime():
-    """The system with H'_zk + dJ_zk/dt + sum (dJ_zk/dz_l - dJ_zl/dz_k) zdot_l = 0."""
+    """Only with J_t is H'_zk + dJ_zk/dt + sum (dJ_zk/dz_l - dJ_zl/dz_k) zdot_l zero."""
     for u in z:
         rest = diff(J_(u), t) + sum((diff(J_(u), w) - diff(J_(w), u)) * v
-                                    for w, v in zip(z, z_rates))  # fmt: skip
+                                    for w, v in zip(z, z_rates))
         differs(H_by(u) - diff(t, u) + rest)
         equal(H_by(u) - diff(J_(t), u) + rest)
 
@@ -168,9 +168,9 @@ E_by_p, E_by_star = symbols("E_p1:4"), symbols("E_s1:4")
 
 
 @section.equation("split system", "H'_pk + dJ_pk/dt + sum dJ_pk/dq_j qdot_j = 0,"
-                  " H'_qk - sum dJ_pj/dq_k pdot_j = 0")  # fmt: skip
+                  " H'_qk - sum dJ_pj/dq_k pdot_j = 0")
 def eq_split():
-    """The system above for J_q = 0 and J_p = star(q, t)."""
+    """Insert (conditionJ) into the system with H'."""
     J_of = {**dict(zip(p_, star)), **dict.fromkeys(q_, 0)}
     speed = {**dict(zip(p_, p_rates)), **dict(zip(q_, q_rates))}
     for k in range(n):
@@ -179,7 +179,7 @@ def eq_split():
             (q_[k], -sum(diff(s, q_[k]) * v for s, v in zip(star, p_rates))),
         ):
             equal(diff(J_of[u], t) + sum((diff(J_of[u], w) - diff(J_of[w], u)) * speed[w]
-                                         for w in (*p_, *q_)), right)  # fmt: skip
+                                         for w in (*p_, *q_)), right)
 
 
 def by_q(k):
@@ -187,16 +187,16 @@ def by_q(k):
     a, b, c = symbols("a b c")
     E = Function("E")(*star)
     inner = diff(Function("E")(a, b, c), a), diff(Function("E")(a, b, c), b), diff(
-        Function("E")(a, b, c), c)  # fmt: skip
+        Function("E")(a, b, c), c)
     at = dict(zip((a, b, c), star))
     names = {f.subs(at): s for f, s in zip(inner, E_by_star)}
     return diff(E, q_[k]).doit().subs(names)
 
 
 @section.misprint("dH'/dq_k", "H'_qk = sum H'_q*k dq*_j/dq_k",
-                  right="H'_qk = sum over j of H'_q*j dq*_j/dq_k")  # fmt: skip
+                  right="H'_qk = sum over j of H'_q*j dq*_j/dq_k")
 def eq_chain_rule():
-    """The chain rule; the printed sum takes the derivative of H' by q*_k in every term."""
+    """Use the chain rule. The printed sum takes the derivative of H' by q*_k in every term."""
     for k in range(n):
         slopes = [diff(s, q_[k]) for s in star]
         differs(by_q(k), sum(E_by_star[k] * s for s in slopes))
@@ -217,11 +217,11 @@ def eq_new_canonical():
         equal(half_.subs(E_by_p[k], -new_rates(k)))
         slopes = [diff(s, q_[k]) for s in star]
         equal(by_q(k) - sum(s * v for s, v in zip(slopes, p_rates)),
-              sum(s * (e - v) for s, e, v in zip(slopes, E_by_star, p_rates)))  # fmt: skip
+              sum(s * (e - v) for s, e, v in zip(slopes, E_by_star, p_rates)))
 
 
 @section.misprint("p and q*", "p_j are the conjugate momenta of q*_j",
-                  right="q*_j = J_pj are the momenta, p_j the coordinates")  # fmt: skip
+                  right="q*_j = J_pj are the momenta, p_j the coordinates")
 def eq_p_and_star():
     """Coordinates have the rate +H'_momentum. For the pair l, L = J_l the rates are ldot = +H_L
     and Ldot = -H_l: l, which is p here, is the coordinate."""
@@ -241,18 +241,18 @@ virtual_rates = Matrix(symbols("phia thetaa psia"))
 
 
 @section.equation("J_alpha, first form", "J_alpha = Phi phi_alpha + Theta theta_alpha"
-                  " + Psi psi_alpha = T_phid phid_alpha + ...")  # fmt: skip
+                  " + Psi psi_alpha = T_phid phid_alpha + ...")
 def eq_J_alpha_first():
-    """(defJ) with K = 0, and the momenta as derivatives of T. It is the polar form of T."""
+    """Insert the momenta as derivatives of T into (defJ) with K = 0. It is the polar form of T."""
     momenta_of_rates = Matrix([diff(T_of_rates, v) for v in rates])
     polar = (rate_matrix * Matrix(rates)).T * inertia * (rate_matrix * virtual_rates)
     equal(momenta_of_rates.dot(virtual_rates), polar[0])
 
 
 @section.misprint("J_alpha", "J_alpha = I1 omega1 omega1a + I2 omega2 omega2a + I2 omega3 omega3a",
-                  right="I3 omega3 omega3a")  # fmt: skip
+                  right="I3 omega3 omega3a")
 def eq_J_alpha():
-    """The polar form of T is G . omega_alpha; alpha is any of the six new variables."""
+    """The polar form of T is G . omega_alpha. alpha is any of the six new variables."""
     w = symbols("omega1:4")
     first = I1 * w[0] * virtual[0] + I2 * w[1] * virtual[1]
     whole = (inertia * Matrix(w)).dot(virtual)
@@ -263,7 +263,7 @@ def eq_J_alpha():
 
 @section.misprint("2T", "2 T = I1 omega1^2 + I2 omega2^2 + I2 omega3^2", right="I3 omega3^2")
 def eq_2T():
-    """G . omega with (24)."""
+    """Insert (24) into G . omega."""
     w = Matrix(symbols("omega1:4"))
     first = I1 * w[0] ** 2 + I2 * w[1] ** 2
     differs((inertia * w).dot(w), first + I2 * w[2] ** 2)
@@ -285,8 +285,8 @@ def eq_J_l():
 
 @section.equation("J of the other variables", "J_G = J_I = J_J = 0, J_g = G, J_h = G cI")
 def eq_J_others():
-    """G . omega_alpha for the five angles; and the Euler angles do not depend on G. With (defJ):
-    Phi phi_alpha + Theta theta_alpha + Psi psi_alpha for all differentials at once."""
+    """Evaluate G . omega_alpha for the angles, and (defJ) with K = 0 for all differentials at
+    once. The Euler angles do not depend on G."""
     for which, angle, value in ((dI, incl, 0), (dJ, J, 0), (dg, g, G), (dh, h, G * cos(incl))):
         equal(-diff(five, angle) * five.T, hat(virtual_rotation(which)))
         equal(g_of_plane.dot(virtual_rotation(which)), value)
@@ -295,6 +295,6 @@ def eq_J_others():
 
 @section.equation("L, G, H", "L = J_l = G cJ, G = J_g, H = J_h = G cI")
 def eq_L_G_H():
-    """The three that are not zero. They and l, g, h obey (conditionJ)."""
+    """These three are not zero. With l, g, h they obey (conditionJ)."""
     for which, value in ((dl, G * cos(J)), (dg, G), (dh, G * cos(incl))):
         equal(g_of_plane.dot(virtual_rotation(which)), value)

@@ -120,7 +120,7 @@ class Algebra:
         if isinstance(e, (sp.sin, sp.cos, sp.tan, sp.cot)):
             sine, cosine = self.sine_and_cosine(e.args[0])
             return {sp.sin: sine, sp.cos: cosine, sp.tan: sine / cosine,
-                    sp.cot: cosine / sine}[e.func]  # fmt: skip
+                    sp.cot: cosine / sine}[e.func]
         if e.is_Pow and e.exp.is_Rational and e.exp.q == 2:
             return self.root(self.rewritten(e.base)) ** (2 * e.exp)
         if e.is_Add or e.is_Mul or (e.is_Pow and e.exp.is_Integer):
@@ -315,25 +315,6 @@ def close(lhs, rhs=0):
     CLAIMS.append("close")
 
 
-def far(lhs, rhs=0):
-    """Shows that two numbers, computed with 50 digits, differ by more than 0.01.
-
-    Raises
-    ------
-    ProofError
-        If they do not.
-    """
-    if not abs(mpmath.mpf(lhs) - rhs) > FAR:
-        raise ProofError("two sides that must differ agree")
-    CLAIMS.append("differs")
-
-
-def holds(condition, what):
-    """Checks a logical condition, such as an order of numbers."""
-    if not condition:
-        raise ProofError(what)
-
-
 # --- equations ----------------------------------------------------------------------------------
 
 
@@ -438,11 +419,11 @@ def euler_angles(R, phi, theta, psi):
     """``{angle: (sine, cosine)}`` of the Euler angles of a rotation matrix, [SA (2)]."""
     sine = sp.sqrt(1 - R[2, 2] ** 2)
     return {theta: (sine, R[2, 2]), phi: (R[2, 0] / sine, -R[2, 1] / sine),
-            psi: (R[0, 2] / sine, R[1, 2] / sine)}  # fmt: skip
+            psi: (R[0, 2] / sine, R[1, 2] / sine)}
 
 
 def euler_differentials(R, moving):
     """The differentials of phi, theta, psi when the variables of R change."""
     dR, square = along(R, moving), 1 - R[2, 2] ** 2
     return ((R[2, 0] * dR[2, 1] - R[2, 1] * dR[2, 0]) / square, -dR[2, 2] / sp.sqrt(square),
-            (R[1, 2] * dR[0, 2] - R[0, 2] * dR[1, 2]) / square)  # fmt: skip
+            (R[1, 2] * dR[0, 2] - R[0, 2] * dR[1, 2]) / square)

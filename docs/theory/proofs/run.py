@@ -25,7 +25,7 @@ ROOT = HERE.parents[2]
 PAGE = ROOT / "docs/theory/proofs.md"
 KEPT = ROOT / "build/proofs"
 SCRIPTS = ["section2", "section3_1", "section3_2", "section4", "section5", "appendix_a1_a3",
-           "appendix_a4_a5"]  # fmt: skip
+           "appendix_a4_a5"]
 RESULTS = ("proven", "numeric", "misprinted", "definition")
 
 sys.path[:0] = [str(HERE), str(ROOT / "tools")]
@@ -78,7 +78,7 @@ def results(script, quick=False, fresh=False):
 
 def checked(equation, quick):
     row = {"label": equation.label, "text": equation.text, "right": equation.right,
-           "how": equation.how, "error": None, "seconds": 0.0, "result": "not run"}  # fmt: skip
+           "how": equation.how, "error": None, "seconds": 0.0, "result": "not run"}
     if not (quick and equation.slow):
         row["result"], row["error"], row["seconds"] = equation.run()
     return row
@@ -95,10 +95,18 @@ def rows_of(found):
 def counts(found):
     rows = rows_of(found)
     return {result: sum(row["result"] == result for row in rows)
-            for result in (*RESULTS, "failed", "not run")}  # fmt: skip
+            for result in (*RESULTS, "failed", "not run")}
 
 
 # --- the page
+
+
+DEFAULT = {
+    "proven": "The remainder is zero.",
+    "misprinted": "The remainder of the printed form is not zero; that of the right form is.",
+    "numeric": "The numbers agree.",
+    "definition": "",
+}
 
 
 def escaped(text):
@@ -114,7 +122,7 @@ def table(section):
     yield "|---|---|---|---|---|"
     for row in section["equations"]:
         yield (f"| {escaped(row['label'])} | {code(row['text'])} | {row['result']} | "
-               f"{code(row['right'])} | {escaped(row['how'])} |")  # fmt: skip
+               f"{code(row['right'])} | {escaped(row['how'] or DEFAULT.get(row['result'], ''))} |")
 
 
 def page(found):
@@ -125,8 +133,8 @@ def page(found):
         "",
         "Written by `docs/theory/proofs/run.py` from its scripts; do not edit.",
         "",
-        f"Each of the {total} equations of the paper has a proof that a computer repeats when this",
-        "documentation is built. A proof that fails stops the build.",
+        f"These are the {total} numbered and named equations of the paper. A computer proves them",
+        "again whenever this documentation is built, and a proof that fails stops the build.",
         "",
         "| result | equations | meaning |",
         "|---|---|---|",
@@ -150,11 +158,11 @@ def page(found):
         "derivative of f by x. The [errata](errata.md) discuss the misprints. Run the proofs with",
         "`python docs/theory/proofs/run.py`; the [scripts](proof_scripts.md) are short, and",
         "[proof.py](proofs/proof.py) holds the method.",
-    ]  # fmt: skip
+    ]
     for script, section in found.items():
         part = "Appendix" if section["name"][0] == "A" else "Section"
         lines += ["", f"## {part} {section['name']}: {section['title']}", "",
-                  f"Script: [{script}.py](proofs/{script}.py).", "", *table(section)]  # fmt: skip
+                  f"Script: [{script}.py](proofs/{script}.py).", "", *table(section)]
     return "\n".join(lines) + "\n"
 
 
@@ -197,13 +205,13 @@ def main(arguments=None):
     parser.add_argument("--fresh", action="store_true", help="use no kept result")
     parser.add_argument("--table", metavar="FILE", help="write the page of results to FILE")
     parser.add_argument("--check", action="store_true",
-                        help="fail if docs/theory/proofs.md is stale")  # fmt: skip
+                        help="fail if docs/theory/proofs.md is stale")
     options = parser.parse_args(arguments)
     if options.quick and (options.table or options.check):
         parser.error("the page needs all results: leave out --quick")
     found = all_results(options.quick, options.fresh)
     errors = [f"{row['label']}: {row['error']}" for row in rows_of(found)
-              if row["result"] == "failed"]  # fmt: skip
+              if row["result"] == "failed"]
     if options.table:
         pathlib.Path(options.table).write_text(page(found), encoding="utf-8")
     elif options.check:

@@ -25,14 +25,14 @@ R = Matrix([
     [-sin(psi) * cos(phi) - cos(psi) * cos(theta) * sin(phi),
      -sin(psi) * sin(phi) + cos(psi) * cos(theta) * cos(phi), cos(psi) * sin(theta)],
     [sin(theta) * sin(phi), -sin(theta) * cos(phi), cos(theta)],
-])  # fmt: skip
+])
 
 # (5) to (7), and as a matrix that acts on the rates
 omega = Matrix([
     phid * sin(theta) * sin(psi) + thetad * cos(psi),
     phid * cos(psi) * sin(theta) - thetad * sin(psi),
     psid + phid * cos(theta),
-])  # fmt: skip
+])
 rate_matrix = omega.jacobian(rates)
 T = half * (omega.T * inertia * omega)[0]  # (13)
 
@@ -53,7 +53,7 @@ rates_of_momenta = Matrix([
       * (Phi * cos(theta) * sin(psi) - Psi * cos(theta) ** 2 * sin(psi)
          + Theta * cos(psi) * sin(theta) * cos(theta)))
     / (I1 * I2 * I3 * sin(theta) ** 2) + Psi / I3,
-])  # fmt: skip
+])
 
 # (23)
 tilt = (Phi - Psi * cos(theta)) / sin(theta)
@@ -69,12 +69,12 @@ g_B = Matrix([
     (Phi * sin(psi) + Theta * sin(theta) * cos(psi) - Psi * sin(psi) * cos(theta)) / sin(theta),
     (Phi * cos(psi) - Theta * sin(psi) * sin(theta) - Psi * cos(psi) * cos(theta)) / sin(theta),
     Psi,
-])  # fmt: skip
+])
 G_I = Matrix([
     (Psi * sin(phi) + Theta * sin(theta) * cos(phi) - Phi * sin(phi) * cos(theta)) / sin(theta),
     (Phi * cos(theta) * cos(phi) - Psi * cos(phi) + Theta * sin(phi) * sin(theta)) / sin(theta),
     Phi,
-])  # fmt: skip
+])
 
 # Andoyer's five rotations, and the Euler angles of the same attitude
 five = R3(l) * R1(J) * R3(g) * R1(incl) * R3(h)
@@ -90,9 +90,9 @@ def with_rates(expression):
 
 @section.equation("(1)", "R = R(psi, b3) R(theta, l) R(phi, s3)")
 def eq_1():
-    """Read as passive matrices: the columns of the transposed product are the axes b1, b2, b3 to
-    which the three rotations take s1, s2, s3. As active matrices in this order the product is the
-    transpose."""
+    """Read the factors as passive matrices. Each rotation keeps its axis, and the columns of the
+    transposed product are b1, b2, b3. A product of active matrices in this order is the transpose
+    of R."""
     product = R3(psi) * R1(theta) * R3(phi)
     equal(R3(phi) * node, Matrix([1, 0, 0]))
     equal(product.T * b3, R3(phi).T * R1(theta).T * b3)
@@ -101,8 +101,12 @@ def eq_1():
     equal(R3(-psi) * R1(-theta) * R3(-phi), (R3(phi) * R1(theta) * R3(psi)).T)
 
 
-@section.equation("(2)", "the nine entries of R")
+@section.equation("(2)", "R = [cpsi cphi - spsi ctheta sphi, cpsi sphi + spsi ctheta cphi,"
+                  " spsi stheta;"
+                  " -spsi cphi - cpsi ctheta sphi, -spsi sphi + cpsi ctheta cphi, cpsi stheta;"
+                  " stheta sphi, -stheta cphi, ctheta]")
 def eq_2():
+    """Multiply the three matrices of (1)."""
     equal(R, R3(psi) * R1(theta) * R3(phi))
 
 
@@ -151,7 +155,7 @@ def eq_9():
 
 
 @section.misprint("(10)", "Omega2 = thetad sphi + psid stheta cphi",
-                  right="Omega2 = thetad sphi - psid stheta cphi")  # fmt: skip
+                  right="Omega2 = thetad sphi - psid stheta cphi")
 def eq_10():
     differs((R.T * omega)[1], thetad * sin(phi) + psid * sin(theta) * cos(phi))
     equal((R.T * omega)[1], thetad * sin(phi) - psid * sin(theta) * cos(phi))
@@ -194,7 +198,9 @@ def eq_14():
 section.definition("(15)", "I = diag(I1, I2, I3)", "Principal axes of inertia.")
 
 
-@section.equation("(16)", "Phi = dL/dphid")
+@section.equation("(16)", "Phi = dL/dphid = I1 stheta spsi (phid spsi stheta + thetad cpsi)"
+                  " + I2 stheta cpsi (phid cpsi stheta - thetad spsi)"
+                  " + I3 ctheta (phid ctheta + psid)")
 def eq_16():
     equal(
         diff(T, phid),
@@ -204,8 +210,9 @@ def eq_16():
     )
 
 
-@section.misprint("(17)", "Theta = dL/dthetad, second bracket (phid cphi stheta - thetad spsi)",
-                  right="(phid cpsi stheta - thetad spsi)")  # fmt: skip
+@section.misprint("(17)", "Theta = dL/dthetad = I1 cpsi (phid stheta spsi + thetad cpsi)"
+                  " - I2 spsi (phid cphi stheta - thetad spsi)",
+                  right="last bracket (phid cpsi stheta - thetad spsi)")
 def eq_17():
     first = I1 * cos(psi) * (phid * sin(theta) * sin(psi) + thetad * cos(psi))
     printed = phid * cos(phi) * sin(theta) - thetad * sin(psi)
@@ -214,7 +221,7 @@ def eq_17():
     equal(diff(T, thetad), first - I2 * sin(psi) * right)
 
 
-@section.equation("(18)", "Psi = I3 (phid ctheta + psid)")
+@section.equation("(18)", "Psi = dL/dpsid = I3 (phid ctheta + psid)")
 def eq_18():
     equal(diff(T, psid), I3 * (phid * cos(theta) + psid))
 
@@ -224,30 +231,38 @@ def rate_of_momenta(i):
     equal(rates_of_momenta[i].subs(momenta), rates[i])
 
 
-@section.equation("(19)", "phid as a function of the momenta")
+@section.equation("(19)", "phid = -[I1 cpsi (Psi ctheta cpsi - Phi cpsi + Theta stheta spsi)"
+                  " + I2 spsi (Psi ctheta spsi - Phi spsi - Theta cpsi stheta)]"
+                  "/(I1 I2 stheta^2)")
 def eq_19():
-    """Insertion of (16) to (18)."""
+    """Insert (16) to (18)."""
     rate_of_momenta(0)
 
 
-@section.equation("(20)", "thetad as a function of the momenta")
+@section.equation("(20)", "thetad = [I2 cpsi (Phi spsi + Theta stheta cpsi - Psi spsi ctheta)"
+                  " + I1 spsi (Psi cpsi ctheta - Phi cpsi + Theta stheta spsi)]"
+                  "/(I1 I2 stheta)")
 def eq_20():
-    """Insertion of (16) to (18)."""
+    """Insert (16) to (18)."""
     rate_of_momenta(1)
 
 
-@section.equation("(21)", "psid as a function of the momenta")
+@section.equation("(21)", "psid = -[I1 I3 cpsi (Phi ctheta cpsi - Psi cpsi ctheta^2"
+                  " - Theta spsi stheta ctheta) + I3 I2 spsi (Phi ctheta spsi"
+                  " - Psi ctheta^2 spsi + Theta cpsi stheta ctheta)]/(I1 I2 I3 stheta^2) + Psi/I3")
 def eq_21():
-    """Insertion of (16) to (18)."""
+    """Insert (16) to (18)."""
     rate_of_momenta(2)
 
 
 section.definition("(22)", "H = Phi phid + Theta thetad + Psi psid - L", "Legendre transform.")
 
 
-@section.equation("(23)", "the free Hamiltonian in Euler's variables")
+@section.equation("(23)", "H = 1/2 (spsi^2/I1 + cpsi^2/I2) [(Phi - Psi ctheta)/stheta]^2"
+                  " + Psi^2/(2 I3) + 1/2 (cpsi^2/I1 + spsi^2/I2) Theta^2"
+                  " + (1/I1 - 1/I2) [(Phi - Psi ctheta)/stheta] Theta spsi cpsi")
 def eq_23():
-    """Insertion of (19) to (21) into (22); its derivatives by the momenta are (19) to (21)."""
+    """Insert (19) to (21) into (22); its derivatives by the momenta are (19) to (21)."""
     equal(with_rates(sum(P * v for P, v in zip(p, rates)) - T), hamiltonian)
     equal(Matrix([diff(hamiltonian, P) for P in p]), rates_of_momenta)
 
@@ -261,19 +276,19 @@ def component_of_body_momentum(i):
 
 @section.equation("(25)", "g1 = (Phi spsi + Theta stheta cpsi - Psi spsi ctheta)/stheta")
 def eq_25():
-    """Insertion of (19) to (21) into (24)."""
+    """Insert (19) to (21) into (24)."""
     component_of_body_momentum(0)
 
 
 @section.equation("(26)", "g2 = (Phi cpsi - Theta spsi stheta - Psi cpsi ctheta)/stheta")
 def eq_26():
-    """Insertion of (19) to (21) into (24)."""
+    """Insert (19) to (21) into (24)."""
     component_of_body_momentum(1)
 
 
 @section.equation("(27)", "g3 = Psi")
 def eq_27():
-    """Insertion of (19) to (21) into (24)."""
+    """Insert (19) to (21) into (24)."""
     component_of_body_momentum(2)
 
 
@@ -285,7 +300,7 @@ def eq_symplectic():
 
 
 @section.misprint("(28)", "G = I Omega with I = diag(I1, I2, I3)",
-                  right="G = R^T g = (R^T I R) Omega")  # fmt: skip
+                  right="G = R^T g = (R^T I R) Omega")
 def eq_28():
     """The tensor is diagonal in body axes only."""
     momentum = R.T * inertia * omega
@@ -299,25 +314,25 @@ def component_of_inertial_momentum(i):
 
 @section.equation("(29)", "G1 = (Psi sphi + Theta stheta cphi - Phi sphi ctheta)/stheta")
 def eq_29():
-    """From G = R^T g and (25) to (27)."""
+    """Insert (25) to (27) into G = R^T g."""
     component_of_inertial_momentum(0)
 
 
 @section.equation("(30)", "G2 = (Phi ctheta cphi - Psi cphi + Theta sphi stheta)/stheta")
 def eq_30():
-    """From G = R^T g and (25) to (27)."""
+    """Insert (25) to (27) into G = R^T g."""
     component_of_inertial_momentum(1)
 
 
 @section.equation("(31)", "G3 = Phi")
 def eq_31():
-    """From G = R^T g and (25) to (27)."""
+    """Insert (25) to (27) into G = R^T g."""
     component_of_inertial_momentum(2)
 
 
 @section.equation("brackets of G", "(G1, G2) = G3, (G2, G3) = G1, (G3, G1) = G2")
 def eq_brackets_of_G():
-    """Also (g_i, G_j) = 0 for all nine pairs."""
+    """All nine brackets (g_i, G_j) are zero as well."""
     for i in range(3):
         j, k = (i + 1) % 3, (i + 2) % 3
         equal(bracket(G_I[i], G_I[j], pairs), G_I[k])
@@ -339,7 +354,7 @@ def eq_firstg2():
 
 
 @section.misprint("firstg3", "g1dot = (g2, H) = -(1/I1 - 1/I1) g1 g2",
-                  right="g3dot = (g3, H) = -(1/I1 - 1/I2) g1 g2")  # fmt: skip
+                  right="g3dot = (g3, H) = -(1/I1 - 1/I2) g1 g2")
 def eq_firstg3():
     printed = -(1 / I1 - 1 / I1) * g_B[0] * g_B[1]
     differs(rate_of_body_momentum(1), printed)
@@ -356,7 +371,7 @@ def eq_sphere():
 
 @section.equation("kinetic", "T = 1/2 omega . G = 1/2 sum I_i omega_i^2 = 1/2 sum g_i^2/I_i")
 def eq_kinetic():
-    """Both factors of omega . G in the same axes: omega . g or Omega . G."""
+    """Both factors of omega . G need the same axes: omega . g or Omega . G."""
     g = inertia * omega
     equal(T, half * omega.dot(g))
     equal(T, half * (R.T * omega).dot(R.T * g))
@@ -367,14 +382,14 @@ def eq_kinetic():
 
 @section.equation("(32)", "g1 = G sJ sl, g2 = G sJ cl, g3 = G cJ")
 def eq_32():
-    """The momentum, along the third axis of the invariable plane, in body components."""
+    """Rotate the momentum from the third axis of the invariable plane to the body axes."""
     equal(R3(l) * R1(J) * Matrix([0, 0, G]), g_of_plane)
 
 
 @section.equation("(33)", "Phi = g1 stheta spsi + g2 stheta cpsi + g3 ctheta"
-                  " = G (ctheta cJ + stheta sJ c(psi - l)) = G cI")  # fmt: skip
+                  " = G (ctheta cJ + stheta sJ c(psi - l)) = G cI")
 def eq_33():
-    """(25) to (27) and (32); the last equality is that of the third inertial component."""
+    """Insert (25) to (27) and (32). The last equality is that of the third inertial component."""
     axis = Matrix([sin(theta) * sin(psi), sin(theta) * cos(psi), cos(theta)])
     second = cos(theta) * cos(J) + sin(theta) * sin(J) * cos(psi - l)
     equal(axis.dot(g_B), Phi)
@@ -384,7 +399,7 @@ def eq_33():
 
 @section.equation("(34)", "Theta = g1 cpsi - g2 spsi = G sJ s(l - psi)")
 def eq_34():
-    """The equation between (33) and (35), which has no number of its own."""
+    """Insert (25), (26) and (32). The equation has no number of its own in the paper."""
     equal(g_B[0] * cos(psi) - g_B[1] * sin(psi), Theta)
     equal(g_of_plane[0] * cos(psi) - g_of_plane[1] * sin(psi), G * sin(J) * sin(l - psi))
 

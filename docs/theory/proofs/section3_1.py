@@ -50,12 +50,12 @@ section.definition("(37)", "dzeta = p dq - H dt", "Not exact by itself; the sum 
 section.definition("(38)", "dzeta~ = Q dP + H* dt", "Not exact by itself; the sum (39) is.")
 section.definition("(39)", "dS = p dq + Q dP - (H - H*) dt", "Exact, if the map is canonical.")
 section.definition("(40)", "S_t dt + S_q dq + S_P dP = p dq + Q dP - (H - H*) dt",
-                   "The total differential of S(q, P, t).")  # fmt: skip
+                   "The total differential of S(q, P, t).")
 
 
 @section.equation("(41)", "p = S_q, Q = S_P, H + S_t = H*")
 def eq_41():
-    """The coefficients of dq, dP and dt in (40)."""
+    """Compare the coefficients of dq, dP and dt in (40)."""
     S_q, S_P, S_t, dq, dP, dt, K = symbols("S_q S_P S_t dq dP dt K")
     equal(S_q * dq + S_P * dP + S_t * dt, S_q * dq + S_P * dP - (K - (K + S_t)) * dt)
 
@@ -70,10 +70,10 @@ momenta_of_plane = {
 }
 
 
-@section.equation("(43)", "Jacobi's equation of free rotation")
+@section.equation("(43)", "(23) with S_phi, S_theta, S_psi for the momenta, + S_t = H*")
 def eq_43():
-    """(23) with S_q for the momenta; S of (51) solves it with H* = 0, since its derivatives are
-    (33) to (35) and S_t = -T."""
+    """S of (51) solves it with H* = 0: its derivatives are (33) to (35), for which (23) is T, and
+    S_t = -T."""
     equal(hamiltonian.subs(momenta_of_plane), energy.subs(L, G * cos(J)))
 
 
@@ -93,7 +93,7 @@ def eq_45():
 
 @section.equation("(46)", "A1 = -T")
 def eq_46():
-    """S_t = A1 in (43) with H* = 0."""
+    """S_t = A1, and (43) with H* = 0 makes it -T."""
     A1 = symbols("A1")
     equal((hamiltonian.subs(momenta_of_plane) + A1).subs(A1, -energy.subs(L, G * cos(J))))
 
@@ -111,16 +111,17 @@ def eq_47():
 
 @section.equation("(48)", "S = -t T + Phi phi + int Theta dtheta + int Psi dpsi + C")
 def eq_48():
-    """Insertion of (46) and (47) in (45). The two integrals are one line integral."""
+    """Insert (46) and (47) into (45). The two integrals are one line integral."""
     A1, A2 = symbols("A1 A2")
     equal((A1 * t + A2 * phi).subs({A1: -T, A2: momenta[0]}), -t * T + momenta[0] * phi)
     equal(one_form(), G * (cos(incl) * dh + dg + cos(J) * dl), of_five)
 
 
-@section.equation("(49)", "S through J, l, psi and theta")
+@section.equation("(49)", "S = -t T + G phi cI + G int cJ dl"
+                  " + G int [-cJ d(l - psi) + sJ s(l - psi) dtheta] + C")
 def eq_49():
-    """The integrands: Theta dtheta + Psi dpsi = G [cJ dl - cJ d(l - psi) + sJ s(l - psi)
-    dtheta], and Phi = G cI."""
+    """The integrands agree: Theta dtheta + Psi dpsi = G [cJ dl - cJ d(l - psi) + sJ s(l - psi)
+    dtheta]. Phi is G cI."""
     dth, dps = symbols("dtheta dpsi")
     equal(
         momenta_of_plane[momenta[1]] * dth + momenta_of_plane[momenta[2]] * dps,
@@ -131,7 +132,7 @@ def eq_49():
 
 @section.equation("(50)", "dg - cI d(phi - h) = -cJ d(l - psi) + sJ s(l - psi) dtheta")
 def eq_50():
-    """For arbitrary differentials of all five angles."""
+    """The differentials of all five angles are arbitrary."""
     equal(
         dg - cos(incl) * (dphi - dh),
         -cos(J) * (dl - dpsi) + sin(J) * sin(l - psi) * dtheta,
@@ -158,9 +159,9 @@ def eq_dimensionless():
 
 
 @section.misprint("identically nil", "u/n - t is an integral because it is identically nil",
-                  right="because it is the constant -t_o, (62)")  # fmt: skip
+                  right="because it is the constant -t_o, (62)")
 def eq_identically_nil():
-    """Insertion of u = n (t - t_o)."""
+    """Insert u = n (t - t_o)."""
     difference = n * (t - t_o) / n - t
     differs(difference)
     equal(difference, -t_o)
@@ -169,7 +170,7 @@ def eq_identically_nil():
 
 @section.equation("(52)", "dg + cJ dl = (2T/G) dt")
 def eq_52():
-    """The rates of g and l in free rotation, with G cJ = L."""
+    """Insert the rates of g and l in free rotation, with G cJ = L."""
     equal(g_rate + L / G * l_rate, 2 * energy / G)
 
 
@@ -183,7 +184,7 @@ def eq_54():
 
 @section.equation("(55)", "S = (2 u/n - t) T + G h cI + G g_o")
 def eq_55():
-    """Insertion of (54) in (51) with C = 0."""
+    """Insert (54) into (51) with C = 0."""
     W, g_o = symbols("W g_o")  # W is the integral of cJ dl
     equal(
         -t * T + G * h * cos(incl) + G * g + G * W.subs(W, g_o - g + 2 * T / G * u / n),
@@ -210,15 +211,15 @@ def orientation_is_fixed():
 
 @section.equation("(56)", "dS/dG = Q1")
 def eq_56():
-    """Derivative under the integral sign, at fixed Euler angles, of S = -t T + H h + G g +
-    int L dl. By (A53) the changes of h, g and l cancel. At fixed l, dL/dG dl = -gdot dt."""
+    """Differentiate S = -t T + H h + G g + int L dl under the integral sign, at fixed Euler
+    angles. By (A53) the changes of h, g and l cancel. At fixed l, dL/dG dl = -gdot dt."""
     orientation_is_fixed()
     derivative_by_G()
 
 
 @section.equation("(57)", "dS/dH = Q2")
 def eq_57():
-    """As (56): L at given l, G, T does not depend on H, so only h is left."""
+    """The proof is that of (56). L at given l, G, T does not depend on H, so only h is left."""
     orientation_is_fixed()
     equal(diff(L_of, H))
 
@@ -237,10 +238,10 @@ def eq_59():
 
 
 @section.misprint("(55)-(56)", "(55), (56) do not immediately follow from (54)",
-                  right="(56), (57) do not immediately follow from (55)")  # fmt: skip
+                  right="(56), (57) do not immediately follow from (55)")
 def eq_not_immediately():
-    """(55) does follow from (54). A derivative of (55) as it stands, at fixed u/n, gives 2 u/n - t
-    in place of u/n - t."""
+    """(55) does follow from (54) and (51). A derivative of (55) as it stands, at fixed u/n, gives
+    2 u/n - t in place of u/n - t."""
     eq_55()
     g_o = symbols("g_o")
     naive = (2 * u / n - t) * T + H * h + G * g_o
@@ -250,7 +251,7 @@ def eq_not_immediately():
 
 @section.equation("(60)", "dS = (u/n - t) dT + h dH + g_o dG")
 def eq_60():
-    """Derivatives under the integral sign: (A53), dL/dT dl = dt and dL/dG dl = -gdot dt."""
+    """Differentiate under the integral sign: (A53), dL/dT dl = dt and dL/dG dl = -gdot dt."""
     orientation_is_fixed()
     derivative_by_T()
     derivative_by_G()
@@ -258,7 +259,7 @@ def eq_60():
 
 @section.equation("(61)", "dS/dT = Q3")
 def eq_61():
-    """Derivative under the integral sign: dL/dT dl = dt."""
+    """Differentiate under the integral sign: dL/dT dl = dt."""
     orientation_is_fixed()
     derivative_by_T()
 

@@ -55,8 +55,8 @@ node_j = Matrix([cos(l), -sin(l), 0])  # of the body's equator, in body componen
 
 @section.equation("Rnew", "R = R(l, b3) R(J, j) R(g, G/G) R(I, i) R(h, s3)")
 def eq_Rnew():
-    """Read as passive matrices: each rotation keeps its axis and takes the axes s3, G/G, b3 and
-    i, j, b1 into one another. Printed with a Polish l in R(l, b3)."""
+    """Read the factors as passive matrices. Each rotation keeps its axis and takes the axes s3,
+    G/G, b3 and i, j, b1 into one another. R(l, b3) is printed with a Polish l."""
     first, second = R3(h), R1(incl) * R3(h)
     third, fourth = R3(g) * R1(incl) * R3(h), R1(J) * R3(g) * R1(incl) * R3(h)
     equal(first * node_i, Matrix([1, 0, 0]))
@@ -82,12 +82,12 @@ sI, cI, sh, ch = sin(incl), cos(incl), sin(h), cos(h)
                   " -sl cg - cl cJ sg ch - (-sl sg + cl cJ cg) cI - cl sJ sI sh",
                   right="row 1: (cl cg - sl cJ sg) ch - [(cl sg + sl cJ cg) cI - sl sJ sI] sh;"
                   " row 2: (-sl cg - cl cJ sg) ch - [(-sl sg + cl cJ cg) cI"
-                  " - cl sJ sI] sh")  # fmt: skip
+                  " - cl sJ sI] sh")
 def eq_v1():
-    """The first column of the product Rnew; its row 3 is right as printed."""
+    """Compare with the first column of the product Rnew. Row 3 is right as printed."""
     differs(five[0, 0], along_j1 * ch - across1 * cI - up1 * sI * sh)
     differs(five[1, 0], -sin(l) * cos(g) - cos(l) * cos(J) * sin(g) * ch
-            - across2 * cI - up2 * sI * sh)  # fmt: skip
+            - across2 * cI - up2 * sI * sh)
     equal(five[0, 0], along_j1 * ch - (across1 * cI - up1 * sI) * sh)
     equal(five[1, 0], along_j2 * ch - (across2 * cI - up2 * sI) * sh)
     equal(five[2, 0], sin(J) * sin(g) * ch + (sin(J) * cos(g) * cI + cos(J) * sI) * sh)
@@ -97,21 +97,21 @@ def eq_v1():
                   " -sl cg - cl cJ sg sh + (-sl sg + cl cJ cg) cI - cl sJ sI ch",
                   right="row 1: (cl cg - sl cJ sg) sh + [(cl sg + sl cJ cg) cI - sl sJ sI] ch;"
                   " row 2: (-sl cg - cl cJ sg) sh + [(-sl sg + cl cJ cg) cI"
-                  " - cl sJ sI] ch")  # fmt: skip
+                  " - cl sJ sI] ch")
 def eq_v2():
-    """The second column of the product Rnew; its row 3 is right as printed."""
+    """Compare with the second column of the product Rnew. Row 3 is right as printed."""
     differs(five[0, 1], along_j1 * sh + across1 * cI - up1 * sI * ch)
     differs(five[1, 1], -sin(l) * cos(g) - cos(l) * cos(J) * sin(g) * sh
-            + across2 * cI - up2 * sI * ch)  # fmt: skip
+            + across2 * cI - up2 * sI * ch)
     equal(five[0, 1], along_j1 * sh + (across1 * cI - up1 * sI) * ch)
     equal(five[1, 1], along_j2 * sh + (across2 * cI - up2 * sI) * ch)
     equal(five[2, 1], sin(J) * sin(g) * sh + (-sin(J) * cos(g) * cI - cos(J) * sI) * ch)
 
 
 @section.misprint("v3", "row 2: -sl sg + cl cJ cg sI + cl sJ cI",
-                  right="row 2: (-sl sg + cl cJ cg) sI + cl sJ cI")  # fmt: skip
+                  right="row 2: (-sl sg + cl cJ cg) sI + cl sJ cI")
 def eq_v3():
-    """The third column of the product Rnew; its rows 1 and 3 are right as printed."""
+    """Compare with the third column of the product Rnew. Rows 1 and 3 are right as printed."""
     differs(five[1, 2], -sin(l) * sin(g) + cos(l) * cos(J) * cos(g) * sI + up2 * cI)
     equal(five[1, 2], across2 * sI + up2 * cI)
     equal(five[0, 2], across1 * sI + up1 * cI)
@@ -120,7 +120,7 @@ def eq_v3():
 
 @section.equation("cantran2", "Phi dphi + Theta dtheta + Psi dpsi = L dl + G dg + H dh")
 def eq_cantran2():
-    """For arbitrary differentials of the five angles, with (33) to (35)."""
+    """Insert (33) to (35). The differentials of the five angles are arbitrary."""
     equal(one_form(), G * cos(J) * dl + G * dg + G * cos(incl) * dh, of_five)
 
 
@@ -142,7 +142,7 @@ def eq_72():
 
 @section.equation("(73)", "Phi dphi + Theta dtheta + Psi dpsi = G . dR")
 def eq_73():
-    """The product of (29) to (31) with (dr1), in inertial components."""
+    """Multiply (29) to (31) and (dr1), in inertial components."""
     changes = Matrix(symbols("dphi dtheta dpsi"))
     vector = s3 * changes[0] + node * changes[1] + R.T * b3 * changes[2]
     equal(G_I.dot(vector), Matrix(momenta).dot(changes))
@@ -156,13 +156,13 @@ def rotation_vector():
 
 @section.equation("dr2", "dR = s3 dh + i dI + (G/G) dg + j dJ + b3 dl")
 def eq_dr2():
-    """As (dr1), for the product of five rotations."""
+    """The proof is that of (dr1), for the product of five rotations."""
     equal(-along(five, moving) * five.T, hat(rotation_vector()))
 
 
 @section.equation("(74)", "G . dR = Phi dh + G dg + Psi dl")
 def eq_74():
-    """The product of (32) with (dr2): G . i = G . j = 0. Here Phi = G cI and Psi = G cJ."""
+    """Multiply (32) and (dr2): G . i = G . j = 0. Here Phi = G cI and Psi = G cJ."""
     equal(five * direction * G, g_of_plane)
     equal(direction.dot(node_i))
     equal(g_of_plane.dot(node_j))
@@ -178,31 +178,31 @@ def eq_75():
 
 @section.equation("(76)", "Phi = H, Psi = L")
 def eq_76():
-    """Coefficients of dh and dl in (75), with G cI = H and G cJ = L."""
+    """Compare the coefficients of dh and dl in (75), with G cI = H and G cJ = L."""
     equal(momenta_of_plane[momenta[0]], G * cos(incl), of_five)
     equal(momenta_of_plane[momenta[2]], G * cos(J))
 
 
 @section.equation("(84)", "cI = H/G, cJ = L/G")
 def eq_84():
-    """Projections of G on s3 and b3."""
+    """Project G on s3 and b3."""
     equal((G * direction).dot(s3), G * cos(incl))
     equal(g_of_plane.dot(b3), G * cos(J))
 
 
 @section.equation("(78)", "ctheta = L H/G^2 - (cg/G^2) sqrt((G^2 - L^2)(G^2 - H^2))")
 def eq_78():
-    """Entry (3, 3) of Rnew."""
+    """Compare with the entry (3, 3) of Rnew."""
     equal(five[2, 2], L * H / G**2 - cos(g) / G**2 * sqrt_L * sqrt_H, of_momenta)
 
 
-@section.misprint("(79)", "tan psi, denominator -sqrt(G^2 - H^2) (G sg sl + L cl cg) + H cl"
-                  " sqrt(G^2 - L^2)",
+@section.misprint("(79)", "tan psi = [sqrt(G^2 - H^2) (G sg cl + L sl cg) + H sl sqrt(G^2 - L^2)]"
+                  "/[-sqrt(G^2 - H^2) (G sg sl + L cl cg) + H cl sqrt(G^2 - L^2)]",
                   right="denominator -sqrt(G^2 - H^2) (G sg sl - L cl cg)"
-                  " + H cl sqrt(G^2 - L^2)")  # fmt: skip
+                  " + H cl sqrt(G^2 - L^2)")
 def eq_79():
-    """Entries (1, 3) and (2, 3) of Rnew: numerator and denominator are G^2 stheta times spsi and
-    cpsi."""
+    """Compare with the entries (1, 3) and (2, 3) of Rnew: numerator and denominator are G^2
+    stheta times spsi and cpsi."""
     above = sqrt_H * (G * sin(g) * cos(l) + L * sin(l) * cos(g)) + H * sin(l) * sqrt_L
     printed = -sqrt_H * (G * sin(g) * sin(l) + L * cos(l) * cos(g)) + H * cos(l) * sqrt_L
     right = -sqrt_H * (G * sin(g) * sin(l) - L * cos(l) * cos(g)) + H * cos(l) * sqrt_L
@@ -211,10 +211,11 @@ def eq_79():
     equal(five[1, 2], right / G**2, of_momenta)
 
 
-@section.equation("(80)", "tan phi")
+@section.equation("(80)", "tan phi = -[sqrt(G^2 - L^2) (G sg ch + H sh cg) + L sh sqrt(G^2 - H^2)]"
+                  "/[sqrt(G^2 - L^2) (G sg sh - H ch cg) - L ch sqrt(G^2 - H^2)]")
 def eq_80():
-    """Entries (3, 1) and (3, 2) of Rnew: the numerator N and denominator D of the printed -N/D
-    are G^2 stheta times sphi and -cphi, so that phi = atan2(N, -D)."""
+    """Compare with the entries (3, 1) and (3, 2) of Rnew. N and D, of the printed -N/D, are G^2
+    stheta times sphi and -cphi, so that phi = atan2(N, -D)."""
     above = sqrt_L * (G * sin(g) * ch + H * sh * cos(g)) + L * sh * sqrt_H
     below = sqrt_L * (G * sin(g) * sh - H * ch * cos(g)) - L * ch * sqrt_H
     equal(five[2, 0], above / G**2, of_momenta)
@@ -223,9 +224,9 @@ def eq_80():
 
 
 @section.misprint("Theta", "Theta = G sJ s(psi - l) = sqrt(G^2 - L^2) s(psi - l)",
-                  right="Theta = sqrt(G^2 - L^2) s(l - psi)")  # fmt: skip
+                  right="Theta = sqrt(G^2 - L^2) s(l - psi)")
 def eq_Theta():
-    """(25) and (26) with (32): Theta = g1 cpsi - g2 spsi."""
+    """Insert (32) into Theta = g1 cpsi - g2 spsi, which follows from (25) and (26)."""
     projection = g_of_plane[0] * cos(psi) - g_of_plane[1] * sin(psi)
     differs(projection, sqrt_L * sin(psi - l), of_momenta)
     equal(projection, sqrt_L * sin(l - psi), of_momenta)
@@ -234,7 +235,7 @@ def eq_Theta():
 
 @section.equation("newhamil", "H = 1/2 (sl^2/I1 + cl^2/I2)(G^2 - L^2) + L^2/(2 I3)")
 def eq_newhamil():
-    """Insertion of (33) to (35) in (23), and of (1490) to (1492) in (kinetic)."""
+    """Insert (33) to (35) into (23), or (1490) to (1492) into (kinetic)."""
     equal(hamiltonian.subs(momenta_of_plane), energy, of_momenta)
     kinetic = half * sum(x**2 / m for x, m in zip(g_of_plane, (I1, I2, I3)))
     equal(kinetic, energy, of_momenta)
@@ -257,15 +258,15 @@ def eq_1492():
 
 @section.equation("constraint", "-G <= L <= G")
 def eq_constraint():
-    """G^2 - L^2 is a square: G^2 sJ^2 = g1^2 + g2^2."""
+    """G^2 - L^2 is G^2 sJ^2 = g1^2 + g2^2, which is not negative."""
     equal(G**2 - (G * cos(J)) ** 2, (G * sin(J)) ** 2)
     equal((G * sin(J)) ** 2, g_of_plane[0] ** 2 + g_of_plane[1] ** 2)
 
 
 @section.equation("hge0", "H >= 0")
 def eq_hge0():
-    """H is a sum of squares over moments. Sharper, G^2/(2 I3) <= H <= G^2/(2 I1): the differences
-    are sums of squares over moments times I3 - I1, I3 - I2 and I2 - I1."""
+    """H is a sum of squares over moments. It even lies between G^2/(2 I3) and G^2/(2 I1): the
+    differences are sums of squares over moments times I3 - I1, I3 - I2 and I2 - I1."""
     square = [x**2 for x in g_of_plane]
     equal(energy, half * sum(x / m for x, m in zip(square, (I1, I2, I3))), of_momenta)
     equal(

@@ -34,7 +34,7 @@ V = Function("V")(phi, theta, psi)
 
 @section.misprint("(96), footnote", "Delaunay's Hamiltonian gets mu^2/(2L)", right="mu^2/(2 L^2)")
 def eq_96_footnote():
-    """Minus the energy of Kepler's motion, mu/(2a), with L = sqrt(mu a)."""
+    """Minus the energy of Kepler's motion is mu/(2a), and L = sqrt(mu a)."""
     gm, a = symbols("mu a", positive=True)
     differs(gm / (2 * a), gm**2 / (2 * sqrt(gm * a)))
     equal(gm / (2 * a), gm**2 / (2 * sqrt(gm * a) ** 2))
@@ -51,17 +51,18 @@ def orbit_state(elements, gm, t):
     plane = [a * (mpmath.cos(E) - e), b * mpmath.sin(E)]
     speed = [-a * mpmath.sin(E) * rate, b * mpmath.cos(E) * rate]
     ci, (sw, cw), (sn, cn) = h_z / h, (mpmath.sin(w), mpmath.cos(w)), (
-        mpmath.sin(node), mpmath.cos(node))  # fmt: skip
+        mpmath.sin(node), mpmath.cos(node))
     si = mpmath.sqrt(1 - ci**2)
     axes = [(cn * cw - sn * sw * ci, -cn * sw - sn * cw * ci),
-            (sn * cw + cn * sw * ci, -sn * sw + cn * cw * ci), (sw * si, cw * si)]  # fmt: skip
+            (sn * cw + cn * sw * ci, -sn * sw + cn * cw * ci), (sw * si, cw * si)]
     return [u * x + v * y for x, y in (plane, speed) for u, v in axes]
 
 
-@section.equation("(96)", "Delaunay's set is canonical", slow=True)
+@section.equation("(96)", "{sqrt(mu a), sqrt(mu a (1 - e^2)), sqrt(mu a (1 - e^2)) cos i;"
+                  " -M_o, -omega, -Omega} is canonical", slow=True)
 def eq_96():
-    """The 15 Lagrange brackets of the six constants, by differences, at a state of an orbit about
-    a body with the gravitational parameter mu, which the text calls the reduced mass."""
+    """Evaluate the 15 Lagrange brackets of the six constants by differences, at one state of an
+    orbit. mu is the gravitational parameter; the text calls it the reduced mass."""
     gm, t = mpmath.mpf("1.3"), mpmath.mpf("0.7")
     at = [mpmath.mpf(x) for x in ("1.4", "1.2", "0.9", "-0.4", "-1.1", "0.6")]
     step = mpmath.mpf(10) ** -12
@@ -69,14 +70,14 @@ def eq_96():
     with mpmath.workdps(80):
         for i in range(6):
             ends = [orbit_state([x + k * step * (i == j) for j, x in enumerate(at)], gm, t)
-                    for k in (-3, -2, -1, 1, 2, 3)]  # fmt: skip
+                    for k in (-3, -2, -1, 1, 2, 3)]
             weights = [mpmath.mpf(w) / 60 for w in (-1, 9, -45, 45, -9, 1)]
             columns.append([sum(w * end[j] for w, end in zip(weights, ends)) / step
-                            for j in range(6)])  # fmt: skip
+                            for j in range(6)])
         for i in range(6):
             for j in range(i):
                 found = sum(columns[i][k] * columns[j][k + 3] - columns[i][k + 3] * columns[j][k]
-                            for k in range(3))  # fmt: skip
+                            for k in range(3))
                 close(found, -1 if i == j + 3 else 0)
 
 
@@ -84,7 +85,7 @@ section.definition("(97)", "qdot = H_p, pdot = -H_q", "The unperturbed equations
 section.definition("(98)", "q = f(Q, P, t), p = chi(Q, P, t)", "The canonical map to constants.")
 section.definition("(99)", "Qdot = H*_P = 0, Pdot = -H*_Q = 0, H* = 0", "They are constants.")
 section.definition("(100)", "q = f(Q(t), P(t), t), p = chi(Q(t), P(t), t)",
-                   "The same functions of constants that vary.")  # fmt: skip
+                   "The same functions of constants that vary.")
 
 
 def chain_rule():
@@ -111,28 +112,28 @@ def chain_rule():
         brackets_q = [poisson(qQ[i, :], qP[i, :], qQ[m, :], qP[m, :]) for m in range(n)]
         brackets_p = [poisson(qQ[i, :], qP[i, :], pQ[m, :], pP[m, :]) for m in range(n)]
         equal(rate(qQ[i, :], qP[i, :]),
-              sum(a[m] * brackets_q[m] + b[m] * brackets_p[m] for m in range(n)))  # fmt: skip
+              sum(a[m] * brackets_q[m] + b[m] * brackets_p[m] for m in range(n)))
         brackets_p = [poisson(pQ[i, :], pP[i, :], qQ[m, :], qP[m, :]) for m in range(n)]
         brackets_pp = [poisson(pQ[i, :], pP[i, :], pQ[m, :], pP[m, :]) for m in range(n)]
         equal(rate(pQ[i, :], pP[i, :]),
-              sum(a[m] * brackets_p[m] + b[m] * brackets_pp[m] for m in range(n)))  # fmt: skip
+              sum(a[m] * brackets_p[m] + b[m] * brackets_pp[m] for m in range(n)))
 
 
 @section.equation("(101)", "qdot = (H + DeltaH)_p, pdot = -(H + DeltaH)_q")
 def eq_101():
-    """With (102) and (103): by the chain rule the varying constants add the sums of DeltaH_q and
-    DeltaH_p times (q, q), (q, p) and (p, p), and these brackets are 0 and 1."""
+    """Use (102), (103) and the chain rule. The varying constants add sums of DeltaH_q and DeltaH_p
+    times the brackets (q, q), (q, p) and (p, p), which are 0 and 1."""
     chain_rule()
 
 
 @section.equation("(102)", "Qdot = (H* + DeltaH*)_P, Pdot = -(H* + DeltaH*)_Q")
 def eq_102():
-    """As (101): the chain rule with Poisson brackets that are 0 and 1."""
+    """The proof is that of (101), read backwards."""
     chain_rule()
 
 
 section.definition("(103)", "H* = 0, DeltaH*(Q, P, t) = DeltaH(q, p, t)",
-                   "The perturbation as a function of the constants.")  # fmt: skip
+                   "The perturbation as a function of the constants.")
 section.definition("(104)", "qdot = g + Phi", "The chain rule: (105) and (106) name its parts.")
 section.definition("(105)", "g = q_t at fixed C", "The unperturbed velocity.")
 section.definition("(106)", "Phi = sum q_C Cdot", "The convective term.")
@@ -140,7 +141,7 @@ section.definition("(106)", "Phi = sum q_C Cdot", "The convective term.")
 
 @section.equation("(107)", "Phi = sum q_Q Qdot + sum q_P Pdot = DeltaH_p")
 def eq_107():
-    """Insertion of (102) in (106): sums over (q_n, q_m) = 0 and (q_n, p_m) = 0 or 1."""
+    """Insert (102) into (106) and sum over the brackets (q_n, q_m) = 0, (q_n, p_m) = 0 or 1."""
     chain_rule()
 
 
@@ -151,7 +152,7 @@ section.definition("(110)", "g_n = sum f_A (A_t at fixed C)", "The chain rule.")
 
 @section.equation("(111)", "Phi_n = sum f_A A_C Cdot = sum f_C Cdot = DeltaH_p")
 def eq_111():
-    """The chain rule, and then (107)."""
+    """Use the chain rule and then (107)."""
     f_A = Matrix(1, 6, symbols("f1:7"))
     A_C = Matrix(6, 6, lambda i, j: symbols(f"A{i}{j}"))
     C = Matrix(symbols("C1:7"))
@@ -166,21 +167,21 @@ side = total[0] * cos(psi) - total[1] * sin(psi)
 
 
 @section.equation("(113)", "Phi = I1 (w1 + mu1) stheta spsi + I2 (w2 + mu2) stheta cpsi"
-                  " + I3 (w3 + mu3) ctheta")  # fmt: skip
+                  " + I3 (w3 + mu3) ctheta")
 def eq_113():
     equal(diff(T, rates[0]), total[0] * sin(theta) * sin(psi) + total[1] * sin(theta) * cos(psi)
-          + total[2] * cos(theta))  # fmt: skip
+          + total[2] * cos(theta))
 
 
 @section.misprint("(114)", "Theta = I3 (w3 + mu3)",
-                  right="Theta = I1 (w1 + mu1) cpsi - I2 (w2 + mu2) spsi")  # fmt: skip
+                  right="Theta = I1 (w1 + mu1) cpsi - I2 (w2 + mu2) spsi")
 def eq_114():
     differs(diff(T, rates[1]), total[2])
     equal(diff(T, rates[1]), side)
 
 
 @section.misprint("(115)", "Psi = I1 (w1 + mu1) cpsi - I2 (w2 + mu2) spsi",
-                  right="Psi = I3 (w3 + mu3)")  # fmt: skip
+                  right="Psi = I3 (w3 + mu3)")
 def eq_115():
     differs(diff(T, rates[2]), side)
     equal(diff(T, rates[2]), total[2])
@@ -207,19 +208,19 @@ def eq_117():
 
 
 @section.equation("(118)", "DeltaH = -mu1 [spsi/stheta (Phi - Psi ctheta) + Theta cpsi] - mu2"
-                  " [cpsi/stheta (Phi - Psi ctheta) - Theta spsi] - mu3 Psi + V")  # fmt: skip
+                  " [cpsi/stheta (Phi - Psi ctheta) - Theta spsi] - mu3 Psi + V")
 def eq_118():
-    """-mu . g with (25) to (27), and V, which depends on the angles only."""
+    """It is -mu . g with (25) to (27), and V, which depends on the angles only."""
     equal(perturbation + V, -mu.dot(g_B) + V)
     eq_117()
 
 
 @section.equation("(118), in Andoyer's variables", "-mu . g = -mu1 sqrt(G^2 - L^2) sl"
-                  " - mu2 sqrt(G^2 - L^2) cl - mu3 L")  # fmt: skip
+                  " - mu2 sqrt(G^2 - L^2) cl - mu3 L")
 def eq_118_andoyer():
-    """The equation after (118). It leaves V out."""
+    """Insert (1490) to (1492). The equation stands after (118) and leaves V out."""
     equal(-mu.dot(g_of_plane), -mu[0] * sqrt_L * sin(l) - mu[1] * sqrt_L * cos(l) - mu[2] * L,
-          of_momenta)  # fmt: skip
+          of_momenta)
 
 
 section.definition("(119)", "qdot_n = g_n + DeltaH_p", "(109) with (111).")
