@@ -4,8 +4,8 @@
 An expression in sines, cosines and square roots is a quotient of polynomials as soon as each
 sine, cosine and root is a symbol of its own. The symbols obey one relation each, of the form
 "square = polynomial": ``s^2 = 1 - c^2`` for an angle, ``r^2 = x`` for ``r = sqrt(x)``. Dividing
-the numerator by these relations gives a remainder, and the expression is identically zero if
-and only if the remainder is zero. Nothing else is simplified, so a proof takes milliseconds.
+the numerator by these relations gives a remainder. If the remainder is zero, the expression is
+zero wherever it is defined. Nothing else is simplified, so a proof takes milliseconds.
 
     section = Section("2", "Eulerian variables")
 
@@ -39,7 +39,7 @@ class ProofError(AssertionError):
 
 
 class Fraction:
-    """A quotient of polynomials; the denominator is kept as {factor: power}."""
+    """A quotient of polynomials. The denominator is kept as {factor: power}."""
 
     def __init__(self, over, numerator, denominator=None):
         self.over, self.numerator, self.denominator = over, numerator, denominator or {}
@@ -125,7 +125,7 @@ class Algebra:
             return self.root(self.rewritten(e.base)) ** (2 * e.exp)
         if e.is_Add or e.is_Mul or (e.is_Pow and e.exp.is_Integer):
             return e.func(*map(self.rewritten, e.args))
-        return self.symbol(f"[{e}]")  # a derivative, an integral, pi: no relation is used
+        return self.symbol(f"[{e}]")  # derivatives, integrals and pi obey no relation here
 
     def sine_and_cosine(self, angle):
         """By the addition theorem, down to single angles."""
@@ -287,6 +287,11 @@ def equal(lhs, rhs=0, angles=None):
 def differs(lhs, rhs=0, angles=None):
     """Proves that two sides are not identical, and that they differ visibly.
 
+    Parameters
+    ----------
+    lhs, rhs, angles
+        See `equal`.
+
     Raises
     ------
     ProofError
@@ -304,10 +309,15 @@ def differs(lhs, rhs=0, angles=None):
 def close(lhs, rhs=0):
     """Shows that two numbers, computed with 50 digits, agree to 30.
 
+    Parameters
+    ----------
+    lhs, rhs : mpf
+        The two numbers.
+
     Raises
     ------
     ProofError
-        If they do not.
+        If they do not agree, or if one is not a number.
     """
     gap = abs(mpmath.mpf(lhs) - rhs)
     if not gap < CLOSE * max(1, abs(mpmath.mpf(lhs))):

@@ -47,7 +47,6 @@ section = Section("3.2", "Andoyer, Deprit and Elipe")
 # J and I when the momenta are the variables
 sqrt_L, sqrt_H = sqrt(G**2 - L**2), sqrt(G**2 - H**2)
 of_momenta = {J: (sqrt_L / G, L / G), incl: (sqrt_H / G, H / G)}
-# The Euler angles through the five angles, with I and J through the momenta
 direction = Matrix([sin(incl) * sin(h), -sin(incl) * cos(h), cos(incl)])  # of G, inertial
 node_i = Matrix([cos(h), sin(h), 0])  # of the invariable plane, inertial
 node_j = Matrix([cos(l), -sin(l), 0])  # of the body's equator, in body components

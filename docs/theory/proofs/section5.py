@@ -332,7 +332,8 @@ lambda_by_Ig = (kappa**2 + lam**2) / (alpha2 * kappa**2 * lam * K) * (
 
 @section.equation("dlambda/dI_g", "dlambda/dI_g = (I_l/I_g^2) pi (kappa^2 + lambda^2)^(3/2)"
                   "/[2 kappa lambda sqrt(1 + kappa^2) K]"
-                  " = (kappa^2 + lambda^2)/(I_g kappa^2 lambda K) [(kappa^2 + lambda^2) Pi - lambda^2 K]")
+                  " = (kappa^2 + lambda^2)/(I_g kappa^2 lambda K)"
+                  " [(kappa^2 + lambda^2) Pi - lambda^2 K]")
 def eq_lambda_by_Ig():
     """The derivative of u = I_l/I_g by I_g is -I_l/I_g^2. Then insert (IellSadov)."""
     by_u = -pi * root_both**3 / (2 * kappa * lam * root_kappa * K)
