@@ -28,4 +28,8 @@ inline constexpr double frame_slope = 1e-13;  // rad/s, of the Moon over 200 s
 // One motion in two frames, of a table's second derivatives; rad/s of a rotation of 3e-5 rad/s.
 inline constexpr double frame_of_date = 1e-8;
 inline constexpr double frame_of_date_rate = 3e-13;
+// Attitude and rate of a frame whose rate is a formula, or a table of 15 rows of one.
+inline constexpr double frame_rate_formula = 1e-15;
+inline constexpr double frame_rate_table = 1e-12;
+
 }  // namespace polhode::budget

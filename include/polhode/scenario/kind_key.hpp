@@ -140,6 +140,13 @@ consteval KindKey<A> name_key(std::string_view name, std::string_view help) {
   return detail::KeyMaker::key<at, A>({.path = name, .type = KeyType::name, .help = help});
 }
 
+// Any text.
+template <auto at, class A = detail::Owner<at>>
+  requires detail::Holds<at, std::string> && detail::HasMember<A, at>
+consteval KindKey<A> text_key(std::string_view name, std::string_view help) {
+  return detail::KeyMaker::key<at, A>({.path = name, .type = KeyType::text, .help = help});
+}
+
 // The path of a file, from the folder of the scenario.
 template <auto at, class A = detail::Owner<at>>
   requires detail::Holds<at, std::string> && detail::HasMember<A, at>

@@ -347,7 +347,7 @@ AnyPerturbation momentum_term(Making& at, nb::handle a, const std::string& axes)
 void bind_momentum_term(nb::module_& m) {
   bind_term<"MomentumTerm">(
       m, "An energy linear in the angular momentum, H' = a . g: a rotor or a moving frame.",
-      R"(v = a; along axes in space u = a x g. Its own motion is a rotation, so that Splitting takes it.
+      R"(v = a; along axes in space u = a x g. Its own motion is a rotation: Splitting takes it.
 A rotor of constant momentum h in the body has a = -I^-1 h; a frame of rate mu has a = -mu.
 [SA (107), (118)]
 

@@ -3,15 +3,19 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstdio>
 #include <numbers>
 #include <string>
 #include <string_view>
 
+#include "budgets.hpp"
 #include "message_of.hpp"
 #include "polhode/error.hpp"
 #include "polhode/run/run.hpp"
 #include "polhode/scenario/kinds.hpp"
 #include "polhode/scenario/scenario.hpp"
+#include "temp_folder.hpp"
 
 namespace polhode {
 namespace {
@@ -68,6 +72,83 @@ TEST(FrameKinds, OneOfYourOwnIsMadeFromItsKeys) {
   for (const std::string& note : provenance(scenario).notes)
     noted = noted || note.find("the moving frame: turntable;") != std::string::npos;
   EXPECT_TRUE(noted);
+}
+
+// rate = 0.05 + 0.002 t + 0.01 cos(0.3 t + 0.2), per hour.
+double varying_rate(double t) { return 0.05 + 0.002 * t + 0.01 * std::cos(0.3 * t + 0.2); }
+double varying_angle(double t) {
+  return 0.05 * t + 0.001 * t * t + 0.01 / 0.3 * (std::sin(0.3 * t + 0.2) - std::sin(0.2));
+}
+constexpr const char* varying = "rate_formula = \"5e-2 + 2e-3*t + 0.01*cos(0.3*t + 0.2)\"";
+
+std::string table_of_rates() {
+  std::string times, rates;
+  for (double t = -1.0; t <= 6.0; t += 0.5) {
+    times += std::to_string(t) + ", ";
+    char digits[32];
+    std::snprintf(digits, sizeof digits, "%.17g, ", varying_rate(t));
+    rates += digits;
+  }
+  return "times = [" + times + "]\nrates = [" + rates + "]";
+}
+
+TEST(FrameKinds, APrecessionRateMayDependOnTime) {
+  const test::TempFolder folder;
+  std::string rows = "t,rate\n";
+  for (double t = -1.0; t <= 6.0; t += 0.5) {
+    char row[64];
+    std::snprintf(row, sizeof row, "%.17g,%.17g\n", 60.0 * t, varying_rate(t) / 60.0);
+    rows += row;
+  }
+  folder.write("rates.csv", rows);
+  const Vec3 axis{0.0, 0.6, 0.8};
+  const auto frame = [&](const std::string& lines) {
+    const std::string path = folder.write(
+        "f.toml", file("[frame.precessing]\naxis = [0, 3, 4]\nepoch = 0.5\n" + lines + "\n"));
+    return read_scenario(path).rotation().frame;
+  };
+  const auto distance = [&](const Frame& of, double t) {
+    const double angle = varying_angle(t) - varying_angle(0.5);
+    const FrameMotion m = of.at(t);
+    const Quaternion expected{std::cos(0.5 * angle), std::sin(0.5 * angle) * axis.x,
+                              std::sin(0.5 * angle) * axis.y, std::sin(0.5 * angle) * axis.z};
+    const Quaternion d = conj(m.q_IS) * expected;
+    return std::hypot(d.x, d.y, d.z) + norm(m.mu_S - varying_rate(t) * axis);
+  };
+  for (const double t : {-0.9, 0.0, 0.5, 1.23, 4.97}) {
+    EXPECT_LE(distance(frame(varying), t), budget::frame_rate_formula);
+    EXPECT_LE(distance(frame(table_of_rates()), t), budget::frame_rate_table);
+    EXPECT_LE(distance(frame("file = \"rates.csv\"\ntime_unit = \"min\"\nrate_unit = "
+                             "\"rad/min\""),
+                       t),
+              budget::frame_rate_table);
+  }
+  // outside of the rows nothing is known
+  EXPECT_TRUE(std::isnan(frame(table_of_rates()).at(6.5).q_IS.w));
+}
+
+TEST(FrameKinds, WhatIsNoRateIsRejected) {
+  struct Row {
+    std::string keys, message;
+  };
+  const std::string head = "[frame.precessing]\naxis = [0, 0, 1]\n";
+  for (const Row& row :
+       {Row{"rate_formula = \"\"", "expected a number, t, sin( or cos( at \"\", character 1"},
+        Row{"rate_formula = \"5e-3 * u\"", "expected a number, t, sin( or cos( at \"u\""},
+        Row{"rate_formula = \"t*cos(t)\"", "expected a number at \"cos(t)\""},
+        Row{"rate_formula = \"2*t^0.5\"", "expected a whole power from 1 to 20"},
+        Row{"rate_formula = \"cos(2*t\"", "expected +, - or )"},
+        Row{"rate_formula = \"1 2\"", "expected +, - or *"},
+        Row{"times = [0, 1, 2]\nrates = [1, 2]", "expected 3 numbers, as many as times has"},
+        Row{"times = [0, 2, 1, 3]\nrates = [1, 2, 3, 4]", "times must rise"},
+        Row{"times = [1, 2, 3, 4]\nrates = [1, 2, 3, 4]",
+            "expected a time that the table of rates covers"},
+        Row{"rate = 1\ncolumns = [\"1\", \"2\"]", "expected a key file as well"},
+        Row{"rate = 1\nrate_formula = \"1\"", "expected exactly one of"},
+        Row{"rates = [1, 2]", "expected"}})
+    EXPECT_THAT(message_of([&] { read(head + row.keys + "\n", default_kinds()); }),
+                HasSubstr(row.message))
+        << row.keys;
 }
 
 TEST(FrameKinds, WhatIsWrongStandsAtItsPlace) {
