@@ -15,6 +15,8 @@ inline constexpr double paper_quadrature = 1e-33;
 inline constexpr double paper_misprint = 1e-2;
 // The library's doubles against 50 digits, at states where no chart is near a pole.
 inline constexpr double paper_library = 4e-15;
+// Rates, and brackets of derivatives: those lose 1/sin^2 of theta.
+inline constexpr double paper_library_rates = 2e-14;
 // Of Serret's and Sadov's sets, at |D2| > 0.02 G^2.
 inline constexpr double paper_library_adapted = 1e-14;
 

@@ -299,10 +299,6 @@ TEST(PaperAndoyer, RatesOfTheSixVariables) {
   EXPECT_LT(gap.size(), paper_derivative);
 }
 
-Phase exact(const AndoyerState& a) {
-  return {Mp(a.l), Mp(a.g), Mp(a.h), Mp(a.L), Mp(a.G), Mp(a.H)};
-}
-
 // [SA "Rnew", (84), (1490), (1491), (1492)] the library from the hub to Andoyer's variables
 TEST(PaperAndoyer, LibraryToAndoyer) {
   Gap gap;
