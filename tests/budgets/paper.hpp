@@ -17,6 +17,8 @@ inline constexpr double paper_misprint = 1e-2;
 inline constexpr double paper_library = 4e-15;
 // Rates, and brackets of derivatives: those lose 1/sin^2 of theta.
 inline constexpr double paper_library_rates = 2e-14;
+// Poisson brackets of Serret's and Sadov's sets, which grow towards the separatrix.
+inline constexpr double paper_library_brackets = 1e-12;
 // Of Serret's and Sadov's sets, at |D2| > 0.02 G^2.
 inline constexpr double paper_library_adapted = 1e-14;
 

@@ -78,4 +78,17 @@ inline std::vector<RotorState> hub_states(std::uint64_t seed, int count) {
   return all;
 }
 
+// B Jc B^T against the Poisson tensor [[0, 1], [-1, hat(g)]] of (theta_B, g_B), for the Jacobian B
+// of a chart.
+inline void add_poisson_defect(Gap& gap, const Matrix6& B, const Vec& g) {
+  const Mat hat_g = hat(g);
+  for (int i = 0; i < 6; ++i)
+    for (int j = 0; j < 6; ++j) {
+      const auto m = static_cast<std::size_t>(i % 3), n = static_cast<std::size_t>(j % 3);
+      const Mp one = m == n ? 1 : 0;
+      const Mp expected = i < 3 ? (j < 3 ? Mp(0) : one) : (j < 3 ? -one : hat_g[m][n]);
+      gap.add(bracket(exact_row(B, i), exact_row(B, j)), expected);
+    }
+}
+
 }  // namespace polhode::paper
