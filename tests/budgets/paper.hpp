@@ -19,6 +19,8 @@ inline constexpr double paper_library = 4e-15;
 inline constexpr double paper_library_rates = 2e-14;
 // Poisson brackets of Serret's and Sadov's sets, which grow towards the separatrix.
 inline constexpr double paper_library_brackets = 1e-12;
+// dT/dI of Sadov's actions, by differences of order 8.
+inline constexpr double paper_library_slopes = 1e-11;
 // Delaunay's elements at e > 0.1; rates that vanish are differences of numbers of order one.
 inline constexpr double paper_delaunay = 4e-14;
 // Of Serret's and Sadov's sets, at |D2| > 0.02 G^2.
