@@ -23,6 +23,7 @@ With --check nothing is written, and the exit status is 1 if
 
 import ast
 import functools
+import itertools
 import pathlib
 import re
 import sys
@@ -52,7 +53,7 @@ PAPER = {
 }
 MOST = 3  # names in a cell
 
-TAG = re.compile(r"\[SA\s([^\]]*)\]")
+TAG = re.compile(r"\[SA\s((?:\"[^\"]*\"|[^\]\"])*)\]")
 PART = re.compile(r"\(([^)]+)\)\s*(?:-|to)\s*\(([^)]+)\)|\(([^)]+)\)"
                   r"|\"([^\"]+)\"(?:\s+in\s+section\s+([\w.]+))?")
 TESTS = ("tests/paper", "tests/unit", "tests/property")
@@ -98,7 +99,7 @@ def proofs():
         if match := re.match(r"## (?:Section|Appendix) ([\w.-]+): (.*)", line):
             rows = found.setdefault(match[1], (match[2], {}))[1]
         elif found and (match := re.match(r"\| (.*?) \| `.*?` \| (\w+) \|", line)):
-            label = re.sub(r"\\(\W)", r"\1", match[1])
+            label = re.sub(r"\\([\W_])", r"\1", match[1])
             number = re.fullmatch(r"\((A?\d+)\)", label)
             rows[number[1] if number else label] = match[2]
     return found
@@ -161,6 +162,19 @@ def test_of(code, item):
     return f"{match[1]}.{match[2]}" if match else None
 
 
+def words_of(parsed, test=None):
+    """The names in a test and in the helpers of its file that it uses, or in the whole file."""
+    if test is None:
+        return set(re.findall(r"\w+", parsed.code))
+    bodies = {i.name: parsed.code[i.first:i.last] for i in parsed.items if i.name != "TEST"}
+    found, todo = set(), [parsed.code[test.first:test.last]]
+    while todo:
+        new = set(re.findall(r"\w+", todo.pop())) - found
+        found |= new
+        todo += [bodies[word] for word in new if word in bodies]
+    return found
+
+
 def cpp_files(folder):
     return sorted((ROOT / folder).rglob("*.[hc]pp"))
 
@@ -173,7 +187,7 @@ class Map:
         self.errors = [f"docs/theory/proofs: no proof of {label}, section {section}"
                        for section, label in self.labels.unproven]
         self.code, self.tests, self.python = (defaultdict(list) for _ in range(3))
-        self.bodies = {}  # test -> the text that a library test must name the library in
+        self.words = {}  # test -> the names in it
         self.python_names = python_names()
         for folder in ("include", "src"):
             for path in cpp_files(folder):
@@ -208,10 +222,10 @@ class Map:
         if not TAG.search(text):
             return
         parsed = source(path)
+        own = name.startswith("tests/paper/")
         for item in parsed.items:
             if test := test_of(parsed.code, item):
-                own = name.startswith("tests/paper/")
-                self.bodies[test] = parsed.code[item.first:item.last] if own else parsed.code
+                self.words[test] = words_of(parsed, item if own else None)
         for offset, tag in tags_of(text):
             keys = self.keys_of(path, tag)
             first, last, _ = next(block for block in parsed.blocks
@@ -292,8 +306,9 @@ def place_text(cited):
 
 
 def code_cell(places):
-    """At most three places, the file named once where neighbours share it."""
-    places = list(dict.fromkeys((c.file, c.name) for c in places))[:MOST]
+    """At most three places of different names, the file named once for neighbours of one file."""
+    first = {c.name or c.file: (c.file, c.name) for c in reversed(places)}
+    places = list(dict.fromkeys(first[c.name or c.file] for c in places))[:MOST]
     groups = []
     for file, name in places:
         if groups and groups[-1][0] == file and name:
@@ -307,22 +322,23 @@ def code_cell(places):
     return ", ".join(texts) or "not used"
 
 
-def proof_cell(labels, key):
-    title = labels.sections[key[0]][0]
-    part = "appendix" if key[0][0] == "A" else "section"
-    anchor = re.sub(r"[^\w\s-]", "", f"{part} {key[0]} {title}".lower()).replace(" ", "-")
-    result = labels.result(key)
-    return f"[{result}](proofs.md#{anchor})" if result else ""
+def proof_cell(labels, section, results):
+    title = labels.sections[section][0]
+    part = "appendix" if section[0] == "A" else "section"
+    anchor = re.sub(r"[^\w\s-]", "", f"{part} {section} {title}".lower()).replace(" ", "-")
+    shown = ", ".join(dict.fromkeys(filter(None, results)))
+    return f"[{shown}](proofs.md#{anchor})" if shown else ""
 
 
 def cells(found, key):
+    """What a row shows of an equation, and whether it is misprinted."""
     tests, formulas = found.tested(key)
     shown = ", ".join(f"`{t}`" for t in (tests or formulas)[:MOST])
     return (code_cell(found.library(key)),
             ", ".join(f"[`{name.removeprefix('polhode.')}`](#{name})"
                       for name in found.names(key)[:MOST]),
             shown if tests or not shown else f"formula only: {shown}",
-            proof_cell(found.labels, key))
+            found.labels.result(key) == "misprinted")
 
 
 def escaped(label):
@@ -331,19 +347,16 @@ def escaped(label):
 
 def table(found, section):
     """Rows of one section; neighbours with the same cells share a row."""
-    runs = []
-    for key in (key for key in found.labels.keys if key[0] == section):
-        row = cells(found, key)
-        if runs and runs[-1][1] == row:
-            runs[-1][0].append(key[1])
-        else:
-            runs.append(([key[1]], row))
-    for names, row in runs:
+    keys = [key for key in found.labels.keys if key[0] == section]
+    for row, run in itertools.groupby(keys, functools.partial(cells, found)):
+        run = list(run)
+        names = [label for _, label in run]
+        proof = proof_cell(found.labels, section, map(found.labels.result, run))
         shown = [f"({name})" if split_number(name) else escaped(name) for name in names]
         numbers = [split_number(name) for name in names]
         if len(names) > 2 and all(numbers) and numbers == sorted(numbers):
             shown = [f"{shown[0]} to {shown[-1]}"]
-        yield f"| {', '.join(shown)} | {' | '.join(row)} |"
+        yield f"| {', '.join(shown)} | {' | '.join(row[:3])} | {proof} |"
 
 
 def page(found):
@@ -396,7 +409,7 @@ def row_errors(found):
             yield f"{label}: tested by {tests[0]}, but no declaration has the tag"
         words = {word for cited in library for word in re.findall(r"\w+", cited.name)}
         for test in tests[:MOST]:
-            if words and not words & set(re.findall(r"\w+", found.bodies[test])):
+            if words and not words & found.words[test]:
                 yield f"{label}: {test} names none of {', '.join(sorted(words))}"
 
 

@@ -18,7 +18,7 @@
 namespace polhode::paper {
 namespace {
 
-// [SA (A4), (A5), (A6), (A7), (A8), (A9), (A10), (A11), (A12), (A13), (A14), "Binet", (A55)]
+// [SA (A4), (A5), (A6), (A7), (A8), (A9), (A10), (A11), (A12), (A13), (A14), "Binet", (A55), "2T"]
 TEST(PaperAppendix, LibraryDirectionCosines) {
   Gap momenta, energies, distances;
   for (const AndoyerCase& e : branches(5)) {

@@ -141,8 +141,8 @@ TEST(PaperSadov, LibraryAnglesMoveAtTheFrequencies) {
   EXPECT_LT(sum.size(), budget::paper_library_adapted);
 }
 
-// [SA "ActioTransf", "inversion"] d(theta_B, g_B)/d(phi_l, phi_g, phi_h, I_l, I_g, I_h) brings the
-// standard brackets to those of the hub
+// [SA "ActioTransf", "partialPhiU"] d(theta_B, g_B)/d(phi_l, phi_g, phi_h, I_l, I_g, I_h) brings
+// the standard brackets to those of the hub
 TEST(PaperSadov, LibrarySadovIsCanonical) {
   Gap gap;
   for (const AndoyerCase& e : branches(3)) {
