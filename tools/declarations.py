@@ -20,7 +20,8 @@ TOKEN = re.compile(
     re.DOTALL | re.MULTILINE)
 NAMESPACE = re.compile(r"(?:inline\s+)?namespace\b[^{;=]*\{|extern\s*\{")
 ACCESS = re.compile(r"(?:public|protected|private)\s*:(?!:)")
-CLASS = re.compile(r"(?:class|struct|union|enum(?:\s+class)?)\s+([\w:]+)[^;({=]*[{;]|concept\s+(\w+)")
+CLASS = re.compile(r"(?:class|struct|union|enum(?:\s+class)?)\s+([\w:]+)[^;({=]*[{;]"
+                   r"|concept\s+(\w+)")
 
 
 @dataclass
@@ -79,6 +80,8 @@ def name_of(declaration):
     if match := re.match(r"using\s+(\w+)\s*=", head):
         return match[1]
     head = re.sub(r"\b(?:decltype|noexcept|alignas|explicit)\s*\((?:[^()]|\([^()]*\))*\)", "", head)
+    while (flat := re.sub(r"<[^<>(){};=]*>", "", head)) != head:
+        head = flat
     call = re.search(r"(operator\s*\W{1,3}?|~?[\w:]*\w)\s*\(", head)
     value = re.match(r"[^=;{(,]*?(\w+)\s*[=;{]", head)
     if call and not (value and value.end() <= call.start() + 1):
@@ -86,8 +89,15 @@ def name_of(declaration):
     return value[1] if value else None
 
 
+def is_value(head):
+    """Whether a declaration gives a value: a brace of it is not the body of a function."""
+    head = re.sub(r"\((?:[^()]|\([^()]*\))*\)", "", after_template(head))
+    return bool(re.search(r"(?<![=!<>])=(?!=)", re.sub(r"operator\s*[^\w\s]+", "", head)))
+
+
 def end_of(code, at):
     """The offset after the declaration that starts at `at`."""
+    first, value = at, False
     while at < len(code):
         c = code[at]
         if c == ";":
@@ -95,11 +105,12 @@ def end_of(code, at):
         if c == "(":
             at = balanced(code, at, "(", ")")
         elif c == "{":
+            value = value or is_value(code[first:at])
             at = balanced(code, at, "{", "}")
-            follow = code[at:].lstrip()[:1]
+            follow = re.compile(r"\s*(.?)", re.DOTALL).match(code, at)[1]
             if follow == ";":
                 return code.index(";", at) + 1
-            if follow not in (",", "{", ")"):
+            if not value and follow not in (",", "{", ")", "("):
                 return at
         elif c == "}":
             return at

@@ -42,8 +42,8 @@ ERRATA = ROOT / "docs/theory/errata.md"
 PAPER = {
     "2": "1-15 16-27 symplecticRB 28-31 firstg1 firstg3 sphere kinetic 32-35",
     "3.1": "36-51 dimensionless 52 54-62",
-    "3.2": "Rnew v1 v2 v3 cantran2 dr1 72 73 dr2 74-76 84 78-80 Theta newhamil 1490-1492 constraint "
-           "hge0 dot_g dot_h dot_l dot_G dot_H dot_L",
+    "3.2": "Rnew v1 v2 v3 cantran2 dr1 72 73 dr2 74-76 84 78-80 Theta newhamil 1490-1492 "
+           "constraint hge0 dot_g dot_h dot_l dot_G dot_H dot_L",
     "4": "96-122 128 123 124 4448 125-127",
     "5": "HJ U2 abcd SerTointerm Haminterm SadovPar LSadov ActioTransf actions changeAction "
          "IellSadov SadovH transf.~eqs dI_l/dlambda partialPhiU phiSadovProv dL/dlambda "
@@ -371,19 +371,17 @@ def page(found):
         "",
         "| column | content |",
         "|---|---|",
-        "| library | the declarations that use the equation, at most three, the most direct first |",
+        "| library | declarations that use the equation, at most three, the most direct first |",
         "| Python | their names in Python |",
-        "| library test | tests of `tests/` that call the library and fail if it gets the equation",
-        "wrong. *Formula only*: the library does not use the equation, and the test evaluates both",
-        "sides with 50 digits at random states |",
-        "| proof | the result of the [proof](proofs.md): the equation is proven, misprinted (the"
-        " right form is proven), shown by numbers, or a definition |",
-    ]
-    lines[-4:-1] = [" ".join(lines[-4:-1])]
-    lines += [
+        "| library test | tests that call the library and fail if it gets the equation wrong."
+        " *Formula only*: the library does not use the equation; the test evaluates both sides"
+        " with 50 digits at random states |",
+        "| proof | result of the [proof](proofs.md): proven, misprinted (the right form is"
+        " proven), numeric, or a definition |",
         "",
         "The equations come with no numerical results to compare with. Published numbers that",
-        "polhode reproduces are those of [real bodies](../examples/index.md), each with its source.",
+        "polhode reproduces are those of [real bodies](../examples/index.md), each with its",
+        "source.",
     ]
     for section, (title, _) in found.labels.sections.items():
         part = "Appendix" if section[0] == "A" else "Section"

@@ -73,9 +73,9 @@ TEST(PaperAppendix, LibraryEllipseOfTheMomentum) {
       }
     }
   }
-  EXPECT_LT(modulus.size(), budget::free_attitude);
-  EXPECT_LT(ellipse.size(), budget::free_attitude);
-  EXPECT_LT(cosines.size(), budget::free_attitude);
+  EXPECT_LT(modulus.size(), budget::paper_library);
+  EXPECT_LT(ellipse.size(), budget::paper_library);
+  EXPECT_LT(cosines.size(), budget::paper_library);
 }
 
 // [SA (A33), (A34), (A35), (A36), (A37), (A39), "dimensionless"] the amplitude at n Delta, and
@@ -108,9 +108,9 @@ TEST(PaperAppendix, LibraryAmplitudeOfTime) {
       }
     }
   }
-  EXPECT_LT(rate.size(), budget::free_attitude);
-  EXPECT_LT(frequency.size(), budget::free_attitude);
-  EXPECT_LT(time.size(), budget::free_attitude);
+  EXPECT_LT(rate.size(), budget::paper_library);
+  EXPECT_LT(frequency.size(), budget::paper_library);
+  EXPECT_LT(time.size(), budget::paper_library);
 }
 
 // [SA (A38), (A40), (A41), (A42), (A43)] the second argument is the modulus

@@ -171,8 +171,8 @@ TEST(PaperSection4, LibraryDelaunayElements) {
     rates.add(Mp(found[0]), motion);
     for (std::size_t i = 1; i < 6; ++i) rates.add(Mp(found[i]), Mp(0));
   }
-  EXPECT_LT(elements.size(), budget::paper_delaunay);
-  EXPECT_LT(rates.size(), budget::paper_delaunay);
+  EXPECT_LT(elements.size(), budget::paper_library);
+  EXPECT_LT(rates.size(), budget::paper_library);
 }
 
 }  // namespace
