@@ -251,9 +251,11 @@ class Map:
         """The declarations that use an equation, the most direct first; files if there are none."""
         cited = self.code[key]
         named = [c for c in cited if c.name] or cited
-        rank = {c: (not c.file.startswith("include/"), "/detail/" in c.file, c.others, c.name)
-                for c in named}
-        return sorted(set(named), key=rank.get)
+
+        def rank(c):
+            return not c.file.startswith("include/"), "/detail/" in c.file, c.others, c.name, c.file
+
+        return sorted(set(named), key=rank)
 
     def names(self, key):
         """Python names: of the declarations, then of the functions that cite the equation."""

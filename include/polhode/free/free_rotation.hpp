@@ -2,8 +2,8 @@
 // FreeRotation: the exact torque-free motion of a rigid body, prepared once, evaluated at any time
 // in constant time, in every regime.
 //
-// Equations   [SA (12), (A15)-(A24), (A33)-(A40)]; regimes and frequencies docs/theory/regimes.md; the
-//             series docs/design/0002-free-rotation.md; the state transition matrix
+// Equations   [SA (12), (A15)-(A24), (A33)-(A40)]; regimes and frequencies docs/theory/regimes.md;
+//             the series docs/design/0002-free-rotation.md; the state transition matrix
 //             docs/design/0003-transition-matrix.md.
 // Units       any consistent set: moments, momentum = moment x rate, time = 1 / rate; angles in
 //             rad.
