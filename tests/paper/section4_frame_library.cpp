@@ -166,6 +166,9 @@ TEST(PaperSection4, LibraryDelaunayElements) {
     const Phase expected = formula(x);
     for (std::size_t i = 0; i < 3; ++i) elements.add(turned(Mp(C[i]) - expected[i]), Mp(0));
     for (std::size_t i = 3; i < 6; ++i) elements.add(Mp(C[i]), expected[i]);
+    const SatelliteState back = element_state(OrbitalSet::delaunay, system, 0.0, C);
+    elements.add(exact(back.r), first_half(x));
+    elements.add(exact(back.p), second_half(x));
     const OrbitalElements found = element_rates(OrbitalSet::delaunay, system, 0.0, C);
     const Mp motion = derivative([&](const Mp& L) { return -squared(Mp(gm)) / (2 * L * L); }, C[3]);
     rates.add(Mp(found[0]), motion);

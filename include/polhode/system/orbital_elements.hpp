@@ -34,7 +34,7 @@ OrbitalElements element_rates(OrbitalSet set, const SatelliteSystem& system, dou
                               const OrbitalElements& elements,
                               const Gauge& gauge = Gauge::canonical());
 
-// The canonical state (r, p) of a satellite with these elements.
+// The canonical state (r, p) of a satellite with these elements [SA (96)].
 SatelliteState element_state(OrbitalSet set, const SatelliteSystem& system, double t,
                              const OrbitalElements& elements,
                              const Gauge& gauge = Gauge::canonical());
