@@ -121,6 +121,7 @@
 #include "polhode/perturb/linear_damping.hpp"
 #include "polhode/perturb/magnetic_field.hpp"
 #include "polhode/perturb/magnetic_torque.hpp"
+#include "polhode/perturb/momentum_term.hpp"
 #include "polhode/perturb/oblate_gravity.hpp"
 #include "polhode/perturb/shadow.hpp"
 #include "polhode/perturb/solar_pressure.hpp"

@@ -40,6 +40,7 @@ void bind_system(nb::module_& m);
 void bind_trajectory(nb::module_& m);
 void bind_dynamics(nb::module_& m);
 void bind_many(nb::module_& m);
+void bind_satellite(nb::module_& m);
 void bind_analysis(nb::module_& m);
 void bind_section(nb::module_& m);
 void bind_secular(nb::module_& m);

@@ -34,6 +34,7 @@ void bind_everything(nb::module_& m) {
   bind_trajectory(m);
   bind_dynamics(m);
   bind_many(m);
+  bind_satellite(m);
   bind_analysis(m);
   bind_section(m);
   bind_planet_data(m);

@@ -16,6 +16,8 @@ ELEMENTS = polhode.KeplerElements(gm=1.0, pericentre=2.0, eccentricity=0.1, incl
 ORBIT = polhode.KeplerOrbit(ELEMENTS)
 PRECESSING = polhode.PrecessingKeplerOrbit(ELEMENTS, polhode.SecularRates(0.0, 0.0, 0.0))
 SYSTEM = polhode.System(BODY)
+SATELLITES = polhode.SatelliteSystem(1.0)
+SATELLITE = polhode.SatelliteState([1.0, 0.1, 0.2], [0.1, 0.9, 0.3])
 DAMPER = polhode.KaneDamper(0.1, 0.2)
 DAMPED = polhode.System(BODY, damper=DAMPER)
 PROBLEM = polhode.Problem(SYSTEM, STATE, 0.0, 0.1)
@@ -54,6 +56,9 @@ OF_CLASS = {
     "Body": BODY,
     "RotorState": STATE,
     "System": SYSTEM,
+    "SatelliteSystem": SATELLITES,
+    "SatelliteState": SATELLITE,
+    "SatellitePath": polhode.satellite_path(SATELLITES, SATELLITE, 0.0, 2.0),
     "FreeRotation": polhode.FreeRotation(BODY, STATE),
     "AndoyerState": polhode.to_andoyer(STATE),
     "SerretState": polhode.to_serret(BODY, STATE),
@@ -161,6 +166,15 @@ VECTOR, MATRIX = [0.1, 0.2, 1.0], np.eye(6)
 OF_CALL = {
     "Body.with_axes": {"moments": [1.0, 1.7, 2.1]},
     "RotorState.__init__": {"g": VECTOR},
+    "SatelliteState.__init__": {"r": VECTOR, "p": VECTOR},
+    "elements_of_state(SatelliteSystem)": {"chart": "delaunay"},
+    **{
+        f"element_{name}(SatelliteSystem)": {
+            "elements": [0.1, 0.2, 0.3, 1.0, 0.9, 0.5], "chart": "delaunay"
+        }
+        for name in ("rates", "state", "convective_term")
+    },
+    "MomentumTerm.__init__": {"a": VECTOR, "axes": "body"},
     "inverse_chart_jacobian": {"B": MATRIX},
     "canonical_transformation": {"B_from": MATRIX, "B_to": MATRIX},
     "TumblerState.__init__": {"mode": "short_axis"},
@@ -271,11 +285,16 @@ class Call:
             for name, said in self.annotations.items()
             if name in self.numbers or name not in optional
         }
-        extra = OF_CALL.get(self.name, {})
+        extra = self._own()
         self.arguments.update({a: x for a, x in extra.items() if a in self.annotations})
 
+    def _own(self):
+        """What this function wants otherwise, of overloads that of satellites."""
+        overload = f"{self.name}({self.annotations.get('system')})"
+        return OF_CALL.get(overload, OF_CALL.get(self.name, {}))
+
     def _sample(self, name, said):
-        own = OF_CALL.get(self.name, {})
+        own = self._own()
         if name in own:
             return own[name]
         classes = [] if said.startswith("Callable") else _classes(said)
@@ -318,6 +337,7 @@ def all_calls():
 OF_SELF = {
     "Body": BODY,
     "FreeRotation": OF_CLASS["FreeRotation"],
+    "SatellitePath": OF_CLASS["SatellitePath"],
     "KeplerOrbit": ORBIT,
     "Dual": polhode.Dual(1.0),
     "PrecessingKeplerOrbit": PRECESSING,

@@ -46,7 +46,8 @@ def test_a_night_has_four_poles(night):
     assert best.light.mode == "LAM" and best.light.names == best.names
     assert "P_phi" in found.text and "<LightScenarioSolution" in repr(best)
     assert "b/a" in found._repr_html_()
-    assert told[-1][1] == 1000 and [done for done, _ in told] == sorted(done for done, _ in told)
+    # an estimate, which may fall where more solutions turn up than the starts promised
+    assert told[-1] == (1000, 1000) and all(0 < done <= 1000 and of == 1000 for done, of in told)
     assert told[-1][0] == 1000
 
 

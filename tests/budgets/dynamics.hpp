@@ -208,4 +208,9 @@ inline constexpr double kane_rounding = 1e-15;
 inline constexpr double kane_two_bodies_scipy = 1e-10;
 inline constexpr double kane_slope = 1e-9;
 
+// Terms linear in the momentum: order 6 with 500 steps beside Collocation; their effect beside the
+// derivative of their energy.
+inline constexpr double splitting_momentum_term = 1e-11;
+inline constexpr double splitting_momentum_effect = 1e-14;
+
 }  // namespace polhode::budget

@@ -56,7 +56,8 @@ not finite and for a zero quaternion. [SA (1), (2), (24)])",
        offsetof(RotorState, q), Kind::quaternion},
       {"g", "Angular momentum along the principal axes, moment x rate; (..., 3).",
        offsetof(RotorState, g), Kind::vector}}},
-    checked};
+    checked,
+    true};
 
 constexpr Chart<EulerAngles, 3> angles_chart{
     "EulerAngles",
@@ -81,7 +82,8 @@ numbers that are not finite and, at theta = 0 or pi, for momenta that no state h
       {"Phi", "Momentum of phi: along the frame's third axis.", offsetof(EulerState, Phi)},
       {"Theta", "Momentum of theta: along the line of nodes.", offsetof(EulerState, Theta)},
       {"Psi", "Momentum of psi: along the body's third axis.", offsetof(EulerState, Psi)}}},
-    checked};
+    checked,
+    true};
 
 constexpr Chart<EulerRates, 6> rates_chart{
     "EulerRates",
@@ -94,7 +96,8 @@ constexpr Chart<EulerRates, 6> rates_chart{
       {"phi_dot", "Rate of phi, rad per time.", offsetof(EulerRates, phi_dot)},
       {"theta_dot", "Rate of theta, rad per time.", offsetof(EulerRates, theta_dot)},
       {"psi_dot", "Rate of psi, rad per time.", offsetof(EulerRates, psi_dot)}}},
-    checked};
+    checked,
+    true};
 
 constexpr Chart<AndoyerState, 6> andoyer_chart{
     "AndoyerState",
@@ -111,7 +114,8 @@ at I = 0, pi: h = 0.)",
       {"L", "Part of the momentum along the body's third axis.", offsetof(AndoyerState, L)},
       {"G", "Size of the angular momentum.", offsetof(AndoyerState, G)},
       {"H", "Part of the momentum along the frame's third axis.", offsetof(AndoyerState, H)}}},
-    checked};
+    checked,
+    true};
 
 constexpr Chart<PoincareState, 8> poincare_chart{
     "PoincareState",
@@ -132,7 +136,8 @@ ValueError unless G >= 0 and Q^2 + P^2 <= 4 G for both pairs.)",
                  offsetof(PoincareState, pole_J)),
       pole_field("pole_I", "At which pole of I the set is regular, a Pole.",
                  offsetof(PoincareState, pole_I))}},
-    checked};
+    checked,
+    true};
 
 std::string repr_of(const Body& body) {
   const Vec3& I = body.moments();
@@ -418,6 +423,7 @@ void bind_rotor(nb::module_& m) {
   bind_attitudes(m);
   bind_attitudes_with_rates(m);
   bind_conversions(m);
+  bind_dual_state(m);
   bind_functions(m);
   bind_jacobians(m);
 }

@@ -11,6 +11,7 @@
 #include <memory>
 #include <string>
 
+#include "charts/dual_state.hpp"
 #include "interface/batch.hpp"
 #include "interface/choice.hpp"
 #include "polhode/error.hpp"
@@ -55,6 +56,8 @@ struct Chart {
   std::array<Field, N> fields;
   // The state as it is kept, or DomainError.
   S (*checked)(const S&);
+  // Whether it takes Duals: it then makes a DualState.
+  bool takes_duals = false;
 };
 
 // The parts that do not depend on the chart (states.cpp).
@@ -170,6 +173,21 @@ nb::class_<Batch<S>> bind_states(nb::module_& m, const Chart<S, N>& chart) {
   c.attr("__class_getitem__") = class_itself();
   detail::def_init<S, N, R>(c, chart, std::make_index_sequence<R>{},
                             std::make_index_sequence<N - R>{});
+  if (chart.takes_duals) {
+    c.def_static(
+        "__new__", [table](nb::handle type, const nb::args& args, const nb::kwargs& named) {
+          nb::object made = dual_state_of(table->name, table->fields, args, named);
+          if (made.is_valid()) return made;
+          made = nb::inst_alloc(type);
+          // nanobind calls only the __new__ of its own classes; Python calls both, of their
+          // subclasses
+          const bool unpickles = args.size() == 1 && PyBytes_Check(nb::handle(args[0]).ptr()) != 0;
+          if (type.is(nb::type<Batch<S>>()) && !unpickles)
+            type.attr("__init__")(made, *args, **named);
+          return made;
+        });
+    c.def("__getnewargs__", [](Self) { return nb::make_tuple(nb::bytes("", 0)); });
+  }
   bool all_real = true;
   for (const Field& field : chart.fields) {
     all_real = all_real && field.kind == Kind::real;

@@ -2,7 +2,7 @@
 // Andoyer's general method in any six variables that Python writes.
 #include "polhode/system/andoyer_method.hpp"
 
-#include "interface/dual_number.hpp"
+#include "charts/dual_state.hpp"
 #include "interface/python_function.hpp"
 #include "motion/system_functions.hpp"
 #include "motion/system_value.hpp"
@@ -36,13 +36,16 @@ class PythonVariables {
     nb::list items;
     for (const D& x : z) items.append(to_python(x));
     const nb::object array = object_array(items);
-    const nb::object returned =
-        takes_time_ ? (*function_)(array, to_python(t)) : (*function_)(array);
+    nb::object returned = takes_time_ ? (*function_)(array, to_python(t)) : (*function_)(array);
+    if (nb::isinstance<DualState>(returned))
+      returned = nb::make_tuple(returned.attr("q"), returned.attr("g"));
     std::array<D, 4> q;
     std::array<D, 3> g;
     const bool pair = PySequence_Check(returned.ptr()) != 0 && nb::len(returned) == 2;
     if (!pair || !read(returned[0], q) || !read(returned[1], g))
-      function_->refuse(returned, "(q, g): 4 and 3 numbers, floats or Duals made of z");
+      function_->refuse(returned,
+                        "a RotorState of Duals, or (q, g): 4 and 3 numbers, floats or Duals "
+                        "made of z");
     return {{q[0], q[1], q[2], q[3]}, {g[0], g[1], g[2]}};
   }
 
@@ -85,8 +88,9 @@ void bind_andoyer_method(nb::module_& m) {
       "f"_a, "z"_a, "t"_a = 0.0,
       R"(Lagrange brackets [z_k, z_l] of any six variables: (..., 6, 6). [SA "linear"]
 
-f : f(z) -> (q, g), or f(z, t): the hub state of six variables, (6,) of Dual, written with NumPy's
-    functions; q (4,) of any length, g (3,) along the body axes.
+f : f(z) -> (q, g), or f(z, t): the state of six variables, (6,) of Dual, written with NumPy's
+    functions; q (4,) of any length, g (3,) along the body axes. Or a state that to_rotor made:
+    lambda z: to_rotor(AndoyerState(*z)).
 z : (..., 6), where.)");
   m.def(
       "canonical_defect",

@@ -18,7 +18,6 @@ namespace polhode::python {
 namespace {
 
 using Rotors = Batch<RotorState>;
-using AnyGauge = Typed<"str | typing.Callable[[typing.Any, typing.Any], typing.Any]">;
 
 // Python's Phi(C, t), with C an object array of six Duals and t a Dual.
 class PythonPhi {
@@ -36,7 +35,7 @@ class PythonPhi {
     for (int k = 0; k < 3 && is_good; ++k) is_good = from_python(returned[k], phi[k]);
     if (!is_good)
       function_->refuse(returned,
-                        "3 numbers, the convective term along the body axes: floats, or Duals "
+                        "3 numbers, the convective term: floats, or Duals "
                         "made of C and t");
     return phi;
   }
@@ -44,6 +43,8 @@ class PythonPhi {
  private:
   SharedFunction function_;
 };
+
+}  // namespace
 
 Gauge gauge_of(nb::handle gauge) {
   if (nb::isinstance<nb::str>(gauge)) {
@@ -56,6 +57,8 @@ Gauge gauge_of(nb::handle gauge) {
   }
   return Gauge(PythonPhi(std::make_shared<PythonFunction>(gauge, "gauge")));
 }
+
+namespace {
 
 // f(set, t) of the elements of every position, as a set of one of the kinds of element_rates.hpp.
 template <class C, class F>

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "charts/states.hpp"
-#include "interface/dual_number.hpp"
 #include "interface/value.hpp"
 #include "polhode/error.hpp"
+#include "polhode/perturb/momentum_term.hpp"
 #include "polhode/perturb/user_terms.hpp"
 #include "terms/term_class.hpp"
 
@@ -50,15 +50,9 @@ class PythonHamiltonian {
   SharedFunction function_;
 };
 
-// What RotorState is to floats.
-struct DualState {
-  Any q;
-  Any g;
-};
-
 template <class T>
 nb::object PythonHamiltonian::state(const BasicRotorState<T>& s) {
-  return nb::cast(DualState{to_python(s.q), to_python(s.g)});
+  return nb::cast(dual_rotor(s.q, s.g));
 }
 
 // Python's torque(t, state), on double alone.
@@ -290,15 +284,6 @@ TypeError or ValueError, naming the term, for what is not three numbers; NaN is 
 }
 
 void bind_user_hamiltonian(nb::module_& m) {
-  nb::class_<DualState>(m, "DualState",
-                        "The state that a HamiltonianTerm's function is called with: q (4,) and g "
-                        "(3,), object arrays of Dual.")
-      .def_ro("q", &DualState::q, "(4,): attitude (w, x, y, z), body to reference frame.")
-      .def_ro("g", &DualState::g, "(3,): angular momentum along the body axes.")
-      .def("__repr__", [](const DualState& s) {
-        return "DualState(q=" + nb::cast<std::string>(nb::repr(s.q)) +
-               ", g=" + nb::cast<std::string>(nb::repr(s.g)) + ")";
-      });
   bind_term<"HamiltonianTerm">(
       m,
       R"(Any energy H'(t, state), written in Python. [SA (107)]
@@ -328,11 +313,58 @@ energy; also second derivatives, for state transitions and canonical_state.)",
                      false));
 }
 
+// a(t) of a MomentumTerm: a constant vector, or a Python function of time.
+class PythonRate {
+ public:
+  explicit PythonRate(const Vec3& constant) : constant_(constant) {}
+  explicit PythonRate(SharedFunction function) : constant_{}, function_(std::move(function)) {}
+
+  Vec3 operator()(double t) const {
+    if (function_ == nullptr) return constant_;
+    const WithGil acquired;
+    return function_->three_numbers((*function_)(t), "3 numbers, the rate a");
+  }
+
+ private:
+  Vec3 constant_;
+  SharedFunction function_;
+};
+
+AnyPerturbation momentum_term(Making& at, nb::handle a, const std::string& axes) {
+  std::optional<SpaceAxes> of;
+  if (axes == "inertial") of = SpaceAxes::inertial;
+  if (axes == "reference") of = SpaceAxes::reference;
+  if (!of && axes != "body")
+    throw nb::value_error(
+        (at.label + ": axes: got \"" + axes + R"("; expected "body", "reference" or "inertial")")
+            .c_str());
+  if (PyCallable_Check(a.ptr()) == 0) return {at.name, MomentumTerm(PythonRate(vec3(a, "a")), of)};
+  const auto function = std::make_shared<PythonFunction>(a, at.label);
+  at.functions.push_back(function);
+  return {at.name, MomentumTerm(PythonRate(function), of)};
+}
+
+void bind_momentum_term(nb::module_& m) {
+  bind_term<"MomentumTerm">(
+      m, "An energy linear in the angular momentum, H' = a . g: a rotor or a moving frame.",
+      R"(v = a; along axes in space u = a x g. Its own motion is a rotation, so that Splitting takes it.
+A rotor of constant momentum h in the body has a = -I^-1 h; a frame of rate mu has a = -mu.
+[SA (107), (118)]
+
+>>> wheel = MomentumTerm(-np.array([0, 0, 0.2]) / body.moments, name="wheel"))",
+      momentum_term,
+      argument<Typed<"numpy.typing.ArrayLike | typing.Callable[[float], numpy.typing.ArrayLike]">>(
+          "a", "(3,), rad per time, or a function of time that returns it."),
+      argument<std::string>("axes", "of a: \"body\", \"reference\" or \"inertial\".", "body"),
+      argument<TermName>("name", "stands in messages; None: \"MomentumTerm\".", nb::none()));
+}
+
 }  // namespace
 
 void bind_user_terms(nb::module_& m) {
   bind_user_torque(m);
   bind_user_hamiltonian(m);
+  bind_momentum_term(m);
 }
 
 }  // namespace polhode::python

@@ -71,7 +71,7 @@ def orbit_ellipses(
         raise TypeError(
             f"orbit_ellipses: got path = {path!r}; expected a path from OblatePlanet.path, or None"
         )
-    stop = float(path.edges[-1])
+    stop = path.stop
     if times is None:
         times = stop * np.array([0.19, 0.35, 0.53, 0.7])
     times = np.atleast_1d(_numbers(times, "times"))
@@ -94,7 +94,7 @@ def orbit_ellipses(
 
 def _limits(ax: Axes, view: View, path: Path, times: NDArray[np.float64]) -> None:
     """The same limits for both kinds of ellipses, so that the two figures compare."""
-    points = [path.position(np.linspace(0.0, path.edges[-1], 400))]
+    points = [path.position(np.linspace(0.0, path.stop, 400))]
     for t in times:
         points += [path.position(t) + ARROW * np.stack([path.velocity(t), path.momentum(t)])]
         for osculating in (False, True):

@@ -10,19 +10,27 @@ r') touches it."""
 
 from __future__ import annotations
 
+import warnings
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
-from numpy.polynomial import chebyshev
 from numpy.typing import ArrayLike, NDArray
 
 from polhode._arguments import require_positive
-from polhode._core import _number, _numbers
+from polhode._core import (
+    Frame,
+    OrbitalPerturbation,
+    SatellitePath,
+    SatelliteState,
+    SatelliteSystem,
+    _number,
+    _numbers,
+    energy,
+    satellite_path,
+    satellite_rates,
+)
 
 Array = NDArray[np.float64]
-NODES = 48
-ITERATIONS = 100
 
 
 @dataclass(frozen=True)
@@ -38,101 +46,60 @@ class OblatePlanet:
         _number(self.J2_R2, "J2_R2")
         _numbers(self.mu, "mu")
 
+    @property
+    def system(self) -> SatelliteSystem:
+        """The equations of motion, for the functions of satellites."""
+        rate = float(np.linalg.norm(self.mu))
+        frame = Frame.precessing(self.mu, rate) if rate > 0.0 else Frame.inertial()
+        return SatelliteSystem(
+            self.gm, frame, [OrbitalPerturbation.oblateness(self.gm, self.J2_R2, 1.0)]
+        )
+
     def acceleration(self, r: Array) -> Array:
         """-dV/dr at positions (..., 3)."""
-        size2 = np.sum(r * r, axis=-1, keepdims=True)
-        z2 = 5.0 * r[..., 2:] ** 2 / size2
-        bulge = 1.5 * self.J2_R2 / size2 * (np.array([1.0, 1.0, 3.0]) - z2)
-        return -self.gm * r / size2**1.5 * (1.0 + bulge)
-
-    def rates(self, z: Array) -> Array:
-        """(r', p') of states (..., 6) = (r, p)."""
-        r, p = z[..., :3], z[..., 3:]
-        return np.concatenate(
-            [p - np.cross(self.mu, r), self.acceleration(r) - np.cross(self.mu, p)], axis=-1
-        )
+        return satellite_rates(self.system, 0.0, SatelliteState(r, np.zeros_like(r)))[..., 3:]
 
     def energy(self, z: Array) -> Array:
         """The Hamiltonian of states (..., 6), constant along a path."""
-        r, p = z[..., :3], z[..., 3:]
-        size = np.linalg.norm(r, axis=-1)
-        legendre = (3.0 * (r[..., 2] / size) ** 2 - 1.0) / 2.0
-        potential = -self.gm / size * (1.0 - self.J2_R2 / size**2 * legendre)
-        return np.sum(p * p, axis=-1) / 2.0 + potential - np.cross(r, p) @ np.asarray(self.mu)
+        return energy(self.system, 0.0, SatelliteState(z[..., :3], z[..., 3:]))
 
     def path(self, r: ArrayLike, p: ArrayLike, stop: float) -> Path:
         """The path from (r, p) at t = 0 to `stop`, which must be positive (ValueError).
 
-        RuntimeError where a step finds no solution, as with numbers that are not finite."""
+        RuntimeError where the integration fails, as at the centre of the planet."""
         require_positive("path", "stop", stop)
-        z = np.concatenate([_numbers(r, "r"), _numbers(p, "p")])
-        edges, pieces = [0.0], []
-        while edges[-1] < stop:
-            # short compared with the time of the satellite's fall: the iteration contracts
-            step = 0.35 * np.sqrt(np.linalg.norm(z[:3]) ** 3 / self.gm)
-            end = min(stop, edges[-1] + step)
-            pieces.append(piece(self.rates, z, end - edges[-1]))
-            edges.append(end)
-            z = chebyshev.chebval(1.0, pieces[-1])
-        return Path(self, np.array(edges), pieces)
+        start = SatelliteState(_numbers(r, "r"), _numbers(p, "p"))
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", RuntimeWarning)
+            motion = satellite_path(self.system, start, 0.0, stop)
+        if not motion.outcome.ok:
+            raise RuntimeError(f"path: {motion.outcome.advice}")
+        return Path(self, motion)
 
 
 @dataclass(frozen=True)
 class Path:
-    """A satellite's path: Chebyshev series of (r, p) in each of the intervals between `edges`."""
+    """A satellite's path from t = 0 to `stop`."""
 
     planet: OblatePlanet
-    edges: Array
-    pieces: list[Array]
+    motion: SatellitePath
+
+    @property
+    def stop(self) -> float:
+        """Its last time."""
+        return self.motion.stop
 
     def position(self, t: ArrayLike) -> Array:
         """r (..., 3) in the frame at times of any shape."""
-        return self._at(t, 0)[..., :3]
+        return self.motion.at(t).r
 
     def momentum(self, t: ArrayLike) -> Array:
         """p (..., 3), in components of the frame."""
-        return self._at(t, 0)[..., 3:]
+        return self.motion.at(t).p
 
     def velocity(self, t: ArrayLike) -> Array:
         """r' (..., 3), relative to the frame: the slope of the path itself."""
-        return self._at(t, 1)[..., :3]
-
-    def _at(self, t: ArrayLike, derivative: int) -> Array:
-        times = _numbers(t, "t")
-        flat = times.ravel()
-        out = np.empty((flat.size, 6))
-        which = np.clip(np.searchsorted(self.edges, flat, "right") - 1, 0, len(self.pieces) - 1)
-        for k in np.unique(which):
-            low, high = self.edges[k : k + 2]
-            x = (2.0 * flat[which == k] - low - high) / (high - low)
-            scale = (2.0 / (high - low)) ** derivative
-            series = chebyshev.chebder(self.pieces[k], derivative) * scale
-            out[which == k] = chebyshev.chebval(x, series).T
-        return out.reshape(*times.shape, 6)
-
-
-def piece(rates: Any, start: Array, length: float) -> Array:
-    """Chebyshev series (NODES + 1, 6) of z' = rates(z), by Picard's iteration to rounding.
-
-    RuntimeError where it does not come to rest."""
-    nodes = chebyshev.chebpts1(NODES)
-    to_series = np.linalg.inv(chebyshev.chebvander(nodes, NODES - 1))
-    values = np.broadcast_to(start, (NODES, start.size))
-    last = np.inf
-    for _ in range(ITERATIONS):
-        series = chebyshev.chebint(to_series @ rates(values), lbnd=-1.0) * (length / 2.0)
-        series[0] += start
-        new = chebyshev.chebval(nodes, series).T
-        change = float(np.max(np.abs(new - values)))
-        values = new
-        rounding = 1e-12 * float(np.max(np.abs(values)))  # kilometres have larger ones than radii
-        if change == 0.0 or (change >= last and change < rounding):
-            return series
-        last = change
-    raise RuntimeError(
-        f"piece: after {ITERATIONS} iterations over a time of {length} the path still changes by "
-        f"{change}; expected rates that are finite and smooth, as outside the planet"
-    )
+        return satellite_rates(self.planet.system, 0.0, self.motion.at(t))[..., :3]
 
 
 @dataclass(frozen=True)

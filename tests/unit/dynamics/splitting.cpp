@@ -4,12 +4,14 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <type_traits>
 #include <vector>
 
 #include "budgets.hpp"
 #include "dynamics/splitting/splitting_map.hpp"
 #include "polhode/error.hpp"
 #include "polhode/free/free_rotation.hpp"
+#include "polhode/perturb/momentum_term.hpp"
 #include "splitting_support.hpp"
 
 namespace polhode {
@@ -72,6 +74,42 @@ TEST(Splitting, IsFreeRotationWhereThereIsNoTorque) {
       }
     }
   }
+}
+
+// A rotor of constant speed in the body, and axes that move in space, beside Collocation; and what
+// the term does to the equations of motion, by dual numbers of its energy.
+TEST(Splitting, TakesTermsLinearInTheMomentum) {
+  const auto wheel = [](double) { return Vec3{0.3, -0.2, 0.1}; };
+  const auto axis = [](const auto& t) {
+    using T = std::decay_t<decltype(t)>;
+    using std::sin;
+    return BasicVec3<T>{T(0.1) + T(0.05) * sin(T(0.7) * t), T(0.2), T(-0.15) * t};
+  };
+  const std::vector<AnyPerturbation> terms[] = {
+      {AnyPerturbation("wheel", MomentumTerm(wheel))},
+      {AnyPerturbation("inertial", MomentumTerm(axis, SpaceAxes::inertial))},
+      {AnyPerturbation("reference", MomentumTerm(axis, SpaceAxes::reference)),
+       AnyPerturbation("gravity gradient", PointMassTorque{1.0, 0.1, 0.01})}};
+  const RotorState s = splitting_test::workload_state();
+  for (const Frame& frame : {Frame::inertial(), splitting_test::precessing_frame()})
+    for (const std::vector<AnyPerturbation>& all : terms) {
+      EXPECT_TRUE(all[0].supports_flow());
+      const System system(splitting_test::workload_body(), frame, all);
+      const RotorState exact =
+          splitting_test::end_of(system, s, 0.0, 5.0, Collocation{.tolerance = 1e-14});
+      const RotorState end =
+          splitting_test::end_of(system, s, 0.0, 5.0, Splitting{0.01, SplittingScheme::order6});
+      EXPECT_LE(splitting_test::distance(end, exact), budget::splitting_momentum_term);
+      const Setting at{system.body(), 0.4, s, frame.at(0.4).q_IS};
+      const Effect e = all[0].effect(at);
+      const BasicSetting<Tangent> dual = with_variables(at);
+      const auto H = [&]<class Term>(const Term& term) { return term.energy(dual).derivative; };
+      const auto d = &all == &terms[0]   ? H(MomentumTerm(wheel))
+                     : &all == &terms[1] ? H(MomentumTerm(axis, SpaceAxes::inertial))
+                                         : H(MomentumTerm(axis, SpaceAxes::reference));
+      EXPECT_LE(norm(e.v - Vec3{d[3], d[4], d[5]}) + norm(e.u + Vec3{d[0], d[1], d[2]}),
+                budget::splitting_momentum_effect);
+    }
 }
 
 TEST(Splitting, AndVariationOfConstantsTakeRatesOfAnyUnitOfTime) {
