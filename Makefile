@@ -107,8 +107,8 @@ docs: build ## Build the documentation as a site: build/site/index.html (no netw
 
 docs-tables: build ## Regenerate what is generated in docs/ (keys, schema, paper map, proofs)
 	tools/reference_docs.py
-	tools/paper_map.py
 	$(PYTHON) docs/theory/proofs/run.py --table docs/theory/proofs.md
+	tools/paper_map.py
 
 figures: build ## Redraw every figure of docs/ and the gallery's page
 	$(PYTHON) tools/figures/gallery.py

@@ -15,6 +15,10 @@ inline constexpr double paper_quadrature = 1e-33;
 inline constexpr double paper_misprint = 1e-2;
 // The library's doubles against 50 digits, at states where no chart is near a pole.
 inline constexpr double paper_library = 4e-15;
+// Poisson brackets of Serret's and Sadov's sets, which grow towards the separatrix.
+inline constexpr double paper_library_brackets = 2e-14;
+// dT/dI of Sadov's actions, by differences of order 8.
+inline constexpr double paper_library_slopes = 4e-12;
 // Of Serret's and Sadov's sets, at |D2| > 0.02 G^2.
 inline constexpr double paper_library_adapted = 1e-14;
 

@@ -303,7 +303,7 @@ TEST(PaperErrata, A51_UpperLimitOfIntegral) {
   EXPECT_LT(right.size(), paper_derivative);
 }
 
-// [SA (A52), (A53)] at fixed orientation of the body G dg = -G cosJ dl - G cosI dh
+// [SA (A53)] at fixed orientation of the body G dg = -G cosJ dl - G cosI dh
 TEST(PaperAppendix, A53_FixedOrientation) {
   Gap gap;
   Random random(53);
@@ -337,8 +337,8 @@ TEST(PaperErrata, A54_NoTermInDeltaL) {
   EXPECT_LT(right.size(), paper_derivative);
 }
 
-// [SA (A55), (A56), (A57), (A58), (A59), (A60), (A61), (A62), (A63), (A64)] the Binet ellipsoid in
-// J and l, and its variation: (dT - 2T dG/G) dt = G delta(cosJ) dl - G d(cosJ) delta l
+// [SA "Binet", (A55), (A64)] the Binet ellipsoid in J and l, and its variation: (dT - 2T dG/G) dt =
+// G delta(cosJ) dl - G d(cosJ) delta l
 TEST(PaperAppendix, A55_A64_BinetAndItsVariation) {
   Gap binet, variation;
   Random random(64);
@@ -356,6 +356,43 @@ TEST(PaperAppendix, A55_A64_BinetAndItsVariation) {
   }
   EXPECT_LT(binet.size(), paper_exact);
   EXPECT_LT(variation.size(), paper_derivative);
+}
+
+// [SA (A56), (A57), (A58), (A59), (A60), (A61), (A62), (A63)] the steps from (A55) to (A64), per
+// dt: delta is any variation, the rates are those of free rotation
+TEST(PaperAppendix, A56_A63_StepsOfTheVariation) {
+  Gap variation, rates, first_term;
+  Random random(63);
+  for (const AndoyerCase& e : andoyer_cases()) {
+    const Mp &l = e.a[0], &G = e.a[4], T = kinetic(e.I, e.g_B);
+    const Vec k = (1 / G) * e.g_B;
+    const Mp split = 1 / e.I[0] - 1 / e.I[1], rest = 1 - squared(k[2]);
+    const Mp spread = squared(s(l)) / e.I[0] + squared(c(l)) / e.I[1] - 1 / e.I[2];
+    const Phase d = direction(random);
+    const Mp dT = rate(e, d, [](const AndoyerCase& x) { return kinetic(x.I, x.g_B); });
+    const Mp dk3 = rate(e, d, [](const AndoyerCase& x) { return x.g_B[2] / x.a[4]; });
+    variation.add(2 * dT / squared(G) - 4 * T * d[4] / (G * G * G),
+                  -2 * k[2] * dk3 * spread + 2 * k[0] * k[1] * split * d[0]);
+    const Mp bracketed = squared(c(l)) * -split + (1 / e.I[0] - 1 / e.I[2]);
+    const Mp term = -squared(G) * k[2] * dk3 * bracketed;
+    variation.add(dT - 2 * T * d[4] / G, term + squared(G) * k[0] * k[1] * split * d[0]);
+    const Phase dH = gradient([&](const Phase& a) { return andoyer_energy(e.I, a); }, e.a);
+    const auto flow = [&](std::size_t i) {
+      const auto cosine = [&](const Phase& a) { return andoyer_case(e.I, a).g_B[i] / a[4]; };
+      return bracket(gradient(cosine, e.a), dH);
+    };
+    const Mp rate2 = flow(1), rate3 = flow(2);
+    rates.add(G * k[0] * k[1] * split, -rate3);
+    rates.add(squared(G) * k[0] * k[1] * split * d[0], -G * rate3 * d[0]);
+    rates.add(squared(c(l)), squared(k[1]) / (squared(k[0]) + squared(k[1])));
+    rates.add(squared(c(l)), squared(k[1]) / rest);
+    rates.add(rate2, -k[2] * k[1] * rate3 / rest - k[0] * dH[3]);
+    first_term.add(term, -G * dk3 * (k[1] * k[2] * rate3 + rest * rate2) / (k[0] * rest));
+    first_term.add(term, G * dk3 * dH[3]);
+  }
+  EXPECT_LT(variation.size(), paper_derivative);
+  EXPECT_LT(rates.size(), paper_derivative);
+  EXPECT_LT(first_term.size(), paper_derivative);
 }
 
 // [SA (A65)] at fixed l the integral of delta(cosJ) is (dT - 2T dG/G) u/n; the printed G cosJ delta

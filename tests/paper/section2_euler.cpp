@@ -368,7 +368,7 @@ TEST(PaperSection2, Eq32_Eq35_MomentaThroughInvariablePlane) {
   EXPECT_LT(Psi.size(), paper_exact);
 }
 
-// [SA (2), (25), (26), (27), (33), (34), (35)] the library from the hub to Euler's canonical set
+// [SA (33), (34), (35)] the library from the hub to Euler's canonical set
 TEST(PaperSection2, LibraryToEuler) {
   Gap gap;
   for (const RotorState& state : hub_states(2, 200)) {

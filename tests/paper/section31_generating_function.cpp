@@ -22,7 +22,7 @@ Mp defined(const Vec& moments, const Phase& euler, const Mp& t) {
   return -t * p.T + p.G * (a[5] / p.G) * a[2] + p.G * a[1] + p.G * tilt_integral(p, Mp(0), p.xi);
 }
 
-// [SA (51), (55)] its value, on the branch t - t0 = u/n and g0 in (-pi, pi]
+// [SA (51), (55), (A47), (A48)] its value, on the branch t - t0 = u/n and g0 in (-pi, pi]
 TEST(PaperSerret, LibraryGeneratingFunction) {
   Gap gap;
   for (const AndoyerCase& e : branches(4)) {
@@ -38,9 +38,9 @@ TEST(PaperSerret, LibraryGeneratingFunction) {
   EXPECT_LT(gap.size(), budget::paper_generating);
 }
 
-// [SA (41), (43), (56), (57), (58), (59), (60), (61), (62)] for any variation of q, P and t: dS =
-// momenta . dq + g0 dG + h dH - t0 dT - T dt with the library's eight derivatives, dS of the
-// definition
+// [SA (37), (38), (39), (40), (41), (42), (43), (56), (57), (58), (59), (60), (61), (62), (A66)]
+// for any variation of q, P and t: dS = momenta . dq + g0 dG + h dH - t0 dT - T dt with the
+// library's eight derivatives, dS of the definition
 TEST(PaperSerret, LibraryGeneratingFunctionDerivatives) {
   Gap gap;
   Random random(56);

@@ -65,7 +65,7 @@ TEST(PaperSerret, Eq51_GeneratingFunction) {
   EXPECT_LT(gap.size(), paper_derivative);
 }
 
-// [SA (49), (50)] for any variation, with I, J and G varying too
+// [SA (49), (50), (A52)] for any variation, with I, J and G varying too
 TEST(PaperSerret, Eq49_Eq50_AngleDifferentials) {
   Gap integrand, angles;
   Random random(50);
@@ -168,7 +168,7 @@ TEST(PaperSerret, BasePointOfTheIntegral) {
   }
 }
 
-// [SA (A22), (A23), (A24), (A39), (A40), (52), (54)] the library's state at other times: the
+// [SA (A22), (A23), (A24), (52), (12)] the library's state at other times: the
 // momentum by Jacobi's functions, the node by dg = (2T/G) dt - cosJ dl, in all four branches
 TEST(PaperSerret, LibraryFreeRotation) {
   Gap momentum, attitude;
@@ -193,8 +193,8 @@ TEST(PaperSerret, LibraryFreeRotation) {
   EXPECT_LT(attitude.size(), budget::free_attitude);
 }
 
-// [SA (36), (51), (54), (56), (57), (58), (59), (61), (62)] the library's Serret elements, and the
-// way back to the hub
+// [SA (54), (58), (59), (62), "dimensionless"] the library's Serret elements, and the way back to
+// the hub
 TEST(PaperSerret, LibrarySerretState) {
   Gap forth, back;
   for (const AndoyerCase& e : branches(3)) {

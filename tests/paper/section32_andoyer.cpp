@@ -124,7 +124,7 @@ TEST(PaperAndoyer, InfinitesimalRotationVector) {
   EXPECT_LT(andoyer.size(), paper_derivative);
 }
 
-// [SA (72), (73), (76)] projections of the momentum on the five axes of rotation; Phi = H, Psi = L
+// [SA (72), (76)] projections of the momentum on the five axes of rotation; Phi = H, Psi = L
 TEST(PaperAndoyer, Eq72_Eq76_Projections) {
   Gap gap;
   for (const AndoyerCase& e : andoyer_cases()) {
@@ -137,7 +137,8 @@ TEST(PaperAndoyer, Eq72_Eq76_Projections) {
   EXPECT_LT(gap.size(), paper_exact);
 }
 
-// [SA "cantran2", (74), (75)] Phi dphi + Theta dtheta + Psi dpsi = L dl + G dg + H dh
+// [SA "cantran2", (73), (74), (75)] Phi dphi + Theta dtheta + Psi dpsi = G . dR = L dl + G dg + H
+// dh
 TEST(PaperAndoyer, Eq75_EqualOneForms) {
   Gap gap;
   Random random(75);
@@ -146,7 +147,10 @@ TEST(PaperAndoyer, Eq75_EqualOneForms) {
     Mp euler = 0;
     for (std::size_t i = 0; i < 3; ++i)
       euler += e.p[i] * derivative([&](const Mp& t) { return moved(e, d, t).q[i]; }, Mp(0));
-    gap.add(euler, e.a[3] * d[0] + e.a[4] * d[1] + e.a[5] * d[2]);
+    const Mp andoyer = e.a[3] * d[0] + e.a[4] * d[1] + e.a[5] * d[2];
+    const Vec turn = inertial_rate([&](const Mp& t) { return moved(e, d, t).R; });
+    gap.add(euler, dot(e.G_vec, turn));
+    gap.add(dot(e.G_vec, turn), andoyer);
   }
   EXPECT_LT(gap.size(), paper_derivative);
 }
@@ -299,10 +303,6 @@ TEST(PaperAndoyer, RatesOfTheSixVariables) {
   EXPECT_LT(gap.size(), paper_derivative);
 }
 
-Phase exact(const AndoyerState& a) {
-  return {Mp(a.l), Mp(a.g), Mp(a.h), Mp(a.L), Mp(a.G), Mp(a.H)};
-}
-
 // [SA "Rnew", (84), (1490), (1491), (1492)] the library from the hub to Andoyer's variables
 TEST(PaperAndoyer, LibraryToAndoyer) {
   Gap gap;
@@ -328,7 +328,7 @@ TEST(PaperAndoyer, LibraryFromAndoyer) {
   EXPECT_LT(momentum.size(), budget::paper_library);
 }
 
-// [SA (75), "dr1", "dr2"] the library's derivative of Andoyer's variables by Euler's
+// [SA (75)] the library's derivative of Andoyer's variables by Euler's
 TEST(PaperAndoyer, LibraryCanonicalTransformation) {
   Gap gap;
   for (const RotorState& state : hub_states(34, 4)) {

@@ -48,7 +48,7 @@ auto along(const PerturbedCase& e, F f) {
   return value;
 }
 
-// [SA (101), (107), (116), (117), (118), (124)] hub rates, both angular velocities and the energy
+// [SA (101), (107), (123), (124)] hub rates, both angular velocities and the energy
 TEST(PaperSection4, LibraryHamiltonsEquations) {
   Gap rates, velocity, energies;
   for (const PerturbedCase& e : perturbed_cases(401, 8)) {
@@ -95,8 +95,9 @@ TEST(PaperSection4, LibraryEffectIsTheDerivativeOfTheEnergy) {
   EXPECT_LT(gap.size(), budget::paper_perturbed);
 }
 
-// [SA "dot_g", "dot_h", "dot_l", "dot_G", "dot_H", "dot_L", (101), (118)] the free rates and those
-// under perturbations, in Andoyer's and in Euler's canonical variables
+// [SA "Hamilton" in section 3.2, "dot_g", "dot_h", "dot_l", "dot_G", "dot_H", "dot_L", (97), (101),
+// "eqHam"] the free rates and those under perturbations, in Andoyer's and in Euler's canonical
+// variables
 TEST(PaperSection4, LibraryCanonicalRates) {
   Gap gap;
   for (const PerturbedCase& e : perturbed_cases(403, 8)) {
@@ -111,7 +112,7 @@ TEST(PaperSection4, LibraryCanonicalRates) {
   EXPECT_LT(gap.size(), budget::paper_perturbed);
 }
 
-// [SA (104), (105), (106), (107), (109), (110), (111)] the convective term dDeltaH/dp in Euler's
+// [SA (104), (106), (107), (109), (111), (119)] the convective term dDeltaH/dp in Euler's
 // angles and in Andoyer's; with the unperturbed rates of the same variables it makes the velocity
 TEST(PaperSection4, LibraryConvectiveTerm) {
   Gap gap;
@@ -132,7 +133,7 @@ TEST(PaperSection4, LibraryConvectiveTerm) {
   EXPECT_LT(gap.size(), budget::paper_perturbed);
 }
 
-// [SA (119), (120), (121), (122), (123)] the frame's part in closed form; parts of several
+// [SA (119), (120), (121), (122), (4448)] the frame's part in closed form; parts of several
 // perturbations add up
 TEST(PaperSection4, LibraryConvectiveTermOfAFrame) {
   Gap frame_part, sum;
@@ -196,8 +197,8 @@ TEST(PaperSection4, LibraryModifiedSetAxisymmetric) {
   EXPECT_LT(rates.size(), budget::paper_perturbed);
 }
 
-// [SA (106), (107), (111)] any triaxial body: sum of dq/dC_j dC_j/dt over the modified set is the
-// same convective term, dDeltaH/dp
+// [SA (99), (106), (107), (111)] any triaxial body: sum of dq/dC_j dC_j/dt over the modified set is
+// the same convective term, dDeltaH/dp
 TEST(PaperSection4, LibraryConvectiveTermThroughTheModifiedSet) {
   Gap gap, nothing;
   for (const PerturbedCase& e : perturbed_cases(408, 6)) {
@@ -289,6 +290,44 @@ struct Inclinations {
                                          T(z[4] * T(cos(z[5])))});
   }
 };
+
+// [SA "Lagrange brackets", "[u, v]"] by the derivatives of Euler's variables, and by those of
+// J_u = Phi phi_u + Theta theta_u + Psi psi_u
+TEST(PaperAppendix, LibraryLagrangeBrackets) {
+  Gap definition, derivatives;
+  const Vec equal_moments{Mp(1), Mp(1), Mp(1)};
+  const auto euler_of = [&](const Phase& z) {
+    const AndoyerCase k =
+        andoyer_case(equal_moments, {z[0], z[1], z[2], z[4] * c(z[3]), z[4], z[4] * c(z[5])});
+    return Phase{k.q[0], k.q[1], k.q[2], k.p[0], k.p[1], k.p[2]};
+  };
+  for (const Variables<double>& at : {Variables<double>{0.7, -1.1, 2.0, 1.2, 1.3, 0.8},
+                                      Variables<double>{-2.1, 0.4, 0.9, 2.2, 0.9, 1.7}}) {
+    Phase z;
+    for (std::size_t i = 0; i < 6; ++i) z[i] = at[i];
+    const Matrix6 found = lagrange_brackets(Inclinations{}, at);
+    const auto rows = jacobian(euler_of, z);
+    const auto J = [&](const Phase& y) {
+      const auto by = jacobian(euler_of, y);
+      const Vec p = momenta(euler_of(y));
+      Phase all;
+      for (std::size_t u = 0; u < 6; ++u) all[u] = dot(p, {by[0][u], by[1][u], by[2][u]});
+      return all;
+    };
+    const auto J_rows = jacobian(J, z);
+    for (std::size_t u = 0; u < 6; ++u)
+      for (std::size_t v = 0; v < 6; ++v) {
+        const Mp bracket_uv = Mp(found(static_cast<int>(u), static_cast<int>(v)));
+        Mp sum = 0;
+        for (std::size_t i = 0; i < 3; ++i)
+          sum += rows[i][u] * rows[i + 3][v] - rows[i + 3][u] * rows[i][v];
+        definition.add(bracket_uv, sum);
+        derivatives.add(bracket_uv, J_rows[u][v] - J_rows[v][u]);
+      }
+  }
+  EXPECT_LT(definition.size(), budget::paper_library);
+  EXPECT_LT(derivatives.size(), budget::paper_library);
+}
 
 // [SA "linear"] the equations of motion in variables that are not canonical, by their Lagrange
 // brackets, against the chain rule along Hamilton's equations in Euler's variables

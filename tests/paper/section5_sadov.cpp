@@ -70,7 +70,7 @@ Mp axial_squared(const Mp& G, const Mp& kappa, const Mp& lambda, const Mp& l) {
   return squared(G) * k2 / (k2 + l2) * (1 - l2 + (k2 + l2) * q) / (1 + k2 * q);
 }
 
-// [SA "U2", "HJ"] the line for the square of U': printed 2 alpha1^2, and alpha1 is the energy
+// [SA "U2"] the line for the square of U': printed 2 alpha1^2, and alpha1 is the energy
 TEST(PaperErrata, U2_AlphaNotSquared) {
   Gap printed, right;
   for (const AndoyerCase& e : andoyer_cases()) {
@@ -102,7 +102,27 @@ TEST(PaperSadov, Abcd_MomentumAsFunctionOfAngle) {
   EXPECT_LT(gap.size(), paper_exact);
 }
 
-// [SA "SerTointerm", "Haminterm"] with U from l = pi/2, dU/dalpha1 and g + dU/dalpha2 are Serret's
+// [SA "HJ", "S", "Haminterm"] S = -T t + G g + H h + U(l) solves Jacobi's equation, and H = -dS/dt
+// is T
+TEST(PaperSadov, HJ_SeparatedSolution) {
+  Gap jacobi_equation, energy;
+  for (const AndoyerCase& e : andoyer_cases(false, 1, 2)) {
+    const Polhode p = polhode(e.I, e.a);
+    const auto S = [&](const Phase& x) {  // t, g, h, l
+      const auto L = [&](const Mp& l) { return root(axial_squared(p.G, p.kappa, p.lambda, l)); };
+      return -p.T * x[0] + p.G * x[1] + e.a[5] * x[2] + integral(L, pi() / 2, x[3]);
+    };
+    const Phase at{Mp("0.7"), e.a[1], e.a[2], e.a[0], Mp(0), Mp(0)}, d = gradient(S, at);
+    const Mp spread = squared(s(e.a[0])) / e.I[0] + squared(c(e.a[0])) / e.I[1];
+    jacobi_equation.add(
+        spread * (squared(d[1]) - squared(d[3])) / 2 + squared(d[3]) / (2 * e.I[2]) + d[0], Mp(0));
+    energy.add(-d[0], andoyer_energy(e.I, e.a));
+  }
+  EXPECT_LT(jacobi_equation.size(), paper_derivative);
+  EXPECT_LT(energy.size(), paper_derivative);
+}
+
+// [SA "SerTointerm"] with U from l = pi/2, dU/dalpha1 and g + dU/dalpha2 are Serret's
 // u/n and g_o
 TEST(PaperSadov, SerTointerm_BetasAreSerretsConstants) {
   Gap time, node;
@@ -129,8 +149,8 @@ TEST(PaperSadov, SerTointerm_BetasAreSerretsConstants) {
   EXPECT_LT(node.size(), paper_derivative);
 }
 
-// [SA "SadovPar", "LSadov", "SadovH"] in both modes; lambda < 1 is the short-axis mode; lambda is
-// the modulus of (A20)
+// [SA "SadovPar", "LSadov", "SadovH", "Haminterm, second form"] in both modes; lambda < 1 is the
+// short-axis mode; lambda is the modulus of (A20)
 TEST(PaperSadov, SadovPar_StateFunction) {
   Gap gap;
   for (const AndoyerCase& e : branches(3)) {
@@ -194,8 +214,8 @@ TEST(PaperSadov, IellSadov_ActionByQuadrature) {
   EXPECT_GT(other_modulus.size(), paper_misprint);
 }
 
-// [SA "IellSadov"] the range: I_l/I_g falls from 1 at lambda = 0 through (2/pi) arctan kappa at
-// lambda = 1 towards 0
+// [SA "IellSadov, range"] the range: I_l/I_g falls from 1 at lambda = 0 through (2/pi) arctan kappa
+// at lambda = 1 towards 0
 TEST(PaperSadov, IellSadov_Range) {
   Random random(17);
   for (int n = 0; n < 4; ++n) {
@@ -220,7 +240,7 @@ TEST(PaperSadov, IellSadov_Range) {
   }
 }
 
-// [SA "dI_l/dlambda", "partialPhiU"] and both forms of dlambda/dI_g; for lambda > 1 the K stands
+// [SA "dI_l/dlambda", "partialPhiU", "dlambda/dI_g"] for lambda > 1 the K stands
 // for K(1/lambda)/lambda
 TEST(PaperSadov, PartialPhiU_DerivativesOfLambda) {
   Gap slope, inverse, by_momentum;
@@ -289,16 +309,28 @@ TEST(PaperErrata, QuadratureLdl_IncompleteF) {
   EXPECT_LT(right.size(), paper_quadrature);
 }
 
-// [SA "transf. eqs", "ActioTransf"] last line: dW/dI_h = h is phi_h, printed phi_g. h is
-// conjugate to I_h = H and not to I_g = G
+// [SA "transf. eqs", "V"] the angles are derivatives of W = I_g g + I_h h + V(l, I_l, I_g), with
+// lambda as a function of I_l/I_g. The last one, dW/dI_h = h, is phi_h, printed phi_g
 TEST(PaperErrata, Transformation_PhiHLabel) {
   Gap printed, right;
-  for (const AndoyerCase& e : branches(1)) {
-    const auto W = [&](const Mp& I_h) { return e.a[4] * e.a[1] + I_h * e.a[2]; };  // less V(l)
-    const Mp angle_h = derivative(W, e.a[5]);
+  for (const AndoyerCase& e : andoyer_cases(false, 1, 2)) {
+    const Polhode p = polhode(e.I, e.a);
     const Phase Q = sadov(e.I, e.a);
-    printed.add(angle_h, Q[1]);
-    right.add(angle_h, Q[2]);
+    const Mp z = amplitude(p, e.a), end = pi() / 2 + z + turned(e.a[0] - pi() / 2 - z);
+    const Mp slope = derivative([&](const Mp& x) { return action_ratio(p.kappa, x); }, p.lambda);
+    const auto lambda_of = [&](const Mp& ratio) {
+      Mp lambda = p.lambda;  // next to it
+      for (int i = 0; i < 3; ++i) lambda -= (action_ratio(p.kappa, lambda) - ratio) / slope;
+      return lambda;
+    };
+    const auto W = [&](const Phase& x) {  // I_l, I_g, I_h
+      const Mp lambda = lambda_of(x[0] / x[1]);
+      const auto L = [&](const Mp& l) { return root(axial_squared(x[1], p.kappa, lambda, l)); };
+      return x[1] * e.a[1] + x[2] * e.a[2] + integral(L, pi() / 2, end);
+    };
+    const Phase d = gradient(W, {Q[3], Q[4], Q[5], Mp(0), Mp(0), Mp(0)});
+    printed.add(d[2], Q[1]);
+    right.add(Vec{d[0], d[1], d[2]}, Vec{Q[0], Q[1], Q[2]});
   }
   EXPECT_GT(printed.size(), paper_misprint);
   EXPECT_LT(right.size(), paper_derivative);
@@ -416,7 +448,7 @@ TEST(PaperSadov, IellSadov_HeumanLambda) {
   EXPECT_LT(gap.size(), paper_quadrature);
 }
 
-// [SA "SadovPar", "phiSadov", (A35)] the library's modulus, period and mean rates of precession:
+// [SA "SadovPar", (A35)] the library's modulus, period and mean rates of precession:
 // n_g for the short axis, n_g - pi n/(2K) for the long one
 TEST(PaperSadov, LibraryFrequencies) {
   Gap modulus, rates;
@@ -439,7 +471,7 @@ TEST(PaperSadov, LibraryFrequencies) {
   EXPECT_LT(rates.size(), budget::free_attitude);
 }
 
-// [SA "actions", "IellSadov", "phiSadov", "changeAction"] the library's Sadov variables, its
+// [SA "IellSadov", "phiSadov", "quad L dl", "inversion"] the library's Sadov variables, its
 // frequencies, and the way back to the hub
 TEST(PaperSadov, LibrarySadovState) {
   Gap forth, frequencies, back;

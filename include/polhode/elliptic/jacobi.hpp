@@ -24,11 +24,11 @@
 namespace polhode {
 inline namespace v0 {
 
-// sn, cn, dn of u.
+// sn, cn, dn of u  [SA (A41)-(A43)].
 template <Number T>
 Jacobi<T> jacobi(const T& u, const BasicModulus<T>& mod);
 
-// am u: the angle phi with u = F(phi), continuous, odd, am(u + 2K) = am u + pi.
+// am u: the angle phi with u = F(phi), continuous, odd, am(u + 2K) = am u + pi  [SA (A40)].
 template <Number T>
 T amplitude(const T& u, const BasicModulus<T>& mod);
 

@@ -38,9 +38,10 @@ T legendre_d(const T& s, const T& c, const BasicModulus<T>& mod);
 template <Number T>
 T legendre_b(const T& s, const T& c, const BasicModulus<T>& mod);
 
-// The same of any angle phi.
+// F of any angle phi [SA (A38)].
 template <Number T>
 T legendre_f(const T& phi, const BasicModulus<T>& mod);
+// The others of any angle phi.
 template <Number T>
 T legendre_e(const T& phi, const BasicModulus<T>& mod);
 template <Number T>

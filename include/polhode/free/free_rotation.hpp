@@ -2,8 +2,8 @@
 // FreeRotation: the exact torque-free motion of a rigid body, prepared once, evaluated at any time
 // in constant time, in every regime.
 //
-// Equations   [SA (12)], [SA (A15)-(A43)]; regimes and frequencies docs/theory/regimes.md; the
-//             series docs/design/0002-free-rotation.md; the state transition matrix
+// Equations   [SA (12), (A15)-(A24), (A33)-(A40)]; regimes and frequencies docs/theory/regimes.md;
+//             the series docs/design/0002-free-rotation.md; the state transition matrix
 //             docs/design/0003-transition-matrix.md.
 // Units       any consistent set: moments, momentum = moment x rate, time = 1 / rate; angles in
 //             rad.
@@ -53,7 +53,9 @@ class FreeRotation {
   // The same, prepared in double precision throughout: for arcs of a few turns.
   static FreeRotation short_arc(const Body& body, const RotorState& s0, double t0 = 0.0);
 
-  // The state at time t; q is normalised.
+  // The state at time t; q is normalised. The momentum is that of [SA (12), (A15)-(A19),
+  // (A21)-(A24), (A33), (A34), (A36), (A37), (A39), "U2", "abcd", "SerTointerm", "LSadov",
+  // "changeAction"], the node that of [SA (52)].
   RotorState at(double t) const noexcept { return evaluate(kernel_, t); }
   // The states at many times, bit for bit the same and several times as fast: states[i] that at
   // times[i]. DomainError unless there are as many. More in states_at.hpp.
@@ -78,11 +80,14 @@ class FreeRotation {
   Regime regime() const { return summary_.regime; }
   const FreeKernel& kernel() const { return kernel_; }
 
-  double momentum() const { return kernel_.G; }         // G
-  double energy() const { return summary_.energy; }     // T
-  Modulus modulus() const { return summary_.modulus; }  // m and 1 - m, m <= 1; m = 0 when steady
-  // G^2 - 2 T I2 to its last digit: > 0 in short-axis mode, < 0 in long-axis mode. 0 too where it
-  // is below the least double.
+  // G  [SA "sphere", (A13)]
+  double momentum() const { return kernel_.G; }
+  // T  [SA "Haminterm, second form", "SadovH"]
+  double energy() const { return summary_.energy; }
+  // m and 1 - m, m <= 1; m = 0 when steady  [SA (A20), "SadovPar"]
+  Modulus modulus() const { return summary_.modulus; }
+  // G^2 - 2 T I2 to its last digit: > 0 in short-axis mode, < 0 in long-axis mode; like [SA (A14)],
+  // with the second moment. 0 too where it is below the least double.
   double separatrix_distance() const { return summary_.D2; }
 
   // The axis of circulation and the signs of the momentum along sorted axes 1 and 3 at the epoch.
@@ -97,7 +102,7 @@ class FreeRotation {
 
   // Period of the momentum in the body, 4K/|n|; the limit of small polhodes for spin about b1 or
   // b3; infinite on the separatrix, for a sphere, for an axisymmetric body spinning across its
-  // axis, for spin about b2, and at rest.
+  // axis, for spin about b2, and at rest. [SA (A35)]
   double polhode_period() const { return summary_.polhode_period; }
   // Mean rates of precession about the momentum of the long (least moment) and the short (greatest
   // moment) axis; both G / I2 on the separatrix. Observers' P_phi is 2 pi / precession_rate_long().

@@ -40,6 +40,7 @@ struct GeneratingFunction {
   constexpr bool operator==(const GeneratingFunction&) const = default;
 };
 
+// [SA (37)-(48), (51), (55)-(62), "identically nil", (A47), (A48), (A66)]
 GeneratingFunction generating_function(const FreeRotation& motion, double t);
 
 }  // namespace v0

@@ -61,6 +61,7 @@ struct SadovFrequencies {
   double n_g;
 };
 
+// [SA "actions", "IellSadov", "IellSadov, lambda > 1", "transf. eqs", "phiSadov", "quad L dl"]
 SadovState to_sadov(const FreeRotation& motion, double t);
 // Those of states of a body in the lanes of the processor, far from the separatrix (k'^2 > 1e-6)
 // and from what else degenerates; of the others, one by one, those of the motion through each. The
@@ -72,8 +73,10 @@ void to_sadov(const Body& body, std::span<const RotorState> states, std::span<Sa
 // The same of one state.
 SadovState to_sadov(const Body& body, const RotorState& state);
 
+// [SA "Hamilton" in section 5]
 SadovFrequencies sadov_frequencies(const FreeRotation& motion);
 
+// [SA "inversion"]
 RotorState to_rotor(const Body& body, const SadovState& s);
 // The same of many in the lanes of the processor, far from the separatrix (k'^2 > 1e-6) and from
 // what else degenerates; the others as one by one. The bits of a result depend on its set alone,
@@ -82,7 +85,8 @@ RotorState to_rotor(const Body& body, const SadovState& s);
 void to_rotor(const Body& body, std::span<const SadovState> states, std::span<RotorState> results,
               InstructionSet set = widest_instruction_set());
 
-// d(dtheta_B, dg_B) / d(phi_l, phi_g, phi_h, I_l, I_g, I_h), by dual numbers through to_rotor.
+// d(dtheta_B, dg_B) / d(phi_l, phi_g, phi_h, I_l, I_g, I_h), by dual numbers through to_rotor
+// [SA "ActioTransf", "partialPhiU"].
 Matrix6 chart_jacobian(const Body& body, const SadovState& s);
 
 }  // namespace v0

@@ -57,6 +57,7 @@ struct BasicSerretState {
 };
 using SerretState = BasicSerretState<double>;
 
+// [SA (54), (58), (59), (62), "dimensionless", "SerTointerm", "Haminterm"]
 SerretState to_serret(const FreeRotation& motion, double t);
 
 // Those of states of a body, each at its time (or one for all), in the lanes of the processor, far
@@ -67,7 +68,7 @@ SerretState to_serret(const FreeRotation& motion, double t);
 void to_serret(const Body& body, std::span<const RotorState> states, std::span<const double> times,
                std::span<SerretState> results, InstructionSet set = widest_instruction_set());
 
-// The state at time t of the motion with these elements.
+// The state at time t of the motion with these elements [SA (54), (62), "hge0"].
 RotorState to_rotor(const Body& body, const SerretState& s, double t);
 // The same of many, in lanes as far as t is within some half period of t0.
 void to_rotor(const Body& body, std::span<const SerretState> states, std::span<const double> times,
@@ -75,7 +76,8 @@ void to_rotor(const Body& body, std::span<const SerretState> states, std::span<c
 // The motion itself, with epoch t0.
 FreeRotation free_rotation(const Body& body, const SerretState& s);
 
-// d(dtheta_B, dg_B)(t) / d(g0, h, -t0, G, H, T): canonical with -t0 as the third angle.
+// d(dtheta_B, dg_B)(t) / d(g0, h, -t0, G, H, T): canonical with -t0 as the third angle
+// [SA (36), (41)].
 Matrix6 chart_jacobian(const Body& body, const SerretState& s, double t);
 
 }  // namespace v0

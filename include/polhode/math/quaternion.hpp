@@ -82,7 +82,7 @@ constexpr BasicMat3<T> rotation_matrix(const BasicQuaternion<T>& q) {
 }
 
 // Rotations about the first and third axis by an angle: q = qz(phi) qx(theta) qz(psi) is the 3-1-3
-// attitude [SA (2)].
+// attitude [SA (1), (2)].
 template <Number T>
 BasicQuaternion<T> rotation_x(const T& angle) {
   using std::cos;

@@ -2,7 +2,7 @@
 // Andoyer variables (l, g, h, L, G, H): canonical, body-free; the angular momentum and the plane
 // that it stands on.
 //
-// Equations   R = R3(l) R1(J) R3(g) R1(I) R3(h), cos I = H/G, cos J = L/G [SA section 3.2, (84)];
+// Equations   R = R3(l) R1(J) R3(g) R1(I) R3(h), cos I = H/G, cos J = L/G [SA "Rnew", (84)];
 //             g_B = (G sJ sl, G sJ cl, L) [SA (1490)-(1492)]. l = atan2(g1, g2),
 //             h = atan2(G1, -G2); g is what remains of q between the two.
 // Corrections none needed here; [SA (79)] and the equation for Theta after (80) are misprinted.
@@ -42,9 +42,12 @@ struct BasicAndoyerState {
 };
 using AndoyerState = BasicAndoyerState<double>;
 
-// Checked values: finite, G >= 0, |L| and |H| at most G (an excess of 4 eps is rounded away).
+// Checked values: finite, G >= 0, |L| and |H| at most G (an excess of 4 eps is rounded away)
+// [SA "constraint"].
 AndoyerState andoyer_state(double l, double g, double h, double L, double G, double H);
 
+// The product of five rotations [SA "Rnew", "v1", "v2", "v3"], and the momentum
+// [SA (32), (1490)-(1492)].
 template <Number T>
 BasicRotorState<T> to_rotor(const BasicAndoyerState<T>& s) {
   using detail::Phasor;
@@ -56,6 +59,8 @@ BasicRotorState<T> to_rotor(const BasicAndoyerState<T>& s) {
   return detail::rotor_of_phasors(J, I, l, g, h, s.L, s.G);
 }
 
+// [SA "Rnew", (84), (128), (1490)-(1492)]; with to_euler, sides and angles of the triangle between
+// the three nodes [SA (78)-(80), (A1), (A9), (A44)-(A46)].
 template <Number T = double>
 BasicAndoyerState<T> to_andoyer(const BasicRotorState<T>& s) {
   const detail::AndoyerPhasors<T> p = detail::andoyer_phasors(s);

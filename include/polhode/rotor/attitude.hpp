@@ -38,13 +38,13 @@ struct BasicEulerAngles {
 };
 using EulerAngles = BasicEulerAngles<double>;
 
-// R of [SA (2)]: v_B = R v_I.
+// R of [SA (1), (2)]: v_B = R v_I.
 template <Number T = double>
 BasicMat3<T> attitude_matrix(const BasicQuaternion<T>& q) {
   return transpose(rotation_matrix(normalized(q)));
 }
 
-// q = qz(phi) qx(theta) qz(psi)
+// q = qz(phi) qx(theta) qz(psi)  [SA (1), (2)]
 template <Number T>
 BasicQuaternion<T> attitude(const BasicEulerAngles<T>& e) {
   using std::cos;
@@ -56,6 +56,7 @@ BasicQuaternion<T> attitude(const BasicEulerAngles<T>& e) {
       detail::PhasorPair<T>{T(cos(half)) * (phi * psi), T(sin(half)) * (phi * conj(psi))});
 }
 
+// The angles of [SA (1), (2)].
 template <Number T = double>
 BasicEulerAngles<T> euler_angles(const BasicQuaternion<T>& q) {
   using std::atan2;

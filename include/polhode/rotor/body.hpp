@@ -22,6 +22,7 @@
 namespace polhode {
 inline namespace v0 {
 
+// [SA (15), (A4)]
 class Body {
  public:
   // Principal moments about the body axes b1, b2, b3, in any order.
@@ -46,11 +47,11 @@ class Body {
   Quaternion q_FB_;
 };
 
-// omega_B = I^-1 g_B  [SA (24)]
+// omega_B = I^-1 g_B  [SA (24), (A5), (A7), (A8)]
 Vec3 angular_velocity(const Body& body, const RotorState& s);
-// omega_I: the same vector in inertial components  [SA (8)]
+// omega_I: the same vector in inertial components  [SA (8)-(11)]
 Vec3 inertial_angular_velocity(const Body& body, const RotorState& s);
-// T = (1/2) g . I^-1 g
+// T = (1/2) g . I^-1 g  [SA "kinetic", (13), "2T", (A6), (A10)-(A12), "Binet", (A55)]
 double kinetic_energy(const Body& body, const RotorState& s);
 
 }  // namespace v0

@@ -41,7 +41,9 @@ struct CanonicalChart {
   constexpr bool operator==(const CanonicalChart&) const = default;
 };
 
-// B at a chart state.
+// B at a chart state: rotations by the angles [SA "dr1", "dr2"], whose product with the momentum is
+// J_alpha [SA (73), (74), "J_alpha", "J_l"]. Rows of g have the brackets
+// [SA "symplecticRB"], those of R^T g [SA "brackets of G"].
 Matrix6 chart_jacobian(const EulerState& s);
 Matrix6 chart_jacobian(const AndoyerState& s);
 Matrix6 chart_jacobian(const PoincareState& s);
@@ -50,7 +52,9 @@ Matrix6 chart_jacobian(const PoincareState& s);
 Matrix6 chart_jacobian(const CanonicalChart& chart, const RotorState& s);
 Matrix6 inverse_chart_jacobian(const CanonicalChart& chart, const RotorState& s);
 
-// d(to)/d(from) at a hub state.
+// d(to)/d(from) at a hub state. It keeps the one-form of the momenta [SA "cantran2", (75), "defJ",
+// "J_alpha, first form", "conditionJ", "J of the other variables", "L, G, H"] and holds the
+// differentials of the triangle between the nodes [SA (49), (50), (A2), (A3), (A52), (A53)].
 Matrix6 canonical_transformation(const CanonicalChart& from, const CanonicalChart& to,
                                  const RotorState& s);
 

@@ -67,6 +67,7 @@ using EulerRates = BasicEulerRates<double>;
 // Checked values: finite; at theta = 0 and pi the momenta must agree.
 EulerState euler_state(double phi, double theta, double psi, double Phi, double Theta, double Psi);
 
+// [SA (25)-(27)]
 template <Number T>
 BasicRotorState<T> to_rotor(const BasicEulerState<T>& e) {
   using detail::phasor;
@@ -75,6 +76,8 @@ BasicRotorState<T> to_rotor(const BasicEulerState<T>& e) {
                               phasor(T(T(0.5) * e.psi)), e.Phi, e.Theta, e.Psi});
 }
 
+// Angles, and the momentum on the axes of their rotations [SA (33)-(35), (72), (76), "Theta",
+// (78)-(80)].
 template <Number T = double>
 BasicEulerState<T> to_euler(const BasicRotorState<T>& state) {
   using std::atan2;
@@ -87,6 +90,7 @@ BasicEulerState<T> to_euler(const BasicRotorState<T>& state) {
           p.Psi};
 }
 
+// [SA (5)-(7), (16)-(18)]
 template <Number T>
 BasicRotorState<T> to_rotor(const Body& body, const BasicEulerRates<T>& e) {
   using std::cos;
@@ -99,6 +103,7 @@ BasicRotorState<T> to_rotor(const Body& body, const BasicEulerRates<T>& e) {
           {T(I.x) * w.x, T(I.y) * w.y, T(I.z) * w.z}};
 }
 
+// [SA (5)-(7), (19)-(21)]
 template <Number T = double>
 BasicEulerRates<T> to_euler_rates(const Body& body, const BasicRotorState<T>& state) {
   using std::abs;

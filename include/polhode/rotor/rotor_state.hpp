@@ -43,8 +43,8 @@ constexpr void each_number(BasicRotorState<T>& s, Visit&& visit) {
   for (T* x : {&s.q.w, &s.q.x, &s.q.y, &s.q.z, &s.g.x, &s.g.y, &s.g.z}) visit(*x);
 }
 
-// Angular momentum in inertial components, G_I = q g q*: constant in free rotation. (Not [SA (28)],
-// a misprint.)
+// Angular momentum in inertial components, G_I = q g q*: constant in free rotation
+// [SA (28)-(31), "sphere"]. (28) is misprinted.
 template <Number T>
 BasicVec3<T> inertial_momentum(const BasicRotorState<T>& s) {
   return rotate(normalized(s.q), s.g);

@@ -26,6 +26,7 @@ namespace polhode {
 inline namespace v0 {
 
 // Entry (k, l) is [z_k, z_l]; t is needed by sets that depend on it.
+// [SA "Lagrange brackets", "[u, v]"]
 template <class F>
 Matrix6 lagrange_brackets(const F& f, const Variables<double>& z, double t = 0.0) {
   return detail::lagrange_brackets(detail::variables_at(f, t, z));
@@ -39,7 +40,7 @@ double canonical_defect(const F& f, const Variables<double>& z, double t = 0.0) 
   return detail::canonical_defect(detail::variables_at(f, t, z));
 }
 
-// dz/dt under any system.
+// dz/dt under any system [SA "linear"].
 template <class F>
 std::array<double, 6> equations_of_motion(const F& f, const System& system, double t,
                                           const Variables<double>& z) {

@@ -39,9 +39,9 @@ struct RotorAxes {
   constexpr bool operator==(const RotorAxes&) const = default;
 };
 
-// In inertial axes, with the rotation axis of w_IB.
+// In inertial axes, with the rotation axis of w_IB [SA (84), (124)].
 RotorAxes inertial_axes(const System& system, double t, const RotorState& s);
-// In the axes of the reference frame S, with the rotation axis of w_SB.
+// In the axes of the reference frame S, with the rotation axis of w_SB [SA (84), (124)].
 RotorAxes relative_axes(const System& system, double t, const RotorState& s);
 
 }  // namespace v0

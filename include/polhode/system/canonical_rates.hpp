@@ -34,14 +34,17 @@ struct HubRates {
 
   constexpr bool operator==(const HubRates&) const = default;
 };
+// [SA (101), (107), (124)]
 HubRates hub_rates(const System& system, double t, const RotorState& s);
 // What the terms and the frame add to the free rates (I^-1 g, g x I^-1 g).
 HubRates perturbation_rates(const System& system, double t, const RotorState& s);
 
 // Three coordinates, then three momenta, in the order of the chart's fields.
 using CanonicalRates = std::array<double, 6>;
+// Hamilton's equations, if every term has an energy [SA (101), "eqHam"].
 CanonicalRates canonical_rates(const CanonicalChart& chart, const System& system, double t,
                                const RotorState& s);
+// What the terms and the frame add to them [SA (118)].
 CanonicalRates perturbation_rates(const CanonicalChart& chart, const System& system, double t,
                                   const RotorState& s);
 
@@ -55,6 +58,9 @@ struct AndoyerRates {
 
   constexpr bool operator==(const AndoyerRates&) const = default;
 };
+// Without a perturbation [SA "Hamilton" in section 3.2, (97), "eqHam", "dot_g", "dot_h", "dot_l",
+// "dot_G", "dot_H", "dot_L"], and rates of the angles from the invariable plane [SA (52),
+// (9995)-(9997), "A.4, gdot", "A.4", "A.4, sum"].
 AndoyerRates andoyer_rates(const System& system, double t, const RotorState& s);
 
 // Of (phi, theta, psi, Phi, Theta, Psi). (EulerRates are angles and their rates.)
@@ -68,12 +74,13 @@ struct EulerPhaseRates {
 
   constexpr bool operator==(const EulerPhaseRates&) const = default;
 };
+// [SA "Hamilton" in section 3.2, (97), (101), (109), (110), (119), (127)]
 EulerPhaseRates euler_phase_rates(const System& system, double t, const RotorState& s);
 
 // The convective term: what the perturbation adds to the rates of the chart's three coordinates,
 // in addition to the unperturbed function of the same variables. Of the Euler angles it is Phi of
-// [SA (107), (111)], zero unless H' depends on the momentum; as a vector it is effect(system, t,
-// s).v.
+// [SA (104)-(107), (109), (111), (119)-(122)], zero unless H' depends on the momentum; as a vector
+// it is effect(system, t, s).v.
 std::array<double, 3> convective_term(const CanonicalChart& chart, const System& system, double t,
                                       const RotorState& s);
 

@@ -74,7 +74,7 @@ template <class C>
 concept RotorElements = std::same_as<C, AndoyerState> || std::same_as<C, ModifiedAndoyerState> ||
                         std::same_as<C, SerretState> || std::same_as<C, SadovState>;
 
-// The equations of motion: dC/dt at time t. Angles first, then momenta.
+// The equations of motion: dC/dt at time t. Angles first, then momenta. [SA (102), (104)]
 template <RotorElements C>
 std::array<double, 6> element_rates(const System& system, double t, const C& elements,
                                     const Gauge& gauge = Gauge::canonical());
@@ -90,7 +90,7 @@ template <RotorElements C>
 C elements_of_state(const System& system, double t, const RotorState& canonical, const C& like,
                     const Gauge& gauge = Gauge::canonical());
 
-// w_SB less the angular velocity of the free motion, in body components.
+// w_SB less the angular velocity of the free motion, in body components [SA (106), (109), (111)].
 template <RotorElements C>
 Vec3 element_convective_term(const System& system, double t, const C& elements,
                              const Gauge& gauge = Gauge::canonical());

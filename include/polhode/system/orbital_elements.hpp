@@ -4,7 +4,7 @@
 //
 // Equations   as element_rates.hpp, for orbits. Elements C are those of a Kepler orbit with the
 //             position r of the satellite and a velocity u of its own: dr/dt = u + Phi
-//             [SA (84) to (96)]. Canonical elements have Phi = dH'/dp - mu x r, so that u = p;
+//             [SA (104) to (106)]. Canonical elements have Phi = dH'/dp - mu x r, so that u = p;
 //             osculating elements have Phi = 0; Phi(C, t) of the user makes any other. With
 //             B = d(r, u)/dC: dC/dt = B^-1 (dr/dt, du/dt), du/dt = d(u + Phi)/dt - dPhi/dt -
 //             dPhi/dC dC/dt.
@@ -29,17 +29,17 @@ inline namespace v0 {
 enum class OrbitalSet { delaunay, keplerian };
 using OrbitalElements = std::array<double, 6>;  // in the order above
 
-// dC/dt at time t.
+// dC/dt at time t [SA (104), "(96), footnote"].
 OrbitalElements element_rates(OrbitalSet set, const SatelliteSystem& system, double t,
                               const OrbitalElements& elements,
                               const Gauge& gauge = Gauge::canonical());
 
-// The canonical state (r, p) of a satellite with these elements.
+// The canonical state (r, p) of a satellite with these elements [SA (96)].
 SatelliteState element_state(OrbitalSet set, const SatelliteSystem& system, double t,
                              const OrbitalElements& elements,
                              const Gauge& gauge = Gauge::canonical());
 
-// The elements of a canonical state.
+// The elements of a canonical state [SA (96)].
 OrbitalElements elements_of_state(OrbitalSet set, const SatelliteSystem& system, double t,
                                   const SatelliteState& canonical,
                                   const Gauge& gauge = Gauge::canonical());

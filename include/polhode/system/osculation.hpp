@@ -26,8 +26,8 @@
 namespace polhode {
 inline namespace v0 {
 
-// {q, g_osc} of a canonical state: FreeRotation from here is the free motion that touches the true
-// one in S. And back. T = DoubleDouble or Tangent.
+// {q, g_osc} of a canonical state [SA (104), (107), (124)]: FreeRotation from here is the free
+// motion that touches the true one in S. And back. T = DoubleDouble or Tangent.
 RotorState osculating_state(const System& system, double t, const RotorState& canonical);
 RotorState canonical_state(const System& system, double t, const RotorState& osculating);
 template <Real T>

@@ -4,7 +4,7 @@
 //
 // Equations   H = p^2/2 - gm/r + H'(t, r, p) - mu . (r x p), with mu the rate of the frame S. Then
 //             dr/dt = p + dH'/dp - mu x r and dp/dt = -gm r/r^3 - dH'/dr - mu x p
-//             [SA (96) and the footnote on (108)]. If H' does not depend on p, the momentum p is
+//             [SA (101) and the footnote on (108)]. If H' does not depend on p, the momentum p is
 //             the velocity relative to inertial axes, in components along S.
 // Units       any consistent set: gm in length^3 / time^2; momenta are per unit mass.
 // Domain      r not 0. H' is a generic callable on any number type:
@@ -115,8 +115,8 @@ class SatelliteSystem {
   std::vector<OrbitalPerturbation> terms_;
 };
 
-// (dr/dt, dp/dt), and the part of it that the perturbations and the frame add to the Kepler motion
-// (p, -gm r/r^3). T = double or DoubleDouble.
+// (dr/dt, dp/dt), and the part of it that the perturbations and the frame add to the
+// Kepler motion (p, -gm r/r^3). T = double or DoubleDouble.
 template <Real T>
 BasicSatelliteState<T> satellite_rates(const SatelliteSystem& system, const T& t,
                                        const BasicSatelliteState<T>& s);

@@ -110,7 +110,8 @@ BasicRotorRates<T> relative_rates(const BasicRotorRates<T>& rates, const BasicQu
   return {{rates.q.w - lag.w, rates.q.x - lag.x, rates.q.y - lag.y, rates.q.z - lag.z}, rates.g};
 }
 
-// The rates of one state. |q| = 1 is expected to rounding: q is not normalised here. For many of
+// The rates of one state [SA (3), (12), (14), "firstg1", "firstg2", "firstg3", (A25)-(A30)].
+// |q| = 1 is expected to rounding: q is not normalised here. For many of
 // them: RotorEquations.
 template <Real T>
 BasicRotorRates<T> rotor_rates(const System& system, const T& t, const BasicRotorState<T>& s) {
@@ -124,14 +125,15 @@ BasicRotorRates<T> rotor_rates(const System& system, const T& t, const BasicRoto
 }
 
 // The sum of all effects, the frame's own included: v is the convective term of the paper as a
-// vector.
+// vector [SA (101), (106), (107), (4448)].
 Effect effect(const System& system, double t, const RotorState& s);
 
-// Both angular velocities of a state.
+// Both angular velocities of a state [SA (112)-(115), (123), (124)].
 AngularVelocities angular_velocity(const System& system, double t, const RotorState& s);
 
-// The Hamiltonian of the motion in S: kinetic energy, the terms' energies, and -mu . g. Constant if
-// nothing depends on time.
+// The Hamiltonian of the motion in S: kinetic energy, the terms' energies, and -mu . g
+// [SA (22), (23), "newhamil", (116)-(118), "(118), in Andoyer's variables"]. Constant if nothing
+// depends on time.
 double energy(const System& system, double t, const RotorState& s);
 
 // The same state described in inertial axes, and back.

@@ -389,7 +389,7 @@ void bind_properties(nb::module_& m) {
   bind_value<N>(m, "SadovFrequencies", "Constant rates (rad per time) of phi_l and phi_g; n_h = 0.",
                 field("n_l", &N::n_l, "Rate of phi_l."), field("n_g", &N::n_g, "Rate of phi_g."));
   m.def("sadov_frequencies", &sadov_frequencies, "motion"_a,
-        "The rates n = dT/dI of a motion. [SA \"n_g\"]");
+        "The rates n = dT/dI of a motion. [SA \"Hamilton\" in section 5]");
   m.def("psi_max", &psi_max, "motion"_a,
         "Largest |psi| (rad) of a motion in short-axis mode; NaN in other regimes.");
   m.def(

@@ -152,7 +152,7 @@ void bind_system_class(nb::module_& m) {
                 R"(A satellite about a planet: a Kepler orbit, perturbations and a moving frame.
 
 H = p^2/2 - gm/r + H'(t, r, p) - mu . (r x p), mu the rate of the frame. Hamilton's equations of it
-are dr/dt = p + dH'/dp - mu x r, dp/dt = -gm r/r^3 - dH'/dr - mu x p. [SA (96), (108)]
+are dr/dt = p + dH'/dp - mu x r, dp/dt = -gm r/r^3 - dH'/dr - mu x p. [SA (101), (108)]
 
 Parameters
 ----------
@@ -264,7 +264,7 @@ constexpr const char* rates_doc =
 
 Elements are those of a Kepler orbit with the position of the satellite and a velocity u of its own:
 dr/dt = u + Phi. Canonical elements have Phi = dH'/dp - mu x r and obey Hamilton's equations;
-osculating elements have Phi = 0; any Phi(C, t) is a gauge as well. [SA (84)-(97), (108)]
+osculating elements have Phi = 0; any Phi(C, t) is a gauge as well. [SA (96), (104)-(107)]
 
 Parameters
 ----------

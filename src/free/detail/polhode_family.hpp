@@ -87,6 +87,7 @@ T family_end(const T& kap2, double inverse_kp2 = 1e30, double most = 400.0) {
 
 // 1 - I_dn/G, where I_dn is the action of the circulation: (2/pi) cf r2/(1+r2) times the complete
 // integral of cn^2/(1 + r2 sn^2); a product, so it keeps its digits at both ends.
+// [SA "IellSadov", "IellSadov, range"]
 template <Real T>
 T action_deficit(const T& kap2, const FamilyMember<T>& f) {
   using std::sqrt;

@@ -110,7 +110,7 @@ AndoyerAxes<T> andoyer_axes(const BasicAndoyerState<T>& s) {
           in_body({I.im * g.im, I.im * g.re, I.re})};
 }
 
-// [SA (dr1)]: s3 dh + i dI + k dg + j dJ + b3 dl, dJ = (cJ dG - dL)/(G sJ), dI = (cI dG - dH)/(G
+// [SA "dr2"]: s3 dh + i dI + k dg + j dJ + b3 dl, dJ = (cJ dG - dL)/(G sJ), dI = (cI dG - dH)/(G
 // sI)
 template <Real T>
 BasicMatrix6<T> chart_jacobian(const AndoyerAxes<T>& a, const PoleDivisors<T>& by) {
@@ -149,7 +149,8 @@ EulerAxes<T> euler_axes(const BasicEulerState<T>& s) {
           to_rotor(s).g};
 }
 
-// s3 dphi + node dtheta + b3 dpsi; momenta of [SA (25)-(27)]. The one divisor is in the place of J.
+// [SA "dr1"]: s3 dphi + node dtheta + b3 dpsi; momenta of [SA (25)-(27)]. The one divisor is in the
+// place of J.
 template <Real T>
 BasicMatrix6<T> chart_jacobian(const EulerAxes<T>& e, const PoleDivisors<T>& by) {
   const T zero(0.0);

@@ -45,7 +45,7 @@ TEST(PolhodeFamily, ActionsAddUpToTheMomentum) {
   }
 }
 
-// On the separatrix the action is (2/pi) arctan kappa.
+// [SA "IellSadov, range"] On the separatrix the action is (2/pi) arctan kappa.
 TEST(PolhodeFamily, ActionOfTheSeparatrix) {
   for (const double kap2 : {1e-3, 1.0, 40.0}) {
     const FamilyMember<DD> f{DD(1.0) / DD(kap2), DD(0.0)};
@@ -55,6 +55,7 @@ TEST(PolhodeFamily, ActionOfTheSeparatrix) {
   }
 }
 
+// [SA "dI_l/dlambda"]
 TEST(PolhodeFamily, SlopeIsTheDerivative) {
   using D1 = Dual<DD, 1>;
   for (const double kap2 : {1e-3, 1.0, 40.0}) {

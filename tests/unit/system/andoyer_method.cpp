@@ -142,8 +142,8 @@ TEST(AndoyersMethod, OthersAreNot) {
   EXPECT_LT(canonical_defect(paired, generic), budget::andoyer_method);
 }
 
-// [l, J] = -G sin J, [l, G] = cos J, [g, G] = 1, [h, G] = cos I, [h, I] = -G sin I: those of
-// L = G cos J, H = G cos I
+// [SA "Lagrange brackets"] [l, J] = -G sin J, [l, G] = cos J, [g, G] = 1, [h, G] = cos I, [h, I] =
+// -G sin I: those of L = G cos J, H = G cos I
 TEST(AndoyersMethod, BracketsOfInclinations) {
   const Matrix6 b = lagrange_brackets(Inclinations{}, generic_inclinations);
   const double J = generic_inclinations[3], G = generic_inclinations[4];
@@ -163,6 +163,7 @@ TEST(AndoyersMethod, BracketsOfInclinations) {
       EXPECT_NEAR(b(k, l), expected(k, l), budget::andoyer_method) << k << ", " << l;
 }
 
+// [SA "linear", "eqHam"]
 TEST(AndoyersMethod, CanonicalSetsMoveAtTheirCanonicalRates) {
   const System system = system_of(Body(3, 4, 6));
   const auto compare = [&](const auto& f, const CanonicalChart& chart, const Variables<double>& z) {

@@ -122,6 +122,7 @@ void expect_rates(const C& like) {
   }
 }
 
+// [SA (102), (104)]
 TEST(ElementRates, AreThoseAlongAMotionInEverySetAndGauge) {
   expect_rates(AndoyerState{});
   expect_rates(ModifiedAndoyerState{{}, -0.3});
@@ -146,6 +147,7 @@ void expect_maps(const C& like) {
   }
 }
 
+// [SA (106), (109), (111)]
 TEST(ElementRates, MapsThereAndBackInEverySetAndGauge) {
   expect_maps(AndoyerState{});
   expect_maps(ModifiedAndoyerState{{}, -0.3});

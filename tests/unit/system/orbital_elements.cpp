@@ -79,6 +79,7 @@ double error_of_rates(OrbitalSet set, const SatelliteSystem& system, const Gauge
   return worst.value();
 }
 
+// [SA (104)]
 TEST(OrbitalElements, HaveTheRatesAlongAPathInEverySetAndGauge) {
   for (const OrbitalSet set : {delaunay, keplerian})
     for (const Gauge& gauge : gauges()) {

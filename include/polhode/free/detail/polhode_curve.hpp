@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The constants of one polhode: which regime, which elliptic modulus, which amplitudes [SA
-// (A15)-(A35)].
+// The constants of one polhode: which regime, which elliptic modulus, which amplitudes.
 //
 // Everything is a product, or a sum of products of one sign, except D2, which is formed exactly:
 // nothing here cancels. "Primed" axes put the axis that the momentum circulates about third (b3 in
