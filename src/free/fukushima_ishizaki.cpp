@@ -12,11 +12,12 @@
 namespace polhode {
 inline namespace v0 {
 
-FukushimaIshizakiState to_fukushima_ishizaki(const FreeRotation& motion, double t0) {
-  if (!std::isfinite(t0))
-    throw DomainError("to_fukushima_ishizaki: t0 = " + detail::number_text(t0) + " must be finite");
-  const AndoyerState a = to_andoyer(motion.at(t0));
-  return {a.l, a.g, a.h, a.L, a.G, a.H, t0};
+FukushimaIshizakiState to_fukushima_ishizaki(const FreeRotation& motion, double t) {
+  if (!std::isfinite(t))
+    throw DomainError("to_fukushima_ishizaki: t = " + detail::number_text(t) +
+                      ", the epoch, must be finite");
+  const AndoyerState a = to_andoyer(motion.at(t));
+  return {a.l, a.g, a.h, a.L, a.G, a.H, t};
 }
 
 FreeRotation free_rotation(const Body& body, const FukushimaIshizakiState& s) {

@@ -3,7 +3,7 @@
 // the motion.
 //
 // Equations   (l0, g0, h, L0, G, H) are Andoyer's variables that the free motion has at the epoch
-//             t0: the analogue of Delaunay's set with M_o [SA section 4.1, "modified Andoyer set"].
+//             t0: the modified Andoyer set, the analogue of Delaunay's set with M_o [SA (96)].
 //             Canonical, with H* = 0 [SA (97)-(99)]. The numbers are those of modified_andoyer()
 //             (system/modified_andoyer.hpp); here the epoch belongs to the value.
 // Corrections the definition is uncertain. Fukushima and Ishizaki, Celest. Mech. Dyn. Astron. 59,
@@ -37,8 +37,8 @@ struct FukushimaIshizakiState {
   constexpr bool operator==(const FukushimaIshizakiState&) const = default;
 };
 
-// The elements of a motion with epoch t0: the same at every time.
-FukushimaIshizakiState to_fukushima_ishizaki(const FreeRotation& motion, double t0);
+// The elements of a motion with the epoch t0 = t.
+FukushimaIshizakiState to_fukushima_ishizaki(const FreeRotation& motion, double t);
 // The state at time t of the motion with these elements.
 RotorState to_rotor(const Body& body, const FukushimaIshizakiState& s, double t);
 // The motion itself, with epoch t0.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The generating functions of Serret's and Sadov's transformations, and the sets of Kinoshita and
 // of Fukushima and Ishizaki.
+#include <vector>
+
 #include "charts/states.hpp"
 #include "interface/value.hpp"
 #include "polhode/free/fukushima_ishizaki.hpp"
@@ -59,7 +61,7 @@ constexpr Chart<SadovGeneratingFunction, 8> sadov_generating_chart{
     R"(The function W that turns Andoyer's variables into Sadov's, with its derivatives.
 
 W(l, g, h; I_l, I_g, I_h) = I_g g + I_h h + V(l; I_l, I_g), actions. L, G, H: by l, g, h; phi_l,
-phi_g, phi_h (rad): by I_l, I_g, I_h. [SA "transf. eqs", "V"])",
+phi_g, phi_h (rad): by I_l, I_g, I_h. [SA "ActioTransf", "transf. eqs"])",
     {{{"W", "The function, an action.", offsetof(SadovGeneratingFunction, W)},
       {"V", "Its part that depends on l, the integral of L dl; an action.",
        offsetof(SadovGeneratingFunction, V)},
@@ -117,7 +119,7 @@ constexpr Chart<FukushimaIshizakiState, 7> fukushima_ishizaki_chart{
 
 l0, g0, h (rad), L0, G, H (momenta): constants of free rotation. The original takes initial values
 of a modification of Andoyer's variables, which was not at hand: these are Andoyer's own. [SA
-section 4.1, (97)-(99)])",
+(96)-(99)])",
     {{{"l0", "Andoyer's l at the epoch, rad.", offsetof(FukushimaIshizakiState, l0)},
       {"g0", "Andoyer's g at the epoch, rad.", offsetof(FukushimaIshizakiState, g0)},
       {"h", "Node of the invariable plane, rad.", offsetof(FukushimaIshizakiState, h)},
@@ -197,9 +199,10 @@ True
          double t) {
         if (!angles.shape().empty())
           throw nb::value_error("serret_branches: expected one EulerAngles");
-        const std::vector<SerretState> all = serret_branches(body, angles[0], G, H, T, t);
-        return Batch<SerretState>::filled(
-            {all.size()}, [&](SerretState* out) { std::copy(all.begin(), all.end(), out); });
+        std::vector<Batch<SerretState>> all;
+        for (const SerretState& c : serret_branches(body, angles[0], G, H, T, t))
+          all.push_back(Batch<SerretState>::one(c));
+        return all;
       },
       "body"_a, "angles"_a, "G"_a, "H"_a, "T"_a, "t"_a = 0.0,
       R"(The free motions with given G, H, T that have an attitude at time t.
@@ -218,8 +221,8 @@ t : float
 
 Returns
 -------
-SerretState
-    Of shape (n,), n >= 1; g0 and h in (-pi, pi], t0 nearest to t.
+list of SerretState
+    At least one; g0 and h in (-pi, pi], t0 nearest to t.
 
 Raises
 ------
@@ -290,7 +293,7 @@ Examples
 >>> bool(abs(f.W - (0.9 * f.phi_l + f.phi_g + 0.4 * f.phi_h)) < 1e-15)
 True
 
-[SA "transf. eqs", "V"])");
+[SA "ActioTransf", "transf. eqs"])");
   m.def("sadov_parameters", &sadov_parameters, "body"_a, "G"_a, "T"_a,
         R"(Sadov's kappa of a triaxial body and lambda of its motion with G and T.
 
@@ -376,7 +379,7 @@ Examples
 >>> body = polhode.Body(3, 4, 6)
 >>> s = polhode.to_kinoshita(body, polhode.RotorState([1, 0, 0, 0], [0.1, 0.2, 1.0]))
 >>> round(s.L, 6)
-1.002413
+1.003766
 
 [SA section 5])";
   m.def(
@@ -415,18 +418,18 @@ void bind_fukushima_ishizaki(nb::module_& m) {
   bind_states<6>(m, fukushima_ishizaki_chart);
   m.def(
       "to_fukushima_ishizaki",
-      [](const FreeRotation& motion, ArrayLike t0) {
-        const Numbers epochs(t0, "t0");
+      [](const FreeRotation& motion, ArrayLike t) {
+        const Numbers epochs(t, "t");
         return mapped(epochs, [&](double at) { return to_fukushima_ishizaki(motion, at); });
       },
-      "motion"_a, "t0"_a,
-      R"(Fukushima and Ishizaki's elements of a motion: Andoyer's variables at the epoch t0.
+      "motion"_a, "t"_a,
+      R"(Fukushima and Ishizaki's elements of a motion: Andoyer's variables at the epoch t.
 
 Parameters
 ----------
 motion : FreeRotation
-t0 : array_like
-    Epochs.
+t : array_like
+    Epochs, t0 of the result.
 
 Returns
 -------
@@ -445,7 +448,7 @@ Examples
 >>> bool(abs(polhode.to_rotor(body, s, 5.0).g - motion.at(5.0).g).max() < 1e-15)
 True
 
-[SA section 4.1])");
+[SA (96)-(99)])");
   m.def(
       "to_rotor",
       [](const Body& body, const Batch<FukushimaIshizakiState>& states, ArrayLike t) {

@@ -127,7 +127,7 @@ TEST(NamedSets, RejectWhatIsNoState) {
   expect(message_of([&] {
            to_fukushima_ishizaki(FreeRotation(body, {{1, 0, 0, 0}, {1, 0, 1}}), infinite);
          }),
-         "t0 = inf");
+         "t = inf");
 }
 
 }  // namespace
