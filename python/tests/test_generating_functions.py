@@ -9,7 +9,7 @@ import budgets
 import numpy as np
 import polhode
 import pytest
-from numpy.testing import assert_allclose
+from closeness import assert_allclose, smallest
 from polhode import Body, EulerAngles, FreeRotation, RotorState, SadovParameters, SadovState
 
 BODY = Body(3.0, 4.0, 6.0)
@@ -37,10 +37,14 @@ def test_S_along_a_motion_is_continuous():
     assert f.shape == TIMES.shape
     S = (TIMES - 2 * c.t0) * c.T + c.H * c.h + c.G * c.g0
     assert_allclose(f.S, S, atol=budgets.generating_motion)
-    euler = polhode.to_euler(MOTION.at(TIMES))
-    assert_allclose(f.Theta, euler.Theta, atol=budgets.generating_motion)
-    assert_allclose(f.Psi, euler.Psi, atol=budgets.generating_motion)
-    assert_allclose(f.minus_t0, -c.t0, atol=budgets.generating_motion)
+    states = MOTION.at(TIMES)
+    w, s3 = polhode.angular_velocity(BODY, states), polhode.attitude_matrix(states.q)[..., 2]
+    away = np.abs(np.sum(s3 * np.cross(states.g, w), axis=-1)) > 0.05  # from caustics
+    assert away.sum() > 12
+    euler, near = polhode.to_euler(states)[away], f[away]
+    assert_allclose(near.Theta, euler.Theta, atol=budgets.generating_motion)
+    assert_allclose(near.Psi, euler.Psi, atol=budgets.generating_motion)
+    assert_allclose(near.minus_t0, np.full(near.shape, -c.t0), atol=budgets.generating_motion)
 
 
 def test_gradients_of_S_and_the_jacobi_equation():
@@ -71,7 +75,7 @@ def test_branches_are_motions_through_the_attitude():
     for branch in all_branches:
         there = polhode.attitude_matrix(polhode.to_rotor(BODY, branch, 0.9).q)
         assert_allclose(there, expected, atol=budgets.generating_branches)
-    assert min(abs(branch.t0 - c.t0) for branch in all_branches) < budgets.generating_motion
+    assert smallest(abs(branch.t0 - c.t0) for branch in all_branches) < budgets.generating_motion
 
 
 @pytest.mark.parametrize("state", [STATE, LONG], ids=["short axis", "long axis"])

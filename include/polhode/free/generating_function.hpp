@@ -5,8 +5,9 @@
 // Equations   S(q; P, t) = -t T + G h cos I + G g + G int cos J dl, q = (phi, theta, psi), P = (G,
 //             H, T) [SA (36)-(51)], evaluated as (t - 2 t0) T + H h + G g0 [SA (52)-(55)]. dS/dq =
 //             momenta, dS/dG = g0, dS/dH = h, dS/dT = u/n - t = -t0 [SA (56)-(62), (A47), (A48),
-//             (A66)], dS/dt = -T, the Jacobi equation [SA (43)]. The angle phi - h solves 2T = sum of g_i^2/I_i on the
-//             circle of momenta of size G with the part H along the frame's third axis.
+//             (A66)], dS/dt = -T, the Jacobi equation [SA (43)]. The angle phi - h solves 2T = sum
+//             of g_i^2/I_i on the circle of momenta of size G with the part H along the frame's
+//             third axis.
 // Corrections the integral starts at l = pi/2 (long-axis mode: the sign of g1 times pi/2), where u
 //             = 0; from elsewhere the set is not canonical: docs/theory/errata.md.
 // Branches    S is multivalued. Up to four motions with the same G, H, T and lobe pass through an

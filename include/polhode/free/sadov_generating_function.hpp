@@ -4,9 +4,9 @@
 //
 // Equations   W(l, g, h; I_l, I_g, I_h) = I_g g + I_h h + V(l; I_l, I_g), V = int L dl from pi/2
 //             (long-axis mode: from lobe times pi/2). dW/d(l, g, h) = (L, G, H), dW/d(I_l, I_g,
-//             I_h) = (phi_l, phi_g, phi_h) [SA "ActioTransf", "transf. eqs"]. V is homogeneous of degree 1 in
-//             the actions, so V = I_l phi_l + I_g (phi_g - g) and W = I_l phi_l + I_g phi_g + I_h
-//             phi_h. sadov_quadratures: [SA "SadovPar", "changeAction", "IellSadov",
+//             I_h) = (phi_l, phi_g, phi_h) [SA "ActioTransf", "transf. eqs"]. V is homogeneous of
+//             degree 1 in the actions, so V = I_l phi_l + I_g (phi_g - g) and W = I_l phi_l + I_g
+//             phi_g + I_h phi_h. sadov_quadratures: [SA "SadovPar", "changeAction", "IellSadov",
 //             "dI_l/dlambda", "partialPhiU", "phiSadovProv", "quad dL/dlambda", "quad L dl",
 //             "phiSadov"]; for lambda > 1 K(1/lambda)/lambda stands for K, and so F and Pi.
 // Corrections [SA "transf. eqs"], [SA "quad L dl"]: docs/theory/errata.md.
