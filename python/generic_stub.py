@@ -2,9 +2,9 @@
 """Makes the states of a stub generic: a.L is a float, or an array, by what `a` was made from.
 
 nanobind writes what a function takes and returns, but not how the one follows from the other. Here
-a class that has a shape gets a parameter, float or array; a function of states, of times `t` or
-of angles returns what it was given; lists of floats are one vector, hence one state. Run by CMake on the stub
-that nanobind wrote: generic_stub.py FROM TO.
+a class that has a shape gets a parameter, float or array; a function of states, of times `t` or of
+angles returns what it was given; lists of floats are one vector, hence one state. Run by CMake on
+the stub that nanobind wrote: generic_stub.py FROM TO.
 """
 
 from __future__ import annotations
