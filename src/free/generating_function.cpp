@@ -103,9 +103,6 @@ DD node_at_start(const AttitudeProblem& p, const detail::PrimedSense& sense, con
   return DD(2.0) * atan2(mean.z, mean.w) - swept - detail::node_offset<DD>(sense);
 }
 
-// The angle modulo 2 pi next to another one.
-DD next_to(const DD& near, const DD& angle) { return near + detail::wrapped(angle - near); }
-
 // The root whose momentum is nearest to that of the motion c, whose argument is u.
 Branch nearest_branch(const AttitudeProblem& p, const detail::PrimedSense& sense, const DD& u) {
   const detail::PolhodeCurve<DD>& c = p.curve;
@@ -123,9 +120,11 @@ Branch nearest_branch(const AttitudeProblem& p, const detail::PrimedSense& sense
     best = b;
   }
   if (!best)
-    throw DomainError(
-        "generating_function: the motions with these G, H, T at this attitude are on another lobe; "
-        "sign_g1 or sign_g3 must be that of serret_branches");
+    throw DomainError(std::string("generating_function: ") +
+                      (sense.long_axis ? "sign_g1 = " : "sign_g3 = ") +
+                      (sense.s3 < 0.0 ? "-1" : "1") +
+                      ": no motion with these G, H, T and this sign has the attitude; those that "
+                      "have it must be taken from serret_branches");
   return *best;
 }
 
@@ -166,8 +165,8 @@ GeneratingFunction generating_function(const Body& body, const EulerAngles& q, c
     u += period * std::rint(((near - u) / period).hi);
   }
   const DD elapsed = u / rate, t0 = DD(now) - elapsed;
-  const DD h = next_to(c.h, p.q.phi - b.angle);
-  const DD g0 = next_to(c.g0, node_at_start(p, sense, b, u));
+  const DD h = detail::turned_to(c.h, p.q.phi - b.angle);
+  const DD g0 = detail::turned_to(c.g0, node_at_start(p, sense, b, u));
   const DD S = (DD(2.0) * elapsed - DD(now)) * s.T + s.H * h + s.G * g0;  // [SA (55)]
   // momenta along the node of the Euler angles and along b3  [SA (33)-(35)]
   const DD across = s.G * sqrt(DD(1.0) - p.H * p.H);

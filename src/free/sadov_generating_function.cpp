@@ -77,9 +77,6 @@ DD argument_of(const ActionCurve& a, double given, const DD& near) {
   return abs(back - near) < abs(forth - near) ? back : forth;
 }
 
-// The angle modulo 2 pi next to another one.
-DD turned_to(const DD& near, const DD& angle) { return near + detail::wrapped(angle - near); }
-
 }  // namespace
 
 SadovGeneratingFunction sadov_generating_function(const Body& body, double l, double g, double h,
@@ -92,9 +89,10 @@ SadovGeneratingFunction sadov_generating_function(const Body& body, double l, do
   const int e = detail::unit_exponent(given);
   const SadovState s = detail::in_units(given, e);
   const auto momentum = [&](const DD& x) { return std::ldexp(x.hi, e); };
-  const DD phi_h = turned_to(s.phi_h, h), I_l = s.I_l, I_g = s.I_g, I_h = s.I_h;
+  const DD phi_h = detail::turned_to(s.phi_h, h), I_l = s.I_l, I_g = s.I_g, I_h = s.I_h;
   if (detail::is_andoyer(body, s)) {
-    const DD phi_l = turned_to(s.phi_l, DD(l) - DD::pi() * DD(0.5)), phi_g = turned_to(s.phi_g, g);
+    const DD phi_l = detail::turned_to(s.phi_l, DD(l) - DD::pi() * DD(0.5)),
+             phi_g = detail::turned_to(s.phi_g, g);
     const DD V = I_l * phi_l;
     return {momentum(V + I_g * phi_g + I_h * phi_h),
             momentum(V),
@@ -123,7 +121,7 @@ SadovGeneratingFunction sadov_generating_function(const Body& body, double l, do
   const DD swing =
       detail::wrapped(DD(2.0) * atan2(mean.z, mean.w) - detail::node_offset<DD>(a.sense) +
                       (a.sense.long_axis ? DD(0.0) : x));  // phi_g - g
-  const DD phi_l = along ? x : -x, phi_g = turned_to(s.phi_g, DD(g) + swing);
+  const DD phi_l = along ? x : -x, phi_g = detail::turned_to(s.phi_g, DD(g) + swing);
   const DD V = I_l * phi_l + I_g * swing;
   const DD W = I_l * phi_l + I_g * phi_g + I_h * phi_h;
   return {momentum(W), momentum(V), momentum(I_g * cosJ), given.I_g, given.I_h, phi_l.hi,

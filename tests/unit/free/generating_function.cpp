@@ -293,6 +293,11 @@ TEST(GeneratingFunction, RejectsWhatHasNoMotion) {
               serret_branches(body, {0.3, 0.05, 0.2}, 1.0, 0.999, 0.1, 0.0);
             }),
             refusal(body, {0.3, 0.05, 0.2}, with(c, &SerretState::H, 0.999)));
+  // both motions through this attitude circulate the other way
+  const EulerAngles tilted{1.58, 2.86, 0.52};
+  const std::vector<SerretState> through = serret_branches(body, tilted, 1.0, 0.9, 0.09, 0.0);
+  for (const SerretState& b : through) EXPECT_EQ(b.sign_g3, -1);
+  expect(refusal(body, tilted, {0.0, 0.0, 0.0, 1.0, 0.9, 0.09, 1, 1}), {"sign_g3 = 1: no motion"});
   EXPECT_TRUE(std::isnan(generating_function(body, q, c, not_a_number).S));
 }
 
