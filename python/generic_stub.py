@@ -2,9 +2,9 @@
 """Makes the states of a stub generic: a.L is a float, or an array, by what `a` was made from.
 
 nanobind writes what a function takes and returns, but not how the one follows from the other. Here
-a class that has a shape gets a parameter, float or array; a function of states or of times `t`
-returns what it was given; lists of floats are one vector, hence one state. Run by CMake on the stub
-that nanobind wrote: generic_stub.py FROM TO.
+a class that has a shape gets a parameter, float or array; a function of states, of times `t` or of
+angles returns what it was given; lists of floats are one vector, hence one state. Run by CMake on
+the stub that nanobind wrote: generic_stub.py FROM TO.
 """
 
 from __future__ import annotations
@@ -18,6 +18,8 @@ FLOATS = f"float | {ARRAY}"
 LABELS = "numpy.typing.NDArray[numpy.int32]"
 ARGUMENT = "numpy.typing.ArrayLike"
 VECTOR = "Sequence[float]"
+# Arguments of functions that broadcast: times, and Andoyer's angles.
+NUMBERS = ("t", "l", "g", "h")
 # Properties that are states, where their class says whether it is one or many.
 PROPERTIES = {"initial_state": "float", "initial": "float", "s": "float", "states": ARRAY}
 HEADER = f"""from collections.abc import Sequence
@@ -54,7 +56,7 @@ class Signature:
         types = self._types = [(i, *a.partition(": ")[::2]) for i, a in enumerate(self.arguments)]
         self.of_states = [i for i, _, said in types if said in states]
         self.of_times = [
-            i for i, name, said in types if name == "t" and said.split(" = ")[0] == ARGUMENT
+            i for i, name, said in types if name in NUMBERS and said.split(" = ")[0] == ARGUMENT
         ]
 
     def returns_as_given(self) -> bool:

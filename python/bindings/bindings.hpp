@@ -26,6 +26,7 @@ void bind_math(nb::module_& m);
 void bind_elliptic(nb::module_& m);
 void bind_rotor(nb::module_& m);
 void bind_free(nb::module_& m);
+void bind_generating(nb::module_& m);
 void bind_orbit(nb::module_& m);
 void bind_frame(nb::module_& m);
 void bind_shape(nb::module_& m);

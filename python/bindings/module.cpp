@@ -20,6 +20,7 @@ void bind_everything(nb::module_& m) {
   bind_elliptic(m);
   bind_rotor(m);
   bind_free(m);
+  bind_generating(m);
   bind_orbit(m);
   bind_frame(m);
   bind_shape(m);

@@ -27,6 +27,10 @@ FIELDS: dict[str, dict[str, str]] = {
                         sign_g3=""),
     "SadovState": dict(region="", lobe="", phi_l=ANGLE, phi_g=ANGLE, phi_h=ANGLE, I_l=MOMENTUM,
                        I_g=MOMENTUM, I_h=MOMENTUM),
+    "KinoshitaState": dict(region="", lobe="", l=ANGLE, g=ANGLE, h=ANGLE, L=MOMENTUM, G=MOMENTUM,
+                           H=MOMENTUM),
+    "FukushimaIshizakiState": dict(l0=ANGLE, g0=ANGLE, h=ANGLE, L0=MOMENTUM, G=MOMENTUM,
+                                   H=MOMENTUM, t0=TIME),
     "TumblerState": dict(precession_period=TIME, rotation_period=TIME, pole="", mode="", phi0=ANGLE,
                          psi0=ANGLE, branch="", sense=""),
 }  # fmt: skip

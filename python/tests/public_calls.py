@@ -51,6 +51,12 @@ OF_CLASS = {
     "PoincareState": polhode.nearest_poincare(STATE),
     "EulerRates": polhode.to_euler_rates(BODY, STATE),
     "SadovState": polhode.to_sadov(BODY, STATE),
+    "KinoshitaState": polhode.to_kinoshita(BODY, STATE),
+    "SadovParameters": polhode.SadovParameters(1.0, 0.5),
+    "EulerAngles": polhode.EulerAngles(0.3, 1.0, 0.2),
+    "FukushimaIshizakiState": polhode.to_fukushima_ishizaki(
+        polhode.FreeRotation(BODY, STATE), 0.0
+    ),
     "TumblerState": polhode.to_tumbler(polhode.FreeRotation(BODY, STATE), 0.0),
     "Pole": polhode.Pole.zero,
     "Body": BODY,

@@ -61,6 +61,7 @@ def charts(motion, t):
     s = motion.at(t)
     return [s, polhode.to_euler(s), polhode.to_andoyer(s), polhode.to_poincare(s, "zero", "pi"),
             polhode.to_serret(motion, t), polhode.to_sadov(motion, t),
+            polhode.to_kinoshita(motion, t), polhode.to_fukushima_ishizaki(motion, t),
             polhode.to_tumbler(motion, t)]  # fmt: skip
 
 
@@ -74,7 +75,7 @@ def test_every_chart_shows_every_field():
         assert {row[0] for row in rows[1:]} == names - {"shape", "ndim", "size"}
 
 
-@pytest.mark.parametrize("k", range(7), ids=FIELDS)
+@pytest.mark.parametrize("k", range(9), ids=FIELDS)
 def test_units_are_those_that_the_numbers_scale_with(k):
     moment, unit = 8.0, 0.25
     state, scaled = charts(motion(), 1.0)[k], charts(motion(moment, unit), unit)[k]

@@ -316,24 +316,6 @@ def test_charts_by_name():
         polhode.canonical_rates(3.5, SYSTEM, T, STATE)
 
 
-def test_the_generating_function():
-    """[SA (51), (55)]: S = (t - 2 t0) T + H h + G g0, its slopes the momenta."""
-    motion = FreeRotation(BODY, STATE, 0.0)
-    t = np.linspace(0.1, 1.0, 4).reshape(2, 2)
-    s, elements = polhode.generating_function(motion, t), polhode.to_serret(motion, t)
-    assert s.shape == (2, 2)
-    expected = ((t - 2 * elements.t0) * elements.T + elements.H * elements.h
-                + elements.G * elements.g0)
-    assert_allclose(s.S, expected, rtol=ROUNDED)
-    euler = to_euler(motion.at(t))
-    assert_allclose([s.Phi, s.Theta, s.Psi], [euler.Phi, euler.Theta, euler.Psi], atol=ROUNDED)
-    assert_allclose([s.g0, s.h, s.minus_t0, s.minus_T],
-                    [elements.g0, elements.h, -elements.t0, -elements.T], rtol=ROUNDED)
-    # along the motion dS/dt = sum of momenta x rates - T
-    along = slope(lambda x: polhode.generating_function(motion, x).S, 0.4)
-    assert_allclose(along, motion.energy, rtol=SLOPES)  # 2 T - T
-
-
 # Andoyer's general method
 
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Serret's elements, read from a FreeRotation and turned back into a state, and the generating
-// function of the transformation to them.
+// Serret's elements, read from a FreeRotation and turned back into a state.
 #include "polhode/free/serret.hpp"
 
 #include <array>
@@ -8,13 +7,13 @@
 #include <string>
 
 #include "free/detail/mean_frame.hpp"
+#include "free/detail/serret_elements.hpp"
 #include "free/detail/sorted_state.hpp"
 #include "free/hub_tangent.hpp"
 #include "math/number_text.hpp"
 #include "polhode/elliptic/jacobi.hpp"
 #include "polhode/error.hpp"
 #include "polhode/free/detail/precession.hpp"
-#include "polhode/free/generating_function.hpp"
 #include "polhode/free/prepare.hpp"
 #include "polhode/math/dual.hpp"
 #include "polhode/rotor/andoyer.hpp"
@@ -24,89 +23,25 @@ inline namespace v0 {
 
 namespace {
 
+using detail::curve_of;
+using detail::discriminants_of;
+using detail::energy_ratio;
+using detail::in_units;
+using detail::place_on;
+using detail::require_elements;
+using detail::ScaledSerret;
+using detail::Units;
+using detail::units_of;
+using detail::untold_complement;
+using detail::widened;
+
 using DD = DoubleDouble;
 constexpr double quarter_turn = 1.5707963267948966;
-
-// Powers of two that bring the moments, and G, to order 1: squares then neither overflow nor run
-// out of low parts, and the scaling is exact.
-struct Units {
-  int momentum, time, energy;
-};
-Units units_of(const Body& body, double G) {
-  const int moment = detail::exponent_of_largest(body.moments());
-  const int momentum = detail::exponent_of_largest({G, 0.0, 0.0});
-  return {momentum, moment - momentum, 2 * momentum - moment};
-}
-
-// A phase beyond 2^90 has no digit left: any point of the orbit is as good, and t0 is taken.
-constexpr double time_limit = 0x1p90;
-
-// The elements at a time, in scaled units.
-struct ScaledSerret {
-  SerretState s;
-  double t;
-};
-ScaledSerret in_units(const Units& units, const SerretState& given, double t) {
-  SerretState s = given;
-  s.t0 = std::ldexp(s.t0, -units.time);
-  s.G = std::ldexp(s.G, -units.momentum);
-  s.H = std::ldexp(s.H, -units.momentum);
-  s.T = std::ldexp(s.T, -units.energy);
-  double now = std::ldexp(t, -units.time);
-  if (std::isfinite(t) && !(std::abs(now - s.t0) < time_limit)) now = s.t0 = 0.0;
-  return {s, now};
-}
-
-// Discriminants at momentum 1 and scaled moments: 1 - 2 T I / G^2, none below zero.
-template <Real T>
-detail::Discriminants<T> discriminants_of(const BasicVec3<T>& I, const T& twice_energy) {
-  const T one(1.0), zero(0.0);
-  const T D1 = one - twice_energy * I.x, D3 = twice_energy * I.z - one;
-  return {D1 < zero ? zero : D1, one - twice_energy * I.y, D3 < zero ? zero : D3};
-}
 
 // Below this 1 - k^2 the derivative of K, like 1 / (1 - k^2), takes the digits of the others with
 // it, and on the separatrix there is none. The elements stand still, so B is then carried by the
 // flow from t0, where it needs no K.
 constexpr double flow_below = 1e-14;
-
-// 2 T / G^2
-template <Real T>
-T energy_ratio(const BasicSerretState<T>& c) {
-  return T(2.0) * (c.T / c.G) * (T(1.0) / c.G);
-}
-
-// Nearer than this to the separatrix T and G, both rounded, do not tell the sides apart, and the
-// separatrix itself is what they mean: there u keeps its meaning up to the middle axis. Where the
-// modulus would not be next to 1, of moments that are equal but for rounding, they stay as they
-// are.
-constexpr double untold_distance = 2.0 * 0x1p-52;
-constexpr double untold_complement = 0x1p-10;
-
-// Another value, the same derivatives.
-template <Real T>
-T moved_to(const T& x, const DD& value) {
-  return x + T(value - detail::value_of(x));
-}
-
-template <Real T>
-detail::PolhodeCurve<T> curve_of(const Body& body, const BasicSerretState<T>& c) {
-  const BasicVec3<DD> sorted = detail::sorted_moments(body);
-  const BasicVec3<T> I{T(sorted.x), T(sorted.y), T(sorted.z)};
-  detail::Discriminants<T> d = discriminants_of(I, energy_ratio(c));
-  const double D2 = to_double(d.D2);
-  if (std::abs(D2) <= untold_distance) {
-    const double DA = D2 < 0.0 ? to_double(d.D3) : to_double(d.D1);
-    const double gap = to_double(D2 < 0.0 ? I.y - I.x : I.z - I.y);
-    if (to_double(I.z - I.x) * std::abs(D2) < untold_complement * gap * DA) {
-      // all three those of the separatrix: next to equal moments D1 or D3 has no other digits
-      d.D1 = moved_to(d.D1, (sorted.y - sorted.x) / sorted.y);
-      d.D2 = moved_to(d.D2, DD(0.0));
-      d.D3 = moved_to(d.D3, (sorted.z - sorted.y) / sorted.y);
-    }
-  }
-  return detail::polhode_curve(I, T(1.0), d, false);
-}
 
 template <Real T>
 BasicRotorState<T> rotor_from(const Body& body, const detail::PolhodeCurve<T>& curve,
@@ -118,10 +53,6 @@ BasicRotorState<T> rotor_from(const Body& body, const detail::PolhodeCurve<T>& c
       c.g0 + detail::node_offset<T>(sense) + detail::precession_of_axis1(curve) * elapsed;
   return detail::assembled(order, sense, curve, T(curve.n * elapsed),
                            detail::InvariableElements<T>{mean_angle, c.h, c.H, c.G});
-}
-
-BasicSerretState<DD> widened(const SerretState& s) {
-  return {s.g0, s.h, s.t0, s.G, s.H, s.T, s.sign_g1, s.sign_g3};
 }
 
 // The state at t0 of a rotation that is steady, scaled: l = +-pi/2 and L from the energy.
@@ -136,32 +67,6 @@ RotorState base_state(const Body& body, const SerretState& s) {
 
 RotorState with_momentum(const RotorState& s, int exponent) {
   return {s.q, detail::scaled(s.g, -exponent)};
-}
-
-void require_elements(const Body& body, const SerretState& s) {
-  if (detail::is_sphere(body))
-    throw DomainError("SerretState: moment " + detail::number_text(body.moments().x) +
-                      " three times: a sphere has no Serret elements (T does not tell J)");
-  const auto fail = [&](const std::string& need) {
-    throw DomainError("SerretState: (g0, h, t0, G, H, T) = " +
-                      detail::tuple_text({s.g0, s.h, s.t0, s.G, s.H, s.T}) + " needs " + need);
-  };
-  const double slack = 1.0 + 8.0 * epsilon<double>();
-  for (const double x : {s.g0, s.h, s.t0, s.G, s.H, s.T})
-    if (!std::isfinite(x)) fail("finite elements");
-  if (!(s.G > 0.0) || std::abs(s.H) > s.G * slack) fail("G > 0 and |H| <= G");
-  for (const int sign : {s.sign_g1, s.sign_g3})
-    if (sign != 1 && sign != -1) fail("signs of g1 and g3 that are 1 or -1");
-  if (!std::isnormal(s.T))
-    fail("T within double range: units in which G^2/2I neither overflows nor underflows");
-  const Vec3 I = detail::sorted_doubles(body);
-  detail::require_held_moments("SerretState", body);
-  if (!std::isnormal(std::ldexp(1.0, -units_of(body, s.G).time)))
-    fail("a rate G / I within double range");
-  const double low = 0.5 * s.G * (s.G / I.z), high = 0.5 * s.G * (s.G / I.x);
-  if (s.T * slack < low || s.T > high * slack)
-    fail("T in [G^2/2I3, G^2/2I1] = [" + detail::number_text(low) + ", " +
-         detail::number_text(high) + "]");
 }
 
 // The elements of a state that stands still, or whose T does not tell where on the polhode it is.
@@ -204,21 +109,6 @@ BasicVec3<DD> sorted_momentum(const FreeRotation& m, double t) {
   const Jacobi<DD> f = jacobi(u, BasicModulus<DD>::from_ratio(c.k2, c.kp2));
   return detail::restored(detail::primed_axes(c.long_axis, arc.s1, arc.s3),
                           BasicVec3<DD>{c.a1 * f.cn, c.a2 * f.sn, c.a3 * f.dn});
-}
-
-// Argument of the place on a polhode where a momentum along its primed axes is, k.x and k.z >= 0;
-// on the separatrix, which may pass next to it, that of the nearest.
-DD place_on(const detail::PolhodeCurve<DD>& c, const BasicVec3<DD>& k) {
-  if (c.separatrix) {
-    const DD least = 0x1p-440, one = 1.0;
-    const DD sech = (k.x * c.a1 + k.z * c.a3) / (c.a1 * c.a1 + c.a3 * c.a3);
-    const DD x = sech < least ? least : sech < one ? sech : one;
-    const DD u = log((one + sqrt(one - x * x)) / x);
-    return k.y < DD(0.0) ? -u : u;
-  }
-  const DD across = k.x / c.a1, along = k.y / c.a2, r2 = across * across + along * along;
-  const DD c2 = across * across / r2, s2 = along * along / r2;
-  return along / sqrt(r2) * carlson_rf(c2, c2 + c.kp2 * s2, DD(1.0));
 }
 
 // A place on the polhode and the mean frame there, read back from a state by the curve that T and G
@@ -404,14 +294,6 @@ Matrix6 chart_jacobian(const Body& body, const SerretState& given, double t) {
     return in_user_units(detail::hub_tangent(rotor_from(body, curve, c, now)));
   const Matrix6 B0 = detail::hub_tangent(rotor_from(body, curve, c, s.t0));
   return free_rotation(body, given).state_transition(t) * in_user_units(B0);
-}
-
-GeneratingFunction generating_function(const FreeRotation& motion, double t) {
-  const SerretState c = to_serret(motion, t);
-  const EulerState e = to_euler(motion.at(t));
-  const double elapsed = t - c.t0;                                   // u/n
-  const double S = (elapsed - c.t0) * c.T + c.H * c.h + c.G * c.g0;  // [SA (55)]
-  return {S, e.Phi, e.Theta, e.Psi, c.g0, c.h, -c.t0, -c.T};
 }
 
 }  // namespace v0

@@ -14,7 +14,6 @@
 #include "polhode/math/matrix6.hpp"
 #include "polhode/rotor/chart_jacobian.hpp"
 #include "polhode/system/canonical_rates.hpp"
-#include "polhode/system/modified_andoyer.hpp"
 #include "polhode/system/osculation.hpp"
 #include "system/gauge.hpp"
 
@@ -31,13 +30,13 @@ Vec3 over(const Vec3& x, const Vec3& I) { return {x.x / I.x, x.y / I.y, x.z / I.
 
 // A set of elements: its numbers, angles first, and the free motion that they describe.
 Numbers numbers(const AndoyerState& C) { return {C.l, C.g, C.h, C.L, C.G, C.H}; }
-Numbers numbers(const ModifiedAndoyerState& C) { return numbers(C.initial); }
+Numbers numbers(const FukushimaIshizakiState& C) { return {C.l0, C.g0, C.h, C.L0, C.G, C.H}; }
 Numbers numbers(const SerretState& C) { return {C.g0, C.h, -C.t0, C.G, C.H, C.T}; }
 Numbers numbers(const SadovState& C) { return {C.phi_l, C.phi_g, C.phi_h, C.I_l, C.I_g, C.I_h}; }
 
 RotorState free_state(const Body&, double, const AndoyerState& C) { return to_rotor(C); }
-RotorState free_state(const Body& body, double t, const ModifiedAndoyerState& C) {
-  return from_modified_andoyer(body, C.t0, t, C.initial);
+RotorState free_state(const Body& body, double t, const FukushimaIshizakiState& C) {
+  return to_rotor(body, C, t);
 }
 RotorState free_state(const Body& body, double t, const SerretState& C) {
   return to_rotor(body, C, t);
@@ -47,9 +46,9 @@ RotorState free_state(const Body& body, double, const SadovState& C) { return to
 AndoyerState of_free_state(const Body&, double, const RotorState& s, const AndoyerState&) {
   return to_andoyer(s);
 }
-ModifiedAndoyerState of_free_state(const Body& body, double t, const RotorState& s,
-                                   const ModifiedAndoyerState& like) {
-  return {modified_andoyer(body, like.t0, t, s), like.t0};
+FukushimaIshizakiState of_free_state(const Body& body, double t, const RotorState& s,
+                                     const FukushimaIshizakiState& like) {
+  return to_fukushima_ishizaki(FreeRotation(body, s, t), like.t0);
 }
 SerretState of_free_state(const Body& body, double t, const RotorState& s, const SerretState&) {
   return to_serret(FreeRotation(body, s, t), t);
@@ -61,17 +60,15 @@ SadovState of_free_state(const Body& body, double, const RotorState& s, const Sa
 // Whether the free motion leaves them where they are.
 template <class C>
 constexpr bool are_constants =
-    std::same_as<C, ModifiedAndoyerState> || std::same_as<C, SerretState>;
+    std::same_as<C, FukushimaIshizakiState> || std::same_as<C, SerretState>;
 
 // dC / d(theta_B, gamma).
 Matrix6 inverse_jacobian(const Body&, double, const AndoyerState&, const RotorState& s) {
   return inverse_chart_jacobian({CanonicalSet::andoyer}, s);
 }
-Matrix6 inverse_jacobian(const Body& body, double t, const ModifiedAndoyerState& C,
+Matrix6 inverse_jacobian(const Body& body, double t, const FukushimaIshizakiState& C,
                          const RotorState& s) {
-  const FreeRotation motion(body, s, t);
-  return inverse_chart_jacobian({CanonicalSet::andoyer}, motion.at(C.t0)) *
-         motion.state_transition(C.t0);
+  return inverse_chart_jacobian(chart_jacobian(body, C, t), s.g);
 }
 Matrix6 inverse_jacobian(const Body& body, double t, const SerretState& C, const RotorState& s) {
   return inverse_chart_jacobian(chart_jacobian(body, C, t), s.g);
@@ -90,7 +87,7 @@ constexpr const char* regular =
 SetName name(const AndoyerState&) {
   return {"Andoyer's variables (J or I is 0 or pi, or G = 0)", regular};
 }
-SetName name(const ModifiedAndoyerState&) {
+SetName name(const FukushimaIshizakiState&) {
   return {"the modified Andoyer set (J or I is 0 or pi at the epoch, or G = 0)", regular};
 }
 SetName name(const SerretState&) {
@@ -232,7 +229,7 @@ std::array<double, 6> element_rates(const System& system, double t, const C& ele
                                   const Gauge&);                                                  \
   template Vec3 element_convective_term<C>(const System&, double, const C&, const Gauge&);
 POLHODE_ELEMENTS(AndoyerState)
-POLHODE_ELEMENTS(ModifiedAndoyerState)
+POLHODE_ELEMENTS(FukushimaIshizakiState)
 POLHODE_ELEMENTS(SerretState)
 POLHODE_ELEMENTS(SadovState)
 #undef POLHODE_ELEMENTS

@@ -11,6 +11,7 @@
 #include "paper/library.hpp"
 #include "paper/support.hpp"
 #include "polhode/free/generating_function.hpp"
+#include "polhode/rotor/attitude.hpp"
 
 namespace polhode::paper {
 namespace {
@@ -22,14 +23,26 @@ Mp defined(const Vec& moments, const Phase& euler, const Mp& t) {
   return -t * p.T + p.G * (a[5] / p.G) * a[2] + p.G * a[1] + p.G * tilt_integral(p, Mp(0), p.xi);
 }
 
+// S at the attitude of a state and its constants, both rounded, on the branch of its motion.
+struct Rounded {
+  GeneratingFunction f;
+  Phase x;  // the arguments' angles, and the momenta that f returns
+};
+Rounded library(const Vec& moments, const RotorState& s0, double t) {
+  const Body body = body_of(moments);
+  const EulerAngles q = euler_angles(s0.q);
+  const GeneratingFunction f =
+      generating_function(body, q, to_serret(FreeRotation(body, s0, t), t), t);
+  return {f, {Mp(q.phi), Mp(q.theta), Mp(q.psi), Mp(f.Phi), Mp(f.Theta), Mp(f.Psi)}};
+}
+
 // [SA (51), (55), (A47), (A48)] its value, on the branch t - t0 = u/n and g0 in (-pi, pi]
 TEST(PaperSerret, LibraryGeneratingFunction) {
   Gap gap;
   for (const AndoyerCase& e : branches(4)) {
     const RotorState s0 = hub_state(e);
     const double t = 0.3;
-    const Phase x = exact_euler(s0);
-    const GeneratingFunction f = generating_function(FreeRotation(body_of(e.I), s0, t), t);
+    const auto [f, x] = library(e.I, s0, t);
     const Polhode p = polhode(e.I, andoyer_of_euler(x));
     // g0 as a number modulo 2 pi: S modulo 2 pi G
     const Mp off = (Mp(f.S) - defined(e.I, x, Mp(t))) / p.G;
@@ -47,8 +60,9 @@ TEST(PaperSerret, LibraryGeneratingFunctionDerivatives) {
   for (const AndoyerCase& e : branches(4)) {
     const RotorState s0 = hub_state(e);
     const double t = -0.7;
-    const Phase x = exact_euler(s0);
-    const GeneratingFunction f = generating_function(FreeRotation(body_of(e.I), s0, t), t);
+    const Rounded r = library(e.I, s0, t);
+    const GeneratingFunction& f = r.f;
+    const Phase& x = r.x;
     for (int n = 0; n < 7; ++n) {
       Phase d{};
       Mp dt = 0;

@@ -1,25 +1,39 @@
 // SPDX-License-Identifier: MIT
-// The generating function S of section 3.1, that turns Euler's variables into Serret's constants,
-// along a free motion, with its derivatives.
+// The generating function S of section 3.1 that turns Euler's variables into Serret's constants, as
+// a function of the Euler angles, of G, H, T and of time, with all its derivatives.
 //
 // Equations   S(q; P, t) = -t T + G h cos I + G g + G int cos J dl, q = (phi, theta, psi), P = (G,
-//             H, T) [SA (51)], evaluated as (t - 2 t0) T + H h + G g0 [SA (55)]. dS/dq = momenta,
-//             dS/dG = g0, dS/dH = h, dS/dT = u/n - t = -t0 [SA (56)-(62)], dS/dt = -T, the Jacobi
-//             equation [SA (43)].
+//             H, T) [SA (36)-(51)], evaluated as (t - 2 t0) T + H h + G g0 [SA (52)-(55)]. dS/dq =
+//             momenta, dS/dG = g0, dS/dH = h, dS/dT = u/n - t = -t0 [SA (56)-(62), (A47), (A48),
+//             (A66)], dS/dt = -T, the Jacobi equation [SA (43)]. The angle phi - h solves 2T = sum
+//             of g_i^2/I_i on the circle of momenta of size G with the part H along the frame's
+//             third axis.
 // Corrections the integral starts at l = pi/2 (long-axis mode: the sign of g1 times pi/2), where u
 //             = 0; from elsewhere the set is not canonical: docs/theory/errata.md.
+// Branches    S is multivalued. Up to four motions with the same G, H, T and lobe pass through an
+//             attitude, and every turn of h, g0 and every period of t0 adds a constant to S. The
+//             branch is that of a near motion: c holds G, H, T, the lobe and the base point as its
+//             signs, and its g0, h, t0 are any real numbers. Taken is the motion whose momentum at
+//             time t is nearest, in body axes, to that of c, then t0, g0 and h nearest to those of
+//             c. Along the motion c, q(t) for any t, S is continuous: S = (t - 2 t0) T + H h + G g0
+//             with constant elements; each branch is smooth in (q, G, H, T, t) between caustics.
 // Units       S an action, momentum; angles radians.
-// Domain      that of to_serret. S is multivalued as the elements are: another turn of g0 or h adds
-//             2 pi G or 2 pi H, another period of t0 with its turn of g0 adds a multiple of the
-//             action of the polhode. This is the branch that to_serret returns, its jumps included.
-// Accuracy    budget paper_generating in tests/budgets.hpp, for times of order of a period.
-// Errors      none; NaN time in, NaN out.
-// Cost        tens of microseconds.
+// Domain      0 < theta < pi, |H| < G, T inside (G^2/2I3, G^2/2I1), any body but a sphere; the
+//             separatrix included. On a caustic, where g, omega and the third axis of the frame lie
+//             in a plane, two branches meet: S is continuous there, its second derivatives are not
+//             finite, and beyond it no motion passes through q.
+// Accuracy    budgets generating_* in tests/budgets.hpp. Near a caustic the derivatives lose
+//             what a double holds of the arguments, up to the root of eps; S itself does not.
+// Errors      DomainError for what is outside the domain, with the range of T that the attitude has
+//             where no motion passes through it; elements that to_rotor rejects. NaN or infinite
+//             time in, NaN out.
+// Cost        about a hundred microseconds.
 #pragma once
 
-#include "polhode/free/free_rotation.hpp"
+#include <vector>
+
 #include "polhode/free/serret.hpp"
-#include "polhode/rotor/euler.hpp"
+#include "polhode/rotor/attitude.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -40,8 +54,15 @@ struct GeneratingFunction {
   constexpr bool operator==(const GeneratingFunction&) const = default;
 };
 
+// S(q; c.G, c.H, c.T; t) on the branch of the motion c.
 // [SA (37)-(48), (51), (55)-(62), "identically nil", (A47), (A48), (A66)]
-GeneratingFunction generating_function(const FreeRotation& motion, double t);
+GeneratingFunction generating_function(const Body& body, const EulerAngles& q, const SerretState& c,
+                                       double t);
+
+// The motions with these constants that have the attitude q at time t, one for each branch: all
+// lobes, g0 and h in (-pi, pi], t0 nearest to t. At least one, otherwise DomainError.
+std::vector<SerretState> serret_branches(const Body& body, const EulerAngles& q, double G, double H,
+                                         double T, double t);
 
 }  // namespace v0
 }  // namespace polhode

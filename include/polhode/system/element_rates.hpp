@@ -31,6 +31,7 @@
 #include <functional>
 #include <utility>
 
+#include "polhode/free/fukushima_ishizaki.hpp"
 #include "polhode/free/sadov.hpp"
 #include "polhode/free/serret.hpp"
 #include "polhode/rotor/andoyer.hpp"
@@ -38,14 +39,6 @@
 
 namespace polhode {
 inline namespace v0 {
-
-// Andoyer's variables at the epoch t0 of the free motion: constants of it.
-struct ModifiedAndoyerState {
-  AndoyerState initial;
-  double t0 = 0.0;
-
-  constexpr bool operator==(const ModifiedAndoyerState&) const = default;
-};
 
 // Which elements are meant.
 class Gauge {
@@ -71,7 +64,7 @@ class Gauge {
 };
 
 template <class C>
-concept RotorElements = std::same_as<C, AndoyerState> || std::same_as<C, ModifiedAndoyerState> ||
+concept RotorElements = std::same_as<C, AndoyerState> || std::same_as<C, FukushimaIshizakiState> ||
                         std::same_as<C, SerretState> || std::same_as<C, SadovState>;
 
 // The equations of motion: dC/dt at time t. Angles first, then momenta. [SA (102), (104)]
@@ -85,7 +78,8 @@ template <RotorElements C>
 RotorState element_state(const System& system, double t, const C& elements,
                          const Gauge& gauge = Gauge::canonical());
 
-// The elements of a canonical state. `like` says which set; of the modified Andoyer set, its epoch.
+// The elements of a canonical state. `like` says which set; of Andoyer's variables at an epoch, the
+// epoch.
 template <RotorElements C>
 C elements_of_state(const System& system, double t, const RotorState& canonical, const C& like,
                     const Gauge& gauge = Gauge::canonical());

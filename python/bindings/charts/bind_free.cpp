@@ -5,7 +5,6 @@
 #include "charts/states.hpp"
 #include "interface/value.hpp"
 #include "polhode/free/free_rotation.hpp"
-#include "polhode/free/generating_function.hpp"
 #include "polhode/free/rounding_sensitivity.hpp"
 #include "polhode/free/sadov.hpp"
 #include "polhode/free/serret.hpp"
@@ -349,41 +348,6 @@ void bind_flow_jacobians(nb::module_& m) {
       "-t0 as the third angle.");
 }
 
-GeneratingFunction checked(const GeneratingFunction& s) {
-  require_finite("GeneratingFunction",
-                 {s.S, s.Phi, s.Theta, s.Psi, s.g0, s.h, s.minus_t0, s.minus_T});
-  return s;
-}
-
-constexpr Chart<GeneratingFunction, 8> generating_chart{
-    "GeneratingFunction",
-    R"(The function S that turns Euler's variables into Serret's constants, with its derivatives.
-
-S(phi, theta, psi; G, H, T; t), an action; Phi, Theta, Psi: by the angles; g0, h (rad), minus_t0:
-by G, H, T; minus_T: by t, the Jacobi equation. [SA (43), (51), (55)-(62)])",
-    {{{"S", "The function, an action.", offsetof(GeneratingFunction, S)},
-      {"Phi", "dS/dphi, a momentum.", offsetof(GeneratingFunction, Phi)},
-      {"Theta", "dS/dtheta, a momentum.", offsetof(GeneratingFunction, Theta)},
-      {"Psi", "dS/dpsi, a momentum.", offsetof(GeneratingFunction, Psi)},
-      {"g0", "dS/dG, rad.", offsetof(GeneratingFunction, g0)},
-      {"h", "dS/dH, rad.", offsetof(GeneratingFunction, h)},
-      {"minus_t0", "dS/dT, a time: -t0.", offsetof(GeneratingFunction, minus_t0)},
-      {"minus_T", "dS/dt, an energy: -T.", offsetof(GeneratingFunction, minus_T)}}},
-    checked};
-
-void bind_generating(nb::module_& m) {
-  bind_states<8>(m, generating_chart);
-  m.def(
-      "generating_function",
-      [](const FreeRotation& motion, ArrayLike t) {
-        const Numbers times(t, "t");
-        return mapped(times, [&](double at) { return generating_function(motion, at); });
-      },
-      "motion"_a, "t"_a,
-      "The generating function of section 3.1 along a motion, at times t of any shape, on the "
-      "branch that to_serret returns. [SA (51), (55)]");
-}
-
 void bind_properties(nb::module_& m) {
   using N = SadovFrequencies;
   bind_value<N>(m, "SadovFrequencies", "Constant rates (rad per time) of phi_l and phi_g; n_h = 0.",
@@ -433,7 +397,6 @@ void bind_free(nb::module_& m) {
   bind_flow_charts(m);
   bind_flow_jacobians(m);
   bind_properties(m);
-  bind_generating(m);
 }
 
 }  // namespace polhode::python

@@ -60,18 +60,6 @@ Gauge gauge_of(nb::handle gauge) {
 
 namespace {
 
-// f(set, t) of the elements of every position, as a set of one of the kinds of element_rates.hpp.
-template <class C, class F>
-auto with_set(const C& elements, std::optional<double>, const F& f)
-  requires(!std::same_as<C, AndoyerState>)
-{
-  return f(elements);
-}
-template <class F>
-auto with_set(const AndoyerState& elements, std::optional<double> t0, const F& f) {
-  return t0 ? f(ModifiedAndoyerState{elements, *t0}) : f(elements);
-}
-
 constexpr const char* rates_doc =
     R"(Equations of motion of elements of the free rotor, in any gauge: dC/dt. [SA (104)-(111)]
 
@@ -84,11 +72,10 @@ Parameters
 ----------
 system : body, frame and perturbations.
 t : float or array, broadcast with the elements.
-elements : AndoyerState, SerretState or SadovState, of any shape.
+elements : AndoyerState, FukushimaIshizakiState (Andoyer's variables at an epoch, the modified
+    Andoyer set), SerretState or SadovState, of any shape.
 gauge : "canonical", "osculating", or a function Phi(C, t) that returns the convective term (3,)
     along the body axes, rad per time, of an object array C (6,) and a time t that are Duals.
-t0 : with an AndoyerState: the elements are the initial values at this epoch (the modified Andoyer
-    set, constants of the free motion).
 
 Returns
 -------
@@ -113,55 +100,45 @@ template <class C>
 void bind_set(nb::module_& m) {
   m.def(
       "element_rates",
-      [](const PythonSystem& system, ArrayLike t, const Batch<C>& elements, AnyGauge gauge,
-         std::optional<double> t0) {
+      [](const PythonSystem& system, ArrayLike t, const Batch<C>& elements, AnyGauge gauge) {
         const Gauge of = gauge_of(gauge);
         Numbers times(t, "t");
         return mapped_numbers(elements, times, {6}, [&](const C& one, double at) {
-          return with_set(one, t0,
-                          [&](const auto& set) { return element_rates(system, at, set, of); });
+          return element_rates(system, at, one, of);
         });
       },
-      "system"_a, "t"_a, "elements"_a, "gauge"_a = "canonical", "t0"_a = nb::none(), rates_doc);
+      "system"_a, "t"_a, "elements"_a, "gauge"_a = "canonical", rates_doc);
   m.def(
       "element_state",
-      [](const PythonSystem& system, ArrayLike t, const Batch<C>& elements, AnyGauge gauge,
-         std::optional<double> t0) {
+      [](const PythonSystem& system, ArrayLike t, const Batch<C>& elements, AnyGauge gauge) {
         const Gauge of = gauge_of(gauge);
         Numbers times(t, "t");
-        return mapped(elements, times, [&](const C& one, double at) {
-          return with_set(one, t0,
-                          [&](const auto& set) { return element_state(system, at, set, of); });
-        });
+        return mapped(elements, times,
+                      [&](const C& one, double at) { return element_state(system, at, one, of); });
       },
-      "system"_a, "t"_a, "elements"_a, "gauge"_a = "canonical", "t0"_a = nb::none(),
+      "system"_a, "t"_a, "elements"_a, "gauge"_a = "canonical",
       "The canonical states (q, g) of bodies with these elements in this gauge: angular_velocity "
       "of them is the inertial and the relative angular velocity. Arguments as element_rates.");
   m.def(
       "element_convective_term",
-      [](const PythonSystem& system, ArrayLike t, const Batch<C>& elements, AnyGauge gauge,
-         std::optional<double> t0) {
+      [](const PythonSystem& system, ArrayLike t, const Batch<C>& elements, AnyGauge gauge) {
         const Gauge of = gauge_of(gauge);
         Numbers times(t, "t");
         return mapped_numbers(elements, times, {3}, [&](const C& one, double at) {
-          return with_set(one, t0, [&](const auto& set) {
-            return element_convective_term(system, at, set, of);
-          });
+          return element_convective_term(system, at, one, of);
         });
       },
-      "system"_a, "t"_a, "elements"_a, "gauge"_a = "canonical", "t0"_a = nb::none(),
+      "system"_a, "t"_a, "elements"_a, "gauge"_a = "canonical",
       "Phi (..., 3), rad per time along the body axes: the angular velocity relative to the frame "
       "less that of the free motion of the elements. Arguments as element_rates. [SA (106)]");
 }
 
 template <class C>
 nb::object of_state(const System& system, ArrayLike t, const Rotors& states, const Gauge& gauge,
-                    std::optional<double> t0) {
+                    const C& like = {}) {
   Numbers times(t, "t");
   return nb::cast(mapped(states, times, [&](const RotorState& s, double at) {
-    if constexpr (std::same_as<C, AndoyerState>)
-      if (t0) return elements_of_state(system, at, s, ModifiedAndoyerState{{}, *t0}, gauge).initial;
-    return elements_of_state(system, at, s, C{}, gauge);
+    return elements_of_state(system, at, s, like, gauge);
   }));
 }
 
@@ -169,24 +146,33 @@ nb::object of_state(const System& system, ArrayLike t, const Rotors& states, con
 
 void bind_element_rates(nb::module_& m) {
   bind_set<AndoyerState>(m);
+  bind_set<FukushimaIshizakiState>(m);
   bind_set<SerretState>(m);
   bind_set<SadovState>(m);
   m.def(
       "elements_of_state",
       [](const std::string& chart, const PythonSystem& system, ArrayLike t, const Rotors& states,
-         AnyGauge gauge,
-         std::optional<double> t0) -> Typed<"AndoyerState | SerretState | SadovState"> {
+         AnyGauge gauge, std::optional<double> t0)
+          -> Typed<"AndoyerState | FukushimaIshizakiState | SerretState | SadovState"> {
         const Gauge of = gauge_of(gauge);
-        if (chart == "andoyer") return of_state<AndoyerState>(system, t, states, of, t0);
-        if (chart == "serret") return of_state<SerretState>(system, t, states, of, t0);
-        if (chart == "sadov") return of_state<SadovState>(system, t, states, of, t0);
-        throw nb::value_error(("elements_of_state: got the chart \"" + chart +
-                               R"("; expected "andoyer", "serret" or "sadov")")
-                                  .c_str());
+        if (t0 && chart != "fukushima-ishizaki")
+          throw nb::value_error("elements_of_state: t0 goes with the chart \"fukushima-ishizaki\"");
+        if (chart == "andoyer") return of_state<AndoyerState>(system, t, states, of);
+        if (chart == "serret") return of_state<SerretState>(system, t, states, of);
+        if (chart == "sadov") return of_state<SadovState>(system, t, states, of);
+        if (chart == "fukushima-ishizaki")
+          return of_state(system, t, states, of, FukushimaIshizakiState{.t0 = t0.value_or(0.0)});
+        throw nb::value_error(
+            ("elements_of_state: got the chart \"" + chart +
+             R"("; expected "andoyer", "fukushima-ishizaki", "serret" or "sadov")")
+                .c_str());
       },
       "chart"_a, "system"_a, "t"_a, "state"_a, "gauge"_a = "canonical", "t0"_a = nb::none(),
-      "The elements of canonical states, in the chart \"andoyer\", \"serret\" or \"sadov\" and a "
-      "gauge: the inverse of element_state. Other arguments as element_rates.");
+      "The elements of canonical states, in the chart \"andoyer\", \"fukushima-ishizaki\" (with "
+      "its "
+      "epoch t0; None: 0), \"serret\" or \"sadov\" and a gauge: the inverse of element_state. "
+      "Other "
+      "arguments as element_rates.");
 }
 
 }  // namespace polhode::python

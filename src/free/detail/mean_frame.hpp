@@ -32,6 +32,10 @@ inline DoubleDouble wrapped(const DoubleDouble& angle) {
   return r.hi <= -DoubleDouble::pi().hi ? r + turn : r;
 }
 inline double wrapped(double angle) { return wrapped(DoubleDouble(angle)).hi; }
+// The angle modulo 2 pi next to another one.
+inline DoubleDouble turned_to(const DoubleDouble& near, const DoubleDouble& angle) {
+  return near + wrapped(angle - near);
+}
 
 // The angles of the mean frame, qz(h) qx(I) qz(mean_angle). A tilt of rounding has no node: then
 // h = 0.

@@ -68,8 +68,8 @@ template <class C>
 std::array<double, 6> numbers(const C& c) {
   if constexpr (std::same_as<C, AndoyerState>)
     return {c.l, c.g, c.h, c.L, c.G, c.H};
-  else if constexpr (std::same_as<C, ModifiedAndoyerState>)
-    return numbers(c.initial);
+  else if constexpr (std::same_as<C, FukushimaIshizakiState>)
+    return {c.l0, c.g0, c.h, c.L0, c.G, c.H};
   else if constexpr (std::same_as<C, SerretState>)
     return {c.g0, c.h, -c.t0, c.G, c.H, c.T};
   else
@@ -125,7 +125,7 @@ void expect_rates(const C& like) {
 // [SA (102), (104)]
 TEST(ElementRates, AreThoseAlongAMotionInEverySetAndGauge) {
   expect_rates(AndoyerState{});
-  expect_rates(ModifiedAndoyerState{{}, -0.3});
+  expect_rates(FukushimaIshizakiState{.t0 = -0.3});
   expect_rates(SerretState{});
   expect_rates(SadovState{});
 }
@@ -150,7 +150,7 @@ void expect_maps(const C& like) {
 // [SA (106), (109), (111)]
 TEST(ElementRates, MapsThereAndBackInEverySetAndGauge) {
   expect_maps(AndoyerState{});
-  expect_maps(ModifiedAndoyerState{{}, -0.3});
+  expect_maps(FukushimaIshizakiState{.t0 = -0.3});
   expect_maps(SerretState{});
   expect_maps(SadovState{});
 }
