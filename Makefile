@@ -46,7 +46,7 @@ build: build/release/build.ninja ## Build the libraries, build/release/polhode a
 	cmake --build build/release --target polhode polhode_python polhode_stub
 
 demo: build/release/build.ninja ## Apophis from ten lines of TOML: its exact rotation in CSV and HDF5, a table, a picture
-	@echo "Building the program and the Python package; 8 to 15 minutes on two cores the first time"
+	@echo "Building the program and the Python package; 5 to 15 minutes on two cores the first time"
 	cmake --build build/release --target polhode polhode_python
 	@mkdir -p build/demo
 	$(POLHODE) run examples/apophis.toml --out build/demo/apophis.csv --out build/demo/apophis.h5
