@@ -30,11 +30,9 @@ namespace {
 
 using namespace chart_test;
 using oracle::Draw;
-using polhode::Body;
-using polhode::FreeRotation;
+using namespace polhode;
 using polhode::test::larger;
 using polhode::test::smaller;
-namespace budget = polhode::budget;
 
 struct Case {
   Body body;

@@ -33,10 +33,7 @@ using polhode::test::smaller;
 using namespace chart_test;
 using oracle::FlowCharts;
 using oracle::Long;
-using polhode::Body;
-using polhode::FreeRotation;
-using polhode::Quaternion;
-namespace budget = polhode::budget;
+using namespace polhode;
 
 // --- verdicts ---
 

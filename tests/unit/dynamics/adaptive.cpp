@@ -2,7 +2,6 @@
 // Adaptive on rotors: against the free rotation, closed forms, runs in double-double, itself
 // backwards and in another frame; and what it says when it cannot go on.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdlib>

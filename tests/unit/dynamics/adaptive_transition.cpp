@@ -2,7 +2,6 @@
 // State transition matrices: against the closed one of the free rotation, differences of runs in
 // double-double, and the symplectic law.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <cmath>
 

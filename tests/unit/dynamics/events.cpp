@@ -2,7 +2,6 @@
 // Every method finds the events that there are: against the closed form of a free body, and of one
 // method against another.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>

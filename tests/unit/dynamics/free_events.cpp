@@ -4,7 +4,6 @@
 #include "polhode/dynamics/free_events.hpp"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>

@@ -5,7 +5,6 @@
 #include "gyrostat.hpp"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>

@@ -3,7 +3,6 @@
 #include "polhode/dynamics/integrate.hpp"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>

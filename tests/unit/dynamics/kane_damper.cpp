@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Runs of a body with a Kane damper, against two rigid bodies that rub in inertial axes.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <array>
 #include <boost/math/quadrature/gauss.hpp>

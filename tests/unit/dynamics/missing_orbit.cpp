@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // An orbit that ends in the middle of a run: no term takes that for a torque of zero.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <cmath>
 #include <vector>

@@ -2,7 +2,6 @@
 // A number of a user's term that is NaN ends a run with a sentence, whichever component it is and
 // whichever stage of a step sees it: no method takes it for a small error.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <cmath>
 #include <string>

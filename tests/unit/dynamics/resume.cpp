@@ -4,7 +4,6 @@
 #include "polhode/dynamics/resume.hpp"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdint>

@@ -3,7 +3,6 @@
 #include "polhode/ephemeris/date.hpp"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>

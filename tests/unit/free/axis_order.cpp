@@ -10,12 +10,9 @@
 namespace {
 
 using namespace free_test;
-using polhode::BasicQuaternion;
-using polhode::BasicVec3;
-using polhode::DoubleDouble;
+using namespace polhode;
 using polhode::detail::AxisOrder;
 namespace detail = polhode::detail;
-namespace budget = polhode::budget;
 
 std::vector<AxisOrder> all_orders() {
   std::vector<AxisOrder> orders;

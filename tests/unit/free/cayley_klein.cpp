@@ -13,13 +13,9 @@
 namespace {
 
 using namespace free_test;
-using polhode::BasicQuaternion;
-using polhode::BasicVec3;
-using polhode::CayleyKleinSeries;
-using polhode::DoubleDouble;
+using namespace polhode;
 using polhode::detail::PolhodeCurve;
 namespace detail = polhode::detail;
-namespace budget = polhode::budget;
 
 template <class T>
 class CayleyKlein : public ::testing::Test {};

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Flow-adapted charts at the ends of double range and as near to an axis as doubles come.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
@@ -17,11 +16,8 @@
 namespace {
 
 using namespace free_test;
-using polhode::Matrix6;
-using polhode::SadovState;
-using polhode::SerretState;
+using namespace polhode;
 using testing::HasSubstr;
-namespace budget = polhode::budget;
 
 const Quaternion attitude{0.5, -0.5, 0.1, 0.7};
 Vec3 times(double size, const Vec3& v) { return {size * v.x, size * v.y, size * v.z}; }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Sadov's and Serret's sets where they are singular: the documented limit, never NaN.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <random>
 #include <string_view>
@@ -15,9 +14,7 @@
 namespace {
 
 using namespace free_test;
-using polhode::SadovState;
-using polhode::SerretState;
-namespace budget = polhode::budget;
+using namespace polhode;
 
 bool finite(const SerretState& s) { return std::isfinite(s.g0 + s.h + s.t0 + s.G + s.H + s.T); }
 bool finite(const SadovState& s) {

@@ -23,11 +23,7 @@
 namespace {
 
 using namespace free_test;
-namespace budget = polhode::budget;
-using polhode::BasicFreeKernel;
-using polhode::BasicRotorState;
-using polhode::BasicVec3;
-using polhode::FreeKernel;
+using namespace polhode;
 using polhode::test::Lanes;
 
 template <std::size_t N>

@@ -19,10 +19,8 @@
 namespace {
 
 using namespace free_test;
-using polhode::InstructionSet;
-using polhode::SadovState;
+using namespace polhode;
 using polhode::test::Worst;
-namespace budget = polhode::budget;
 
 std::vector<std::uint64_t> bits_of(const SadovState& s) {
   std::vector<std::uint64_t> b{static_cast<std::uint64_t>(s.region),

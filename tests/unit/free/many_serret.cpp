@@ -20,10 +20,8 @@
 namespace {
 
 using namespace free_test;
-using polhode::InstructionSet;
-using polhode::SerretState;
+using namespace polhode;
 using polhode::test::Worst;
-namespace budget = polhode::budget;
 
 std::vector<std::uint64_t> bits_of_all(const std::vector<double>& numbers) {
   std::vector<std::uint64_t> b;

@@ -2,7 +2,6 @@
 // What every free rotation does: it starts where it should, keeps its invariants, composes in
 // time, and does not care how axes, units, time and quaternions were chosen.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include "budgets.hpp"
 #include "polhode/rotor/attitude.hpp"

@@ -22,13 +22,8 @@ using oracle::FreeBody;
 using oracle::Wide;
 using oracle::WideQuaternion;
 using oracle::WideVec3;
-using polhode::BasicFreeKernel;
-using polhode::BasicQuaternion;
-using polhode::BasicRotorState;
-using polhode::BasicVec3;
-using polhode::DoubleDouble;
+using namespace polhode;
 using polhode::test::Worst;
-namespace budget = polhode::budget;
 
 // --- DoubleDouble ---
 

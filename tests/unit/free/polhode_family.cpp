@@ -12,12 +12,9 @@
 namespace {
 
 using namespace free_test;
-using polhode::BasicVec3;
-using polhode::DoubleDouble;
-using polhode::Dual;
+using namespace polhode;
 using polhode::detail::FamilyMember;
 namespace detail = polhode::detail;
-namespace budget = polhode::budget;
 using DD = DoubleDouble;
 
 constexpr double values_of_v[] = {-500.0, -60.0, -8.0, -1.0, 0.0, 2.0, 9.0, 40.0};

@@ -20,10 +20,7 @@
 namespace {
 
 using namespace free_test;
-namespace budget = polhode::budget;
-using polhode::FailedBody;
-using polhode::InstructionSet;
-using polhode::propagate;
+using namespace polhode;
 
 // Rows of many bodies; moments need not be those of a body.
 struct Many {

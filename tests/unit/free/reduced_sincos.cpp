@@ -12,12 +12,9 @@
 
 namespace {
 
-using polhode::DoubleDouble;
-using polhode::SinCos;
-using polhode::TwoTerms;
+using namespace polhode;
 using polhode::test::larger;
 using polhode::test::Worst;
-namespace budget = polhode::budget;
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 

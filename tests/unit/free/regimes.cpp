@@ -12,8 +12,7 @@
 namespace {
 
 using namespace free_test;
-using polhode::DoubleDouble;
-namespace budget = polhode::budget;
+using namespace polhode;
 
 // Within a few roundings.
 void expect_same(double value, double expected, const char* what = "") {

@@ -16,10 +16,8 @@
 
 namespace {
 
-namespace budget = polhode::budget;
+using namespace polhode;
 using oracle::Draw;
-using polhode::DoubleDouble;
-using polhode::Vec3;
 using polhode::detail::exact_separatrix_distance;
 using polhode::detail::FloatingDoubleDouble;
 using Exact = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<1233>,

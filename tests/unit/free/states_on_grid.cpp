@@ -20,10 +20,8 @@
 namespace {
 
 using namespace free_test;
-using polhode::InstructionSet;
-using polhode::TimeGrid;
+using namespace polhode;
 using polhode::test::Worst;
-namespace budget = polhode::budget;
 
 const RotorState unset{{7.0, 7.0, 7.0, 7.0}, {7.0, 7.0, 7.0}};
 

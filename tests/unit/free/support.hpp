@@ -21,12 +21,7 @@ namespace free_test {
 
 using oracle::Draw;
 using oracle::FreeCase;
-using polhode::Body;
-using polhode::FreeRotation;
-using polhode::Quaternion;
-using polhode::Regime;
-using polhode::RotorState;
-using polhode::Vec3;
+using namespace polhode;
 using polhode::test::larger;
 using polhode::test::smaller;
 

@@ -3,7 +3,6 @@
 #include "polhode/free/tumbler.hpp"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include "budgets.hpp"
 #include "unit/free/support.hpp"
@@ -12,10 +11,9 @@
 namespace {
 
 using namespace free_test;
-using polhode::TumblerState;
+using namespace polhode;
 using polhode::test::smaller;
 using polhode::test::Worst;
-namespace budget = polhode::budget;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 

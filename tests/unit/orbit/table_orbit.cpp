@@ -3,7 +3,6 @@
 #include "polhode/orbit/table_orbit.hpp"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>

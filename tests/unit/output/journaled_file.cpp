@@ -4,7 +4,6 @@
 #include "output/detail/journaled_file.hpp"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <iterator>
 #include <random>

@@ -3,7 +3,6 @@
 #include "polhode/output/output_format.hpp"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <filesystem>

@@ -15,13 +15,8 @@
 namespace perturb_test {
 namespace {
 
-using polhode::AnyOrbit;
-using polhode::AnyPerturbation;
-using polhode::GravityGradient;
-using polhode::KeplerOrbit;
-using polhode::SpaceAxes;
+using namespace polhode;
 using polhode::test::Worst;
-namespace budget = polhode::budget;
 
 // The tensor form of the torque and of the potential: r x I r and r.I r as printed everywhere.
 BasicEffect<Wide> textbook(const WideVec3& r_B, const Vec3& I, double gm) {

@@ -16,16 +16,8 @@
 namespace perturb_test {
 namespace {
 
-using polhode::AnyPerturbation;
-using polhode::GravityGradient;
-using polhode::HigherGravity;
-using polhode::KeplerOrbit;
-using polhode::MassMoments;
-using polhode::OrbitOf;
-using polhode::PointMass;
-using polhode::SpaceAxes;
+using namespace polhode;
 using polhode::test::Worst;
-namespace budget = polhode::budget;
 
 std::vector<PointMass> drawn_points(std::uint64_t seed) {
   Draw draw(seed, 0);

@@ -14,11 +14,8 @@
 namespace perturb_test {
 namespace {
 
-using polhode::AnyPerturbation;
-using polhode::DampedMaterial;
-using polhode::InternalDamping;
+using namespace polhode;
 using polhode::test::Worst;
-namespace budget = polhode::budget;
 
 TEST(InternalDamping, IsCrossProductOfMomentumAndRate) {
   for (const InternalDamping& term :

@@ -13,9 +13,8 @@
 namespace perturb_test {
 namespace {
 
-using polhode::KaneDamper;
+using namespace polhode;
 using polhode::test::Worst;
-namespace budget = polhode::budget;
 
 WideVec3 divided(const WideVec3& x, const WideVec3& by) {
   return {x.x / by.x, x.y / by.y, x.z / by.z};

@@ -17,27 +17,9 @@
 namespace perturb_test {
 namespace {
 
-using polhode::AffineTorque;
-using polhode::AnyPerturbation;
-using polhode::BasicFieldMotion;
-using polhode::ConstantField;
-using polhode::DipoleField;
-using polhode::EddyCurrents;
-using polhode::FieldAlongOrbit;
-using polhode::FieldFunction;
-using polhode::FieldRate;
-using polhode::GaussCoefficients;
-using polhode::KeplerOrbit;
-using polhode::Mat3;
-using polhode::PrecessingKeplerOrbit;
-using polhode::PrimaryRotation;
-using polhode::Problem;
-using polhode::ResidualDipole;
-using polhode::SaveAt;
-using polhode::System;
+using namespace polhode;
 using polhode::test::larger;
 using polhode::test::Worst;
-namespace budget = polhode::budget;
 
 constexpr double two_pi = 6.283185307179586;
 const GaussCoefficients gauss{-29.4968, -1.5864, 4.9443};

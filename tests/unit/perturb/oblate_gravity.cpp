@@ -16,14 +16,8 @@
 namespace perturb_test {
 namespace {
 
-using polhode::AnyPerturbation;
-using polhode::GravityGradient;
-using polhode::KeplerOrbit;
-using polhode::OblateGravity;
-using polhode::Oblateness;
-using polhode::SpaceAxes;
+using namespace polhode;
 using polhode::test::Worst;
-namespace budget = polhode::budget;
 
 // -grad of U = -gm/r (1 - J2 (R/r)^2 (3 s^2 - 1)/2), s the sine of the latitude, differentiated by
 // its two arguments: dU/dr along r, and dU/ds (k - s n) / r.

@@ -17,19 +17,7 @@ using oracle::Wide;
 using oracle::WideQuaternion;
 using oracle::WideState;
 using oracle::WideVec3;
-using polhode::BasicEffect;
-using polhode::BasicRotorState;
-using polhode::BasicSetting;
-using polhode::BasicVec3;
-using polhode::Body;
-using polhode::DoubleDouble;
-using polhode::Effect;
-using polhode::Quaternion;
-using polhode::Real;
-using polhode::RotorState;
-using polhode::Setting;
-using polhode::Tangent;
-using polhode::Vec3;
+using namespace polhode;
 
 inline constexpr double eps = 0x1p-52;
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Light and air on facets: closed forms, 76 digits, and quadrature over attitudes.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <limits>
 #include <numbers>
@@ -21,24 +20,11 @@
 namespace perturb_test {
 namespace {
 
-using polhode::AnyOrbit;
-using polhode::AnyPerturbation;
-using polhode::Atmosphere;
-using polhode::AtmosphericDrag;
-using polhode::DirectedPath;
-using polhode::FacetStream;
-using polhode::Finish;
-using polhode::KeplerOrbit;
-using polhode::light_law;
-using polhode::molecule_law;
-using polhode::Shadow;
-using polhode::SolarPressure;
-using polhode::Sunlight;
+using namespace polhode;
 using polhode::test::larger;
 using polhode::test::smaller;
 using polhode::test::Worst;
 using ::testing::HasSubstr;
-namespace budget = polhode::budget;
 
 constexpr double pi = std::numbers::pi;
 

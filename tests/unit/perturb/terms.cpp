@@ -17,20 +17,10 @@
 namespace perturb_test {
 namespace {
 
-using polhode::AnyPerturbation;
-using polhode::BasicQuaternion;
-using polhode::ConstantTorque;
-using polhode::Frame;
-using polhode::HamiltonianTerm;
-using polhode::LinearDamping;
-using polhode::Mat3;
-using polhode::SpaceAxes;
-using polhode::System;
-using polhode::TorqueTerm;
+using namespace polhode;
 using polhode::test::larger;
 using polhode::test::smaller;
 using polhode::test::Worst;
-namespace budget = polhode::budget;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 

@@ -16,13 +16,8 @@
 namespace perturb_test {
 namespace {
 
-using polhode::AnyOrbit;
-using polhode::AnyPerturbation;
-using polhode::KeplerOrbit;
-using polhode::TidalBody;
-using polhode::TidalTorque;
+using namespace polhode;
 using polhode::test::Worst;
-namespace budget = polhode::budget;
 
 struct NoVelocity {
   Vec3 position(double) const { return {1.0, 0.0, 0.0}; }

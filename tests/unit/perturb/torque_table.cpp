@@ -14,13 +14,9 @@
 namespace perturb_test {
 namespace {
 
-using polhode::AnyPerturbation;
-using polhode::SpaceAxes;
-using polhode::TorqueRow;
-using polhode::TorqueTable;
+using namespace polhode;
 using Between = TorqueTable::Between;
 using Outside = TorqueTable::Outside;
-namespace budget = polhode::budget;
 
 const std::vector<TorqueRow> rows = {{1.0, {1.0, 0.0, 2.0}},
                                      {2.0, {3.0, 0.0, 2.0}},

@@ -13,9 +13,7 @@
 namespace perturb_test {
 namespace {
 
-using polhode::TorqueRow;
-using polhode::TorqueTable;
-namespace budget = polhode::budget;
+using namespace polhode;
 
 using Real = long double;
 

@@ -2,7 +2,6 @@
 #include "polhode/rotor/attitude.hpp"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <limits>
 

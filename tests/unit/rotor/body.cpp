@@ -2,7 +2,6 @@
 #include "polhode/rotor/body.hpp"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>

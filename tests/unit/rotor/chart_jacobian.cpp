@@ -15,7 +15,6 @@
 namespace {
 
 using namespace polhode;
-namespace budget = polhode::budget;
 constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr int near_exponent = 100;  // double-double holds every quotient of this distance
 constexpr double singular = 0x1p50, regular = 0x1p-50;

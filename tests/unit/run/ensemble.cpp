@@ -2,7 +2,6 @@
 // Ensembles: a member is the scenario that its text is, alone and among others; rows and statistics
 // come whatever the threads.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <atomic>
 #include <bit>

@@ -2,7 +2,6 @@
 // Ensembles whose chunks are computed by processes: bytes go to and fro, and rows are those of
 // threads to the last bit, whoever computes a chunk.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <atomic>

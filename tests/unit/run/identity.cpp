@@ -2,7 +2,6 @@
 // What a checkpoint must agree in: a run does not go on with another method than it began with,
 // though its file names none and the default is another one now.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <string>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Maps: every cell is the scenario that a file with its numbers would be; rows survive a kill.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <bit>

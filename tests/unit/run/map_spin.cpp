@@ -2,7 +2,6 @@
 // Maps over the spin axes of planets. Oracles: the scenario with the numbers of the cell, run by
 // itself, and the closed form of the precession on an orbit that stays.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A scenario's run reports how far it has come, and can be stopped from outside.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <memory>

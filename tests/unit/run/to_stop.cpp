@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A run goes to `stop`, also where that is no whole number of steps behind the first row.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <memory>
 #include <numbers>

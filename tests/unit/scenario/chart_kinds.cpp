@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Charts that a program adds to ours, in scenarios.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <memory>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Defaults that change the physics are required or shown.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <cmath>
 #include <string>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // [ensemble]: what a file asks for is what is drawn, in the units of the file.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <cmath>
 

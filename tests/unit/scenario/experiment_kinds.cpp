@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A kind of experiment that a program adds to the rotation: a gyrostat, from a file to rows.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <fstream>
 #include <memory>

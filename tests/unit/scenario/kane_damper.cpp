@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // [[perturbation]] of kind "kane-damper": its keys, its columns, and what it refuses.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <string>
 

@@ -3,7 +3,6 @@
 #include "polhode/scenario/kinds.hpp"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <any>
 #include <memory>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Kinds of orbits that a program adds to ours.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <string>
 #include <string_view>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Frames, orbits, perturbations, methods and events of a scenario.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // [orbit.NAME] of every kind: what is made of it, and what is refused.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>

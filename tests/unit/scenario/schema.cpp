@@ -2,7 +2,6 @@
 #include "polhode/scenario/schema.hpp"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <set>

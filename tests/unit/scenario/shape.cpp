@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // [body] shape, and what is said of shapes.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <string>
 

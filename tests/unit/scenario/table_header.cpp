@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a table says of itself above its rows is held against how a scenario reads it.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <string>
 

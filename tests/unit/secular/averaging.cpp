@@ -3,7 +3,6 @@
 // the rotor itself. Oracles: each other, Kepler's orbit, and the amplitude of the nutation of half
 // a year.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>

@@ -5,7 +5,6 @@
 #include "polhode/secular/gravity_gradient_theory.hpp"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>

@@ -4,7 +4,6 @@
 #include "polhode/secular/lie_transform.hpp"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <algorithm>
 
@@ -16,14 +15,7 @@
 namespace secular_test {
 namespace {
 
-using polhode::Elimination;
-using polhode::LieMethod;
-using polhode::LieTransform;
-using polhode::Rational;
-using polhode::Series;
-using polhode::series_from_text;
-using polhode::Symbols;
-using polhode::Truncation;
+using namespace polhode;
 using polhode::test::message_of;
 using testing::HasSubstr;
 

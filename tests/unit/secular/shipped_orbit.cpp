@@ -5,7 +5,6 @@
 #include "polhode/secular/shipped_orbit.hpp"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>

@@ -4,7 +4,6 @@
 #include "polhode/secular/tidal_spin.hpp"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>

@@ -4,7 +4,6 @@
 #include "polhode/secular/transform_size.hpp"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstddef>

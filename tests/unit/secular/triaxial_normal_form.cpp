@@ -3,7 +3,6 @@
 #include "polhode/secular/triaxial_normal_form.hpp"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>

@@ -3,7 +3,6 @@
 #include "polhode/secular/yorp.hpp"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
@@ -21,16 +20,8 @@ namespace {
 
 using namespace perturb_test;
 
-using polhode::FacetShape;
-using polhode::FacetStream;
-using polhode::Finish;
-using polhode::KeplerOrbit;
-using polhode::light_law;
-using polhode::mean_pressure;
-using polhode::yorp_torque;
-using polhode::YorpTorque;
+using namespace polhode;
 using testing::HasSubstr;
-namespace budget = polhode::budget;
 
 constexpr double pi = std::numbers::pi;
 

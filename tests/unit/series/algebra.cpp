@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Laws of the algebra, exact in rationals on series drawn at random.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include "unit/series/support.hpp"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Compiled series against the definition in 50 digits, alone and among other points.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
@@ -18,11 +17,10 @@ namespace series_test {
 namespace {
 
 using boost::multiprecision::cpp_bin_float_50;
-using polhode::CompiledSeries;
+using namespace polhode;
 using polhode::test::message_of;
 using polhode::test::Worst;
 using testing::HasSubstr;
-namespace budget = polhode::budget;
 
 Series<double> in_doubles(const Symbols& symbols, Draw& draw, int terms) {
   return drawn<double>(symbols, draw, terms, -3, 4, 5,

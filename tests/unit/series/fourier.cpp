@@ -3,7 +3,6 @@
 #include "polhode/series/fourier.hpp"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
@@ -16,8 +15,7 @@
 namespace series_test {
 namespace {
 
-using polhode::CompiledSeries;
-using polhode::fourier_series;
+using namespace polhode;
 using polhode::test::message_of;
 using testing::HasSubstr;
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Packed rows at the ends of their range, and what symbols and series refuse.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include "message_of.hpp"
 #include "polhode/series/key.hpp"
@@ -12,8 +11,7 @@
 namespace series_test {
 namespace {
 
-using polhode::ConjugatePair;
-using polhode::PackedFields;
+using namespace polhode;
 using polhode::test::message_of;
 using testing::HasSubstr;
 

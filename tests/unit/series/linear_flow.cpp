@@ -3,7 +3,6 @@
 #include "polhode/series/linear_flow.hpp"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include "message_of.hpp"
 #include "unit/series/support.hpp"

@@ -3,7 +3,6 @@
 #include "polhode/series/rational.hpp"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>

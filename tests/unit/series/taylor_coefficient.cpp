@@ -4,7 +4,6 @@
 #include "polhode/series/taylor_coefficient.hpp"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <algorithm>
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Values of what is made of series against the same made of their values: exact.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include "polhode/series/substitution.hpp"
 #include "unit/series/support.hpp"

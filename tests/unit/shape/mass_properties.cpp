@@ -2,7 +2,6 @@
 #include "polhode/shape/mass_properties.hpp"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include "budgets.hpp"
 #include "oracle/random_draw.hpp"
@@ -17,18 +16,10 @@ namespace {
 using oracle::Draw;
 using oracle::Wide;
 using oracle::WideVec3;
-using polhode::BasicMassMoments;
-using polhode::BasicMoments;
-using polhode::Body;
-using polhode::DomainError;
-using polhode::Facet;
-using polhode::mass_properties;
-using polhode::MassProperties;
-using polhode::moment_place;
+using namespace polhode;
 using polhode::test::larger;
 using polhode::test::Worst;
 using ::testing::HasSubstr;
-namespace budget = polhode::budget;
 
 constexpr double eps = 0x1p-52;
 

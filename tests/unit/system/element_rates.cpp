@@ -4,7 +4,6 @@
 #include "polhode/system/element_rates.hpp"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Light curves in ALCDEF: what the file declares, and what is said of what is wrong.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <cmath>
 #include <string>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Light curves in plain columns: read, written, and vectors from orbits.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <cmath>
 #include <string>

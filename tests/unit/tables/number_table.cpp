@@ -3,7 +3,6 @@
 #include "polhode/tables/number_table.hpp"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <zlib.h>
 
 #include <algorithm>

@@ -3,7 +3,6 @@
 #include "text/words.hpp"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <span>
 #include <string>
