@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
-// What a call refuses with.
+// Rejected input and its message.
 #pragma once
+
+#include <gmock/gmock.h>
 
 #include <string>
 
@@ -8,15 +10,22 @@
 
 namespace polhode::test {
 
-// The message of its DomainError; empty where it throws none.
-template <class F>
+// The message of the Error that f throws; empty if it throws none.
+template <class Error = DomainError, class F>
 std::string message_of(const F& f) {
   try {
     f();
-  } catch (const DomainError& error) {
+  } catch (const Error& error) {
     return error.what();
   }
   return "";
 }
 
 }  // namespace polhode::test
+
+// The expression throws a DomainError with this message, or with this text in its message.
+#define EXPECT_MESSAGE(expression, message) \
+  EXPECT_EQ(::polhode::test::message_of([&] { static_cast<void>(expression); }), message)
+#define EXPECT_REJECTED(expression, text)                                          \
+  EXPECT_THAT(::polhode::test::message_of([&] { static_cast<void>(expression); }), \
+              ::testing::HasSubstr(text))

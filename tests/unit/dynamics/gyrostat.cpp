@@ -23,7 +23,6 @@ namespace {
 using namespace polhode;
 using polhode::test::Gyrostat;
 using polhode::test::GyrostatState;
-using polhode::test::message_of;
 using polhode::test::Worst;
 using testing::HasSubstr;
 
@@ -244,15 +243,12 @@ TEST(Gyrostat, ACheckpointKnowsItsProblem) {
   const Checkpoint& from = record.checkpoints.at(0);
   GyrostatProblem other = problem(40.0);
   other.system = Gyrostat({1.0, 1.7, 2.2}, {0.15, -0.4, 0.8}, 0.05);
-  EXPECT_THAT(message_of([&] { resume(other, times, from, into(rest, 0)); }),
-              HasSubstr("parameters differs"));
+  EXPECT_REJECTED(resume(other, times, from, into(rest, 0)), "parameters differs");
   other = problem(40.0);
   other.initial.wheel = 0.3;
-  EXPECT_THAT(message_of([&] { resume(other, times, from, into(rest, 0)); }),
-              HasSubstr("state differs"));
+  EXPECT_REJECTED(resume(other, times, from, into(rest, 0)), "state differs");
   const Problem rotor{System(Body(1.0, 1.7, 2.2)), {start.q, start.g}, 0.0, 40.0, sharp};
-  EXPECT_THAT(message_of([&] { resume(rotor, times, from, Streams{}); }),
-              HasSubstr("another problem: state differs"));
+  EXPECT_REJECTED(resume(rotor, times, from, Streams{}), "another problem: state differs");
 }
 
 TEST(Gyrostat, ACheckpointKnowsTheStateAsItIsStarted) {
@@ -267,12 +263,12 @@ TEST(Gyrostat, ACheckpointKnowsTheStateAsItIsStarted) {
 }
 
 TEST(Gyrostat, RefusesWhatItCannotDo) {
-  EXPECT_THAT(message_of([] { integrate(problem(1.0, Splitting{0.1})); }),
-              HasSubstr("method of a gyrostat must be Adaptive or Collocation: the others"));
+  EXPECT_REJECTED(integrate(problem(1.0, Splitting{0.1})),
+                  "method of a gyrostat must be Adaptive or Collocation: the others");
   GyrostatProblem p = problem(1.0);
   p.initial.wheel = std::nan("");
-  EXPECT_THAT(message_of([&] { integrate(p); }), HasSubstr("the angle of the wheel"));
-  EXPECT_THAT(message_of([] { problem(HUGE_VAL); }), HasSubstr("stop inf must be finite"));
+  EXPECT_REJECTED(integrate(p), "the angle of the wheel");
+  EXPECT_REJECTED(problem(HUGE_VAL), "stop inf must be finite");
   for (const Method& method : {Method(sharp), Method(swept)}) {
     p = problem(1.0, method);
     p.initial.g.x = std::nan("");

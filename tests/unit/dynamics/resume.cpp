@@ -190,12 +190,7 @@ TEST(Resume, WithADamper) {
     integrate(p, times, into(record, 50));
     const Checkpoint& from = record.checkpoints.at(0);
     const auto differs = [&](const DampedProblem& other) {
-      try {
-        resume(other, times, from, into(rest, 0));
-      } catch (const DomainError& error) {
-        return std::string(error.what());
-      }
-      return std::string();
+      return message_of([&] { resume(other, times, from, into(rest, 0)); });
     };
     DampedProblem other = p;
     other.system =
@@ -231,15 +226,11 @@ TEST(Resume, AnotherProblemIsRefusedByWhatDiffers) {
   Record record;
   integrate(p, times, into(record, 100));
   const Checkpoint& from = record.checkpoints.at(0);
-  const auto refusal = [&](const Problem& other, const SaveAt& at) -> std::string {
+  const auto refusal = [&](const Problem& other, const SaveAt& at) {
     Record rest;
-    try {
-      resume(other, at, from, into(rest, 0));
-    } catch (const DomainError& error) {
-      EXPECT_TRUE(rest.samples.empty());
-      return error.what();
-    }
-    return "";
+    const std::string message = message_of([&] { resume(other, at, from, into(rest, 0)); });
+    EXPECT_TRUE(rest.samples.empty());
+    return message;
   };
   Problem other = p;
   other.initial.g.x = 0.81;

@@ -20,7 +20,6 @@
 namespace {
 
 using namespace polhode;
-using polhode::test::message_of;
 using polhode::test::Worst;
 using Exact = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>,
                                             boost::multiprecision::et_off>;
@@ -180,12 +179,12 @@ TEST(AttitudeMoments, HaveTheBitsOfOneByOneInRowsAndBlocksByEverySet) {
 TEST(AttitudeMoments, SayWhatTheyRefuse) {
   std::vector<AttitudeMoments> three(3);
   const std::vector<RotorState> states(7);
-  EXPECT_EQ(message_of([&] { add_rows(std::span(three), 0, states); }),
-            "add_rows: got 7 states at 3 epochs; expected as many, or a multiple");
-  EXPECT_EQ(message_of([&] { add_rows(std::span<AttitudeMoments>(), 0, states); }),
-            "add_rows: got 7 states at 0 epochs; expected as many, or a multiple");
-  EXPECT_EQ(message_of([&] { (void)three[0].moment(0, 4); }),
-            "AttitudeMoments::moment: got components 0 and 4; expected 0 to 3");
+  EXPECT_MESSAGE(add_rows(std::span(three), 0, states),
+                 "add_rows: got 7 states at 3 epochs; expected as many, or a multiple");
+  EXPECT_MESSAGE(add_rows(std::span<AttitudeMoments>(), 0, states),
+                 "add_rows: got 7 states at 0 epochs; expected as many, or a multiple");
+  EXPECT_MESSAGE(three[0].moment(0, 4),
+                 "AttitudeMoments::moment: got components 0 and 4; expected 0 to 3");
 }
 
 }  // namespace

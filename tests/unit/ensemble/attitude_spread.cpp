@@ -18,7 +18,6 @@
 namespace {
 
 using namespace polhode;
-using polhode::test::message_of;
 using polhode::test::Worst;
 
 Quaternion turn(const Vec3& v) {
@@ -257,16 +256,13 @@ TEST(AttitudeSpread, HasTheBitsOfOneByOneInRowsByEverySet) {
 }
 
 TEST(AttitudeSpread, SaysWhatItRefuses) {
-  EXPECT_EQ(message_of([] {
-              AttitudeSpread({0.0, 0.0, 0.0, 0.0});
-            }),
-            "AttitudeSpread: reference (0, 0, 0, 0) is no attitude; expected a finite quaternion "
-            "other than 0");
+  EXPECT_MESSAGE(AttitudeSpread({0.0, 0.0, 0.0, 0.0}),
+                 "AttitudeSpread: reference (0, 0, 0, 0) is no attitude; expected a finite "
+                 "quaternion other than 0");
   AttitudeSpread all({});
-  EXPECT_EQ(message_of([&] {
-              all.merge(AttitudeSpread({0.0, 1.0, 0.0, 0.0}));
-            }),
-            "AttitudeSpread::merge: got moments about (0, 1, 0, 0); expected about (1, 0, 0, 0)");
+  EXPECT_MESSAGE(
+      all.merge(AttitudeSpread({0.0, 1.0, 0.0, 0.0})),
+      "AttitudeSpread::merge: got moments about (0, 1, 0, 0); expected about (1, 0, 0, 0)");
 }
 
 }  // namespace

@@ -39,29 +39,17 @@ TEST(DrawGrid, EndsAreExactAndPointsRoundedOnce) {
 
 TEST(DrawGrid, WhatIsNoneIsRefused) {
   const double infinity = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(message_of([] { DrawGrid({}); }), "DrawGrid: 0 axes must be one or more");
-  EXPECT_EQ(message_of([&] {
-              DrawGrid({{0, 1, 2}, {0, infinity, 2}});
-            }),
-            "DrawGrid: axis[1]: to inf must be finite");
-  EXPECT_EQ(message_of([] {
-              DrawGrid({{0, 1, 0}});
-            }),
-            "DrawGrid: axis[0]: count 0 must be 1 or more");
-  EXPECT_EQ(message_of([] {
-              DrawGrid({{0, 1, -3}, {0, 1, -4}});
-            }),
-            "DrawGrid: axis[0]: count -3 must be 1 or more");
-  EXPECT_EQ(message_of([] {
-              DrawGrid({{0, 1, 1LL << 40}, {0, 1, 1LL << 40}});
-            }),
-            "DrawGrid: axis[1]: count 1099511627776 makes more points than 2^53, which must be the "
-            "most");
+  EXPECT_MESSAGE(DrawGrid({}), "DrawGrid: 0 axes must be one or more");
+  EXPECT_MESSAGE(DrawGrid({{0, 1, 2}, {0, infinity, 2}}),
+                 "DrawGrid: axis[1]: to inf must be finite");
+  EXPECT_MESSAGE(DrawGrid({{0, 1, 0}}), "DrawGrid: axis[0]: count 0 must be 1 or more");
+  EXPECT_MESSAGE(DrawGrid({{0, 1, -3}, {0, 1, -4}}),
+                 "DrawGrid: axis[0]: count -3 must be 1 or more");
+  EXPECT_MESSAGE(
+      DrawGrid({{0, 1, 1LL << 40}, {0, 1, 1LL << 40}}),
+      "DrawGrid: axis[1]: count 1099511627776 makes more points than 2^53, which must be the most");
   double x = 0.0;
-  EXPECT_EQ(message_of([&] {
-              DrawGrid({{0, 1, 2}}).at(2, {&x, 1});
-            }),
-            "DrawGrid::at: index 2 must be below 2");
+  EXPECT_MESSAGE(DrawGrid({{0, 1, 2}}).at(2, {&x, 1}), "DrawGrid::at: index 2 must be below 2");
 }
 
 TEST(DrawTable, HasItsRows) {
@@ -89,20 +77,12 @@ TEST(DrawTable, DrawsEveryRowAsOften) {
 
 TEST(DrawTable, WhatIsNoneIsRefused) {
   constexpr RowOrder any = RowOrder::in_order;
-  EXPECT_EQ(message_of([] { DrawTable(0, {1}, any); }), "DrawTable: 0 columns must be one or more");
-  EXPECT_EQ(message_of([] { DrawTable(2, {}, any); }), "DrawTable: 0 rows must be one or more");
-  EXPECT_EQ(message_of([] {
-              DrawTable(2, {1, 2, 3}, any);
-            }),
-            "DrawTable: 3 numbers must be whole rows of 2");
-  EXPECT_EQ(message_of([] {
-              DrawTable(2, {1, 2, 3, std::nan("")}, any);
-            }),
-            "DrawTable: row 1, column 1: nan must be finite");
-  EXPECT_EQ(message_of([] {
-              static_cast<void>(DrawTable(1, {1, 2}, any).row(2));
-            }),
-            "DrawTable::row: index 2 must be below 2");
+  EXPECT_MESSAGE(DrawTable(0, {1}, any), "DrawTable: 0 columns must be one or more");
+  EXPECT_MESSAGE(DrawTable(2, {}, any), "DrawTable: 0 rows must be one or more");
+  EXPECT_MESSAGE(DrawTable(2, {1, 2, 3}, any), "DrawTable: 3 numbers must be whole rows of 2");
+  EXPECT_MESSAGE(DrawTable(2, {1, 2, 3, std::nan("")}, any),
+                 "DrawTable: row 1, column 1: nan must be finite");
+  EXPECT_MESSAGE(DrawTable(1, {1, 2}, any).row(2), "DrawTable::row: index 2 must be below 2");
 }
 
 }  // namespace

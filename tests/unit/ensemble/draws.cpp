@@ -143,8 +143,7 @@ TEST(Draws, ListedPointsGoByTheMember) {
   EXPECT_EQ(Draws(of_each(), 1).most_members(), std::numeric_limits<std::uint64_t>::max());
   EXPECT_EQ(draws.value(1, 0), 20.0);
   EXPECT_EQ(draws.value(2, 1), 0.0);  // the grid again
-  EXPECT_EQ(message_of([&] { static_cast<void>(draws.value(3, 0)); }),
-            "DrawTable::row: index 3 must be below 3");
+  EXPECT_MESSAGE(draws.value(3, 0), "DrawTable::row: index 3 must be below 3");
 }
 
 // Sobol's points through a normal: the mean of z^2 is nearer to 1.
@@ -166,19 +165,16 @@ TEST(Draws, SobolPointsGoThroughTheSameDistributions) {
 
 TEST(Draws, WhatCannotBeDrawnIsRefused) {
   const Distribution any = Uniform(0, 1);
-  EXPECT_EQ(message_of([&] { Draws({{"", any}}, 1); }), "Draws: name \"\" must not be empty");
-  EXPECT_EQ(message_of([&] {
-              Draws({{"a", any}, {"a", any}}, 1);
-            }),
-            "Draws: names \"a\" and \"a\" must differ, and so must their keys");
+  EXPECT_MESSAGE(Draws({{"", any}}, 1), "Draws: name \"\" must not be empty");
+  EXPECT_MESSAGE(Draws({{"a", any}, {"a", any}}, 1),
+                 "Draws: names \"a\" and \"a\" must differ, and so must their keys");
   std::vector<Varied> many;
   for (int i = 0; i < 3668; ++i) many.push_back({"x" + std::to_string(i), any});
-  EXPECT_EQ(message_of([&] { Draws(many, 1, DrawSource::sobol); }),
-            "SobolPoints: 3668 dimensions must be from 1 to 3667");
+  EXPECT_MESSAGE(Draws(many, 1, DrawSource::sobol),
+                 "SobolPoints: 3668 dimensions must be from 1 to 3667");
   EXPECT_EQ(message_of([&] { Draws(many, 1); }), "");
   const Draws draws({{"axis", IsotropicDirection{}}}, 1);
-  EXPECT_EQ(message_of([&] { static_cast<void>(draws.value(0, 0)); }),
-            "Draws: room for 1 numbers of \"axis\" must be for 3");
+  EXPECT_MESSAGE(draws.value(0, 0), "Draws: room for 1 numbers of \"axis\" must be for 3");
 }
 
 }  // namespace

@@ -67,13 +67,10 @@ TEST(Fractions, SayWhatTheyRefuse) {
   Fractions two(2);
   two.leave_out(9);
   EXPECT_EQ(two.left_out().first()[0], 9);
-  EXPECT_EQ(message_of([&] { two.add(4, 2); }),
-            "Fractions::add: got class 2 of member 4; expected 0 to 1");
-  EXPECT_EQ(message_of([&] { (void)two.fraction(-1); }),
-            "Fractions::fraction: got class -1; expected 0 to 1");
-  EXPECT_EQ(message_of([] { Fractions(0); }), "Fractions: got 0 classes; expected 1 to 1000000");
-  EXPECT_EQ(message_of([&] { two.merge(Fractions(3)); }),
-            "Fractions::merge: got 3 classes; expected 2");
+  EXPECT_MESSAGE(two.add(4, 2), "Fractions::add: got class 2 of member 4; expected 0 to 1");
+  EXPECT_MESSAGE(two.fraction(-1), "Fractions::fraction: got class -1; expected 0 to 1");
+  EXPECT_MESSAGE(Fractions(0), "Fractions: got 0 classes; expected 1 to 1000000");
+  EXPECT_MESSAGE(two.merge(Fractions(3)), "Fractions::merge: got 3 classes; expected 2");
   EXPECT_NE(message_of([&] { (void)two.interval(0, -1.0); }), "");
 }
 
@@ -93,8 +90,7 @@ TEST(FirstEvents, OfFewAreByHand) {
   EXPECT_EQ(found.time_of(0.3)->value, 4.0);
   EXPECT_EQ(found.time_of(0.375)->value, 4.0);
   EXPECT_FALSE(found.time_of(0.376));
-  EXPECT_EQ(message_of([&] { (void)found.time_of(2.0); }),
-            "FirstEvents::time_of: got p = 2; expected 0 to 1");
+  EXPECT_MESSAGE(found.time_of(2.0), "FirstEvents::time_of: got p = 2; expected 0 to 1");
   const FirstEvents none(Bins::linear(0.0, 1.0, 1), 0);
   EXPECT_TRUE(std::isnan(none.survival(0.0).value));
   EXPECT_FALSE(none.time_of(0.5));

@@ -196,18 +196,17 @@ TEST(Quantiles, LeaveOutAndNameWhatIsNotFinite) {
 
 TEST(Quantiles, SayWhatTheyRefuse) {
   const Bins bins = Bins::linear(0.0, 1.0, 4);
-  EXPECT_EQ(message_of([&] { Quantiles(bins, -1); }),
-            "Quantiles: got -1 numbers to be exact with; expected 0 to 2^31");
+  EXPECT_MESSAGE(Quantiles(bins, -1),
+                 "Quantiles: got -1 numbers to be exact with; expected 0 to 2^31");
   Quantiles some(bins, 10);
-  EXPECT_EQ(message_of([&] { (void)some.quantile(1.5); }),
-            "Quantiles::quantile: got p = 1.5; expected 0 to 1");
-  EXPECT_EQ(message_of([&] { (void)some.interval(0.5, nan); }),
-            "Quantiles::interval: got z = nan; expected a finite number of deviations, 0 or more");
-  EXPECT_EQ(message_of([&] { (void)some.ranked(0); }),
-            "Quantiles::ranked: got rank 0 of 0 numbers; expected 0 to -1");
-  EXPECT_EQ(message_of([&] { some.merge(Quantiles(bins, 11)); }),
-            "Quantiles::merge: got other bins, or other than 10 numbers to be exact with (11); "
-            "expected the same");
+  EXPECT_MESSAGE(some.quantile(1.5), "Quantiles::quantile: got p = 1.5; expected 0 to 1");
+  EXPECT_MESSAGE(
+      some.interval(0.5, nan),
+      "Quantiles::interval: got z = nan; expected a finite number of deviations, 0 or more");
+  EXPECT_MESSAGE(some.ranked(0), "Quantiles::ranked: got rank 0 of 0 numbers; expected 0 to -1");
+  EXPECT_MESSAGE(some.merge(Quantiles(bins, 11)),
+                 "Quantiles::merge: got other bins, or other than 10 numbers to be exact with "
+                 "(11); expected the same");
   EXPECT_NE(message_of([&] { some.merge(Quantiles(Bins::linear(0.0, 1.0, 5), 10)); }), "");
 }
 

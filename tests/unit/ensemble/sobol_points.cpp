@@ -143,9 +143,8 @@ TEST(SobolPoints, OneShiftedPointIsUniform) {
 TEST(SobolPoints, HaveAMostOfDimensions) {
   EXPECT_EQ(SobolPoints(3667).dimensions(), 3667u);
   EXPECT_EQ(SobolPoints::most_dimensions, 3667u);
-  EXPECT_EQ(message_of([] { SobolPoints(0); }), "SobolPoints: 0 dimensions must be from 1 to 3667");
-  EXPECT_EQ(message_of([] { SobolPoints(3668); }),
-            "SobolPoints: 3668 dimensions must be from 1 to 3667");
+  EXPECT_MESSAGE(SobolPoints(0), "SobolPoints: 0 dimensions must be from 1 to 3667");
+  EXPECT_MESSAGE(SobolPoints(3668), "SobolPoints: 3668 dimensions must be from 1 to 3667");
 }
 
 }  // namespace

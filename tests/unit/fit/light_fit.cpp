@@ -164,8 +164,7 @@ TEST(LightFit, SaysWhatIsWrong) {
   EXPECT_THROW(static_cast<void>(fit_light(bad)), DomainError);
   LightSearch search;
   search.curves = fit.curves;
-  EXPECT_EQ(polhode::test::message_of([&] { static_cast<void>(search_light(search)); }),
-            "search_light: no periods to start from; expected one pair");
+  EXPECT_MESSAGE(search_light(search), "search_light: no periods to start from; expected one pair");
 }
 
 }  // namespace

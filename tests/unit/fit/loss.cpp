@@ -63,10 +63,7 @@ TEST(Loss, OfNothingIsTheSquare) {
 }
 
 TEST(Loss, NeedsAScale) {
-  EXPECT_THAT(test::message_of([] {
-                check({Loss::Kind::huber, 0.0});
-              }),
-              testing::HasSubstr("must be positive"));
+  EXPECT_REJECTED(check({Loss::Kind::huber, 0.0}), "must be positive");
   EXPECT_THROW(check({Loss::Kind::cauchy, std::numeric_limits<double>::infinity()}), DomainError);
   EXPECT_NO_THROW(check({Loss::Kind::soft_l1, 1.5}));
 }

@@ -90,10 +90,7 @@ TEST(SessionScan, FindsThePeriodsOfNightsFarApart) {
   options.scan.between = [&] {
     if (++calls > 3) throw DomainError("stopped");
   };
-  EXPECT_EQ(message_of([&] {
-              static_cast<void>(scan_sessions(curves, 0.5 * f_phi, 2.2 * f_phi, options));
-            }),
-            "stopped");
+  EXPECT_MESSAGE(scan_sessions(curves, 0.5 * f_phi, 2.2 * f_phi, options), "stopped");
 }
 
 TEST(SessionScan, SaysWhatIsWrong) {

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "budgets.hpp"
+#include "message_of.hpp"
 #include "polhode/free/sadov.hpp"
 #include "polhode/free/serret.hpp"
 #include "polhode/free/tumbler.hpp"
@@ -63,8 +64,7 @@ TEST(ChartEdges, SerretNeedsAnEnergyThatADoubleHolds) {
   e.G *= 1e-160;
   e.H *= 1e-160;
   e.T = e.T * 1e-160 * 1e-160;
-  EXPECT_THAT(message_of([&] { static_cast<void>(to_rotor(body, e, 0.0)); }),
-              HasSubstr("needs T within double range"));
+  EXPECT_REJECTED(to_rotor(body, e, 0.0), "needs T within double range");
   // other units of the same body hold it
   const Body small(1e-160, 1.7e-160, 2.1e-160);
   const RotorState s{attitude, times(1e-160, g)};
@@ -184,10 +184,8 @@ TEST(ChartEdges, NeedlesOfAnyRatioThatDoublesHold) {
       EXPECT_LE(difference(to_rotor(body, to_sadov(motion, 0.0)), s), budget::serret_edge);
     }
   }
-  EXPECT_THAT(message_of([] {
-                FreeRotation(Body(1e-280, 1.0, 1.0), {attitude, {0.3, -0.2, 0.7}});
-              }),
-              HasSubstr("must have a ratio of at least 2^-900"));
+  EXPECT_REJECTED(FreeRotation(Body(1e-280, 1.0, 1.0), {attitude, {0.3, -0.2, 0.7}}),
+                  "must have a ratio of at least 2^-900");
 }
 
 // A momentum component at the very end of double range, next to the middle axis of a small body.
@@ -274,7 +272,7 @@ TEST(ChartEdges, SerretOfNeedlesWithMomentsEqualButForRounding) {
         throw polhode::DomainError("another state");
       ++held;
     });
-    EXPECT_THAT(said, AnyOf("no error", HasSubstr("must hold the distance from the separatrix")));
+    EXPECT_THAT(said, AnyOf("", HasSubstr("must hold the distance from the separatrix")));
   }
   EXPECT_GT(held, 0);
 }
@@ -306,7 +304,7 @@ TEST(ChartEdges, SerretOfASpinAboutTheMiddleAxisOfMomentsEqualButForRounding) {
       const FreeRotation motion(body, s, t);
       RotorState back{};
       const std::string said = message_of([&] { back = to_rotor(body, to_serret(motion, t), t); });
-      if (said == "no error") {
+      if (said == "") {
         ++held;
         EXPECT_LE(difference({back.q, times(1.0 / size, back.g)}, {s.q, times(1.0 / size, s.g)}),
                   budget::serret_next_to_separatrix)
@@ -338,9 +336,9 @@ TEST(ChartEdges, SadovTakesActionsThatARoundingPutsAboveTheThird) {
   s.I_l *= above;
   EXPECT_LE(difference(to_rotor(body, s), spin.at(0.0)), budget::free_invariants);
   s.I_h = s.I_g * above;
-  EXPECT_EQ(message_of([&] { static_cast<void>(to_rotor(body, s)); }), "no error");
+  EXPECT_EQ(message_of([&] { static_cast<void>(to_rotor(body, s)); }), "");
   s.I_h = s.I_g * (1.0 + 64.0 * polhode::epsilon<double>());
-  EXPECT_THAT(message_of([&] { static_cast<void>(to_rotor(body, s)); }), HasSubstr("|I_h| <= I_g"));
+  EXPECT_REJECTED(to_rotor(body, s), "|I_h| <= I_g");
 }
 
 // NaN in, NaN out: next to the separatrix, too.
@@ -379,7 +377,7 @@ TEST(ChartEdges, TumblersNextToTheMiddleAxisComeBack) {
       const FreeRotation motion(body, s);
       const auto seen = to_tumbler(motion, 0.0);
       RotorState back{};
-      ASSERT_EQ(message_of([&] { back = to_rotor(body, seen); }), "no error") << z;
+      ASSERT_EQ(message_of([&] { back = to_rotor(body, seen); }), "") << z;
       EXPECT_LE(difference(back, s), budget::free_state);
       EXPECT_LE(relative(back.g.z, g.z), budget::tumbler_edge) << z;
       EXPECT_LE(relative(FreeRotation(body, back).polhode_period(), motion.polhode_period()),

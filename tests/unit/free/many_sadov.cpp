@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "budgets.hpp"
+#include "message_of.hpp"
 #include "polhode/error.hpp"
 #include "polhode/free/sadov.hpp"
 #include "unit/free/support.hpp"
@@ -161,8 +162,8 @@ TEST(ManySadov, NotANumberSaysWhichStateItIs) {
 TEST(ManySadov, RefuseAnotherNumberOfResults) {
   const std::vector<RotorState> states(9);
   std::vector<SadovState> results(8);
-  EXPECT_EQ(message_of([&] { to_sadov(Body(1.0, 1.7, 2.1), states, results); }),
-            "to_sadov: got room for 8 results of 9 states; expected as many");
+  EXPECT_MESSAGE(to_sadov(Body(1.0, 1.7, 2.1), states, results),
+                 "to_sadov: got room for 8 results of 9 states; expected as many");
 }
 
 std::vector<RotorState> back(const Body& body, const std::vector<SadovState>& sets,
@@ -288,8 +289,8 @@ TEST(RotorsOfSadov, RefuseWhatOneIsRefusedAndSayWhich) {
   bad.I_g = not_a_number;
   EXPECT_EQ(message(bad), expected());
   std::vector<RotorState> results(8);
-  EXPECT_EQ(message_of([&] { to_rotor(body, std::vector<SadovState>(9, good), results); }),
-            "to_rotor: got room for 8 results of 9 states; expected as many");
+  EXPECT_MESSAGE(to_rotor(body, std::vector<SadovState>(9, good), results),
+                 "to_rotor: got room for 8 results of 9 states; expected as many");
 }
 
 }  // namespace

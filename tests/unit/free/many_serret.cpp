@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "budgets.hpp"
+#include "message_of.hpp"
 #include "polhode/error.hpp"
 #include "polhode/free/serret.hpp"
 #include "unit/free/support.hpp"
@@ -222,8 +223,8 @@ TEST(ManySerret, WhereTheyDegenerateAreThoseOfTheMotion) {
     const FreeRotation m = n.motion();
     const std::string refused = message_of([&] { to_serret(m, 0.0); });
     const std::vector<RotorState> states(9, n.start());
-    if (refused != "no error") {
-      EXPECT_EQ(message_of([&] { converted(n.body(), states, {0.0}); }), refused + " (state 0)");
+    if (refused != "") {
+      EXPECT_MESSAGE(converted(n.body(), states, {0.0}), refused + " (state 0)");
       continue;
     }
     for (const SerretState& s : converted(n.body(), states, {0.0}))
@@ -237,25 +238,25 @@ TEST(ManySerret, RefuseWhatOneIsRefusedAndSayWhich) {
   const RotorState start{{0.6, -0.3, 0.7, 0.2}, {0.3, -0.2, 1.0}};
   std::vector<RotorState> states(20, start);
   states[13].g.y = not_a_number;
-  EXPECT_EQ(message_of([&] { converted(body, states, {0.0}); }),
-            "FreeRotation: g (0.3, nan, 1) is not finite (state 13)");
+  EXPECT_MESSAGE(converted(body, states, {0.0}),
+                 "FreeRotation: g (0.3, nan, 1) is not finite (state 13)");
   std::vector<SerretState> sets(20, to_serret(FreeRotation(body, start), 0.0));
   sets[11].T = sets[17].T = 100.0;
-  EXPECT_EQ(message_of([&] { back(body, sets, {0.0}); }),
-            message_of([&] { to_rotor(body, sets[11], 0.0); }) + " (state 11)");
+  EXPECT_MESSAGE(back(body, sets, {0.0}),
+                 message_of([&] { to_rotor(body, sets[11], 0.0); }) + " (state 11)");
   for (double SerretState::*element : {&SerretState::g0, &SerretState::h}) {
     std::vector<SerretState> none(3, to_serret(FreeRotation(body, start), 0.0));
     none[1].*element = not_a_number;
-    EXPECT_EQ(message_of([&] { back(body, none, {0.0}); }),
-              message_of([&] { to_rotor(body, none[1], 0.0); }) + " (state 1)");
+    EXPECT_MESSAGE(back(body, none, {0.0}),
+                   message_of([&] { to_rotor(body, none[1], 0.0); }) + " (state 1)");
   }
   std::vector<SerretState> results(8);
   states.resize(9);
-  EXPECT_EQ(message_of([&] { to_serret(body, states, std::vector<double>(9), results); }),
-            "to_serret: got room for 8 results of 9 states; expected as many");
+  EXPECT_MESSAGE(to_serret(body, states, std::vector<double>(9), results),
+                 "to_serret: got room for 8 results of 9 states; expected as many");
   results.resize(9);
-  EXPECT_EQ(message_of([&] { to_serret(body, states, std::vector<double>(4), results); }),
-            "to_serret: got 4 times of 9 states; expected as many, or one for all");
+  EXPECT_MESSAGE(to_serret(body, states, std::vector<double>(4), results),
+                 "to_serret: got 4 times of 9 states; expected as many, or one for all");
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "budgets.hpp"
+#include "message_of.hpp"
 #include "oracle/free_accuracy.hpp"
 #include "polhode/error.hpp"
 #include "unit/free/support.hpp"
@@ -126,11 +127,9 @@ TEST(StatesOnGrid, AreNotANumberAtTimesThatAreNone) {
 TEST(StatesOnGrid, RefuseIndicesThatNoDoubleCounts) {
   const FreeRotation m(Body(1.0, 1.5, 2.2), {{1.0, 0.2, 0.1, -0.4}, {0.5, 0.7, 1.6}});
   std::vector<RotorState> states(9);
-  EXPECT_EQ(message_of([&] {
-              m.at(TimeGrid{0.0, 1.0}, states, std::uint64_t{1} << 53);
-            }),
-            "states_on_grid: got states 9007199254740992 to 9007199254741001; expected indices up "
-            "to 2^53");
+  EXPECT_MESSAGE(m.at(TimeGrid{0.0, 1.0}, states, std::uint64_t{1} << 53),
+                 "states_on_grid: got states 9007199254740992 to 9007199254741001; expected "
+                 "indices up to 2^53");
 }
 
 TEST(StatesOnGrid, RefuseInstructionsThatTheProcessorLacks) {

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "message_of.hpp"
 #include "oracle/free_cases.hpp"
 #include "oracle/random_draw.hpp"
 #include "polhode/error.hpp"
@@ -152,16 +153,6 @@ inline std::vector<Turn> proper_turns() {
     }
   } while (std::next_permutation(axis.begin(), axis.end()));
   return turns;
-}
-
-template <class F>
-std::string message_of(F f) {
-  try {
-    f();
-  } catch (const polhode::DomainError& e) {
-    return e.what();
-  }
-  return "no error";
 }
 
 }  // namespace free_test

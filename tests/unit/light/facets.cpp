@@ -171,29 +171,23 @@ TEST(LightGaussianImage, RoughnessIsTheLaplacian) {
 }
 
 TEST(LightGaussianImage, ErrorsNameWhatIsWrong) {
-  EXPECT_EQ(test::message_of([] { GaussianImage(41, 5); }),
-            "GaussianImage: degree 41 must be from 0 to 40");
-  EXPECT_EQ(test::message_of([] { GaussianImage(2, 0); }),
-            "GaussianImage: rows 0 must be from 1 to 200");
-  EXPECT_EQ(test::message_of([] { GaussianImage(3, 1); }),
-            "GaussianImage: 8 normals for 16 coefficients of degree 3; expected more rows");
-  EXPECT_EQ(test::message_of([] { GaussianImage(40, 200); }),
-            "GaussianImage: degree 40 with rows 200 has 537920000 harmonics; expected at most "
-            "16777216, of a lower degree or fewer rows");
+  EXPECT_MESSAGE(GaussianImage(41, 5), "GaussianImage: degree 41 must be from 0 to 40");
+  EXPECT_MESSAGE(GaussianImage(2, 0), "GaussianImage: rows 0 must be from 1 to 200");
+  EXPECT_MESSAGE(GaussianImage(3, 1),
+                 "GaussianImage: 8 normals for 16 coefficients of degree 3; expected more rows");
+  EXPECT_MESSAGE(GaussianImage(40, 200),
+                 "GaussianImage: degree 40 with rows 200 has 537920000 harmonics; expected at most "
+                 "16777216, of a lower degree or fewer rows");
   const GaussianImage image(1, 1);
   const std::vector<double> three(3, 1.0);
-  EXPECT_EQ(test::message_of([&] { return image.areas(three); }),
-            "GaussianImage: got 3 coefficients; expected 4");
-  EXPECT_EQ(test::message_of([&] { return image.closure(three); }),
-            "GaussianImage: got 3 areas; expected 8");
+  EXPECT_MESSAGE(image.areas(three), "GaussianImage: got 3 coefficients; expected 4");
+  EXPECT_MESSAGE(image.closure(three), "GaussianImage: got 3 areas; expected 8");
   std::vector<double> areas(8, 1.0);
   areas[2] = 0.0;
-  EXPECT_EQ(test::message_of([&] { return image.coefficients(areas); }),
-            "GaussianImage: area 3, 0, must be positive and finite");
-  EXPECT_EQ(test::message_of([&] {
-              return facet_brightness<double>(image.normals(), three, {}, {1, 0, 0}, {1, 0, 0});
-            }),
-            "facet_brightness: 3 areas for 8 normals; expected one for each");
+  EXPECT_MESSAGE(image.coefficients(areas),
+                 "GaussianImage: area 3, 0, must be positive and finite");
+  EXPECT_MESSAGE(facet_brightness<double>(image.normals(), three, {}, {1, 0, 0}, {1, 0, 0}),
+                 "facet_brightness: 3 areas for 8 normals; expected one for each");
 }
 
 }  // namespace

@@ -202,10 +202,8 @@ TEST(LightPatch, ErrorsNameWhatIsWrong) {
             "patch_brightness: 3 widths for 8 normals; expected one for each");
   EXPECT_EQ(refusal(eight, three),
             "facet_brightness: 3 areas for 8 normals; expected one for each");
-  EXPECT_EQ(test::message_of([&] {
-              return patch_gradient(image.normals(), three, eight, {}, {1, 0, 0}, {1, 0, 0});
-            }),
-            "patch_brightness: 3 widths for 8 normals; expected one for each");
+  EXPECT_MESSAGE(patch_gradient(image.normals(), three, eight, {}, {1, 0, 0}, {1, 0, 0}),
+                 "patch_brightness: 3 widths for 8 normals; expected one for each");
 }
 
 }  // namespace

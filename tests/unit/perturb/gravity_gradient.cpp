@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "budgets.hpp"
+#include "message_of.hpp"
 #include "polhode/orbit/any_orbit.hpp"
 #include "polhode/orbit/kepler_orbit.hpp"
 #include "polhode/perturb/any_perturbation.hpp"
@@ -163,10 +164,10 @@ TEST(GravityGradient, InAListOfTerms) {
 
 TEST(GravityGradient, RefusesGmThatIsNotPositive) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(refusal([] { GravityGradient(0.0, Curve{}); }),
-            "GravityGradient: gm 0 must be positive and finite");
+  EXPECT_MESSAGE(GravityGradient(0.0, Curve{}),
+                 "GravityGradient: gm 0 must be positive and finite");
   for (const double gm : {-1.0, nan, HUGE_VAL}) {
-    EXPECT_NE(refusal([&] { GravityGradient(gm, Curve{}); }), "accepted") << gm;
+    EXPECT_NE(message_of([&] { GravityGradient(gm, Curve{}); }), "") << gm;
   }
 }
 

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "budgets.hpp"
+#include "message_of.hpp"
 #include "polhode/perturb/any_perturbation.hpp"
 #include "unit/perturb/support.hpp"
 #include "worst.hpp"
@@ -72,21 +73,17 @@ TEST(InternalDamping, InAListOfTerms) {
 }
 
 TEST(InternalDamping, RefusesWhatWouldDriveTheBody) {
-  EXPECT_EQ(refusal([] { InternalDamping(-1.0); }),
-            "InternalDamping: coefficients (-1, -1, -1) must be >= 0 and finite");
-  EXPECT_EQ(refusal([] {
-              InternalDamping(Vec3{1.0, HUGE_VAL, 1.0});
-            }),
-            "InternalDamping: coefficients (1, inf, 1) must be >= 0 and finite");
-  EXPECT_EQ(refusal([] { InternalDamping::of_wobble(Body(2.0, 2.0, 2.0), 1.0, 1.0); }),
-            "InternalDamping: moments (2, 2, 2) of a sphere have no wobble to damp: give a "
-            "coefficient");
-  EXPECT_EQ(refusal([] { InternalDamping::of_wobble(Body(1.0, 2.0, 2.0), 0.0, 1.0); }),
-            "InternalDamping: time 0 must be positive and finite");
-  EXPECT_EQ(refusal([] {
-              polhode::wobble_time({1.0, 0.0, 1.0, 1.0}, 1.0);
-            }),
-            "InternalDamping: quality factor 0 must be positive and finite");
+  EXPECT_MESSAGE(InternalDamping(-1.0),
+                 "InternalDamping: coefficients (-1, -1, -1) must be >= 0 and finite");
+  EXPECT_MESSAGE(InternalDamping(Vec3{1.0, HUGE_VAL, 1.0}),
+                 "InternalDamping: coefficients (1, inf, 1) must be >= 0 and finite");
+  EXPECT_MESSAGE(InternalDamping::of_wobble(Body(2.0, 2.0, 2.0), 1.0, 1.0),
+                 "InternalDamping: moments (2, 2, 2) of a sphere have no wobble to damp: give a "
+                 "coefficient");
+  EXPECT_MESSAGE(InternalDamping::of_wobble(Body(1.0, 2.0, 2.0), 0.0, 1.0),
+                 "InternalDamping: time 0 must be positive and finite");
+  EXPECT_MESSAGE(polhode::wobble_time({1.0, 0.0, 1.0, 1.0}, 1.0),
+                 "InternalDamping: quality factor 0 must be positive and finite");
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "budgets.hpp"
+#include "message_of.hpp"
 #include "polhode/dynamics/integrate.hpp"
 #include "polhode/orbit/precessing_kepler_orbit.hpp"
 #include "polhode/perturb/gravity_gradient.hpp"
@@ -105,22 +106,10 @@ TEST(DipoleField, OfAPrimaryThatStandsOnAxis3) {
 }
 
 TEST(DipoleField, RefusesWhatIsNone) {
-  EXPECT_NE(refusal([] {
-              DipoleField(Vec3{NAN, 0.0, 0.0});
-            }).find("must be finite"),
-            std::string::npos);
-  EXPECT_NE(refusal([] {
-              DipoleField::from_gauss({1.0, 0.0, 0.0}, 0.0);
-            }).find("positive"),
-            std::string::npos);
-  EXPECT_NE(refusal([] {
-              DipoleField({1.0, 0.0, 0.0}, {.pole = {0.0, 0.0, 0.0}});
-            }).find("not zero"),
-            std::string::npos);
-  EXPECT_NE(refusal([] {
-              DipoleField({1.0, 0.0, 0.0}, {.rate = NAN});
-            }).find("must be finite"),
-            std::string::npos);
+  EXPECT_REJECTED(DipoleField(Vec3{NAN, 0.0, 0.0}), "must be finite");
+  EXPECT_REJECTED(DipoleField::from_gauss({1.0, 0.0, 0.0}, 0.0), "positive");
+  EXPECT_REJECTED(DipoleField({1.0, 0.0, 0.0}, {.pole = {0.0, 0.0, 0.0}}), "not zero");
+  EXPECT_REJECTED(DipoleField({1.0, 0.0, 0.0}, {.rate = NAN}), "must be finite");
 }
 
 // The whole derivative, of the field that the body meets: by differences along the curve.
@@ -150,10 +139,8 @@ TEST(FieldAlongOrbit, KnowsWhetherItHasARate) {
   const Vec3 x = Arc{}.position(2.0), v{0.4, -0.2, 0.4};
   EXPECT_LE(norm(grows.motion(2.0, 0.0).rate - (x + 2.0 * v)), budget::magnetic_field_eps * eps);
   const FieldAlongOrbit still(Arc{}, FieldFunction(plain));
-  EXPECT_NE(refusal([&] { (void)still.motion(0.0, 0.0); }).find("no derivative"),
-            std::string::npos);
-  EXPECT_NE(refusal([&] { EddyCurrents(tensor, still); }).find("FieldRate::left_out"),
-            std::string::npos);
+  EXPECT_REJECTED(still.motion(0.0, 0.0), "no derivative");
+  EXPECT_REJECTED(EddyCurrents(tensor, still), "FieldRate::left_out");
   const AnyPerturbation given("eddy", EddyCurrents(tensor, still, FieldRate::left_out));
   EXPECT_TRUE(given.is_affine());
   EXPECT_FALSE(given.supports_any_real());  // a function on double alone
@@ -179,10 +166,10 @@ TEST(ResidualDipole, IsTheDerivativeOfItsEnergy) {
   EXPECT_TRUE(any.is_kick());
   EXPECT_TRUE(any.supports_energy());
   EXPECT_TRUE(any.supports_any_real());
-  EXPECT_NE(refusal([] {
+  EXPECT_NE(message_of([] {
               ResidualDipole({NAN, 0.0, 0.0}, ConstantField({1.0, 0.0, 0.0}));
             }),
-            "accepted");
+            "");
 }
 
 // --- eddy currents ---
@@ -283,14 +270,10 @@ TEST(AffineTorque, ChangeIsTheExponential) {
 TEST(EddyCurrents, RefuseWhatDrives) {
   const ConstantField field({0.0, 0.0, 1.0});
   const Mat3 driving{{{1.0, 2.0, 0.0}, {2.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
-  EXPECT_NE(refusal([&] { EddyCurrents(driving, field); }).find("has the eigenvalue -"),
-            std::string::npos);
+  EXPECT_REJECTED(EddyCurrents(driving, field), "has the eigenvalue -");
   const Mat3 skew{{{1.0, 0.5, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
-  EXPECT_NE(refusal([&] { EddyCurrents(skew, field); }).find("magnetic tensor"), std::string::npos);
-  EXPECT_NE(refusal([] {
-              ConstantField({0.0, NAN, 1.0});
-            }).find("must be finite"),
-            std::string::npos);
+  EXPECT_REJECTED(EddyCurrents(skew, field), "magnetic tensor");
+  EXPECT_REJECTED(ConstantField({0.0, NAN, 1.0}), "must be finite");
 }
 
 // --- what bodies do ---
@@ -388,11 +371,9 @@ TEST(Splitting, EddyCurrentsWithKicksKeepTheOrder) {
   const RotorState with_air = end_of(damped, start, 6.0, polhode::Adaptive{.tolerance = 1e-15});
   const RotorState split = end_of(damped, start, 6.0, polhode::Splitting{0.05, ABA864});
   EXPECT_LE(norm(split.g - with_air.g), budget::splitting_affine_composed);
-  EXPECT_NE(refusal([&] {
-              (void)state_transitions({system, start, 0.0, 1.0, polhode::Splitting{0.1}},
-                                      SaveAt::times({1.0}));
-            }).find("\"eddy\" has no derivative"),
-            std::string::npos);
+  EXPECT_REJECTED(
+      state_transitions({system, start, 0.0, 1.0, polhode::Splitting{0.1}}, SaveAt::times({1.0})),
+      "\"eddy\" has no derivative");
 }
 
 TEST(EddyCurrents, InAListOfTerms) {
@@ -408,7 +389,7 @@ TEST(EddyCurrents, InAListOfTerms) {
   EXPECT_EQ(any.flow(at, 0.7).g, c.s.g + change_of_momentum(term.affine_torque(at), c.s.g, 0.7));
   const AnyPerturbation air("air", polhode::LinearDamping(0.1));
   EXPECT_FALSE(air.is_affine());
-  EXPECT_NE(refusal([&] { (void)air.affine_torque(at); }).find("affine"), std::string::npos);
+  EXPECT_REJECTED(air.affine_torque(at), "affine");
 }
 
 }  // namespace

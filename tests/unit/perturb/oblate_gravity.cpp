@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "budgets.hpp"
+#include "message_of.hpp"
 #include "polhode/orbit/kepler_orbit.hpp"
 #include "polhode/perturb/any_perturbation.hpp"
 #include "unit/perturb/support.hpp"
@@ -111,26 +112,14 @@ TEST(OblateGravity, InAListOfTerms) {
 }
 
 TEST(OblateGravity, RefusesWhatIsNoPlanet) {
-  EXPECT_EQ(refusal([] {
-              static_cast<void>(Oblateness{1e-3, -1.0});
-            }),
-            "Oblateness: radius -1 must be positive and finite");
-  EXPECT_EQ(refusal([] {
-              OblateGravity(-1.0, Curve{}, {0.1, 1.0});
-            }),
-            "OblateGravity: gm -1 must be positive and finite");
-  EXPECT_EQ(refusal([] {
-              OblateGravity(1.0, Curve{}, {0.1, 0.0});
-            }),
-            "Oblateness: radius 0 must be positive and finite");
-  EXPECT_EQ(refusal([] {
-              OblateGravity(1.0, Curve{}, {HUGE_VAL, 1.0});
-            }),
-            "Oblateness: J2 inf must be finite");
-  EXPECT_EQ(refusal([] {
-              OblateGravity(1.0, Curve{}, {0.1, 1.0, {0.0, 0.0, 0.0}});
-            }),
-            "Oblateness: pole (0, 0, 0) must be a direction: finite and not 0");
+  EXPECT_MESSAGE((Oblateness{1e-3, -1.0}), "Oblateness: radius -1 must be positive and finite");
+  EXPECT_MESSAGE(OblateGravity(-1.0, Curve{}, {0.1, 1.0}),
+                 "OblateGravity: gm -1 must be positive and finite");
+  EXPECT_MESSAGE(OblateGravity(1.0, Curve{}, {0.1, 0.0}),
+                 "Oblateness: radius 0 must be positive and finite");
+  EXPECT_MESSAGE(OblateGravity(1.0, Curve{}, {HUGE_VAL, 1.0}), "Oblateness: J2 inf must be finite");
+  EXPECT_MESSAGE(OblateGravity(1.0, Curve{}, {0.1, 1.0, {0.0, 0.0, 0.0}}),
+                 "Oblateness: pole (0, 0, 0) must be a direction: finite and not 0");
 }
 
 }  // namespace

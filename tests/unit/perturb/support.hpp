@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "message_of.hpp"
 #include "oracle/random_draw.hpp"
 #include "oracle/wide_real.hpp"
 #include "polhode/error.hpp"
@@ -93,16 +94,6 @@ BasicEffect<Wide> effect_by_differences(const Term& term, const BasicSetting<Wid
     e.v[i] = (energy(0, h) - energy(0, -h)) / (2 * h);
   }
   return e;
-}
-
-template <class Function>
-std::string refusal(const Function& f) {
-  try {
-    f();
-  } catch (const polhode::DomainError& error) {
-    return error.what();
-  }
-  return "accepted";
 }
 
 }  // namespace perturb_test

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "budgets.hpp"
+#include "message_of.hpp"
 #include "polhode/orbit/any_orbit.hpp"
 #include "polhode/orbit/kepler_orbit.hpp"
 #include "polhode/perturb/any_perturbation.hpp"
@@ -123,18 +124,12 @@ TEST(TidalTorque, IsZeroWithoutALagOrALoveNumber) {
 }
 
 TEST(TidalTorque, RefusesWhatIsNoTide) {
-  EXPECT_EQ(refusal([] {
-              TidalTorque(1.0, 0.0, Curve{}, {0.3, 0.1, 0.5});
-            }),
-            "TidalTorque: mass 0 must be positive and finite");
-  EXPECT_EQ(refusal([] {
-              TidalTorque(1.0, 1.0, Curve{}, {0.3, -0.1, 0.5});
-            }),
-            "TidalTorque: lag -0.1 must be >= 0 and finite");
-  EXPECT_EQ(refusal([] {
-              TidalTorque(1.0, 1.0, AnyOrbit("table", NoVelocity{}), {0.3, 0.1, 0.5});
-            }),
-            "TidalTorque: orbit \"table\" must have a velocity");
+  EXPECT_MESSAGE(TidalTorque(1.0, 0.0, Curve{}, {0.3, 0.1, 0.5}),
+                 "TidalTorque: mass 0 must be positive and finite");
+  EXPECT_MESSAGE(TidalTorque(1.0, 1.0, Curve{}, {0.3, -0.1, 0.5}),
+                 "TidalTorque: lag -0.1 must be >= 0 and finite");
+  EXPECT_MESSAGE(TidalTorque(1.0, 1.0, AnyOrbit("table", NoVelocity{}), {0.3, 0.1, 0.5}),
+                 "TidalTorque: orbit \"table\" must have a velocity");
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "budgets.hpp"
+#include "message_of.hpp"
 #include "polhode/perturb/any_perturbation.hpp"
 #include "unit/perturb/support.hpp"
 
@@ -105,20 +106,16 @@ TEST(TorqueTable, BreaksWhereItIsNotSmooth) {
 }
 
 TEST(TorqueTable, RefusesRowsOutOfOrderAndTimesOutside) {
-  EXPECT_EQ(refusal([] { TorqueTable({}, {}); }), "TorqueTable: rows must not be empty");
-  EXPECT_EQ(refusal([] {
-              TorqueTable({{1.0, {}}, {1.0, {}}}, {});
-            }),
-            "TorqueTable: time 1 of row 2 must be later than 1 of the row before");
-  EXPECT_EQ(refusal([] {
-              TorqueTable({{1.0, {0.0, HUGE_VAL, 0.0}}}, {});
-            }),
-            "TorqueTable: row 1 (1, 0, inf, 0) must be finite");
+  EXPECT_MESSAGE(TorqueTable({}, {}), "TorqueTable: rows must not be empty");
+  EXPECT_MESSAGE(TorqueTable({{1.0, {}}, {1.0, {}}}, {}),
+                 "TorqueTable: time 1 of row 2 must be later than 1 of the row before");
+  EXPECT_MESSAGE(TorqueTable({{1.0, {0.0, HUGE_VAL, 0.0}}}, {}),
+                 "TorqueTable: row 1 (1, 0, inf, 0) must be finite");
   const TorqueTable strict(rows, {Between::step, Outside::refuse, {}});
   EXPECT_EQ(value(strict, 5.0), rows[3].torque);
-  EXPECT_EQ(refusal([&] { value(strict, 5.5); }),
-            "TorqueTable: time 5.5 is after the last row, 5: give rows for all of the run, or "
-            "outside = zero or hold");
+  EXPECT_MESSAGE(value(strict, 5.5),
+                 "TorqueTable: time 5.5 is after the last row, 5: give rows for all of the run, or "
+                 "outside = zero or hold");
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "budgets.hpp"
+#include "message_of.hpp"
 #include "polhode/error.hpp"
 #include "polhode/math/double_double.hpp"
 #include "polhode/rotor/euler.hpp"
@@ -32,12 +33,7 @@ bool in_range(const AndoyerState& a) {
   return ok(a.l) && ok(a.g) && ok(a.h) && std::abs(a.L) <= a.G && std::abs(a.H) <= a.G;
 }
 std::string message_of(const AndoyerState& a) {
-  try {
-    andoyer_state(a.l, a.g, a.h, a.L, a.G, a.H);
-  } catch (const DomainError& error) {
-    return error.what();
-  }
-  return "no error";
+  return test::message_of([&] { andoyer_state(a.l, a.g, a.h, a.L, a.G, a.H); });
 }
 Mat3 R1(double a) {
   return {{{1, 0, 0}, {0, std::cos(a), std::sin(a)}, {0, -std::sin(a), std::cos(a)}}};
@@ -232,7 +228,7 @@ TEST(Andoyer, MomentaBeyondGAreClampedOrRefused) {
             "andoyer_state: G = -1 must not be negative");
   EXPECT_EQ(message_of({0.1, inf, 0.3, 0.0, 1.0, 0.0}),
             "andoyer_state: (0.1, inf, 0.3, 0, 1, 0) must be finite");
-  EXPECT_EQ(message_of({0.1, 0.2, 0.3, 0.0, 0.0, 0.0}), "no error");
+  EXPECT_EQ(message_of({0.1, 0.2, 0.3, 0.0, 0.0, 0.0}), "");
   EXPECT_EQ(to_rotor(AndoyerState{0.1, 0.2, 0.3, 1.5, 1.0, -2.0}),
             to_rotor(AndoyerState{0.1, 0.2, 0.3, 1.0, 1.0, -1.0}));
 }

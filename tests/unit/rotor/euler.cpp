@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "budgets.hpp"
+#include "message_of.hpp"
 #include "polhode/error.hpp"
 #include "polhode/math/double_double.hpp"
 #include "property/chart_support.hpp"
@@ -33,12 +34,7 @@ bool in_range(double phi, double theta, double psi) {
          theta >= 0.0 && theta <= pi<double>();
 }
 std::string message_of(const EulerState& e) {
-  try {
-    euler_state(e.phi, e.theta, e.psi, e.Phi, e.Theta, e.Psi);
-  } catch (const DomainError& error) {
-    return error.what();
-  }
-  return "no error";
+  return test::message_of([&] { euler_state(e.phi, e.theta, e.psi, e.Phi, e.Theta, e.Psi); });
 }
 
 TEST(EulerState, MomentaAreProjectionsOnTheAxesOfTheAngles) {
@@ -170,7 +166,7 @@ TEST(EulerState, MomentaThatAreNoStateAreInfiniteAndRefused) {
             "Phi = -Psi");
   EXPECT_EQ(message_of({0.1, nan, 0.0, 2.0, 0.5, 1.0}),
             "euler_state: (0.1, nan, 0, 2, 0.5, 1) must be finite");
-  EXPECT_EQ(message_of({0.1, 0.0, 0.0, 1.0, 0.5, 1.0}), "no error");
+  EXPECT_EQ(message_of({0.1, 0.0, 0.0, 1.0, 0.5, 1.0}), "");
 }
 
 TEST(EulerState, ExtremeScalesAndNotANumber) {

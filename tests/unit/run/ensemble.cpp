@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "message_of.hpp"
 #include "polhode/error.hpp"
 #include "polhode/run/ensemble_run.hpp"
 #include "polhode/run/run.hpp"
@@ -188,12 +189,8 @@ TEST(EnsembleRun, StatisticsThatDoNotFitAreRefused) {
   std::string text = body + varied;
   text.replace(text.find("step = 0.5"), 10, "count = 100000000");
   const ScenarioEnsemble ensemble(text, "e.toml");
-  try {
-    const EnsembleRun run(ensemble, {}, {});
-    FAIL();
-  } catch (const DomainError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("expected 2 GB at most: fewer rows, columns or bins"));
-  }
+  EXPECT_REJECTED(EnsembleRun(ensemble, {}, {}),
+                  "expected 2 GB at most: fewer rows, columns or bins");
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <random>
 #include <utility>
 
+#include "message_of.hpp"
 #include "polhode/error.hpp"
 #include "polhode/run/ensemble_run.hpp"
 #include "polhode/run/ensemble_work.hpp"
@@ -177,12 +178,7 @@ TEST(EnsembleTeam, AnotherEnsembleIsRefused) {
     EnsembleOptions options;
     options.team = &team;
     EnsembleRun run(ensemble, {}, std::move(options));
-    try {
-      run.run();
-      FAIL();
-    } catch (const DomainError& error) {
-      EXPECT_THAT(error.what(), HasSubstr("e.toml: is not the ensemble that is run: scenario was"));
-    }
+    EXPECT_REJECTED(run.run(), "e.toml: is not the ensemble that is run: scenario was");
   }
 }
 
@@ -192,15 +188,9 @@ TEST(EnsembleTeam, MoreProcessesThanChunksAreRefused) {
   const ScenarioEnsemble ensemble(text, "e.toml");
   EnsembleOptions options;
   options.team = &team;
-  try {
-    const EnsembleRun run(ensemble, {}, std::move(options));
-    FAIL();
-  } catch (const DomainError& error) {
-    EXPECT_THAT(
-        error.what(),
-        HasSubstr("4 processes for 3 chunks of members; expected a chunk for each at least: "
-                  "fewer processes, or a smaller ensemble.chunk"));
-  }
+  EXPECT_REJECTED(EnsembleRun(ensemble, {}, std::move(options)),
+                  "4 processes for 3 chunks of members; expected a chunk for each at least: "
+                  "fewer processes, or a smaller ensemble.chunk");
 }
 
 }  // namespace
