@@ -159,7 +159,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Splitting{.step = 0.05, .scheme = SplittingScheme::order4},
                     Splitting{.step = 0.05}, VariationOfConstants{.tolerance = 1e-10},
                     Collocation{.tolerance = 1e-10}, Collocation{.stages = 4, .step = 0.1},
-                    polhode::test::runge_kutta_4(0.05)));
+                    test::runge_kutta_4(0.05)));
 
 TEST(Resume, WithADamper) {
   for (const Method& method :

@@ -20,8 +20,7 @@
 namespace polhode::test {
 namespace {
 
-using oracle::Wide;
-using oracle::WideVec3;
+using namespace oracle;
 using WideMat3 = BasicMat3<Wide>;
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
@@ -95,7 +94,7 @@ Errors errors(const Frame& frame, const Attitude& attitude, const T& t) {
 void expect_frame(const Frame& frame, const Attitude& attitude, double longest) {
   WorstErrors worst, worst_wide;
   for (std::uint64_t i = 0; i < 60; ++i) {
-    oracle::Draw draw(601, i);
+    Draw draw(601, i);
     const double t = draw.sign() * draw.power_of_ten(-3.0, longest);
     worst.add(errors(frame, attitude, t));
     worst_wide.add(errors(frame, attitude, DoubleDouble::sum(t, t * 0x1p-60)));
@@ -131,7 +130,7 @@ TEST(Frame, PrecessingKeepsItsDigitsForABillionRadians) {
   const double rate = 1.7, epoch = -3.1;
   Worst worst;
   for (std::uint64_t i = 0; i < 200; ++i) {
-    oracle::Draw draw(602, i);
+    Draw draw(602, i);
     const double t = draw.sign() * draw.power_of_ten(6.0, 9.0);
     const auto attitude = [&](const Wide& time) {
       return about(wide(axis), Wide(rate) * (time - Wide(epoch)));

@@ -29,14 +29,14 @@ void expect_quaternions(double epsilon) {
   for (const AxisOrder& p : all_orders()) {
     const BasicQuaternion<T> q = detail::quaternion_of<T>(p);
     const BasicVec3<T> d = rotate(q, v) - detail::reordered(p, v);
-    EXPECT_LE(polhode::to_double(norm(d)), budget::axis_order_eps * epsilon);
+    EXPECT_LE(to_double(norm(d)), budget::axis_order_eps * epsilon);
     const T n2 = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
-    EXPECT_LE(std::abs(polhode::to_double(n2 - T(1.0))), budget::axis_order_eps * epsilon);
+    EXPECT_LE(std::abs(to_double(n2 - T(1.0))), budget::axis_order_eps * epsilon);
   }
 }
 TEST(AxisOrder, QuaternionOfEveryRotation) {
   expect_quaternions<double>(eps);
-  expect_quaternions<DoubleDouble>(polhode::epsilon<DoubleDouble>());
+  expect_quaternions<DoubleDouble>(epsilon<DoubleDouble>());
 }
 
 TEST(AxisOrder, RestoredIsTheInverse) {

@@ -221,7 +221,7 @@ TEST(ChartEdges, NeedleWithTheMomentumAcross) {
   for (const double t : {0.0, 0.4, 3.0, 50.0}) {
     const double c = std::cos(0.5 * t), sine = std::sin(0.5 * t) / norm(about);
     const Quaternion precession{c, sine * about.x, sine * about.y, sine * about.z};
-    const Quaternion expected = precession * normalized(attitude) * polhode::rotation_x(t);
+    const Quaternion expected = precession * normalized(attitude) * rotation_x(t);
     const RotorState r = motion.at(t);
     EXPECT_LE(difference(r, {expected,
                              {g1, 0.6 * std::cos(t) - 0.8 * std::sin(t),
@@ -269,7 +269,7 @@ TEST(ChartEdges, SerretOfNeedlesWithMomentsEqualButForRounding) {
     const std::string said = message_of([&] {
       if (!(difference(to_rotor(body, to_serret(motion, 0.0), 0.0), s) <=
             budget::serret_next_to_separatrix))
-        throw polhode::DomainError("another state");
+        throw DomainError("another state");
       ++held;
     });
     EXPECT_THAT(said, AnyOf("", HasSubstr("must hold the distance from the separatrix")));
@@ -321,7 +321,7 @@ TEST(ChartEdges, SerretOfASpinAboutTheMiddleAxisOfMomentsEqualButForRounding) {
 TEST(ChartEdges, SadovOfANeedleAcrossItsAxis) {
   for (const double g1 : {1e-130, -1e-130}) {
     const FreeRotation motion(Body(1e-50, 1.0, 1.0), {attitude, {g1, 0.8, 0.6}});
-    const polhode::SadovState s = to_sadov(motion, 0.0);
+    const SadovState s = to_sadov(motion, 0.0);
     EXPECT_GT(s.I_l, 0.0) << g1;
     EXPECT_EQ(s.lobe < 0, g1 < 0.0);
   }
@@ -330,14 +330,14 @@ TEST(ChartEdges, SadovOfANeedleAcrossItsAxis) {
 // |I_l| and |I_h| may be above I_g by a rounding or two, as sums of other programs are.
 TEST(ChartEdges, SadovTakesActionsThatARoundingPutsAboveTheThird) {
   const Body body(1.0, 1.7, 2.1);
-  const double above = 1.0 + 4.0 * polhode::epsilon<double>();
+  const double above = 1.0 + 4.0 * epsilon<double>();
   const FreeRotation spin(body, {attitude, {0.0, 0.0, 1.0}});
-  polhode::SadovState s = to_sadov(spin, 0.0);
+  SadovState s = to_sadov(spin, 0.0);
   s.I_l *= above;
   EXPECT_LE(difference(to_rotor(body, s), spin.at(0.0)), budget::free_invariants);
   s.I_h = s.I_g * above;
   EXPECT_EQ(message_of([&] { static_cast<void>(to_rotor(body, s)); }), "");
-  s.I_h = s.I_g * (1.0 + 64.0 * polhode::epsilon<double>());
+  s.I_h = s.I_g * (1.0 + 64.0 * epsilon<double>());
   EXPECT_REJECTED(to_rotor(body, s), "|I_h| <= I_g");
 }
 

@@ -136,7 +136,7 @@ TEST(FlowAdaptedLimits, MomentumAlongTheThirdInertialAxisHasNoNode) {
       const Vec3 k = (1.0 / norm(m.g)) * m.g;
       const Quaternion upright = normalized(Quaternion{1.0 + k.z, k.y, -k.x, 0.0});  // k to e_z
       const Quaternion flip{down ? 0.0 : 1.0, down ? 1.0 : 0.0, 0.0, 0.0};
-      const RotorState s{flip * polhode::rotation_z(0.7) * upright, m.g};
+      const RotorState s{flip * rotation_z(0.7) * upright, m.g};
       const FreeRotation motion(m.body(), s);
       if (spin_of(m) == Spin::any_of_three) continue;  // Andoyer's, of a rounded momentum
       const SadovState sadov = to_sadov(motion, 17.7);

@@ -22,6 +22,7 @@
 
 namespace {
 
+using namespace oracle;
 using namespace free_test;
 using namespace polhode;
 using polhode::test::Lanes;
@@ -63,7 +64,7 @@ BasicFreeKernel<Pack<N>> prepared(const Arc* arcs) {
     start.q.z.lane[i] = arcs[i].start.q.z;
     t0.lane[i] = arcs[i].t0;
   }
-  return polhode::prepare(moments, start, t0);
+  return prepare(moments, start, t0);
 }
 
 template <std::size_t N>
@@ -117,11 +118,11 @@ void expect_exact(const std::vector<Arc>& arcs, std::size_t sample) {
       const double turns = std::abs(arc.turns());
       const bool can_tell = std::abs(arc.t) < infinite && turns <= 1e20;
       if (!can_tell) continue;
-      oracle::FreeBody body(arc.moments, arc.start.q, arc.start.g);
+      FreeBody body(arc.moments, arc.start.q, arc.start.g);
       // Before the epoch the oracle counts from half a period, whose digits hide a time of 1e-40 of
       // it.
-      if (arc.t < arc.t0 && body.half_period() > oracle::Wide(1e40 * (arc.t0 - arc.t))) continue;
-      const oracle::FreeError e = oracle::error_at(body, lane_of(s, i), arc.t, arc.t0);
+      if (arc.t < arc.t0 && body.half_period() > Wide(1e40 * (arc.t0 - arc.t))) continue;
+      const FreeError e = error_at(body, lane_of(s, i), arc.t, arc.t0);
       const double allowed = budget::free_state + budget::free_phase * 2.0 * pi * turns;
       EXPECT_LE(e.angle, allowed) << arc.what << ", lane " << i << ", t = " << arc.t;
       EXPECT_LE(e.momentum, allowed) << arc.what << ", lane " << i << ", t = " << arc.t;
@@ -159,14 +160,13 @@ std::vector<Arc> drawn_bodies() {
 std::vector<Arc> edges() {
   std::vector<Arc> arcs;
   std::uint64_t stream = 0;
-  for (const oracle::CaseMaker maker :
-       {oracle::extreme_case, oracle::extreme_momentum_case, oracle::middle_spin_case,
-        oracle::full_moments_case, oracle::long_time_case}) {
+  for (const CaseMaker maker :
+       {extreme_case, extreme_momentum_case, middle_spin_case, full_moments_case, long_time_case}) {
     ++stream;
     for (std::size_t i = 0; i < 60; ++i) {
       Draw draw(73 + (stream << 32U), i);
       FreeCase c = maker(draw);
-      if (maker == oracle::long_time_case) set_time(c, 1e15);
+      if (maker == long_time_case) set_time(c, 1e15);
       arcs.push_back(arc_of(c));
     }
   }

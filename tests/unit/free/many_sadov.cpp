@@ -32,7 +32,7 @@ std::vector<std::uint64_t> bits_of(const SadovState& s) {
 }
 
 std::vector<SadovState> converted(const Body& body, const std::vector<RotorState>& states,
-                                  InstructionSet set = polhode::widest_instruction_set()) {
+                                  InstructionSet set = widest_instruction_set()) {
   std::vector<SadovState> results(states.size());
   to_sadov(body, states, results, set);
   return results;
@@ -123,7 +123,7 @@ TEST(ManySadov, HaveBitsThatDependOnTheStateAlone) {
     states[7].g = {0.0, 0.0, 1.0};  // steady
     states[30].g = {1e-9, 0.0, 1.0};
     const std::vector<SadovState> all = converted(body, states, InstructionSet::baseline);
-    for (const InstructionSet set : polhode::supported_instruction_sets())
+    for (const InstructionSet set : supported_instruction_sets())
       for (std::size_t count = 0, first = 0; first + count <= states.size(); first += count++) {
         const auto begin = states.begin() + static_cast<std::ptrdiff_t>(first);
         const auto part = converted(body, {begin, begin + static_cast<std::ptrdiff_t>(count)}, set);
@@ -167,7 +167,7 @@ TEST(ManySadov, RefuseAnotherNumberOfResults) {
 }
 
 std::vector<RotorState> back(const Body& body, const std::vector<SadovState>& sets,
-                             InstructionSet set = polhode::widest_instruction_set()) {
+                             InstructionSet set = widest_instruction_set()) {
   std::vector<RotorState> results(sets.size());
   to_rotor(body, sets, results, set);
   return results;
@@ -245,7 +245,7 @@ TEST(RotorsOfSadov, HaveBitsThatDependOnTheSetAlone) {
     states[30].g = {1e-9, 0.0, 1.0};
     const std::vector<SadovState> sets = converted(body, states);
     const std::vector<RotorState> all = back(body, sets, InstructionSet::baseline);
-    for (const InstructionSet set : polhode::supported_instruction_sets())
+    for (const InstructionSet set : supported_instruction_sets())
       for (std::size_t count = 0, first = 0; first + count <= sets.size(); first += count++) {
         const auto begin = sets.begin() + static_cast<std::ptrdiff_t>(first);
         const auto part = back(body, {begin, begin + static_cast<std::ptrdiff_t>(count)}, set);

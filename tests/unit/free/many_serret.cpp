@@ -38,14 +38,14 @@ std::vector<std::uint64_t> bits_of(const RotorState& s) {
 
 std::vector<SerretState> converted(const Body& body, const std::vector<RotorState>& states,
                                    const std::vector<double>& times,
-                                   InstructionSet set = polhode::widest_instruction_set()) {
+                                   InstructionSet set = widest_instruction_set()) {
   std::vector<SerretState> results(states.size());
   to_serret(body, states, times, results, set);
   return results;
 }
 std::vector<RotorState> back(const Body& body, const std::vector<SerretState>& sets,
                              const std::vector<double>& times,
-                             InstructionSet set = polhode::widest_instruction_set()) {
+                             InstructionSet set = widest_instruction_set()) {
   std::vector<RotorState> results(sets.size());
   to_rotor(body, sets, times, results, set);
   return results;
@@ -199,7 +199,7 @@ TEST(ManySerret, HaveBitsThatDependOnTheStateAlone) {
     all.states[30].g = {1e-9, 0.0, 1.0};
     const auto whole = converted(body, all.states, all.times, InstructionSet::baseline);
     const auto states = back(body, whole, all.times, InstructionSet::baseline);
-    for (const InstructionSet set : polhode::supported_instruction_sets())
+    for (const InstructionSet set : supported_instruction_sets())
       for (std::size_t count = 0, first = 0; first + count <= whole.size(); first += count++) {
         const auto cut = [&](const auto& v) {
           const auto begin = v.begin() + static_cast<std::ptrdiff_t>(first);

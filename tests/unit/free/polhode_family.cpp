@@ -19,7 +19,7 @@ using DD = DoubleDouble;
 
 constexpr double values_of_v[] = {-500.0, -60.0, -8.0, -1.0, 0.0, 2.0, 9.0, 40.0};
 constexpr double kappas[] = {0.0, 1e-20, 1e-3, 1.0, 40.0, 1e12};
-const double allowed = budget::family_eps * polhode::epsilon<DD>();
+const double allowed = budget::family_eps * epsilon<DD>();
 
 TEST(PolhodeFamily, MemberKeepsBothComplements) {
   for (const double kap2 : kappas) {
@@ -62,7 +62,7 @@ TEST(PolhodeFamily, SlopeIsTheDerivative) {
       const D1 deficit = detail::action_deficit(D1(DD(kap2)), FamilyMember<D1>{r2, kp2});
       const DD slope = detail::action_deficit_slope(DD(kap2), f);
       EXPECT_LE(std::abs((deficit.derivative[0] / slope - DD(1.0)).hi),
-                budget::family_derivative_eps * polhode::epsilon<DD>())
+                budget::family_derivative_eps * epsilon<DD>())
           << kap2 << " " << v;
     }
   }

@@ -20,6 +20,7 @@
 
 namespace {
 
+using namespace oracle;
 using namespace free_test;
 using namespace polhode;
 using polhode::test::Worst;
@@ -41,7 +42,7 @@ TEST(StatesOnGrid, HaveTheSameBitsByEverySetFromAnyFirstStateForAnyNumber) {
     const TimeGrid grid{-17.25, 0.71};
     const std::uint64_t origin = 960;  // 64 states share their angles, 1024 are prepared at a time
     const std::vector<RotorState> all = some(m, grid, origin, 300, InstructionSet::baseline);
-    for (const InstructionSet set : polhode::supported_instruction_sets())
+    for (const InstructionSet set : supported_instruction_sets())
       for (const std::size_t first : {0U, 1U, 7U, 63U, 64U, 65U, 100U})
         for (const std::size_t count : {0U, 1U, 2U, 3U, 7U, 8U, 9U, 63U, 64U, 65U, 129U, 200U}) {
           const std::vector<RotorState> got = some(m, grid, origin + first, count, set);
@@ -62,7 +63,7 @@ TEST(StatesOnGrid, AreTheSameWhereTheyAreStreamed) {
   for (std::size_t done = 0; done < count + 8; done += 1000)
     for (const RotorState& s : some(m, grid, done, 1000, InstructionSet::baseline))
       alone.push_back(s);
-  for (const InstructionSet set : polhode::supported_instruction_sets())
+  for (const InstructionSet set : supported_instruction_sets())
     for (std::size_t shift = 0; shift < 8; ++shift) {
       std::vector<RotorState> room(count + 9, unset);
       states_on_grid(m.kernel(), grid, shift, std::span(room).subspan(shift, count), set);
@@ -77,15 +78,15 @@ TEST(StatesOnGrid, AreAsRightAsThoseOfOneTime) {
   const std::size_t of_each = std::getenv("POLHODE_TEST_FULL") != nullptr ? 40 : 4;
   for (const FreeCase& c : drawn_cases(4242, of_each)) {
     const FreeRotation m = motion_of(c);
-    oracle::FreeBody body(c.moments, c.start.q, c.start.g);
+    FreeBody body(c.moments, c.start.q, c.start.g);
     int e = 0;
     const double part = std::frexp(0.0137 * (c.t - c.t0), &e);
     const TimeGrid grid{c.t0, std::ldexp(std::rint(std::ldexp(part, 12)), e - 12)};
     Worst angle, momentum;
     for (const std::uint64_t i : {0U, 1U, 17U, 64U, 73U}) {
-      const RotorState s = some(m, grid, i, 1, polhode::widest_instruction_set())[0];
+      const RotorState s = some(m, grid, i, 1, widest_instruction_set())[0];
       // since the epoch, which need not add up to a double
-      const auto e_i = oracle::error_at(body, s, static_cast<double>(i) * grid.step, 0.0);
+      const auto e_i = error_at(body, s, static_cast<double>(i) * grid.step, 0.0);
       angle.add(e_i.angle);
       momentum.add(e_i.momentum);
     }
@@ -99,15 +100,14 @@ TEST(StatesOnGrid, KeepTheirDigitsForABillionTurns) {
   for (const double x : {0.04, 0.4, 0.6, 0.76, 0.7822}) {
     const RotorState start{normalized(Quaternion{0.9, 0.1, -0.3, 0.2}), {x, 0.1, 1.5}};
     const FreeRotation m(Body(1.0, 1.7, 2.1), start);
-    oracle::FreeBody body({1.0, 1.7, 2.1}, start.q, start.g);
+    FreeBody body({1.0, 1.7, 2.1}, start.q, start.g);
     const TimeGrid grid{0.0, 0x1.9p-2};
     for (const std::uint64_t first : {160'003UL, 16'000'003'000UL}) {  // 1e4 and 1e9 turns
       Worst worst;
-      const std::vector<RotorState> states =
-          some(m, grid, first, 65, polhode::widest_instruction_set());
+      const std::vector<RotorState> states = some(m, grid, first, 65, widest_instruction_set());
       for (std::size_t i = 0; i < states.size(); i += 16) {
         const double t = static_cast<double>(first + i) * grid.step;
-        worst.add(oracle::error_at(body, states[i], t, 0.0).angle);
+        worst.add(error_at(body, states[i], t, 0.0).angle);
       }
       EXPECT_LE(worst.value(), budget::free_state) << x << ", " << first;
     }
@@ -119,7 +119,7 @@ TEST(StatesOnGrid, AreNotANumberAtTimesThatAreNone) {
     const FreeRotation m = n.motion();
     for (const TimeGrid& grid : {TimeGrid{not_a_number, 1.0}, TimeGrid{0.0, infinite},
                                  TimeGrid{-infinite, 1.0}, TimeGrid{0.0, not_a_number}})
-      for (const RotorState& s : some(m, grid, 3, 9, polhode::widest_instruction_set()))
+      for (const RotorState& s : some(m, grid, 3, 9, widest_instruction_set()))
         EXPECT_TRUE(std::isnan(s.q.w) && std::isnan(s.q.x)) << n.name << " " << grid.step;
   }
 }
@@ -138,10 +138,10 @@ TEST(StatesOnGrid, RefuseInstructionsThatTheProcessorLacks) {
   for (const InstructionSet set :
        {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512}) {
     const auto ask = [&] { states_on_grid(m.kernel(), TimeGrid{0.0, 1.0}, 0, states, set); };
-    if (polhode::supports(set))
+    if (supports(set))
       EXPECT_NO_THROW(ask());
     else
-      EXPECT_THROW(ask(), polhode::DomainError);
+      EXPECT_THROW(ask(), DomainError);
   }
 }
 

@@ -94,9 +94,9 @@ TEST(Tumbler, AttitudeIsTheProductOfTheConvention) {
     const RotorState r = to_rotor(body, s);
     const Vec3 k = (1.0 / norm(r.g)) * r.g;
     const double theta = std::acos(k.z), half = 0.5 * (0.5 * pi - latitude);
-    const Quaternion q =
-        polhode::rotation_z(longitude) * Quaternion{std::cos(half), 0.0, std::sin(half), 0.0} *
-        polhode::rotation_z(0.7) * polhode::rotation_x(theta) * polhode::rotation_z(0.25);
+    const Quaternion q = rotation_z(longitude) *
+                         Quaternion{std::cos(half), 0.0, std::sin(half), 0.0} * rotation_z(0.7) *
+                         rotation_x(theta) * rotation_z(0.25);
     EXPECT_LE(attitude_difference(r.q, q), budget::free_invariants);
     EXPECT_LE(norm((1.0 / norm(r.g)) * inertial_momentum(r) - s.pole), budget::free_invariants);
     EXPECT_NEAR(std::atan2(k.x, k.y), 0.25, budget::free_invariants);

@@ -14,11 +14,11 @@ namespace {
 
 using Pack = Lanes<double, 3>;
 
-static_assert(polhode::Number<double> && polhode::Real<double>);
-static_assert(polhode::Number<DoubleDouble> && polhode::Number<Dual<double, 2>>);
-static_assert(polhode::Number<Pack> && !polhode::Real<Pack>);
-static_assert(std::same_as<polhode::Mask<double>, bool>);
-static_assert(std::same_as<polhode::Mask<Pack>, LaneMask<3>>);
+static_assert(Number<double> && Real<double>);
+static_assert(Number<DoubleDouble> && Number<Dual<double, 2>>);
+static_assert(Number<Pack> && !Real<Pack>);
+static_assert(std::same_as<Mask<double>, bool>);
+static_assert(std::same_as<Mask<Pack>, LaneMask<3>>);
 
 Pack pack(double a, double b, double c) {
   Pack p;

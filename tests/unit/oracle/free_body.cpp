@@ -14,13 +14,7 @@
 
 namespace {
 
-using oracle::FreeBody;
-using oracle::FreeCase;
-using oracle::Motion;
-using oracle::Wide;
-using oracle::WideQuaternion;
-using oracle::WideState;
-using oracle::WideVec3;
+using namespace oracle;
 namespace budget = polhode::budget;
 
 double length(const WideVec3& v) { return static_cast<double>(Wide(sqrt(dot(v, v)))); }
@@ -43,13 +37,12 @@ WideQuaternion turned(const WideVec3& axis_rate, const Wide& t) {
 // Cases of every kind; near the middle axis of the small angles nothing else can follow the oracle.
 std::vector<FreeCase> assorted_cases(std::size_t of_each) {
   constexpr std::uint64_t seed = 20240201;
-  const oracle::CaseMaker makers[] = {oracle::random_case,           oracle::near_axis_case,
-                                      oracle::nearly_equal_case,     oracle::near_separatrix_case,
-                                      oracle::exact_separatrix_case, oracle::small_angle_case};
+  const CaseMaker makers[] = {random_case,          near_axis_case,        nearly_equal_case,
+                              near_separatrix_case, exact_separatrix_case, small_angle_case};
   std::vector<FreeCase> cases;
   for (const auto& maker : makers) {
     for (std::size_t i = 0; i < of_each; ++i) {
-      oracle::Draw draw(seed, cases.size());
+      Draw draw(seed, cases.size());
       cases.push_back(maker(draw));
     }
   }
@@ -97,7 +90,7 @@ TEST(OracleFreeBody, AgreesWithTheDirectIntegration) {
   for (const FreeCase& c : assorted_cases(3)) {
     SCOPED_TRACE(description(c));
     FreeBody body(c.moments, c.start.q, c.start.g);
-    const oracle::DirectFlow flow(c.moments);
+    const DirectFlow flow(c.moments);
     for (const double count : {0.7, -3.3}) {
       const Wide t = turns(c, count);
       expect_same(body.at(t), flow.after(body.initial(), t), budget::oracle_agreement);
@@ -109,7 +102,7 @@ TEST(OracleFreeBody, AgreesWithTheDirectIntegration) {
 TEST(OracleFreeBody, JumpsByHalfPeriods) {
   for (const polhode::Vec3& g : {polhode::Vec3{0.7, 0.5, 0.3}, polhode::Vec3{0.1, -0.5, -0.9}}) {
     FreeBody body({1.0, 2.0, 2.5}, {0.3, -0.5, 0.25, 2.0}, g);
-    const oracle::DirectFlow flow({1.0, 2.0, 2.5});
+    const DirectFlow flow({1.0, 2.0, 2.5});
     for (const double halves : {-3.5, -1.0, 1.0, 2.0, 5.25}) {
       const Wide t = Wide(halves) * body.half_period();
       expect_same(body.at(t), flow.after(body.initial(), t), budget::oracle_agreement);

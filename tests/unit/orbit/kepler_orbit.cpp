@@ -18,9 +18,7 @@
 namespace polhode::test {
 namespace {
 
-using oracle::Wide;
-using oracle::WideConic;
-using oracle::WideVec3;
+using namespace oracle;
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr double pi_ = 3.141592653589793;
@@ -41,7 +39,7 @@ WideConic conic(const KeplerElements& k) {
 }
 
 // Eccentricities of every kind: circular, prepared, general, next to a parabola, hyperbolas.
-KeplerElements drawn(oracle::Draw& draw) {
+KeplerElements drawn(Draw& draw) {
   const double gap = draw.power_of_ten(-15.0, 0.0);
   const double choices[] = {
       0.0,       draw.uniform(0.0, 0.5), 0.5, draw.uniform(0.5, 1.0), 1.0 - gap,
@@ -57,7 +55,7 @@ KeplerElements drawn(oracle::Draw& draw) {
 }
 
 // A time up to some `spans` passages of the pericentre away from it.
-double drawn_time(oracle::Draw& draw, const KeplerElements& k, double spans) {
+double drawn_time(Draw& draw, const KeplerElements& k, double spans) {
   const double passage = std::sqrt(std::pow(k.pericentre, 3) / k.gm);
   return k.epoch + draw.sign() * passage * draw.power_of_ten(-3.0, std::log10(spans));
 }
@@ -65,7 +63,7 @@ double drawn_time(oracle::Draw& draw, const KeplerElements& k, double spans) {
 TEST(KeplerOrbit, PositionAndVelocityAgainst76Digits) {
   Worst worst, worst_velocity;
   for (std::uint64_t i = 0; i < 3000; ++i) {
-    oracle::Draw draw(411, i);
+    Draw draw(411, i);
     const KeplerElements k = drawn(draw);
     const KeplerOrbit orbit(k);
     const WideConic reference = conic(k);
@@ -81,7 +79,7 @@ TEST(KeplerOrbit, PositionAndVelocityAgainst76Digits) {
 TEST(KeplerOrbit, PositionInDoubleDouble) {
   Worst worst;
   for (std::uint64_t i = 0; i < 300; ++i) {
-    oracle::Draw draw(412, i);
+    Draw draw(412, i);
     const KeplerElements k = drawn(draw);
     const DoubleDouble t = DoubleDouble::sum(drawn_time(draw, k, 1e4), 1e-20);
     const WideVec3 x = conic(k).position(wide(t)), v = conic(k).velocity(wide(t));
@@ -99,7 +97,7 @@ TEST(KeplerOrbit, PositionInDoubleDouble) {
 TEST(KeplerOrbit, ManyOrbits) {
   Worst worst;
   for (std::uint64_t i = 0; i < 500; ++i) {
-    oracle::Draw draw(413, i);
+    Draw draw(413, i);
     KeplerElements k = drawn(draw);
     if (k.eccentricity >= 1.0) k.eccentricity = draw.uniform(0.0, 0.9);
     const double t = drawn_time(draw, k, 1e12);
@@ -131,7 +129,7 @@ TEST(KeplerOrbit, PreparedPointsAndTheirMiddles) {
 TEST(KeplerOrbit, RestsOfTimes) {
   Worst worst, worst_tabulated;
   for (std::uint64_t i = 0; i < 2000; ++i) {
-    oracle::Draw draw(416, i);
+    Draw draw(416, i);
     KeplerElements k = drawn(draw);
     k.eccentricity = draw.uniform(0.0, 0.5);
     k.epoch = draw.sign() * draw.power_of_ten(-3.0, 9.0);
@@ -151,7 +149,7 @@ TEST(KeplerOrbit, RestsOfTimes) {
 TEST(KeplerOrbit, FromStateReturnsTheState) {
   Worst worst;
   for (std::uint64_t i = 0; i < 2000; ++i) {
-    oracle::Draw draw(414, i);
+    Draw draw(414, i);
     const Vec3 x{draw.normal(), draw.normal(), draw.normal()};
     Vec3 v{draw.normal(), draw.normal(), draw.normal()};
     const double gm = draw.uniform(0.5, 2.0);
@@ -170,7 +168,7 @@ TEST(KeplerOrbit, FromStateReturnsTheState) {
 // The elements of a state, made into a state by the oracle.
 TEST(KeplerOrbit, ElementsOfAState) {
   for (std::uint64_t i = 0; i < 300; ++i) {
-    oracle::Draw draw(415, i);
+    Draw draw(415, i);
     const Vec3 x{draw.normal(), draw.normal(), draw.normal()};
     const Vec3 v{draw.normal(), draw.normal(), draw.normal()};
     const KeplerElements k = KeplerOrbit::from_state(x, v, 1.3, 0.25).elements();

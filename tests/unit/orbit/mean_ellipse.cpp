@@ -15,7 +15,7 @@ namespace {
 using namespace polhode;
 
 TEST(MeanEllipse, IsWhereTheOrbitIs) {
-  polhode::test::Worst worst;
+  test::Worst worst;
   for (const double e : {0.0, 0.017, 0.5, 0.97})
     for (const double pericentre : {0.0, 0.3, -2.0})
       for (const double M : {0.0, 0.7, 3.0, -1.1}) {

@@ -15,9 +15,7 @@
 namespace polhode::test {
 namespace {
 
-using oracle::Wide;
-using oracle::WideConic;
-using oracle::WideVec3;
+using namespace oracle;
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
@@ -34,7 +32,7 @@ WideVec3 reference(const KeplerElements& k, const SecularRates& r, const Wide& t
 }
 
 double distance(const Vec3& got, const WideVec3& want) {
-  const WideVec3 d = oracle::widened(got) - want;
+  const WideVec3 d = widened(got) - want;
   return static_cast<double>(sqrt(dot(d, d)));
 }
 
@@ -44,7 +42,7 @@ struct Drawn {
   double t;
 };
 Drawn drawn(std::uint64_t index, double longest) {
-  oracle::Draw draw(421, index);
+  Draw draw(421, index);
   const double e = draw.uniform(0.0, 0.95);
   const KeplerElements k{1.5,
                          1.0 - e,
@@ -61,7 +59,7 @@ Drawn drawn(std::uint64_t index, double longest) {
 // With a tilt and an eccentricity that change: the latter to another ellipse within |t - epoch|.
 Drawn tilting(std::uint64_t index, double longest) {
   Drawn d = drawn(index, longest);
-  oracle::Draw draw(422, index);
+  Draw draw(422, index);
   const double end = draw.uniform(0.0, 0.9);
   d.rates.inclination = 0.1 * draw.normal();
   d.rates.eccentricity = (end - d.elements.eccentricity) / (d.t - d.elements.epoch);

@@ -128,9 +128,9 @@ TEST(GravityGradient, TangentOfTheTorque) {
   const GravityGradient term(1.3, AnyOrbit("curve", Curve{}));
   BasicSetting<Tangent> at = c.on<Tangent>();
   const Tangent half(0.5);
-  at.s.q = at.s.q * polhode::BasicQuaternion<Tangent>{
-                        Tangent(1.0), half * Tangent::variable(0.0, 0),
-                        half * Tangent::variable(0.0, 1), half * Tangent::variable(0.0, 2)};
+  at.s.q = at.s.q * BasicQuaternion<Tangent>{Tangent(1.0), half * Tangent::variable(0.0, 0),
+                                             half * Tangent::variable(0.0, 1),
+                                             half * Tangent::variable(0.0, 2)};
   const BasicEffect<Tangent> e = term.effect(at);
   const GravityGradient wide_term(1.3, Curve{});
   const Wide h = 1e-25;

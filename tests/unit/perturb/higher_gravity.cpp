@@ -77,7 +77,7 @@ TEST(HigherGravity, SeriesOfEveryPointMass) {
   Worst worst, worst_energy, worst_wide;
   for (std::uint64_t i = 0; i < 100; ++i) {
     const std::vector<PointMass> points = drawn_points(600 + i);
-    const MassMoments moments = polhode::mass_moments<double>(points);
+    const MassMoments moments = mass_moments<double>(points);
     const Case c = drawn_case(700, i);
     Draw draw(701, i);
     const Vec3 r = drawn_vector(draw);
@@ -105,8 +105,8 @@ TEST(HigherGravity, SeriesOfEveryPointMass) {
 
 TEST(HigherGravity, IsTheDerivativeOfItsEnergy) {
   for (const SpaceAxes axes : {SpaceAxes::inertial, SpaceAxes::reference}) {
-    const HigherGravity term(1.7, Curve{}, polhode::mass_moments<double>(drawn_points(602)),
-                             OrbitOf::body, axes);
+    const HigherGravity term(1.7, Curve{}, mass_moments<double>(drawn_points(602)), OrbitOf::body,
+                             axes);
     Worst worst;
     for (std::uint64_t i = 0; i < 100; ++i) {
       const Case c = drawn_case(603, i);
@@ -126,7 +126,7 @@ TEST(HigherGravity, IsTheDerivativeOfItsEnergy) {
 // of degree 5, so that it falls as r^-6; without HigherGravity it falls as r^-4.
 TEST(HigherGravity, WithGravityGradientIsTheForceOnEveryPoint) {
   const Body body = body_of(lopsided);
-  const MassMoments moments = polhode::mass_moments<double>(lopsided);
+  const MassMoments moments = mass_moments<double>(lopsided);
   const auto missing = [&](double distance) {
     const Vec3 r = (distance / 3.0) * Vec3{1.0, 2.0, 2.0};
     const BasicSetting<Wide> at{body, 0, {{}, {}}, {}};
@@ -160,7 +160,7 @@ TEST(HigherGravity, SphereHasNone) {
       x[i] = s;
       points.push_back({0.5, x});
     }
-  const MassMoments moments = polhode::mass_moments<double>(points);
+  const MassMoments moments = mass_moments<double>(points);
   const Case c = drawn_case(604, 0);
   const HigherGravity term(1.0, Curve{}, moments, OrbitOf::attractor);
   EXPECT_EQ(term.effect(c.on<double>()), Effect{});
@@ -168,9 +168,9 @@ TEST(HigherGravity, SphereHasNone) {
 }
 
 TEST(HigherGravity, InAListOfTerms) {
-  const AnyPerturbation term(
-      "planet", HigherGravity(1.0, KeplerOrbit({1.0, 1.0, 0.1}),
-                              polhode::mass_moments<double>(drawn_points(605)), OrbitOf::body));
+  const AnyPerturbation term("planet",
+                             HigherGravity(1.0, KeplerOrbit({1.0, 1.0, 0.1}),
+                                           mass_moments<double>(drawn_points(605)), OrbitOf::body));
   EXPECT_TRUE(term.supports_energy());
   EXPECT_TRUE(term.is_kick());
   EXPECT_TRUE(term.supports_any_real());

@@ -54,13 +54,13 @@ TEST(InternalDamping, SphereKeepsItsRate) {
 TEST(InternalDamping, TimeOfBurnsAndSafronovByHand) {
   const DampedMaterial rock{5e9, 100.0, 2000.0, 1000.0};
   const double rate = 2.0 * 3.141592653589793 / 36000.0;
-  EXPECT_NEAR(polhode::wobble_time(rock, rate) / (2500.0 / std::pow(rate, 3)), 1.0,
+  EXPECT_NEAR(wobble_time(rock, rate) / (2500.0 / std::pow(rate, 3)), 1.0,
               budget::perturb_eps * eps);
   // twice the rate, an eighth of the time: k grows with |g|
   const Body body(1.0, 2.0, 2.5);
   const InternalDamping slow = InternalDamping::of_material(body, rock);
   const InternalDamping at_once =
-      InternalDamping::of_wobble(body, polhode::wobble_time(rock, rate), 2.5 * rate);
+      InternalDamping::of_wobble(body, wobble_time(rock, rate), 2.5 * rate);
   EXPECT_NEAR(slow.coefficients().x * 2.5 * rate / at_once.coefficients().x, 1.0,
               budget::perturb_eps * eps);
 }
@@ -82,7 +82,7 @@ TEST(InternalDamping, RefusesWhatWouldDriveTheBody) {
                  "coefficient");
   EXPECT_MESSAGE(InternalDamping::of_wobble(Body(1.0, 2.0, 2.0), 0.0, 1.0),
                  "InternalDamping: time 0 must be positive and finite");
-  EXPECT_MESSAGE(polhode::wobble_time({1.0, 0.0, 1.0, 1.0}, 1.0),
+  EXPECT_MESSAGE(wobble_time({1.0, 0.0, 1.0, 1.0}, 1.0),
                  "InternalDamping: quality factor 0 must be positive and finite");
 }
 

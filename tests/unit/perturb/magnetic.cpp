@@ -280,12 +280,10 @@ TEST(EddyCurrents, RefuseWhatDrives) {
 
 Mat3 times_identity(double k) { return {{{k, 0.0, 0.0}, {0.0, k, 0.0}, {0.0, 0.0, k}}}; }
 
-RotorState end_of(const System& system, const RotorState& s, double stop,
-                  const polhode::Method& method) {
-  const std::vector<polhode::Sample> samples =
-      integrate(Problem{system, s, 0.0, stop, method},
-                {.samples = SaveAt::times({stop}), .dense = false})
-          .samples();
+RotorState end_of(const System& system, const RotorState& s, double stop, const Method& method) {
+  const std::vector<Sample> samples = integrate(Problem{system, s, 0.0, stop, method},
+                                                {.samples = SaveAt::times({stop}), .dense = false})
+                                          .samples();
   return samples.back().s;
 }
 
@@ -294,17 +292,16 @@ RotorState end_of(const System& system, const RotorState& s, double stop,
 TEST(EddyCurrents, SphereLosesItsSpinAcrossTheField) {
   const double k = 0.02, I = 1.3;
   const Vec3 B{0.3, -0.2, 0.8}, g_I{0.4, 1.1, -0.7};
-  const System system(Body(I, I, I), polhode::Frame::inertial(),
+  const System system(Body(I, I, I), Frame::inertial(),
                       {{"eddy", EddyCurrents(times_identity(k), ConstantField(B))}});
   const RotorState start{normalized(Quaternion{0.3, 0.5, -0.4, 0.7}),
                          rotate(conj(normalized(Quaternion{0.3, 0.5, -0.4, 0.7})), g_I)};
   const double B2 = dot(B, B), t = 40.0;
   const Vec3 along = (dot(B, g_I) / B2) * B;
   const Vec3 want = along + std::exp(-k * B2 / I * t) * (g_I - along);
-  for (const polhode::Method& method :
-       {polhode::Method(polhode::Adaptive{.tolerance = 1e-15}),
-        polhode::Method(polhode::VariationOfConstants{.tolerance = 1e-15}),
-        polhode::Method(polhode::Splitting{0.25})}) {
+  for (const Method& method :
+       {Method(Adaptive{.tolerance = 1e-15}), Method(VariationOfConstants{.tolerance = 1e-15}),
+        Method(Splitting{0.25})}) {
     const RotorState end = end_of(system, start, t, method);
     EXPECT_LE(norm(rotate(end.q, end.g) - want), budget::magnetic_decay) << method_text(method);
   }
@@ -332,9 +329,9 @@ TEST(EddyCurrents, SecularRatesOnAPolarOrbit) {
   // the normal is (0, -1, 0)
   const Vec3 by_hand{-11.0 / 8.0 * w0.x, -5.0 / 2.0 * w0.y - 4.5, -9.0 / 8.0 * w0.z};
   EXPECT_LE(norm(mean - K * K * by_hand), budget::magnetic_secular * norm(mean));
-  const System system(Body(1.0, 1.0, 1.0), polhode::Frame::inertial(),
+  const System system(Body(1.0, 1.0, 1.0), Frame::inertial(),
                       {{"eddy", EddyCurrents(times_identity(small), met)}});
-  const RotorState end = end_of(system, {{}, w0}, two_pi, polhode::Adaptive{.tolerance = 1e-15});
+  const RotorState end = end_of(system, {{}, w0}, two_pi, Adaptive{.tolerance = 1e-15});
   const Vec3 change = (1.0 / (small * two_pi)) * (rotate(end.q, end.g) - w0);
   // second order in the strength, and roundings of w over it
   EXPECT_LE(norm(change - mean), budget::magnetic_average * norm(mean));
@@ -345,19 +342,19 @@ TEST(Splitting, EddyCurrentsWithKicksKeepTheOrder) {
   const KeplerOrbit orbit({.gm = 1.0, .pericentre = 0.9, .eccentricity = 0.1});
   const FieldAlongOrbit met(orbit, tilted());
   const System system(
-      Body(0.9, 1.0, 1.1), polhode::Frame::inertial(),
-      {{"gravity", polhode::GravityGradient(1.0, orbit)},
+      Body(0.9, 1.0, 1.1), Frame::inertial(),
+      {{"gravity", GravityGradient(1.0, orbit)},
        {"eddy", EddyCurrents(Mat3{{{2e-4, 0.0, 0.0}, {0.0, 1e-4, 0.0}, {0.0, 0.0, 3e-4}}}, met)},
        {"magnet", ResidualDipole({1e-3, 2e-3, 0.0}, met)}});
   const RotorState start{{}, {0.9 * 1.0, 1.2, 1.1 * 1.6}};
-  const RotorState want = end_of(system, start, 6.0, polhode::Adaptive{.tolerance = 1e-15});
-  const auto error = [&](polhode::SplittingScheme scheme, double step) {
-    const RotorState end = end_of(system, start, 6.0, polhode::Splitting{step, scheme});
+  const RotorState want = end_of(system, start, 6.0, Adaptive{.tolerance = 1e-15});
+  const auto error = [&](SplittingScheme scheme, double step) {
+    const RotorState end = end_of(system, start, 6.0, Splitting{step, scheme});
     const Quaternion d = conj(want.q) * end.q;
     return norm(Vec3{d.x, d.y, d.z}) + norm(end.g - want.g);
   };
-  using enum polhode::SplittingScheme;
-  const auto order = [&](polhode::SplittingScheme scheme, double step) {
+  using enum SplittingScheme;
+  const auto order = [&](SplittingScheme scheme, double step) {
     return std::log2(error(scheme, step) / error(scheme, 0.5 * step));
   };
   EXPECT_NEAR(order(order2, 0.1), 2.0, budget::splitting_affine_order);
@@ -367,12 +364,12 @@ TEST(Splitting, EddyCurrentsWithKicksKeepTheOrder) {
   // a term with a flow of its own makes it a composition, of order 4 at most
   System damped(system.body(), system.frame(),
                 {system.terms()[0], system.terms()[1], system.terms()[2],
-                 AnyPerturbation("air", polhode::LinearDamping(1e-3))});
-  const RotorState with_air = end_of(damped, start, 6.0, polhode::Adaptive{.tolerance = 1e-15});
-  const RotorState split = end_of(damped, start, 6.0, polhode::Splitting{0.05, ABA864});
+                 AnyPerturbation("air", LinearDamping(1e-3))});
+  const RotorState with_air = end_of(damped, start, 6.0, Adaptive{.tolerance = 1e-15});
+  const RotorState split = end_of(damped, start, 6.0, Splitting{0.05, ABA864});
   EXPECT_LE(norm(split.g - with_air.g), budget::splitting_affine_composed);
   EXPECT_REJECTED(
-      state_transitions({system, start, 0.0, 1.0, polhode::Splitting{0.1}}, SaveAt::times({1.0})),
+      state_transitions({system, start, 0.0, 1.0, Splitting{0.1}}, SaveAt::times({1.0})),
       "\"eddy\" has no derivative");
 }
 
@@ -387,7 +384,7 @@ TEST(EddyCurrents, InAListOfTerms) {
   const Case c = drawn_case(557, 0);
   const Setting at = c.on<double>();
   EXPECT_EQ(any.flow(at, 0.7).g, c.s.g + change_of_momentum(term.affine_torque(at), c.s.g, 0.7));
-  const AnyPerturbation air("air", polhode::LinearDamping(0.1));
+  const AnyPerturbation air("air", LinearDamping(0.1));
   EXPECT_FALSE(air.is_affine());
   EXPECT_REJECTED(air.affine_torque(at), "affine");
 }

@@ -156,8 +156,8 @@ TEST(SolarPressure, FollowsSunAndAxes) {
     const SolarPressure two(surface, {2.0, 3.0}, still(from_planet), back);
     EXPECT_LE(norm(one.effect(c.on<double>()).u - want), budget::surface_eps * eps);
     EXPECT_EQ(one.effect(c.on<double>()), two.effect(c.on<double>()));
-    EXPECT_LE(norm(polhode::Vec3{to_double(one.effect(c.on<DoubleDouble>()).u.x - want.x),
-                                 to_double(one.effect(c.on<DoubleDouble>()).u.y - want.y), 0.0}),
+    EXPECT_LE(norm(Vec3{to_double(one.effect(c.on<DoubleDouble>()).u.x - want.x),
+                        to_double(one.effect(c.on<DoubleDouble>()).u.y - want.y), 0.0}),
               budget::surface_eps * eps);
   }
   EXPECT_TRUE(AnyPerturbation("sun", SolarPressure(surface, {2, 3}, still({1, 1, 1}))).is_kick());
@@ -167,7 +167,7 @@ TEST(SolarPressure, FollowsSunAndAxes) {
 TEST(SolarPressure, TangentOfTheTorque) {
   const SolarPressure term(drawn_surface(915, 6), {1.0, 1.0}, still({0.3, 0.5, -0.7}));
   const Case c = drawn_case(916, 3);
-  const auto at = polhode::with_variables(c.on<double>());
+  const auto at = with_variables(c.on<double>());
   const auto u = term.effect(at).u;
   for (int k = 0; k < 3; ++k) {
     constexpr double h = 1e-6;
@@ -257,7 +257,7 @@ TEST(AtmosphericDrag, PlateByHand) {
 // The velocity against the air is that in inertial axes, whatever frame the state is in: along
 // axes that turn it would lack their turning.
 static_assert(!std::is_constructible_v<AtmosphericDrag, Surface, Atmosphere, DirectedPath, double,
-                                       polhode::SpaceAxes>);
+                                       SpaceAxes>);
 
 // A body that stands still in space meets no air, in a frame that turns as well; nor does one that
 // the air carries along.

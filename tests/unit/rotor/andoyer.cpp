@@ -17,11 +17,7 @@
 namespace {
 
 using namespace polhode;
-using chart_test::angle_difference;
-using chart_test::attitude_difference;
-using chart_test::hub_difference;
-using chart_test::inclined_state;
-using chart_test::Sampler;
+using namespace chart_test;
 using polhode::test::smaller;
 constexpr double inf = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -187,8 +183,8 @@ TEST(Andoyer, RegularSumLosesNothing) {
   Sampler sample(7);
   for (const double d : {1e-2, 1e-6, 1e-10, 1e-14, 1e-18}) {
     for (int k = 0; k < 500; ++k) {
-      const chart_test::Inclined c{d * sample.uniform(0.5, 1.5), sample.coin(),
-                                   d * sample.uniform(0.5, 1.5), sample.coin()};
+      const Inclined c{d * sample.uniform(0.5, 1.5), sample.coin(), d * sample.uniform(0.5, 1.5),
+                       sample.coin()};
       const double l = sample.angle(), g = sample.angle(), h = sample.angle();
       const AndoyerState a = to_andoyer(inclined_state(c, l, g, h));
       const double sJ = c.J_flip ? -1.0 : 1.0, sI = c.I_flip ? -1.0 : 1.0;

@@ -90,8 +90,8 @@ TEST(ChartJacobian, NextToAPoleOfTheta) {
 // theta of either sign: the same divisor but for its sign.
 TEST(ChartJacobian, NextToAPoleOfThetaOnEitherSide) {
   for (const double theta : {0x1p-990, 0x1p-1000, 0x1p-1015}) {
-    const polhode::EulerState s{0.3, theta, 0.7, 0.4, 0.2, 0.4};
-    polhode::EulerState other = s;
+    const EulerState s{0.3, theta, 0.7, 0.4, 0.2, 0.4};
+    EulerState other = s;
     other.theta = -theta;
     const Matrix6 B = chart_jacobian(s), C = chart_jacobian(other);
     for (int i = 0; i < 2; ++i) {

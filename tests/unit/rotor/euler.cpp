@@ -17,8 +17,7 @@
 namespace {
 
 using namespace polhode;
-using chart_test::hub_difference;
-using chart_test::Sampler;
+using namespace chart_test;
 using polhode::test::smaller;
 constexpr double inf = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -26,8 +25,8 @@ constexpr double eps = std::numeric_limits<double>::epsilon();
 const Quaternion half_turn{0.0, 1.0, 0.0, 0.0};
 
 double difference(const EulerState& a, const EulerState& b) {
-  return chart_test::numbers_difference({a.phi, a.theta, a.psi, a.Phi, a.Theta, a.Psi},
-                                        {b.phi, b.theta, b.psi, b.Phi, b.Theta, b.Psi}, 3);
+  return numbers_difference({a.phi, a.theta, a.psi, a.Phi, a.Theta, a.Psi},
+                            {b.phi, b.theta, b.psi, b.Phi, b.Theta, b.Psi}, 3);
 }
 bool in_range(double phi, double theta, double psi) {
   return phi > -pi<double>() && phi <= pi<double>() && psi > -pi<double>() && psi <= pi<double>() &&
@@ -115,8 +114,8 @@ TEST(EulerState, PolesWithoutTransverseMomentumHavePsiZero) {
     EXPECT_EQ(f, (EulerState{0, pi<double>(), 0, -2, 0, 2}));
     const EulerState r = to_euler({{z, z, z, -1}, {z, z, z}});
     EXPECT_EQ(r, (EulerState{pi<double>(), 0, 0, 0, 0, 0}));
-    EXPECT_TRUE(chart_test::finite(to_rotor(EulerState{z, z, z, 2, z, 2})));
-    EXPECT_TRUE(chart_test::finite(to_rotor(EulerState{z, pi<double>(), z, -2, z, 2})));
+    EXPECT_TRUE(finite(to_rotor(EulerState{z, z, z, 2, z, 2})));
+    EXPECT_TRUE(finite(to_rotor(EulerState{z, pi<double>(), z, -2, z, 2})));
   }
   const EulerState e = to_euler({rotation_z(0.7), {0, 0, 1}});
   EXPECT_EQ(e.psi, 0.0);
@@ -132,7 +131,7 @@ TEST(EulerState, NearThePolesLosesWhatItsNumbersCannotHold) {
       const EulerState e = to_euler(s);
       const RotorState back = to_rotor(e);
       EXPECT_TRUE(in_range(e.phi, e.theta, e.psi));
-      EXPECT_LE(chart_test::attitude_difference(back.q, s.q), budget::chart_rounding);
+      EXPECT_LE(attitude_difference(back.q, s.q), budget::chart_rounding);
       EXPECT_LE(norm(back.g - s.g),
                 budget::chart_rounding + smaller(budget::euler_pole_eps * eps / std::sin(e.theta),
                                                  2.0 * std::hypot(s.g.x, s.g.y)));
@@ -241,8 +240,8 @@ TEST(EulerRates, NearThePolesStaysFinite) {
                                                                          2.5 * std::abs(e.phi_dot),
                                                                      2.0 * std::abs(s.g.z)));
       }
-      EXPECT_TRUE(chart_test::finite(to_rotor(body, e)));
-      EXPECT_LE(chart_test::attitude_difference(to_rotor(body, e).q, s.q), budget::chart_rounding);
+      EXPECT_TRUE(finite(to_rotor(body, e)));
+      EXPECT_LE(attitude_difference(to_rotor(body, e).q, s.q), budget::chart_rounding);
     }
   }
 }

@@ -14,13 +14,7 @@
 namespace {
 
 using namespace polhode;
-using chart_test::angle_difference;
-using chart_test::attitude_difference;
-using chart_test::hub_difference;
-using chart_test::Inclined;
-using chart_test::inclined_state;
-using chart_test::poles;
-using chart_test::Sampler;
+using namespace chart_test;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
@@ -112,7 +106,7 @@ TEST(Poincare, WithoutMomentumSigmaRemains) {
       EXPECT_TRUE(std::isfinite(p.sigma));
       EXPECT_EQ(p.Q1 * p.Q1 + p.P1 * p.P1 + p.Q2 * p.Q2 + p.P2 * p.P2 + p.G, 0.0);
       const RotorState back = to_rotor(p);
-      EXPECT_TRUE(chart_test::finite(back));
+      EXPECT_TRUE(finite(back));
       EXPECT_EQ(back.g, Vec3{});
       const PoincareState again = to_poincare(back, pole_J, pole_I);
       EXPECT_LE(std::abs(angle_difference(again.sigma, p.sigma)), budget::chart_rounding);

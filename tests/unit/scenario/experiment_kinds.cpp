@@ -184,7 +184,7 @@ TEST_F(ExperimentKinds, OneWithoutAModelDoesNotRun) {
     return CustomExperiment{.kind = "gyrostat", .rows = at.rows(), .columns = {}};
   };
   const Scenario scenario = read(head + body + rows, default_kinds().with(empty));
-  EXPECT_REJECTED(polhode::run(scenario, {}),
+  EXPECT_REJECTED(run(scenario, {}),
                   "without a model; expected one that custom_experiment has made");
 }
 

@@ -276,8 +276,7 @@ TEST(LieTransform, RefusesWhatDoesNotTurn) {
 
 TEST(LieTransform, NamesUnknownSymbolsAndOtherSets) {
   const Symbols symbols = two();
-  const auto refused = [&](std::vector<std::string> angles,
-                           std::vector<polhode::Multiples> resonances) {
+  const auto refused = [&](std::vector<std::string> angles, std::vector<Multiples> resonances) {
     return message_of([&] {
       LieTransform<Rational>(
           {read(symbols, "L"), up_to(1), std::move(angles), std::move(resonances)});

@@ -34,7 +34,7 @@ YorpTorque brute_force(const Surface& surface, double o, int turns, int years) {
     const double f = 2.0 * pi * (j + 0.5) / years;
     const Vec3 sun{std::cos(f), std::sin(f) * std::cos(o), std::sin(f) * std::sin(o)};
     for (int i = 0; i < turns; ++i) {
-      const Quaternion q = polhode::rotation_z(2.0 * pi * (i + 0.5) / turns);
+      const Quaternion q = rotation_z(2.0 * pi * (i + 0.5) / turns);
       const Vec3 u = rotate(q, light.torque(rotate(conj(q), sun)));
       sum = {sum.spin + u.z, sum.obliquity + u.y, sum.precession + u.x};
     }

@@ -103,8 +103,8 @@ TEST(MultiprecisionSeries, ComputesAndIsReadBack) {
   const cpp_bin_float_50 error =
       value(a * b, at, as_it_is) / (value(a, at, as_it_is) * value(b, at, as_it_is)) - 1;
   EXPECT_LE(abs(error).convert_to<double>(), budget::series_of_50_digits);
-  EXPECT_EQ(polhode::series_from_text<cpp_bin_float_50>(symbols, text(a)), a);
-  EXPECT_EQ(polhode::series_from_csv<cpp_bin_float_50>(symbols, csv(a)), a);
+  EXPECT_EQ(series_from_text<cpp_bin_float_50>(symbols, text(a)), a);
+  EXPECT_EQ(series_from_csv<cpp_bin_float_50>(symbols, csv(a)), a);
 }
 
 }  // namespace

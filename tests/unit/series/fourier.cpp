@@ -24,12 +24,12 @@ Symbols two_angles() { return Symbols({"x"}, {"l", "g", "h"}); }
 TEST(Fourier, GivesBackTheSeriesThatItSamples) {
   const Symbols symbols = two_angles();
   Draw draw(7);
-  polhode::Series<double> first(symbols), second(symbols), third(symbols);
-  for (polhode::Series<double>* one : {&first, &second, &third})
+  Series<double> first(symbols), second(symbols), third(symbols);
+  for (Series<double>* one : {&first, &second, &third})
     for (int n = 0; n < 12; ++n) {
-      const polhode::Multiples angle{{"l", draw.integer(-3, 3)}, {"h", draw.integer(-2, 2)}};
-      *one += polhode::cosine(symbols, 0.1 * draw.integer(1, 9), {}, angle);
-      *one += polhode::sine(symbols, 0.1 * draw.integer(1, 9), {}, angle);
+      const Multiples angle{{"l", draw.integer(-3, 3)}, {"h", draw.integer(-2, 2)}};
+      *one += cosine(symbols, 0.1 * draw.integer(1, 9), {}, angle);
+      *one += sine(symbols, 0.1 * draw.integer(1, 9), {}, angle);
     }
   const CompiledSeries a(first), b(second), c(third);
   const auto found = fourier_series(symbols, {{"h", 7}, {"l", 9}}, [&](std::span<const double> at) {
@@ -37,14 +37,14 @@ TEST(Fourier, GivesBackTheSeriesThatItSamples) {
     return std::vector<double>{a.at(point), b.at(point), c.at(point)};
   });
   ASSERT_EQ(found.series.size(), 3U);
-  const polhode::Series<double>* const given[] = {&first, &second, &third};
+  const Series<double>* const given[] = {&first, &second, &third};
   for (std::size_t i = 0; i < 3; ++i) {
-    const polhode::Series<double> difference = found.series[i] - *given[i];
+    const Series<double> difference = found.series[i] - *given[i];
     for (const Term<double>& left : difference.terms())
-      EXPECT_LT(std::abs(left.c), polhode::budget::fourier_series);
+      EXPECT_LT(std::abs(left.c), budget::fourier_series);
   }
   // One place on either side of the harmonics is free.
-  EXPECT_LT(found.at_border, polhode::budget::fourier_series);
+  EXPECT_LT(found.at_border, budget::fourier_series);
 }
 
 // cos 3 l at the points of a grid of 5 is cos 2 l.
@@ -55,7 +55,7 @@ TEST(Fourier, FoldsWhatTheGridDoesNotHold) {
       [](std::span<const double> at) { return std::vector<double>{std::cos(3.0 * at[0])}; }, 1e-9);
   ASSERT_EQ(found.series[0].size(), 1U);
   EXPECT_EQ(text(symbols, found.series[0].terms()[0].key), "cos(2*l)");
-  EXPECT_NEAR(found.at_border, 1.0, polhode::budget::fourier_series);
+  EXPECT_NEAR(found.at_border, 1.0, budget::fourier_series);
 }
 
 TEST(Fourier, WhatIsRefused) {

@@ -14,9 +14,7 @@
 namespace shape_test {
 namespace {
 
-using oracle::Draw;
-using oracle::Wide;
-using oracle::WideVec3;
+using namespace oracle;
 using namespace polhode;
 using polhode::test::larger;
 using polhode::test::Worst;
@@ -88,7 +86,7 @@ TEST(MassProperties, OfATetrahedron) {
     const MassProperties got = mass_properties(tetrahedron(v), 2.0);
     std::array<WideVec3, 4> w;
     WideVec3 centre;
-    for (std::size_t k = 0; k < 4; ++k) w[k] = oracle::widened(v[k]);
+    for (std::size_t k = 0; k < 4; ++k) w[k] = widened(v[k]);
     for (const WideVec3& x : w) centre = centre + Wide(0.25) * x;
     const Wide volume = dot(w[1] - w[0], cross(w[2] - w[0], w[3] - w[0])) / 6;
     double size = 0.0;
@@ -186,9 +184,9 @@ TEST(MassProperties, PrincipalAxes) {
   const Mat3 I = R * p.inertia * transpose(R);
   for (int k = 0; k < 3; ++k)
     EXPECT_NEAR(I(k, k), principal.moments()[k], budget::body_tensor * norm(principal.moments()));
-  const polhode::MassMoments along = principal_moments(p, principal);
+  const MassMoments along = principal_moments(p, principal);
   // traces do not turn
-  const auto square = [](const polhode::MassMoments& m) {
+  const auto square = [](const MassMoments& m) {
     const auto& f = m.fourth;
     return f[moment_place(0, 0)] + f[moment_place(4, 0)] + f[moment_place(0, 4)] +
            2.0 * (f[moment_place(2, 0)] + f[moment_place(0, 2)] + f[moment_place(2, 2)]);
