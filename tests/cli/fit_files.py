@@ -61,8 +61,7 @@ centre = "sun"
 
 
 def fitted(run, path, *arguments):
-    done = run("fit", path, "--json", *arguments)
-    assert done.returncode == 0, done.stderr
+    done = run.ok("fit", path, "--json", *arguments)
     return json.loads(done.stdout)
 
 

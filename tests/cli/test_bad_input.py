@@ -177,7 +177,7 @@ def test_no_permission_no_output(run, scenario, tmp_path):
 def test_a_scenario_without_times_does_not_run(run, tmp_path):
     path = tmp_path / "a.toml"
     path.write_text(HEAD + ANDOYER, encoding="utf-8")
-    assert run("info", path).returncode == 0
+    run.ok("info", path)
     assert check_one_line(run("run", path), 2) == (
         f"{path}: time: got nothing; expected a table [time], stop with step or count, or at")
 
