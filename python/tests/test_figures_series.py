@@ -16,6 +16,7 @@ from numpy.testing import assert_array_equal
 from polhode import Body, FreeRotation, Problem, Scenario, System, figures, integrate, rotor_state
 from polhode.figures.columns import angle_axis, axis_label, symbol, table
 from polhode.figures.time_series import unbroken
+from rejections import rejected
 
 BODY = Body(3.0, 4.0, 6.0)
 MOTION = FreeRotation(BODY, rotor_state(BODY, [0.9, 0.2, 0.1, 0.3], [0.5, 0.02, 1.0]))
@@ -101,8 +102,7 @@ def test_a_trajectory_computes_its_columns():
     assert_array_equal(axes[0].get_lines()[0].get_ydata(), run.g[:, 0])
     assert axes[1].get_ylabel() == "$l$ (rad)" and axes[2].get_ylabel() == "$E$"
     assert_allclose(axes[2].get_lines()[0].get_ydata(), MOTION.energy)
-    with pytest.raises(ValueError, match='"l" needs system='):
-        figures.time_series(run, "l")
+    rejected(ValueError, '"l" needs system=', figures.time_series, run, "l")
 
 
 def test_a_data_frame_brings_its_units():
@@ -140,8 +140,7 @@ def test_tables_of_results_bring_their_units():
     ],
 )
 def test_what_cannot_be_drawn(names, message):
-    with pytest.raises(ValueError, match=message):
-        figures.time_series(columns(), names)
+    rejected(ValueError, message, figures.time_series, columns(), names)
 
 
 def test_a_column_has_one_number_for_each_time():

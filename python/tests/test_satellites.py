@@ -14,6 +14,7 @@ import sgp4
 from closeness import assert_allclose
 from polhode import satellites
 from polhode.satellites.__main__ import main
+from rejections import rejected
 from scenario_texts import BODY, STATE
 
 VANGUARD = (
@@ -206,8 +207,7 @@ def test_the_epoch_of_a_table_is_a_date(tmp_path):
     ],
 )
 def test_lines_that_are_wrong_say_where(line1, line2, what):
-    with pytest.raises(ValueError, match=what):
-        satellites.satellite_from_tle(line1, line2)
+    rejected(ValueError, what, satellites.satellite_from_tle, line1, line2)
 
 
 @pytest.mark.parametrize(("call", "message"), [
@@ -219,8 +219,7 @@ def test_lines_that_are_wrong_say_where(line1, line2, what):
     (lambda: satellites.satellite_from_omm(as_csv(OMM, OMM)), "2 messages; expected one"),
 ])  # fmt: skip
 def test_messages_that_are_wrong_say_where(call, message):
-    with pytest.raises(ValueError, match=message):
-        call()
+    rejected(ValueError, message, call)
 
 
 def message(number, name="", **fields):
@@ -319,8 +318,7 @@ def test_epochs_of_messages_and_days_with_a_leap_second():
     ({"REV_AT_EPOCH": "4_1366"}, "REV_AT_EPOCH: got"),
 ])  # fmt: skip
 def test_elements_of_another_theory_or_beyond_their_range_are_rejected(fields, what):
-    with pytest.raises(ValueError, match=what):
-        satellites.satellite_from_omm({**OMM, **fields})
+    rejected(ValueError, what, satellites.satellite_from_omm, {**OMM, **fields})
 
 
 @pytest.mark.parametrize(("text", "what"), [
@@ -332,8 +330,7 @@ def test_elements_of_another_theory_or_beyond_their_range_are_rejected(fields, w
     ("A,MEAN_MOTION\n1\n", "message 1: has 1 fields; the first line names 2"),
 ])  # fmt: skip
 def test_a_damaged_message_says_what_is_wrong(text, what):
-    with pytest.raises(ValueError, match=f"a: .*{what}"):
-        satellites.satellites_from_text(text, "a")
+    rejected(ValueError, f"a: .*{what}", satellites.satellites_from_text, text, "a")
 
 
 def test_elements_that_are_old_warn():

@@ -27,6 +27,7 @@ from polhode import (
     VariationOfConstants,
     integrate,
 )
+from rejections import rejected
 
 BODY = Body(1.0, 2.0, 2.7)
 START = RotorState([0.5, 0.5, -0.5, 0.5], [0.8, 1.9, 0.3])
@@ -113,8 +114,7 @@ def test_a_run_without_dense_output_says_so():
     r = run(dense=False)
     assert not r.has_dense and run().has_dense
     assert r.at(0.0) == START
-    with pytest.raises(ValueError, match="no dense output"):
-        r.at(5.0)
+    rejected(ValueError, "no dense output", r.at, 5.0)
 
 
 class Model:
@@ -159,8 +159,7 @@ def test_a_pickle_holds_all_but_dense_output():
     assert repr(again.statistics) == repr(r.statistics)
     assert again.outcome.ok and again.outcome.t == 10.0
     assert again.at(0.0) == START
-    with pytest.raises(ValueError, match="no dense output"):
-        again.at(5.0)
+    rejected(ValueError, "no dense output", again.at, 5.0)
     assert pickle.loads(pickle.dumps(again)).states == r.states
 
 
@@ -246,8 +245,7 @@ def test_columns_that_are_none_say_why(names, with_system, error, words):
 def test_energy_of_a_system_without_one_is_refused():
     s = System(BODY, terms=[TorqueTerm(lambda t, s: (0.1, 0.0, 0.0), name="jet")])
     r = integrate(Problem(s, START, 0.0, 1.0), [0.0, 1.0])
-    with pytest.raises(ValueError, match="jet"):
-        r.columns("energy", s)
+    rejected(ValueError, "jet", r.columns, "energy", s)
 
 
 def test_a_pandas_table():
@@ -329,5 +327,4 @@ def test_columns_of_the_hub_need_no_system():
     run = polhode.integrate(polhode.Problem(polhode.System(polhode.Body(1, 2, 2.5)), start, 0, 5))
     for names in (["g3"], ["g"], ["q", "g1"]):
         assert list(run.columns(names)) == ["t", "qw", "qx", "qy", "qz", "g1", "g2", "g3"]
-    with pytest.raises(ValueError, match='"andoyer" needs system='):
-        run.columns(["g3", "andoyer"])
+    rejected(ValueError, '"andoyer" needs system=', run.columns, ["g3", "andoyer"])
