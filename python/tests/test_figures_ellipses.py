@@ -24,12 +24,6 @@ TIMES = np.linspace(0.0, STOP, 23)
 MU = np.asarray(PATH.planet.mu)
 
 
-@pytest.fixture(autouse=True)
-def close_figures():
-    yield
-    plt.close("all")
-
-
 def inertial_path():
     """Position and velocity at TIMES in components of the frame of date, from the equations of
     motion in inertial axes, where only the planet turns: without any of the frame's terms."""

@@ -39,12 +39,6 @@ def final():
     return polhode.ensemble(SCENARIO, BOTH, size=60, keep="final")
 
 
-@pytest.fixture(autouse=True)
-def close_figures():
-    yield
-    plt.close("all")
-
-
 def edges(band):
     """Lower and upper edge of a filled area, in the order of its times."""
     (path,) = band.get_paths()

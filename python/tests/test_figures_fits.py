@@ -42,12 +42,6 @@ def solution():
     return found
 
 
-@pytest.fixture(autouse=True)
-def close_figures():
-    yield
-    plt.close("all")
-
-
 def lines(axis):
     return {line.get_gid(): line for line in axis.get_lines() if line.get_gid()}
 

@@ -30,12 +30,6 @@ every_body = pytest.mark.parametrize("body", BODIES.values(), ids=BODIES)
 QUATERNION = [0.9, 0.1, -0.3, 0.2]
 
 
-@pytest.fixture(autouse=True)
-def close_figures():
-    yield
-    plt.close("all")
-
-
 def motion(g, body=BODIES["sorted"]):
     return polhode.FreeRotation(body, polhode.RotorState(QUATERNION, g))
 

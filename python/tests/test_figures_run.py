@@ -43,12 +43,6 @@ columns = ["q", "omega", "euler"]
 """
 
 
-@pytest.fixture(autouse=True)
-def close_figures():
-    yield
-    plt.close("all")
-
-
 def test_half_sizes_give_the_moments_back():
     a = half_sizes(BODY)
     moments = np.array([a[1] ** 2 + a[2] ** 2, a[2] ** 2 + a[0] ** 2, a[0] ** 2 + a[1] ** 2])

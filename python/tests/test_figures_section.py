@@ -52,12 +52,6 @@ EVENTS = [Event("half", lambda t, s: math.sin(t / 2)), Event("whole", lambda t, 
 RUN = integrate(Problem(SYSTEM, START, 0.0, 40.0, Adaptive(1e-10), EVENTS), dense=False)
 
 
-@pytest.fixture(autouse=True)
-def close_figures():
-    yield
-    plt.close("all")
-
-
 def states_at_events(name=None, direction=None):
     records = [e for e in RUN.events if name in (None, e.name) and direction in (None, e.direction)]
     return RotorState([e.s.q for e in records], [e.s.g for e in records])

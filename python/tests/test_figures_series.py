@@ -31,12 +31,6 @@ output.columns = ["omega", "andoyer"]
 """
 
 
-@pytest.fixture(autouse=True)
-def close_figures():
-    yield
-    plt.close("all")
-
-
 def columns():
     omega = MOTION.at(T).g / BODY.moments
     return {"t": T, "w1": omega[:, 0], "w2": omega[:, 1], "l": np.arctan2(np.sin(T), np.cos(T))}

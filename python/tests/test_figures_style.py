@@ -37,12 +37,6 @@ PANELS = {
 }
 
 
-@pytest.fixture(autouse=True)
-def close_figures():
-    yield
-    plt.close("all")
-
-
 @pytest.mark.parametrize("name", CALLS)
 def test_a_figure_returns_its_axes_and_leaves_the_settings(name):
     before = dict(matplotlib.rcParams)

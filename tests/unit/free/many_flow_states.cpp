@@ -3,6 +3,7 @@
 // neighbours, those of the motion through each state but for rounding, and the state again.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -14,6 +15,7 @@
 #include "message_of.hpp"
 #include "polhode/error.hpp"
 #include "polhode/free/sadov.hpp"
+#include "polhode/free/serret.hpp"
 #include "unit/free/support.hpp"
 #include "worst.hpp"
 
@@ -291,6 +293,237 @@ TEST(RotorsOfSadov, RefuseWhatOneIsRefusedAndSayWhich) {
   std::vector<RotorState> results(8);
   EXPECT_MESSAGE(to_rotor(body, std::vector<SadovState>(9, good), results),
                  "to_rotor: got room for 8 results of 9 states; expected as many");
+}
+
+// Serret's elements of many states: the same bits by every set of instructions and next to any
+// neighbours, those of the motion through each state but for rounding, and the state again.
+
+std::vector<std::uint64_t> bits_of_all(const std::vector<double>& numbers) {
+  std::vector<std::uint64_t> b;
+  for (const double x : numbers) b.push_back(std::bit_cast<std::uint64_t>(x));
+  return b;
+}
+std::vector<std::uint64_t> bits_of(const SerretState& s) {
+  return bits_of_all({s.g0, s.h, s.t0, s.G, s.H, s.T, double(s.sign_g1), double(s.sign_g3)});
+}
+std::vector<std::uint64_t> bits_of(const RotorState& s) {
+  return bits_of_all({s.q.w, s.q.x, s.q.y, s.q.z, s.g.x, s.g.y, s.g.z});
+}
+
+std::vector<SerretState> converted(const Body& body, const std::vector<RotorState>& states,
+                                   const std::vector<double>& times,
+                                   InstructionSet set = widest_instruction_set()) {
+  std::vector<SerretState> results(states.size());
+  to_serret(body, states, times, results, set);
+  return results;
+}
+std::vector<RotorState> back(const Body& body, const std::vector<SerretState>& sets,
+                             const std::vector<double>& times,
+                             InstructionSet set = widest_instruction_set()) {
+  std::vector<RotorState> results(sets.size());
+  to_rotor(body, sets, times, results, set);
+  return results;
+}
+
+struct Sample {
+  std::vector<RotorState> states;
+  std::vector<double> times;
+};
+Sample any_sample(Draw& draw, std::size_t count) {
+  Sample all;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Quaternion q{draw.normal(), draw.normal(), draw.normal(), draw.normal()};
+    all.states.push_back({normalized(q), {draw.normal(), draw.normal(), draw.normal()}});
+    all.times.push_back(10.0 * draw.normal());
+  }
+  return all;
+}
+
+double tilt(const SerretState& s) { return std::sqrt((s.G - s.H) * (s.G + s.H)) / s.G; }
+
+// How much of a state G, T and t0 hold: the distances from the separatrix and from equal moments.
+double held(const Body& body, const RotorState& s) {
+  Vec3 I = body.moments();
+  std::sort(&I.x, &I.x + 3);
+  const FreeRotation m(body, s);
+  const double apart = smaller(I.y - I.x, I.z - I.y) / I.z;
+  return smaller(1.0, m.modulus().m1()) * apart;
+}
+
+// a1/a3 of its polhode: a rounding of T moves it by eps over it.
+double across(const Body& body, const RotorState& s) {
+  Vec3 I = body.moments();
+  std::sort(&I.x, &I.x + 3);
+  const FreeRotation m(body, s);
+  const double kap2 = m.circulates_long_axis() ? I.x * (I.z - I.y) / (I.z * (I.y - I.x))
+                                               : I.z * (I.y - I.x) / (I.x * (I.z - I.y));
+  return std::sqrt(m.modulus().m() / kap2);
+}
+
+TEST(ManySerret, AreThoseOfTheMotionsButForRounding) {
+  Draw draw(721, 0);
+  const std::size_t count = std::getenv("POLHODE_TEST_FULL") != nullptr ? 3000 : 60;
+  Worst lanes;
+  for (const Body& body : bodies()) {
+    const Sample all = any_sample(draw, count);
+    const std::vector<SerretState> got = converted(body, all.states, all.times);
+    for (std::size_t i = 0; i < count; ++i) {
+      const FreeRotation m(body, all.states[i], all.times[i]);
+      const SerretState one = to_serret(m, all.times[i]);
+      const RotorState again = to_rotor(body, got[i], all.times[i]);
+      lanes.add(difference(again, all.states[i]) * held(body, all.states[i]) *
+                smaller(1.0, tilt(one)));
+      EXPECT_EQ(got[i].sign_g1, one.sign_g1);
+      EXPECT_EQ(got[i].sign_g3, one.sign_g3);
+      EXPECT_LE(relative(got[i].G, one.G), 2.0 * free_test::eps);
+      EXPECT_LE(relative(got[i].T, one.T), 2.0 * free_test::eps);
+      EXPECT_LE(std::abs(got[i].H - one.H), budget::lane_sadov * one.G);
+      EXPECT_LE(std::abs(got[i].t0 - one.t0),
+                budget::lane_serret_t0 * m.polhode_period() / held(body, all.states[i]));
+    }
+  }
+  EXPECT_LE(lanes.value(), budget::lane_serret_round_trip);
+}
+
+TEST(ManySerret, StatesAreThoseOfOneSetButForRounding) {
+  Draw draw(722, 0);
+  Worst worst;
+  for (const Body& body : bodies()) {
+    const Sample all = any_sample(draw, 60);
+    const std::vector<SerretState> sets = converted(body, all.states, all.times);
+    const std::vector<RotorState> got = back(body, sets, all.times);
+    for (std::size_t i = 0; i < sets.size(); ++i) {
+      const RotorState one = to_rotor(body, sets[i], all.times[i]);
+      worst.add(difference(got[i], one) * held(body, one));
+      EXPECT_GT(
+          got[i].q.w * one.q.w + got[i].q.x * one.q.x + got[i].q.y * one.q.y + got[i].q.z * one.q.z,
+          0.0);
+    }
+  }
+  EXPECT_LE(worst.value(), budget::lane_rotor_of_serret);
+}
+
+TEST(ManySerret, GoBackToTheState) {
+  Draw draw(723, 0);
+  Worst worst;
+  for (const Body& body : bodies()) {
+    const Sample all = any_sample(draw, 300);
+    const std::vector<SerretState> sets = converted(body, all.states, all.times);
+    const std::vector<RotorState> got = back(body, sets, all.times);
+    for (std::size_t i = 0; i < sets.size(); ++i)
+      worst.add(difference(got[i], all.states[i]) * held(body, all.states[i]) *
+                smaller(1.0, tilt(sets[i])));
+  }
+  EXPECT_LE(worst.value(), budget::lane_serret_round_trip);
+}
+
+// Down to the separatrix and to the axes of circulation, where G and T hold less and less: no less
+// of the state than by one.
+TEST(ManySerret, GoBackToTheStateNextToTheEdges) {
+  Draw draw(726, 0);
+  const Body body(1.0, 1.7, 2.1);
+  const double slope = std::sqrt(0.7 * 2.1 / (0.4 * 1.0));  // g3/g1 on the separatrix
+  Sample all = any_sample(draw, 180);
+  for (std::size_t i = 0; i < all.states.size(); ++i) {
+    const double x = draw.sign() * draw.uniform(0.1, 1.0);
+    const double off = draw.sign() * draw.power_of_ten(-7.0, -1.0);
+    const double small = draw.power_of_ten(-7.0, -1.0), y = small * draw.normal();
+    const Vec3 near[] = {{x, draw.normal(), draw.sign() * x * slope * (1.0 + off)},
+                         {small, y, draw.sign()},
+                         {draw.sign(), y, small}};
+    all.states[i].g = near[i % 3];
+  }
+  const std::vector<SerretState> sets = converted(body, all.states, all.times);
+  const std::vector<RotorState> got = back(body, sets, all.times);
+  for (std::size_t i = 0; i < sets.size(); ++i) {
+    const FreeRotation m(body, all.states[i], all.times[i]);
+    const RotorState one = to_rotor(body, to_serret(m, all.times[i]), all.times[i]);
+    const double floor =
+        budget::lane_serret_round_trip / (held(body, all.states[i]) * smaller(1.0, tilt(sets[i])) *
+                                          smaller(1.0, across(body, all.states[i])));
+    EXPECT_LE(difference(got[i], all.states[i]),
+              4.0 * larger(difference(one, all.states[i]), floor))
+        << i;
+  }
+}
+
+// A time that is many turns away: one by one, as ever.
+TEST(ManySerret, FarFromTheEpochAreThoseOfOneSet) {
+  Draw draw(724, 0);
+  const Body body(1.0, 1.7, 2.1);
+  const Sample all = any_sample(draw, 40);
+  const std::vector<SerretState> sets = converted(body, all.states, all.times);
+  const std::vector<RotorState> got = back(body, sets, {1e5});
+  for (std::size_t i = 0; i < sets.size(); ++i)
+    EXPECT_EQ(bits_of(got[i]), bits_of(to_rotor(body, sets[i], 1e5)));
+}
+
+TEST(ManySerret, HaveBitsThatDependOnTheStateAlone) {
+  Draw draw(725, 0);
+  for (const Body& body : bodies()) {
+    Sample all = any_sample(draw, 150);
+    all.states[7].g = {0.0, 0.0, 1.0};  // steady
+    all.states[30].g = {1e-9, 0.0, 1.0};
+    const auto whole = converted(body, all.states, all.times, InstructionSet::baseline);
+    const auto states = back(body, whole, all.times, InstructionSet::baseline);
+    for (const InstructionSet set : supported_instruction_sets())
+      for (std::size_t count = 0, first = 0; first + count <= whole.size(); first += count++) {
+        const auto cut = [&](const auto& v) {
+          const auto begin = v.begin() + static_cast<std::ptrdiff_t>(first);
+          return std::vector(begin, begin + static_cast<std::ptrdiff_t>(count));
+        };
+        if (count == 0) continue;
+        const auto part = converted(body, cut(all.states), cut(all.times), set);
+        const auto again = back(body, cut(whole), cut(all.times), set);
+        for (std::size_t i = 0; i < count; ++i) {
+          ASSERT_EQ(bits_of(part[i]), bits_of(whole[first + i])) << instruction_set_name(set);
+          ASSERT_EQ(bits_of(again[i]), bits_of(states[first + i])) << instruction_set_name(set);
+        }
+      }
+  }
+}
+
+// Spheres, spins, rest, the separatrix itself: as of one motion, bit by bit.
+TEST(ManySerret, WhereTheyDegenerateAreThoseOfTheMotion) {
+  for (const NamedMotion& n : motions()) {
+    if (n.regime == Regime::short_axis || n.regime == Regime::long_axis) continue;
+    const FreeRotation m = n.motion();
+    const std::string refused = message_of([&] { to_serret(m, 0.0); });
+    const std::vector<RotorState> states(9, n.start());
+    if (refused != "") {
+      EXPECT_MESSAGE(converted(n.body(), states, {0.0}), refused + " (state 0)");
+      continue;
+    }
+    for (const SerretState& s : converted(n.body(), states, {0.0}))
+      EXPECT_EQ(bits_of(s), bits_of(to_serret(FreeRotation(n.body(), n.start(), 0.0), 0.0)))
+          << n.name;
+  }
+}
+
+TEST(ManySerret, RefuseWhatOneIsRefusedAndSayWhich) {
+  const Body body(1.0, 1.7, 2.1);
+  const RotorState start{{0.6, -0.3, 0.7, 0.2}, {0.3, -0.2, 1.0}};
+  std::vector<RotorState> states(20, start);
+  states[13].g.y = not_a_number;
+  EXPECT_MESSAGE(converted(body, states, {0.0}),
+                 "FreeRotation: g (0.3, nan, 1) is not finite (state 13)");
+  std::vector<SerretState> sets(20, to_serret(FreeRotation(body, start), 0.0));
+  sets[11].T = sets[17].T = 100.0;
+  EXPECT_MESSAGE(back(body, sets, {0.0}),
+                 message_of([&] { to_rotor(body, sets[11], 0.0); }) + " (state 11)");
+  for (double SerretState::*element : {&SerretState::g0, &SerretState::h}) {
+    std::vector<SerretState> none(3, to_serret(FreeRotation(body, start), 0.0));
+    none[1].*element = not_a_number;
+    EXPECT_MESSAGE(back(body, none, {0.0}),
+                   message_of([&] { to_rotor(body, none[1], 0.0); }) + " (state 1)");
+  }
+  std::vector<SerretState> results(8);
+  states.resize(9);
+  EXPECT_MESSAGE(to_serret(body, states, std::vector<double>(9), results),
+                 "to_serret: got room for 8 results of 9 states; expected as many");
+  results.resize(9);
+  EXPECT_MESSAGE(to_serret(body, states, std::vector<double>(4), results),
+                 "to_serret: got 4 times of 9 states; expected as many, or one for all");
 }
 
 }  // namespace
