@@ -26,7 +26,6 @@ namespace {
 
 using namespace polhode;
 using namespace oracle;
-using polhode::test::larger;
 using polhode::test::smaller;
 using polhode::test::Worst;
 

@@ -10,7 +10,6 @@
 
 #include "budgets.hpp"
 #include "message_of.hpp"
-#include "polhode/error.hpp"
 #include "polhode/free/free_rotation.hpp"
 #include "polhode/perturb/linear_damping.hpp"
 #include "polhode/perturb/torque_table.hpp"

@@ -16,7 +16,6 @@
 #include "own_steps.hpp"
 #include "polhode/analysis/chaos_indicator.hpp"
 #include "polhode/dynamics/resume.hpp"
-#include "polhode/error.hpp"
 
 namespace {
 

@@ -14,7 +14,6 @@
 #include "budgets.hpp"
 #include "message_of.hpp"
 #include "polhode/dynamics/integrate.hpp"
-#include "polhode/error.hpp"
 #include "polhode/free/free_rotation.hpp"
 #include "polhode/orbit/kepler_orbit.hpp"
 #include "polhode/perturb/gravity_gradient.hpp"

@@ -13,7 +13,6 @@
 #include "budgets.hpp"
 #include "message_of.hpp"
 #include "polhode/dynamics/integrate.hpp"
-#include "polhode/error.hpp"
 
 namespace polhode {
 namespace {

@@ -15,7 +15,6 @@
 
 #include "budgets.hpp"
 #include "message_of.hpp"
-#include "polhode/error.hpp"
 #include "worst.hpp"
 
 namespace {

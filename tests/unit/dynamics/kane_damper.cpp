@@ -15,7 +15,6 @@
 #include "message_of.hpp"
 #include "polhode/analysis/chaos_indicator.hpp"
 #include "polhode/dynamics/integrate.hpp"
-#include "polhode/error.hpp"
 #include "polhode/free/free_rotation.hpp"
 #include "polhode/perturb/constant_torque.hpp"
 #include "polhode/perturb/internal_damping.hpp"
@@ -23,7 +22,6 @@
 namespace {
 
 using namespace polhode;
-using testing::HasSubstr;
 
 const Body body(1.0, 1.6, 2.1);
 constexpr double J = 0.3;

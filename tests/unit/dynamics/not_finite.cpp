@@ -171,9 +171,9 @@ std::vector<AnyPerturbation> terms_of_a_place() {
                path)}};
 }
 
-Trajectory run_of(const AnyPerturbation& term, const Method& method, double stop) {
+Trajectory run_of(const AnyPerturbation& term, const Method& method, double until) {
   const System system(Body(1.0, 1.7, 2.2), Frame::inertial(), {term});
-  return integrate({system, {{0.8, 0.2, -0.4, 0.4}, {0.01, 0.02, 0.03}}, 0.0, stop, method, {}});
+  return integrate({system, {{0.8, 0.2, -0.4, 0.4}, {0.01, 0.02, 0.03}}, 0.0, until, method, {}});
 }
 
 TEST(MissingOrbit, EndsTheRun) {

@@ -12,7 +12,6 @@
 #include "budgets.hpp"
 #include "dynamics/splitting/splitting_map.hpp"
 #include "message_of.hpp"
-#include "polhode/error.hpp"
 #include "polhode/free/free_rotation.hpp"
 #include "splitting_support.hpp"
 #include "unit/dynamics/splitting_support.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "budgets.hpp"
+#include "message_of.hpp"
 #include "polhode/elliptic/agm.hpp"
 #include "polhode/elliptic/heuman.hpp"
 #include "polhode/elliptic/legendre_pi.hpp"

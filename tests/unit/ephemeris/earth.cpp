@@ -22,7 +22,6 @@ namespace polhode {
 namespace {
 
 using polhode::test::Worst;
-using ::testing::HasSubstr;
 
 constexpr double degree = std::numbers::pi / 180.0;
 

@@ -9,7 +9,6 @@
 
 #include "budgets.hpp"
 #include "message_of.hpp"
-#include "polhode/error.hpp"
 #include "polhode/fit/light_fit.hpp"
 #include "polhode/fit/spin_fit.hpp"
 

@@ -23,7 +23,6 @@
 namespace {
 using namespace polhode;
 using namespace polhode::test;
-using testing::HasSubstr;
 using DD = DoubleDouble;
 
 // How far each unknown is from where it begins.

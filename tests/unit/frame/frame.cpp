@@ -14,7 +14,6 @@
 #include "message_of.hpp"
 #include "oracle/random_draw.hpp"
 #include "oracle/wide_real.hpp"
-#include "polhode/error.hpp"
 #include "worst.hpp"
 
 namespace polhode::test {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Sadov's variables of many states: the same bits by every set of instructions and next to any
-// neighbours, those of the motion through each state but for rounding, and the state again.
+// Sadov's variables and Serret's elements of many states: the same bits by every set of
+// instructions and next to any neighbours, those of the motion through each state but for rounding,
+// and the state again.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,7 +14,6 @@
 
 #include "budgets.hpp"
 #include "message_of.hpp"
-#include "polhode/error.hpp"
 #include "polhode/free/sadov.hpp"
 #include "polhode/free/serret.hpp"
 #include "unit/free/support.hpp"
@@ -25,12 +25,20 @@ using namespace free_test;
 using namespace polhode;
 using polhode::test::Worst;
 
-std::vector<std::uint64_t> bits_of(const SadovState& s) {
-  std::vector<std::uint64_t> b{static_cast<std::uint64_t>(s.region),
-                               static_cast<std::uint64_t>(s.lobe + 1)};
-  for (const double x : {s.phi_l, s.phi_g, s.phi_h, s.I_l, s.I_g, s.I_h})
-    b.push_back(std::bit_cast<std::uint64_t>(x));
+std::vector<std::uint64_t> bits_of_all(const std::vector<double>& numbers) {
+  std::vector<std::uint64_t> b;
+  for (const double x : numbers) b.push_back(std::bit_cast<std::uint64_t>(x));
   return b;
+}
+std::vector<std::uint64_t> bits_of(const SadovState& s) {
+  return bits_of_all({static_cast<double>(s.region), double(s.lobe), s.phi_l, s.phi_g, s.phi_h,
+                      s.I_l, s.I_g, s.I_h});
+}
+std::vector<std::uint64_t> bits_of(const SerretState& s) {
+  return bits_of_all({s.g0, s.h, s.t0, s.G, s.H, s.T, double(s.sign_g1), double(s.sign_g3)});
+}
+std::vector<std::uint64_t> bits_of(const RotorState& s) {
+  return bits_of_all({s.q.w, s.q.x, s.q.y, s.q.z, s.g.x, s.g.y, s.g.z});
 }
 
 std::vector<SadovState> converted(const Body& body, const std::vector<RotorState>& states,
@@ -48,6 +56,21 @@ std::vector<RotorState> any_states(Draw& draw, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i)
     all.push_back(any_state(draw, {draw.normal(), draw.normal(), draw.normal()}));
   return all;
+}
+
+// Down to the separatrix of moments 1, 1.7 and 2.1, by 10^least, and to the axes of circulation.
+std::vector<RotorState> edge_states(Draw& draw, int count, double least) {
+  const double slope = std::sqrt(0.7 * 2.1 / (0.4 * 1.0));  // g3/g1 on the separatrix
+  std::vector<RotorState> states;
+  for (int i = 0; i < count; ++i) {
+    const double x = draw.sign() * draw.uniform(0.1, 1.0);
+    const double off = draw.sign() * draw.power_of_ten(least, -1.0);
+    states.push_back(any_state(draw, {x, draw.normal(), draw.sign() * x * slope * (1.0 + off)}));
+    const double small = draw.power_of_ten(-16.0, -1.0);
+    states.push_back(any_state(draw, {small * draw.normal(), small * draw.normal(), draw.sign()}));
+    states.push_back(any_state(draw, {draw.sign(), small * draw.normal(), small * draw.normal()}));
+  }
+  return states;
 }
 
 // Axes in every order, nearly flat, nearly a needle, and one with two moments near each other.
@@ -84,20 +107,10 @@ TEST(ManySadov, AreThoseOfTheMotionsButForRounding) {
   }
 }
 
-// Down to the separatrix and to the axes of circulation.
 TEST(ManySadov, AreThoseOfTheMotionsNextToTheEdges) {
   Draw draw(702, 0);
   const Body body(1.0, 1.7, 2.1);
-  const double slope = std::sqrt(0.7 * 2.1 / (0.4 * 1.0));  // g3/g1 on the separatrix
-  std::vector<RotorState> states;
-  for (int i = 0; i < 120; ++i) {
-    const double x = draw.sign() * draw.uniform(0.1, 1.0);
-    const double off = draw.sign() * draw.power_of_ten(-15.0, -1.0);
-    states.push_back(any_state(draw, {x, draw.normal(), draw.sign() * x * slope * (1.0 + off)}));
-    const double small = draw.power_of_ten(-16.0, -1.0);
-    states.push_back(any_state(draw, {small * draw.normal(), small * draw.normal(), draw.sign()}));
-    states.push_back(any_state(draw, {draw.sign(), small * draw.normal(), small * draw.normal()}));
-  }
+  const std::vector<RotorState> states = edge_states(draw, 120, -15.0);
   const std::vector<SadovState> got = converted(body, states);
   for (std::size_t i = 0; i < states.size(); ++i)
     expect_near(got[i], to_sadov(FreeRotation(body, states[i]), 0.0), std::to_string(i));
@@ -118,21 +131,37 @@ TEST(ManySadov, GoBackToTheState) {
   EXPECT_LE(worst.value(), budget::lane_sadov_round_trip);
 }
 
+// expect(set, cut) for every set of instructions and every run of neighbours; cut(all) are theirs.
+void for_every_part(std::size_t size, const auto& expect) {
+  for (const InstructionSet set : supported_instruction_sets())
+    for (std::size_t count = 0, first = 0; first + count <= size; first += count++) {
+      SCOPED_TRACE(testing::Message()
+                   << instruction_set_name(set) << ", " << count << " from " << first);
+      expect(set, [&](const auto& all) {
+        const auto begin = all.begin() + static_cast<std::ptrdiff_t>(first);
+        return std::vector(begin, begin + static_cast<std::ptrdiff_t>(count));
+      });
+    }
+}
+void expect_bits(const auto& got, const auto& wanted) {
+  ASSERT_EQ(got.size(), wanted.size());
+  for (std::size_t i = 0; i < got.size(); ++i) ASSERT_EQ(bits_of(got[i]), bits_of(wanted[i]));
+}
+// A steady state and one next to it among others.
+void make_steady(std::vector<RotorState>& states) {
+  states[7].g = {0.0, 0.0, 1.0};
+  states[30].g = {1e-9, 0.0, 1.0};
+}
+
 TEST(ManySadov, HaveBitsThatDependOnTheStateAlone) {
   Draw draw(704, 0);
   for (const Body& body : bodies()) {
     std::vector<RotorState> states = any_states(draw, 200);
-    states[7].g = {0.0, 0.0, 1.0};  // steady
-    states[30].g = {1e-9, 0.0, 1.0};
+    make_steady(states);
     const std::vector<SadovState> all = converted(body, states, InstructionSet::baseline);
-    for (const InstructionSet set : supported_instruction_sets())
-      for (std::size_t count = 0, first = 0; first + count <= states.size(); first += count++) {
-        const auto begin = states.begin() + static_cast<std::ptrdiff_t>(first);
-        const auto part = converted(body, {begin, begin + static_cast<std::ptrdiff_t>(count)}, set);
-        for (std::size_t i = 0; i < count; ++i)
-          ASSERT_EQ(bits_of(part[i]), bits_of(all[first + i]))
-              << instruction_set_name(set) << ", " << count << " from " << first;
-      }
+    for_every_part(states.size(), [&](InstructionSet set, const auto& cut) {
+      expect_bits(converted(body, cut(states), set), cut(all));
+    });
     for (std::size_t i = 0; i < 9; ++i)
       EXPECT_EQ(bits_of(to_sadov(body, states[i])), bits_of(all[i]));
   }
@@ -174,12 +203,6 @@ std::vector<RotorState> back(const Body& body, const std::vector<SadovState>& se
   to_rotor(body, sets, results, set);
   return results;
 }
-std::vector<std::uint64_t> bits_of(const RotorState& s) {
-  std::vector<std::uint64_t> b;
-  for (const double x : {s.q.w, s.q.x, s.q.y, s.q.z, s.g.x, s.g.y, s.g.z})
-    b.push_back(std::bit_cast<std::uint64_t>(x));
-  return b;
-}
 // What the action holds of the polhode: 1 - k^2.
 double complement(const Body& body, const RotorState& s) {
   return smaller(1.0, FreeRotation(body, s).modulus().m1());
@@ -203,20 +226,10 @@ TEST(RotorsOfSadov, AreThoseOfOneAtATimeButForRounding) {
   EXPECT_LE(worst.value(), budget::lane_rotor_of_sadov);
 }
 
-// Down to the separatrix and to the axes of circulation.
 TEST(RotorsOfSadov, AreThoseOfOneAtATimeNextToTheEdges) {
   Draw draw(712, 0);
   const Body body(1.0, 1.7, 2.1);
-  const double slope = std::sqrt(0.7 * 2.1 / (0.4 * 1.0));  // g3/g1 on the separatrix
-  std::vector<RotorState> states;
-  for (int i = 0; i < 60; ++i) {
-    const double x = draw.sign() * draw.uniform(0.1, 1.0);
-    const double off = draw.sign() * draw.power_of_ten(-8.0, -1.0);
-    states.push_back(any_state(draw, {x, draw.normal(), draw.sign() * x * slope * (1.0 + off)}));
-    const double small = draw.power_of_ten(-16.0, -1.0);
-    states.push_back(any_state(draw, {small * draw.normal(), small * draw.normal(), draw.sign()}));
-    states.push_back(any_state(draw, {draw.sign(), small * draw.normal(), small * draw.normal()}));
-  }
+  const std::vector<RotorState> states = edge_states(draw, 60, -8.0);
   const std::vector<SadovState> sets = converted(body, states);
   const std::vector<RotorState> got = back(body, sets);
   for (std::size_t i = 0; i < states.size(); ++i) {
@@ -243,18 +256,12 @@ TEST(RotorsOfSadov, HaveBitsThatDependOnTheSetAlone) {
   Draw draw(714, 0);
   for (const Body& body : bodies()) {
     std::vector<RotorState> states = any_states(draw, 200);
-    states[7].g = {0.0, 0.0, 1.0};  // steady
-    states[30].g = {1e-9, 0.0, 1.0};
+    make_steady(states);
     const std::vector<SadovState> sets = converted(body, states);
     const std::vector<RotorState> all = back(body, sets, InstructionSet::baseline);
-    for (const InstructionSet set : supported_instruction_sets())
-      for (std::size_t count = 0, first = 0; first + count <= sets.size(); first += count++) {
-        const auto begin = sets.begin() + static_cast<std::ptrdiff_t>(first);
-        const auto part = back(body, {begin, begin + static_cast<std::ptrdiff_t>(count)}, set);
-        for (std::size_t i = 0; i < count; ++i)
-          ASSERT_EQ(bits_of(part[i]), bits_of(all[first + i]))
-              << instruction_set_name(set) << ", " << count << " from " << first;
-      }
+    for_every_part(sets.size(), [&](InstructionSet set, const auto& cut) {
+      expect_bits(back(body, cut(sets), set), cut(all));
+    });
   }
 }
 
@@ -293,21 +300,6 @@ TEST(RotorsOfSadov, RefuseWhatOneIsRefusedAndSayWhich) {
   std::vector<RotorState> results(8);
   EXPECT_MESSAGE(to_rotor(body, std::vector<SadovState>(9, good), results),
                  "to_rotor: got room for 8 results of 9 states; expected as many");
-}
-
-// Serret's elements of many states: the same bits by every set of instructions and next to any
-// neighbours, those of the motion through each state but for rounding, and the state again.
-
-std::vector<std::uint64_t> bits_of_all(const std::vector<double>& numbers) {
-  std::vector<std::uint64_t> b;
-  for (const double x : numbers) b.push_back(std::bit_cast<std::uint64_t>(x));
-  return b;
-}
-std::vector<std::uint64_t> bits_of(const SerretState& s) {
-  return bits_of_all({s.g0, s.h, s.t0, s.G, s.H, s.T, double(s.sign_g1), double(s.sign_g3)});
-}
-std::vector<std::uint64_t> bits_of(const RotorState& s) {
-  return bits_of_all({s.q.w, s.q.x, s.q.y, s.q.z, s.g.x, s.g.y, s.g.z});
 }
 
 std::vector<SerretState> converted(const Body& body, const std::vector<RotorState>& states,
@@ -462,24 +454,13 @@ TEST(ManySerret, HaveBitsThatDependOnTheStateAlone) {
   Draw draw(725, 0);
   for (const Body& body : bodies()) {
     Sample all = any_sample(draw, 150);
-    all.states[7].g = {0.0, 0.0, 1.0};  // steady
-    all.states[30].g = {1e-9, 0.0, 1.0};
+    make_steady(all.states);
     const auto whole = converted(body, all.states, all.times, InstructionSet::baseline);
     const auto states = back(body, whole, all.times, InstructionSet::baseline);
-    for (const InstructionSet set : supported_instruction_sets())
-      for (std::size_t count = 0, first = 0; first + count <= whole.size(); first += count++) {
-        const auto cut = [&](const auto& v) {
-          const auto begin = v.begin() + static_cast<std::ptrdiff_t>(first);
-          return std::vector(begin, begin + static_cast<std::ptrdiff_t>(count));
-        };
-        if (count == 0) continue;
-        const auto part = converted(body, cut(all.states), cut(all.times), set);
-        const auto again = back(body, cut(whole), cut(all.times), set);
-        for (std::size_t i = 0; i < count; ++i) {
-          ASSERT_EQ(bits_of(part[i]), bits_of(whole[first + i])) << instruction_set_name(set);
-          ASSERT_EQ(bits_of(again[i]), bits_of(states[first + i])) << instruction_set_name(set);
-        }
-      }
+    for_every_part(whole.size(), [&](InstructionSet set, const auto& cut) {
+      expect_bits(converted(body, cut(all.states), cut(all.times), set), cut(whole));
+      expect_bits(back(body, cut(whole), cut(all.times), set), cut(states));
+    });
   }
 }
 

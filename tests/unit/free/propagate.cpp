@@ -16,7 +16,6 @@
 #include "message_of.hpp"
 #include "oracle/free_accuracy.hpp"
 #include "oracle/free_edge_cases.hpp"
-#include "polhode/error.hpp"
 #include "polhode/free/rounding_sensitivity.hpp"
 #include "unit/free/support.hpp"
 

@@ -11,7 +11,6 @@
 #include "message_of.hpp"
 #include "oracle/kepler.hpp"
 #include "oracle/random_draw.hpp"
-#include "polhode/error.hpp"
 #include "polhode/orbit/any_orbit.hpp"
 #include "polhode/orbit/kepler_equation.hpp"
 #include "worst.hpp"

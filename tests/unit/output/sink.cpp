@@ -21,8 +21,6 @@ namespace polhode {
 namespace {
 
 namespace fs = std::filesystem;
-using ::testing::HasSubstr;
-using ::testing::StartsWith;
 
 class SinkTest : public test::InTempFolder {
  protected:

@@ -19,7 +19,6 @@ namespace perturb_test {
 namespace {
 
 using namespace polhode;
-using polhode::test::larger;
 using polhode::test::Worst;
 
 constexpr double two_pi = 6.283185307179586;

@@ -25,7 +25,6 @@ using namespace polhode;
 using polhode::test::larger;
 using polhode::test::smaller;
 using polhode::test::Worst;
-using ::testing::HasSubstr;
 
 constexpr double pi = std::numbers::pi;
 

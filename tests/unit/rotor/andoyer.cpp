@@ -8,7 +8,6 @@
 
 #include "budgets.hpp"
 #include "message_of.hpp"
-#include "polhode/error.hpp"
 #include "polhode/math/double_double.hpp"
 #include "polhode/rotor/euler.hpp"
 #include "property/chart_support.hpp"

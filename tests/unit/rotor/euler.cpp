@@ -9,7 +9,6 @@
 
 #include "budgets.hpp"
 #include "message_of.hpp"
-#include "polhode/error.hpp"
 #include "polhode/math/double_double.hpp"
 #include "property/chart_support.hpp"
 #include "worst.hpp"

@@ -7,7 +7,6 @@
 
 #include "budgets.hpp"
 #include "message_of.hpp"
-#include "polhode/error.hpp"
 #include "polhode/rotor/andoyer.hpp"
 #include "property/chart_support.hpp"
 

@@ -8,7 +8,6 @@
 
 #include "budgets.hpp"
 #include "polhode/dynamics/integrate_model.hpp"
-#include "polhode/error.hpp"
 #include "polhode/run/map.hpp"
 #include "temp_folder.hpp"
 #include "unit/run/map_refusal.hpp"

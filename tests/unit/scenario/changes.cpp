@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "message_of.hpp"
-#include "polhode/error.hpp"
 #include "polhode/scenario/scenario.hpp"
 
 namespace polhode {
@@ -148,8 +147,9 @@ TEST(ScenarioChanges, AnUnknownKeyAndABadValueAreErrorsOfTheFile) {
   for (const auto& [key, value, message] :
        {std::tuple{"body.momnets", "[1, 2, 3]", "body.momnets: unknown key; did you mean moments?"},
         std::tuple{"state.tumbler.mode", "SAMM", "state.tumbler.mode: got \"SAMM\"; expected"}}) {
-    EXPECT_THAT(test::message_of<ScenarioError>(
-                    [&] { scenario_from_text(changed({{key, value}}), "a.toml"); }),
+    EXPECT_THAT(test::message_of<ScenarioError>([&] {
+                  scenario_from_text(changed({{key, value}}), "a.toml");
+                }),
                 testing::HasSubstr(message));
   }
 }

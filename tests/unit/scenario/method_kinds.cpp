@@ -8,7 +8,6 @@
 
 #include "message_of.hpp"
 #include "own_steps.hpp"
-#include "polhode/error.hpp"
 #include "polhode/run/citations.hpp"
 #include "polhode/run/run.hpp"
 #include "polhode/scenario/kinds.hpp"
@@ -18,7 +17,6 @@ namespace polhode {
 namespace {
 
 using polhode::test::message_of;
-using ::testing::HasSubstr;
 
 struct Arguments {
   double step;

@@ -22,7 +22,6 @@ namespace {
 
 using namespace polhode;
 using polhode::test::Worst;
-using ::testing::HasSubstr;
 
 constexpr double turn = 2.0 * std::numbers::pi;
 

@@ -18,7 +18,6 @@
 namespace {
 
 using namespace polhode;
-using ::testing::HasSubstr;
 
 constexpr double deg = std::numbers::pi / 180.0;
 

@@ -18,7 +18,6 @@
 namespace {
 
 using namespace polhode;
-using polhode::test::Worst;
 
 constexpr double turn = 2.0 * std::numbers::pi, arcsec = turn / 1296000.0;
 constexpr double year = 365.25 * 86400.0, Myr = 1e6 * year;  // s

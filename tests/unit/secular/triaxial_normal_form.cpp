@@ -18,7 +18,6 @@ namespace {
 using namespace polhode;
 using polhode::test::larger;
 using polhode::test::Worst;
-using ::testing::HasSubstr;
 
 constexpr double degree = std::numbers::pi / 180.0;
 

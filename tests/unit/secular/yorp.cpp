@@ -22,7 +22,6 @@ namespace {
 using namespace perturb_test;
 
 using namespace polhode;
-using testing::HasSubstr;
 
 constexpr double pi = std::numbers::pi;
 

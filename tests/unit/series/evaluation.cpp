@@ -19,7 +19,6 @@ namespace {
 using boost::multiprecision::cpp_bin_float_50;
 using namespace polhode;
 using polhode::test::Worst;
-using testing::HasSubstr;
 
 Series<double> in_doubles(const Symbols& symbols, Draw& draw, int terms) {
   return drawn<double>(symbols, draw, terms, -3, 4, 5,

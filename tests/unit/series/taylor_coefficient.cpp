@@ -19,7 +19,6 @@ namespace {
 
 using polhode::AngleRate;
 using polhode::test::smaller;
-using testing::HasSubstr;
 
 using Taylor = polhode::TaylorCoefficient<Rational, 2, 5>;
 using Local = Series<Taylor>;

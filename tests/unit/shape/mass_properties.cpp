@@ -7,7 +7,6 @@
 #include "message_of.hpp"
 #include "oracle/random_draw.hpp"
 #include "oracle/wide_real.hpp"
-#include "polhode/error.hpp"
 #include "unit/shape/solids.hpp"
 #include "worst.hpp"
 

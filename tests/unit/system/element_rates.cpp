@@ -15,7 +15,6 @@
 #include "message_of.hpp"
 #include "polhode/dynamics/integrate.hpp"
 #include "polhode/dynamics/integrate_model.hpp"
-#include "polhode/error.hpp"
 #include "polhode/perturb/user_terms.hpp"
 #include "polhode/system/canonical_rates.hpp"
 #include "polhode/system/osculation.hpp"
@@ -25,7 +24,6 @@ namespace {
 
 using namespace polhode;
 using polhode::test::Worst;
-using testing::HasSubstr;
 
 const Body body(3, 4, 6);
 const RotorState start{normalized(Quaternion{0.5, -0.7, 0.3, 0.4}), {1.2, -0.7, 2.1}};

@@ -11,7 +11,6 @@
 
 #include "budgets.hpp"
 #include "message_of.hpp"
-#include "polhode/error.hpp"
 #include "polhode/perturb/user_terms.hpp"
 #include "polhode/system/axes.hpp"
 #include "polhode/system/modified_andoyer.hpp"

@@ -9,7 +9,6 @@
 #include "budgets.hpp"
 #include "message_of.hpp"
 #include "polhode/ephemeris/ephemeris.hpp"
-#include "polhode/error.hpp"
 #include "polhode/light/aspect.hpp"
 #include "polhode/light/light_time.hpp"
 #include "polhode/light/magnitudes.hpp"

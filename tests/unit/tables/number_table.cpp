@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "message_of.hpp"
 #include "polhode/error.hpp"
 #include "temp_folder.hpp"
 

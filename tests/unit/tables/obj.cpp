@@ -11,7 +11,6 @@
 
 #include "budgets.hpp"
 #include "message_of.hpp"
-#include "polhode/error.hpp"
 #include "polhode/shape/mass_properties.hpp"
 #include "text/number_text.hpp"
 
