@@ -207,28 +207,15 @@ std::vector<Arc> neighbours_of_every_edge() {
   return mixed(arcs, 4);
 }
 
-TEST(Lanes, HoldEveryRegimeAtAnyTime) {
-  const std::vector<Arc> arcs = regimes_at_any_time();
-  expect_scalar_bits(arcs);
-  expect_exact(arcs, 4);
-}
-
-TEST(Lanes, HoldDrawnBodies) {
-  const std::vector<Arc> arcs = drawn_bodies();
-  expect_scalar_bits(arcs);
-  expect_exact(arcs, 1);
-}
-
-TEST(Lanes, HoldTheEdges) {
-  const std::vector<Arc> arcs = edges();
-  expect_scalar_bits(arcs);
-  expect_exact(arcs, 1);
-}
-
-TEST(Lanes, HoldNeighboursOfEveryEdge) {
-  const std::vector<Arc> arcs = neighbours_of_every_edge();
-  expect_scalar_bits(arcs);
-  expect_exact(arcs, 1);
+TEST(Lanes, HoldEveryRegimeAtAnyTimeDrawnBodiesAndTheEdges) {
+  const std::pair<std::vector<Arc>, std::size_t> cases[] = {{regimes_at_any_time(), 4},
+                                                            {drawn_bodies(), 1},
+                                                            {edges(), 1},
+                                                            {neighbours_of_every_edge(), 1}};
+  for (const auto& [arcs, step] : cases) {
+    expect_scalar_bits(arcs);
+    expect_exact(arcs, step);
+  }
 }
 
 // What lanes compute has the same bits on every processor: checksums of results, which x86-64 and

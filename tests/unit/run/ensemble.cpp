@@ -150,34 +150,39 @@ TEST(EnsembleRun, RowsDoNotDependOnThreads) {
   }
 }
 
-// Stops after every chunk.
+// Stops after every chunk, more than `least` times, and ends in the file of a run without a stop.
+void expect_resumable(const std::string& text, int least, const auto& set_up) {
+  const test::TempFolder folder;
+  const ScenarioEnsemble ensemble(text, "e.toml");
+  const std::string whole = folder.path("whole.csv"), parts = folder.path("parts.csv");
+  EnsembleRun(ensemble, {whole}, {}).run();
+  int stops = 0;
+  for (bool done = false; !done; ++stops) {
+    std::atomic<bool> enough = false;
+    EnsembleOptions options;
+    options.begin = RunBegin::resume;
+    options.checkpoint_seconds = 0.0;
+    set_up(options, stops);
+    options.progress = [&](std::int64_t) { enough = true; };
+    options.stop = [&] { return enough.load(); };
+    try {
+      EnsembleRun(ensemble, {parts}, std::move(options)).run();
+      done = true;
+    } catch (const EnsembleInterrupted& stopped) {
+      EXPECT_TRUE(stopped.can_resume);
+      EXPECT_LT(stopped.members, ensemble.size());
+    }
+  }
+  EXPECT_GT(stops, least);
+  EXPECT_EQ(folder.text("parts.csv"), folder.text("whole.csv")) << text;
+}
+
 TEST(EnsembleRun, WhatIsStoppedGoesOn) {
   for (const char* const keep : {"statistics", "final", "rows"}) {
     std::string text = body + torque + varied;
     text.replace(text.find("size = 20"), 9, "size = 60\nkeep = \"" + std::string(keep) + "\"");
-    const test::TempFolder folder;
-    const ScenarioEnsemble ensemble(text, "e.toml");
-    const std::string whole = folder.path("whole.csv"), parts = folder.path("parts.csv");
-    EnsembleRun(ensemble, {whole}, {}).run();
-    int stops = 0;
-    for (bool done = false; !done; ++stops) {
-      std::atomic<bool> enough = false;
-      EnsembleOptions options;
-      options.begin = RunBegin::resume;
-      options.checkpoint_seconds = 0.0;
-      options.threads = 1 + stops % 2;
-      options.progress = [&](std::int64_t) { enough = true; };
-      options.stop = [&] { return enough.load(); };
-      try {
-        EnsembleRun(ensemble, {parts}, std::move(options)).run();
-        done = true;
-      } catch (const EnsembleInterrupted& stopped) {
-        EXPECT_TRUE(stopped.can_resume);
-        EXPECT_LT(stopped.members, 60);
-      }
-    }
-    EXPECT_GT(stops, 2);
-    EXPECT_EQ(folder.text("parts.csv"), folder.text("whole.csv")) << keep;
+    expect_resumable(text, 2,
+                     [](EnsembleOptions& options, int stops) { options.threads = 1 + stops % 2; });
   }
 }
 
@@ -227,15 +232,6 @@ std::string replaced(std::string text, const std::string& from, const std::strin
   return text;
 }
 
-struct Collected : Sink {
-  explicit Collected(std::vector<double>& to) : rows(to) {}
-  void push(std::span<const double> more) override {
-    rows.insert(rows.end(), more.begin(), more.end());
-  }
-  void finish() override {}
-  std::vector<double>& rows;
-};
-
 struct Process {
   explicit Process(const std::string& text)
       : ensemble(text, "e.toml"), work(ensemble_work(ensemble)) {}
@@ -273,7 +269,7 @@ std::vector<double> rows_of(const std::string& text, Team* team) {
   EnsembleOptions options;
   options.threads = 2;
   options.team = team;
-  options.extra_sink = std::make_unique<Collected>(rows);
+  options.extra_sink = std::make_unique<Rows>(rows);
   const EnsembleReport report = EnsembleRun(ensemble, {}, std::move(options)).run();
   EXPECT_EQ(report.members, ensemble.size());
   EXPECT_GT(report.failed, 0);  // I3 > I1 + I2
@@ -316,29 +312,11 @@ TEST(EnsembleTeam, GoesOnWhereThreadsStopped) {
   for (const char* const keep : {"statistics", "final", "rows"}) {
     const std::string text =
         scenario("size = 90\nchunk = 8\nkeep = \"" + std::string(keep) + "\"") + impossible;
-    const test::TempFolder folder;
-    const ScenarioEnsemble ensemble(text, "e.toml");
-    const std::string whole = folder.path("whole.csv"), parts = folder.path("parts.csv");
-    EnsembleRun(ensemble, {whole}, {}).run();
-    int stops = 0;
-    for (bool done = false; !done; ++stops) {
-      ShuffledTeam team(text, 1 + stops % 3, 7);
-      std::atomic<bool> enough = false;
-      EnsembleOptions options;
-      options.begin = RunBegin::resume;
-      options.checkpoint_seconds = 0.0;
-      if (stops % 2 == 0) options.team = &team;
-      options.progress = [&](std::int64_t) { enough = true; };
-      options.stop = [&] { return enough.load(); };
-      try {
-        EnsembleRun(ensemble, {parts}, std::move(options)).run();
-        done = true;
-      } catch (const EnsembleInterrupted& stopped) {
-        EXPECT_TRUE(stopped.can_resume);
-      }
-    }
-    EXPECT_GT(stops, 3);
-    EXPECT_EQ(folder.text("parts.csv"), folder.text("whole.csv")) << keep;
+    std::unique_ptr<ShuffledTeam> team;
+    expect_resumable(text, 3, [&](EnsembleOptions& options, int stops) {
+      team = std::make_unique<ShuffledTeam>(text, 1 + stops % 3, 7);
+      if (stops % 2 == 0) options.team = team.get();
+    });
   }
 }
 
