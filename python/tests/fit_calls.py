@@ -89,9 +89,7 @@ def of_fits():
             {"q": [1.0, 0, 0, 0], "w": SUN, "axes": [1.0, 0.8, 0.5], "t0": 0.0, "law": [1.0, 0.1]},
             {},
         ),
-        "fit_light": (
-            polhode.fit_light, {"most_iterations": 2}, {"start": BODY, "curves": CURVE},
-        ),
+        "fit_light": (polhode.fit_light, {"most_iterations": 2}, {"start": BODY, "curves": CURVE}),
         "fit_convex": (
             polhode.fit_convex,
             {**convex_numbers, "most_iterations": 2},

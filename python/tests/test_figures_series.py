@@ -125,14 +125,11 @@ def test_tables_of_results_bring_their_units():
         assert_array_equal(axes[1].get_lines()[0].get_xydata().T, [results.t, results["w1"]])
 
 
-@pytest.mark.parametrize(
-    ("names", "message"),
-    [
-        ("w9", 'no column "w9"; there are: t, w1, w2, l'),
-        ([("l", "w1")], r"l \(rad\), w1 \(\) share a panel; expected one unit"),
-        ([], "got no columns; expected at least one"),
-    ],
-)
+@pytest.mark.parametrize(("names", "message"), [
+    ("w9", 'no column "w9"; there are: t, w1, w2, l'),
+    ([("l", "w1")], r"l \(rad\), w1 \(\) share a panel; expected one unit"),
+    ([], "got no columns; expected at least one"),
+])
 def test_what_cannot_be_drawn(names, message):
     rejected(ValueError, message, figures.time_series, columns(), names)
 

@@ -217,16 +217,13 @@ def test_what_an_argument_raises_is_not_hidden():
     rejected(RuntimeError, "no array today", MOTION.at, Bad())
 
 
-@pytest.mark.parametrize(
-    ("name", "expected"),
-    [
-        ("ConstantTorque", "ConstantTorque.in_body or ConstantTorque.in_space"),
-        ("SaveAt", "SaveAt.steps or SaveAt.count or SaveAt.times"),
-        ("Trajectory", "integrate or resume"),
-        ("Spectrum", "spectrum"),
-        ("AnyPerturbation", "what other functions of polhode return"),
-    ],
-)
+@pytest.mark.parametrize(("name", "expected"), [
+    ("ConstantTorque", "ConstantTorque.in_body or ConstantTorque.in_space"),
+    ("SaveAt", "SaveAt.steps or SaveAt.count or SaveAt.times"),
+    ("Trajectory", "integrate or resume"),
+    ("Spectrum", "spectrum"),
+    ("AnyPerturbation", "what other functions of polhode return"),
+])
 def test_a_class_that_cannot_be_called_says_what_makes_it(name, expected):
     said = f"^{name}: its class cannot be called; expected {expected}$"
     with pytest.raises(TypeError, match=said):

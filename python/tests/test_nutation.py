@@ -252,17 +252,14 @@ def test_nineteen_years_of_every_turn(earth):
     assert np.hypot(fitted[::2], fitted[1::2]).max() < budgets.nutation_term
 
 
-@pytest.mark.parametrize(
-    ("changed", "text"),
-    [
-        ({"ellipticity": 0.003}, ("[0.9967262452, 0.9967262452, 1.0]", "[0.997, 0.997, 1.0]")),
-        (
-            {"satellite_mass": 0.9 * 4902.800118 / 398600.435507},
-            ('target = "moon"', 'target = "moon"\ngm = "4412.5201062 km3/s2"'),
-        ),
-        ({"obliquity": np.radians(20.0)}, ("theta = 23.43768", "theta = 19.9984")),
-    ],
-)
+@pytest.mark.parametrize(("changed", "text"), [
+    ({"ellipticity": 0.003}, ("[0.9967262452, 0.9967262452, 1.0]", "[0.997, 0.997, 1.0]")),
+    (
+        {"satellite_mass": 0.9 * 4902.800118 / 398600.435507},
+        ('target = "moon"', 'target = "moon"\ngm = "4412.5201062 km3/s2"'),
+    ),
+    ({"obliquity": np.radians(20.0)}, ("theta = 23.43768", "theta = 19.9984")),
+])
 def test_theory_and_integration_change_alike(earth, changed, text):
     run = earth_run(stop=("stop = 13594", "stop = 1100"), changed=text)
     rest = np.abs(left_over(run, polhode.nutation_theory(**changed), "momentum")).max()

@@ -418,18 +418,15 @@ def test_what_a_function_of_the_user_returns_has_no_unit_either():
         )
 
 
-@pytest.mark.parametrize(
-    "period",
-    [
-        30.56 * u.h,
-        30.56 * PINT.h,
-        np.array(30.56) * u.h,
-        np.timedelta64(30, "h"),
-        np.datetime64("2029-04-13", "ns"),
-        np.ma.masked_array([30.56], mask=[True])[0],
-        [30.56 * u.h],
-    ],
-)
+@pytest.mark.parametrize("period", [
+    30.56 * u.h,
+    30.56 * PINT.h,
+    np.array(30.56) * u.h,
+    np.timedelta64(30, "h"),
+    np.datetime64("2029-04-13", "ns"),
+    np.ma.masked_array([30.56], mask=[True])[0],
+    [30.56 * u.h],
+])
 def test_a_scenario_takes_texts_with_units_and_no_quantities(period):
     data = {
         "schema": 1,

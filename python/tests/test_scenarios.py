@@ -92,9 +92,7 @@ def shortened(scenario):
 
 # The local vertical of a file is no Frame.local_vertical, which build could write down.
 OTHERS = ('kind = "obliquity"', 'kind = "nutation"', "[frame.local-vertical]")
-ROTATIONS = [
-    path for path in EXAMPLES if not any(other in path.read_text() for other in OTHERS)
-]
+ROTATIONS = [path for path in EXAMPLES if not any(other in path.read_text() for other in OTHERS)]
 
 
 @pytest.mark.parametrize("path", ROTATIONS, ids=names(ROTATIONS))

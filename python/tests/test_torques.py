@@ -174,14 +174,11 @@ def test_a_second_of_torque_in_a_day():
     assert_allclose(run.g[-1, 2], 5e-3, rtol=budgets.pulse_momentum)
 
 
-@pytest.mark.parametrize(
-    ("J2", "radius", "pole", "words"),
-    [
-        (1e-3, -1, [0, 0, 1], "Oblateness: radius -1 must be positive and finite"),
-        (np.nan, 1, [0, 0, 1], "Oblateness: J2 nan must be finite"),
-        (1e-3, 1, [0, 0, 0], r"Oblateness: pole \(0, 0, 0\) must be a direction"),
-    ],
-)
+@pytest.mark.parametrize(("J2", "radius", "pole", "words"), [
+    (1e-3, -1, [0, 0, 1], "Oblateness: radius -1 must be positive and finite"),
+    (np.nan, 1, [0, 0, 1], "Oblateness: J2 nan must be finite"),
+    (1e-3, 1, [0, 0, 0], r"Oblateness: pole \(0, 0, 0\) must be a direction"),
+])
 def test_what_is_no_oblateness_says_why(J2, radius, pole, words):
     rejected(ValueError, words, Oblateness, J2, radius, pole)
 

@@ -94,16 +94,13 @@ def test_at_is_between_the_samples_what_it_is_at_them():
     assert np.abs(free.at(t).g - exact.at(t).g).max() < budgets.adaptive_dense
 
 
-@pytest.mark.parametrize(
-    ("t", "error", "words"),
-    [
-        (10.1, ValueError, "t = 10.1 must be from 0 to 10"),
-        ([1.0, -0.1], ValueError, "t = -0.1 must be from 0 to 10"),
-        (np.full(100, np.nan), ValueError, "t = nan must be from 0 to 10"),
-        ("now", TypeError, "t: got a str; expected real numbers"),
-        (None, TypeError, "t: got None; expected numbers"),
-    ],
-)
+@pytest.mark.parametrize(("t", "error", "words"), [
+    (10.1, ValueError, "t = 10.1 must be from 0 to 10"),
+    ([1.0, -0.1], ValueError, "t = -0.1 must be from 0 to 10"),
+    (np.full(100, np.nan), ValueError, "t = nan must be from 0 to 10"),
+    ("now", TypeError, "t: got a str; expected real numbers"),
+    (None, TypeError, "t: got None; expected numbers"),
+])
 def test_at_says_what_it_cannot_do(t, error, words):
     with pytest.raises(error) as raised:
         run().at(t)
@@ -224,16 +221,13 @@ def test_columns_know_the_frame():
     assert not np.array_equal(table["w3"], table["w3_rel"])
 
 
-@pytest.mark.parametrize(
-    ("names", "with_system", "error", "words"),
-    [
-        ("andoyr", True, ValueError, 'unknown column "andoyr"'),
-        (["thta"], True, ValueError, "did you mean theta"),
-        ("andoyer", False, ValueError, '"andoyer" needs system='),
-        ([1], True, TypeError, "got 1; expected names"),
-        (3, True, TypeError, "int"),
-    ],
-)
+@pytest.mark.parametrize(("names", "with_system", "error", "words"), [
+    ("andoyr", True, ValueError, 'unknown column "andoyr"'),
+    (["thta"], True, ValueError, "did you mean theta"),
+    ("andoyer", False, ValueError, '"andoyer" needs system='),
+    ([1], True, TypeError, "got 1; expected names"),
+    (3, True, TypeError, "int"),
+])
 def test_columns_that_are_none_say_why(names, with_system, error, words):
     with pytest.raises(error) as raised:
         run().columns(names, system() if with_system else None)
@@ -292,19 +286,16 @@ def test_times_to_save_at():
         steps[11]
 
 
-@pytest.mark.parametrize(
-    ("make", "error", "words"),
-    [
-        (lambda: SaveAt.steps(0.0, 1.0, -0.1), ValueError, "a step of -0.1 does not lead"),
-        (lambda: SaveAt.steps(0.0, np.nan, 0.1), ValueError, "stop nan must be finite"),
-        (lambda: SaveAt.count(0.0, 1.0, 0), ValueError, "a count of 0"),
-        (lambda: SaveAt.count(0.0, 1.0, 2.5), TypeError, "rows: got 2.5, a float; expected an int"),
-        (lambda: SaveAt.times([np.inf]), ValueError, "time inf must be finite"),
-        (lambda: SaveAt.times([[1.0]]), ValueError, "times: got shape (1, 1)"),
-        (lambda: SaveAt.times("1"), TypeError, "times: got a str"),
-        (lambda: SaveAt(), TypeError, "SaveAt"),
-    ],
-)
+@pytest.mark.parametrize(("make", "error", "words"), [
+    (lambda: SaveAt.steps(0.0, 1.0, -0.1), ValueError, "a step of -0.1 does not lead"),
+    (lambda: SaveAt.steps(0.0, np.nan, 0.1), ValueError, "stop nan must be finite"),
+    (lambda: SaveAt.count(0.0, 1.0, 0), ValueError, "a count of 0"),
+    (lambda: SaveAt.count(0.0, 1.0, 2.5), TypeError, "rows: got 2.5, a float; expected an int"),
+    (lambda: SaveAt.times([np.inf]), ValueError, "time inf must be finite"),
+    (lambda: SaveAt.times([[1.0]]), ValueError, "times: got shape (1, 1)"),
+    (lambda: SaveAt.times("1"), TypeError, "times: got a str"),
+    (lambda: SaveAt(), TypeError, "SaveAt"),
+])
 def test_times_that_cannot_be_say_why(make, error, words):
     with pytest.raises(error) as raised:
         make()

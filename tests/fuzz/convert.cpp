@@ -16,7 +16,7 @@
 namespace {
 
 std::string chart(std::uint8_t byte) {
-  const auto& charts = default_charts();
+  const auto& charts = polhode::default_charts();
   return std::string(charts[byte % charts.size()].name);
 }
 

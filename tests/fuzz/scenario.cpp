@@ -25,7 +25,7 @@ void check_message(std::string_view message) {
 }
 
 // Axes of a body at rest are NaN, and so may be what an orbit gives at times beyond double.
-bool has_every_number(const Scenario& scenario) {
+bool has_every_number(const polhode::Scenario& scenario) {
   const auto asked = [&](const char* group) {
     return std::find(scenario.output.columns.begin(), scenario.output.columns.end(), group) !=
            scenario.output.columns.end();

@@ -20,9 +20,6 @@ namespace {
 using namespace splitting_test;
 using testing::HasSubstr;
 
-constexpr double turns_10 = 2.0 * std::numbers::pi * 10.0 / 9.9;
-constexpr Adaptive reference{1e-19, Precision::double_double};
-
 System gravity(const Frame& frame = Frame::inertial()) {
   const AnyOrbit orbit("orbit", KeplerOrbit({1.0, 0.9, 0.1}));
   return System(workload_body(), frame,
@@ -76,23 +73,7 @@ TEST_P(Schemes, GiveLegendreCoefficients) {
 INSTANTIATE_TEST_SUITE_P(Gauss, Schemes, testing::Values(4, 8, 16, 32));
 
 TEST(Collocation, IsFreeRotationWhereThereIsNoTorque) {
-  const Vec3 moments[] = {{0.9, 1.0, 1.1}, {3.0, 1.0, 2.5}, {1.0, 1.0, 1.5},
-                          {1.5, 1.0, 1.0}, {1.0, 1.0, 1.0}, {1.0, 2.0, 2.9}};
-  const Vec3 momenta[] = {{4.5, 4.0, 8.25}, {0, 0, 3}, {0, -2, 1e-9}, {0, 0, 0}, {1e-9, 1, 2}};
-  for (const Vec3& I : moments) {
-    const Body body(I.x, I.y, I.z);
-    for (const Vec3& g : momenta) {
-      const RotorState s{normalized(Quaternion{0.3, -0.4, 0.5, 0.6}), g};
-      const double time = norm(g) > 0.0 ? 20.0 * std::numbers::pi / norm(g) : 1.0;
-      for (const Frame& frame : {Frame::inertial(), precessing_frame()}) {
-        const System system(body, frame);
-        const RotorState exact = reference_state(
-            system, time, FreeRotation(body, inertial_state(system, 0.0, s)).at(time));
-        EXPECT_LE(distance(end_of(system, s, 0.0, time, Collocation{}), exact),
-                  budget::collocation_free);
-      }
-    }
-  }
+  expect_free_rotation([](double) { return std::vector{Collocation{}}; }, budget::collocation_free);
 }
 
 TEST(Collocation, AgreesWithDoubleDoubleAfterTenOrbits) {
@@ -134,26 +115,8 @@ TEST(Collocation, IsOfTwiceItsStages) {
   EXPECT_NEAR(slope(8, 0.32, 0.2), 16.0, budget::collocation_order);
 }
 
-// Axisymmetric, a sphere, far from symmetric, and across the separatrix; terms that are no kicks,
-// and that no lanes know.
 TEST(Collocation, AgreesWithDoubleDoubleForEveryBody) {
-  const Frame frame = precessing_frame();
-  const struct {
-    Vec3 moments, g;
-  } cases[] = {{{1.0, 1.0, 1.5}, {1.0, 0.5, 2.0}},   {{1.5, 1.0, 1.0}, {1.0, 0.5, 2.0}},
-               {{1.0, 1.0, 1.0}, {1.0, 0.5, 2.0}},   {{1.0, 2.0, 2.9}, {1.0, 0.5, 2.0}},
-               {{1.0, 2.0, 2.9}, {1e-3, 2.0, 1e-3}}, {{1.0, 2.0, 2.9}, {0.0, 0.0, 2.0}},
-               {{1.0, 2.0, 2.9}, {0.0, 0.0, 0.0}}};
-  for (const auto& c : cases) {
-    const System system(
-        Body(c.moments.x, c.moments.y, c.moments.z), frame,
-        {AnyPerturbation("gravity gradient", PointMassTorque{1.0, 0.1, 0.2}),
-         AnyPerturbation("damping", Damping{0.01}), AnyPerturbation("turn", Spinner{0.3})});
-    const RotorState s{normalized(Quaternion{0.3, -0.4, 0.5, 0.6}), c.g};
-    const RotorState exact = end_of(system, s, 0.0, 15.0, reference);
-    EXPECT_LE(distance(end_of(system, s, 0.0, 15.0, Collocation{}), exact),
-              budget::collocation_bodies);
-  }
+  expect_double_double_for_every_body(Collocation{}, budget::collocation_bodies);
 }
 
 TEST(Collocation, RunsBackToWhereItStarted) {

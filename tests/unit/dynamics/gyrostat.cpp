@@ -187,24 +187,7 @@ TEST_P(GyrostatEvents, AreZerosOfItsState) {
   EXPECT_EQ(falls.size(), changes);
 }
 
-struct Record {
-  std::vector<BasicSample<GyrostatState>> samples;
-  std::vector<BasicEventRecord<GyrostatState>> events;
-  std::vector<Checkpoint> checkpoints;
-  std::vector<std::pair<std::size_t, std::size_t>> given;  // samples, events before each
-};
-
-BasicStreams<GyrostatState> into(Record& record, int every) {
-  return {[&record](std::span<const BasicSample<GyrostatState>> block) {
-            record.samples.insert(record.samples.end(), block.begin(), block.end());
-          },
-          [&record](const BasicEventRecord<GyrostatState>& e) { record.events.push_back(e); },
-          [every, calls = 0](double) mutable { return every > 0 && ++calls % every == 0; },
-          [&record](const Checkpoint& now) {
-            record.checkpoints.push_back(now);
-            record.given.emplace_back(record.samples.size(), record.events.size());
-          }};
-}
+using Record = test::RecordOf<GyrostatState>;
 
 TEST(Gyrostat, GoesOnFromACheckpointInTheSameBits) {
   for (const Method& method :
@@ -214,24 +197,7 @@ TEST(Gyrostat, GoesOnFromACheckpointInTheSameBits) {
     SCOPED_TRACE(method_text(method));
     GyrostatProblem p = problem(40.0, method);
     p.events = {{"g3", [](double, const GyrostatState& s) { return s.g.z - 0.2; }}};
-    const SaveAt times = SaveAt::count(0.0, 40.0, 1201);
-    Record straight;
-    const GyrostatTrajectory whole = integrate(p, times, into(straight, 101));
-    ASSERT_GE(straight.checkpoints.size(), 8U);
-    for (std::size_t k = 0; k < straight.checkpoints.size(); ++k) {
-      Record rest;
-      const Checkpoint from(straight.checkpoints[k].bytes());
-      const GyrostatTrajectory end = resume(p, times, from, into(rest, 0));
-      const auto [samples, events] = straight.given[k];
-      ASSERT_EQ(samples + rest.samples.size(), straight.samples.size());
-      for (std::size_t i = 0; i < rest.samples.size(); ++i)
-        ASSERT_EQ(rest.samples[i], straight.samples[samples + i]) << k << " " << i;
-      ASSERT_EQ(events + rest.events.size(), straight.events.size());
-      for (std::size_t i = 0; i < rest.events.size(); ++i)
-        ASSERT_EQ(rest.events[i], straight.events[events + i]) << k << " " << i;
-      EXPECT_EQ(end.statistics().steps, whole.statistics().steps);
-      EXPECT_EQ(end.statistics().evaluations, whole.statistics().evaluations);
-    }
+    test::expect_the_straight_run(p, SaveAt::count(0.0, 40.0, 1201), 101);
   }
 }
 

@@ -14,9 +14,7 @@ namespace {
 
 using namespace splitting_test;
 
-constexpr double turns_10 = 2.0 * std::numbers::pi * 10.0 / 9.9;
 constexpr VariationOfConstants sharp{1e-15};
-constexpr Adaptive reference{1e-19, Precision::double_double};
 
 System gravity(const Body& body, const Frame& frame = Frame::inertial()) {
   return System(body, frame, {AnyPerturbation("gravity gradient", PointMassTorque{1.0, 0.1})});
@@ -51,25 +49,11 @@ TEST(GaussTableau, GivesTheLastLegendreCoefficients) {
 }
 
 TEST(VariationOfConstants, IsFreeRotationWhereThereIsNoTorque) {
-  const Vec3 moments[] = {{0.9, 1.0, 1.1}, {3.0, 1.0, 2.5}, {1.0, 1.0, 1.5},
-                          {1.5, 1.0, 1.0}, {1.0, 1.0, 1.0}, {1.0, 2.0, 2.9}};
-  const Vec3 momenta[] = {{4.5, 4.0, 8.25}, {0, 0, 3}, {0, -2, 1e-9}, {0, 0, 0}, {1e-9, 1, 2}};
-  for (const Vec3& I : moments) {
-    const Body body(I.x, I.y, I.z);
-    for (const Vec3& g : momenta) {
-      const RotorState s{normalized(Quaternion{0.3, -0.4, 0.5, 0.6}), g};
-      const double time = norm(g) > 0.0 ? 20.0 * std::numbers::pi / norm(g) : 1.0;
-      for (const Frame& frame : {Frame::inertial(), precessing_frame()}) {
-        const System system(body, frame);
-        const RotorState exact = reference_state(
-            system, time, FreeRotation(body, inertial_state(system, 0.0, s)).at(time));
-        for (const double largest : {time / 97.3, 2.0 * time})
-          EXPECT_LE(
-              distance(end_of(system, s, 0.0, time, VariationOfConstants{1e-12, largest}), exact),
-              budget::variation_free);
-      }
-    }
-  }
+  const auto methods = [](double time) {
+    return std::vector{VariationOfConstants{1e-12, time / 97.3},
+                       VariationOfConstants{1e-12, 2.0 * time}};
+  };
+  expect_free_rotation(methods, budget::variation_free);
 }
 
 TEST(VariationOfConstants, AndSplittingAgreeWithDoubleDoubleAfterTenOrbits) {
@@ -92,23 +76,8 @@ TEST(VariationOfConstants, ErrsByLessForASmallerTolerance) {
   }
 }
 
-// Axisymmetric, a sphere, far from symmetric, and across the separatrix; terms that are no kicks.
 TEST(VariationOfConstants, AgreesWithDoubleDoubleForEveryBody) {
-  const Frame frame = precessing_frame();
-  const struct {
-    Vec3 moments, g;
-  } cases[] = {{{1.0, 1.0, 1.5}, {1.0, 0.5, 2.0}},   {{1.5, 1.0, 1.0}, {1.0, 0.5, 2.0}},
-               {{1.0, 1.0, 1.0}, {1.0, 0.5, 2.0}},   {{1.0, 2.0, 2.9}, {1.0, 0.5, 2.0}},
-               {{1.0, 2.0, 2.9}, {1e-3, 2.0, 1e-3}}, {{1.0, 2.0, 2.9}, {0.0, 0.0, 2.0}}};
-  for (const auto& c : cases) {
-    const System system(
-        Body(c.moments.x, c.moments.y, c.moments.z), frame,
-        {AnyPerturbation("gravity gradient", PointMassTorque{1.0, 0.1, 0.2}),
-         AnyPerturbation("damping", Damping{0.01}), AnyPerturbation("turn", Spinner{0.3})});
-    const RotorState s{normalized(Quaternion{0.3, -0.4, 0.5, 0.6}), c.g};
-    const RotorState exact = end_of(system, s, 0.0, 15.0, reference);
-    EXPECT_LE(distance(end_of(system, s, 0.0, 15.0, sharp), exact), budget::variation_bodies);
-  }
+  expect_double_double_for_every_body(sharp, budget::variation_bodies);
 }
 
 // The energy over that of rotation about the middle axis with the same |g| changes its sign.

@@ -106,7 +106,7 @@ ConvexFit egg_fit() {
   fit.rows = 4;
   fit.multiple = true;
   const GaussianImage image(fit.degree, fit.rows);
-  std::vector<double> c = image.coefficients(Ellipsoid{1.2, 1.0, 0.6});
+  std::vector<double> c = image.coefficients(polhode::Ellipsoid{1.2, 1.0, 0.6});
   for (std::size_t k = 9; k < 16; ++k) c[k] += 0.1 * std::cos(3.0 * static_cast<double>(k));
   fit.from = ConvexModel{in_short_axis_mode.spin, Scattering::mixed(0.2), image, c};
   fit.from->spin.w_F.x *= 1.01;
@@ -119,8 +119,9 @@ TEST(SurfaceFunctions, ConvexDerivativesAreThoseOfDifferencesInDoubleDouble) {
   const ConvexFit fit = egg_fit();
   const ConvexModel& from = *fit.from;
   const GaussianImage& image = from.image;
-  const Ellipsoid& e = fit.start.shape;
-  const std::vector<double> usual = image.coefficients(Ellipsoid{e.a / e.b, 1.0, e.c / e.b});
+  const polhode::Ellipsoid& e = fit.start.shape;
+  const std::vector<double> usual =
+      image.coefficients(polhode::Ellipsoid{e.a / e.b, 1.0, e.c / e.b});
   std::vector<double> whole = from.coefficients;
   whole[0] = usual[0];
   const std::vector<double> A0 = image.areas(whole);

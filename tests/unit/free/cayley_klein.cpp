@@ -37,7 +37,7 @@ template <class T>
 BasicQuaternion<T> trigonometric(const PolhodeCurve<T>& c, const T& u) {
   using std::cos;
   using std::sin;
-  const T x = T(0.5) * pi<T>() * u / c.K;
+  const T x = T(0.5) * polhode::pi<T>() * u / c.K;
   return normalized(trigonometric_sum(detail::trigonometric_series(c), T(sin(x)), T(cos(x))));
 }
 template <class T>

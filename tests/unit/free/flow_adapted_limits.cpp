@@ -16,6 +16,7 @@ namespace {
 
 using namespace free_test;
 using namespace polhode;
+using free_test::pi;
 
 bool finite(const SerretState& s) { return std::isfinite(s.g0 + s.h + s.t0 + s.G + s.H + s.T); }
 bool finite(const SadovState& s) {

@@ -34,6 +34,7 @@ using namespace oracle;
 using namespace free_test;
 using namespace polhode;
 using polhode::test::Lanes;
+using free_test::pi;
 
 template <std::size_t N>
 using Pack = Lanes<double, N>;

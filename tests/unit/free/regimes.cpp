@@ -13,6 +13,7 @@ namespace {
 
 using namespace free_test;
 using namespace polhode;
+using free_test::pi;
 
 // Within a few roundings.
 void expect_same(double value, double expected, const char* what = "") {

@@ -24,6 +24,7 @@ using oracle::Draw;
 using oracle::FreeCase;
 using namespace polhode;
 using polhode::test::larger;
+using polhode::test::message_of;
 using polhode::test::smaller;
 
 inline constexpr double eps = std::numeric_limits<double>::epsilon();

@@ -17,6 +17,7 @@ using polhode::test::smaller;
 using polhode::test::Worst;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using free_test::pi;
 
 constexpr double degree = pi / 180.0;
 

@@ -222,12 +222,12 @@ const PrecessingKeplerOrbit inner(elements, {-0.01, 0.02, 0.003});
 TEST(TurnedKeplerOrbit, TheEquatorialPoleLiesWhereTheSkyHasIt) {
   const KeplerElements in_equator{1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
   const auto orbit = TurnedKeplerOrbit::from_equator({in_equator, {}});
-  const double eps = 84381.448 / 3600.0 * std::numbers::pi / 180.0;
+  const double obliquity = 84381.448 / 3600.0 * std::numbers::pi / 180.0;
   const double tol = budget::table_orbit_kepler;
   const Vec3 pole = cross(orbit.position(0.0), orbit.velocity(0.0));
   EXPECT_NEAR(pole.x, 0.0, tol);
-  EXPECT_NEAR(pole.y, std::sin(eps), tol);
-  EXPECT_NEAR(pole.z, std::cos(eps), tol);
+  EXPECT_NEAR(pole.y, std::sin(obliquity), tol);
+  EXPECT_NEAR(pole.z, std::cos(obliquity), tol);
 }
 
 TEST(TurnedKeplerOrbit, OneUndoesTheOther) {

@@ -149,19 +149,6 @@ TEST(GravityGradient, TangentOfTheTorque) {
   }
 }
 
-TEST(GravityGradient, InAListOfTerms) {
-  const AnyPerturbation term("sun", GravityGradient(1.0, KeplerOrbit({1.0, 1.0, 0.1})));
-  EXPECT_TRUE(term.supports_energy());
-  EXPECT_TRUE(term.supports_flow());
-  EXPECT_TRUE(term.is_kick());
-  EXPECT_TRUE(term.supports_any_real());
-  const Case c = drawn_case(508, 0);
-  const Setting at = c.on<double>();
-  const RotorState after = term.flow(at, 0.5);
-  EXPECT_EQ(after.q, c.s.q);
-  EXPECT_EQ(after.g, c.s.g + 0.5 * term.effect(at).u);
-}
-
 TEST(GravityGradient, RefusesGmThatIsNotPositive) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_MESSAGE(GravityGradient(0.0, Curve{}),

@@ -167,15 +167,6 @@ TEST(HigherGravity, SphereHasNone) {
   EXPECT_EQ(term.energy(c.on<double>()), 0.0);
 }
 
-TEST(HigherGravity, InAListOfTerms) {
-  const AnyPerturbation term("planet",
-                             HigherGravity(1.0, KeplerOrbit({1.0, 1.0, 0.1}),
-                                           mass_moments<double>(drawn_points(605)), OrbitOf::body));
-  EXPECT_TRUE(term.supports_energy());
-  EXPECT_TRUE(term.is_kick());
-  EXPECT_TRUE(term.supports_any_real());
-}
-
 TEST(HigherGravity, RefusesWhatIsNoGravity) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_MESSAGE(HigherGravity(0.0, Curve{}, MassMoments{}, OrbitOf::body),

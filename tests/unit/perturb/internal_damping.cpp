@@ -65,13 +65,6 @@ TEST(InternalDamping, TimeOfBurnsAndSafronovByHand) {
               budget::perturb_eps * eps);
 }
 
-TEST(InternalDamping, InAListOfTerms) {
-  const AnyPerturbation term("friction", InternalDamping(1.0));
-  EXPECT_FALSE(term.supports_energy());
-  EXPECT_FALSE(term.supports_flow());
-  EXPECT_TRUE(term.supports_any_real());
-}
-
 TEST(InternalDamping, RefusesWhatWouldDriveTheBody) {
   EXPECT_MESSAGE(InternalDamping(-1.0),
                  "InternalDamping: coefficients (-1, -1, -1) must be >= 0 and finite");

@@ -161,10 +161,6 @@ TEST(ResidualDipole, IsTheDerivativeOfItsEnergy) {
     EXPECT_EQ(largest(want.v), 0.0);
   }
   EXPECT_LE(worst.value(), budget::magnetic_field_eps * eps);
-  const AnyPerturbation any("magnet", term);
-  EXPECT_TRUE(any.is_kick());
-  EXPECT_TRUE(any.supports_energy());
-  EXPECT_TRUE(any.supports_any_real());
   EXPECT_NE(message_of([] {
               ResidualDipole({NAN, 0.0, 0.0}, ConstantField({1.0, 0.0, 0.0}));
             }),
@@ -376,10 +372,6 @@ TEST(EddyCurrents, InAListOfTerms) {
   const EddyCurrents term(tensor, ConstantField({0.3, -0.2, 0.8}));
   const AnyPerturbation any("eddy", term);
   EXPECT_TRUE(any.is_affine());
-  EXPECT_TRUE(any.supports_flow());
-  EXPECT_FALSE(any.is_kick());
-  EXPECT_FALSE(any.supports_energy());
-  EXPECT_TRUE(any.supports_any_real());
   const Case c = drawn_case(557, 0);
   const Setting at = c.on<double>();
   EXPECT_EQ(any.flow(at, 0.7).g, c.s.g + change_of_momentum(term.affine_torque(at), c.s.g, 0.7));

@@ -104,13 +104,6 @@ TEST(OblateGravity, SphereHasNone) {
   EXPECT_EQ(term.energy(at), 0.0);
 }
 
-TEST(OblateGravity, InAListOfTerms) {
-  const AnyPerturbation term("earth", OblateGravity(1.0, KeplerOrbit({1.0, 1.0, 0.1}), {0.1, 1.0}));
-  EXPECT_TRUE(term.supports_energy());
-  EXPECT_TRUE(term.is_kick());
-  EXPECT_TRUE(term.supports_any_real());
-}
-
 TEST(OblateGravity, RefusesWhatIsNoPlanet) {
   EXPECT_MESSAGE((Oblateness{1e-3, -1.0}), "Oblateness: radius -1 must be positive and finite");
   EXPECT_MESSAGE(OblateGravity(-1.0, Curve{}, {0.1, 1.0}),

@@ -19,6 +19,7 @@ using oracle::WideQuaternion;
 using oracle::WideState;
 using oracle::WideVec3;
 using namespace polhode;
+using polhode::test::message_of;
 
 inline constexpr double eps = 0x1p-52;
 

@@ -12,6 +12,7 @@
 #include "polhode/perturb/linear_damping.hpp"
 #include "polhode/perturb/user_terms.hpp"
 #include "polhode/system/system.hpp"
+#include "unit/perturb/every_term.hpp"
 #include "unit/perturb/support.hpp"
 #include "worst.hpp"
 
@@ -40,11 +41,8 @@ TEST(ConstantTorque, StaysInItsAxes) {
   }
 }
 
-TEST(ConstantTorque, IsAKickWithoutEnergy) {
+TEST(ConstantTorque, HasNoEnergy) {
   const AnyPerturbation term("jet", ConstantTorque::in_space({0.0, 0.0, 1.0}));
-  EXPECT_TRUE(term.is_kick());
-  EXPECT_TRUE(term.supports_any_real());
-  EXPECT_FALSE(term.supports_energy());
   EXPECT_MESSAGE(term.energy(drawn_case(522, 0).on<double>()),
                  "AnyPerturbation: term \"jet\" has no energy");
 }
@@ -159,12 +157,52 @@ TEST(LinearDamping, RefusesWhatDrives) {
 
 TEST(LinearDamping, InAListOfTerms) {
   const AnyPerturbation term("air", LinearDamping(0.2));
-  EXPECT_TRUE(term.supports_flow());
-  EXPECT_FALSE(term.is_kick());
-  EXPECT_FALSE(term.supports_energy());
-  EXPECT_TRUE(term.supports_any_real());
   const Case c = drawn_case(535, 0);
   EXPECT_EQ(term.flow(c.on<double>(), 0.3), LinearDamping(0.2).flow(c.on<double>(), 0.3));
+}
+
+// --- all terms ---
+
+// What methods ask a term for; a kick changes the momentum alone.
+TEST(EveryTerm, SaysWhatItHas) {
+  const struct {
+    const char* name;
+    bool has_energy, has_flow, is_kick;
+  } rows[] = {{"gravity gradient", true, true, true},
+              {"in S", true, true, true},
+              {"higher gravity", true, true, true},
+              {"oblate gravity", true, true, true},
+              {"constant in body", false, true, true},
+              {"constant in space", false, true, true},
+              {"damping", false, true, false},
+              {"full damping", false, true, false},
+              {"internal damping", false, false, false},
+              {"table", false, false, false},
+              {"tide", false, false, false},
+              {"dipole", true, true, true},
+              {"eddy", false, true, false},
+              {"sunlight", false, true, true},
+              {"drag", false, false, false},
+              {"own", false, false, false}};
+  const Case c = drawn_case(508, 0);
+  const Setting at = c.on<double>();
+  const std::vector<AnyPerturbation> terms = every_term(c.body);
+  ASSERT_EQ(terms.size(), std::size(rows));
+  for (std::size_t i = 0; i < terms.size(); ++i) {
+    const AnyPerturbation& term = terms[i];
+    SCOPED_TRACE(term.name());
+    EXPECT_EQ(term.name(), rows[i].name);
+    EXPECT_EQ(term.supports_energy(), rows[i].has_energy);
+    EXPECT_EQ(term.supports_flow(), rows[i].has_flow);
+    EXPECT_EQ(term.is_kick(), rows[i].is_kick);
+    EXPECT_TRUE(term.supports_any_real());
+    if (!rows[i].has_energy) EXPECT_REJECTED(term.energy(at), "has no energy");
+    if (!rows[i].has_flow) EXPECT_REJECTED(term.flow(at, 0.5), "has no exact flow");
+    if (!term.is_kick()) continue;
+    const RotorState after = term.flow(at, 0.5);
+    EXPECT_EQ(after.q, c.s.q);
+    EXPECT_EQ(after.g, c.s.g + 0.5 * term.effect(at).u);
+  }
 }
 
 // --- terms of the user ---

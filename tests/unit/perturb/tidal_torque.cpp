@@ -106,9 +106,6 @@ TEST(TidalTorque, AveragedOverAnEllipse) {
 TEST(TidalTorque, InAListOfTerms) {
   const AnyPerturbation term("tide",
                              TidalTorque(1.0, 1.0, KeplerOrbit({1.0, 1.0, 0.1}), {0.3, 0.1, 0.5}));
-  EXPECT_FALSE(term.supports_energy());
-  EXPECT_FALSE(term.supports_flow());
-  EXPECT_TRUE(term.supports_any_real());
   const BasicEffect<Tangent> e = term.effect(drawn_case(1003, 0).on<Tangent>());
   EXPECT_EQ((Vec3{e.u.x.value, e.u.y.value, e.u.z.value}),
             term.effect(drawn_case(1003, 0).on<double>()).u);

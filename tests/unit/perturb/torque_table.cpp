@@ -101,9 +101,6 @@ TEST(TorqueTable, BreaksWhereItIsNotSmooth) {
             (std::vector<double>{0.0, 10.0, 20.0, 21.0, 40.0}));
   const AnyPerturbation term("wheel", TorqueTable(pulse, {}));
   EXPECT_EQ(term.breakpoints().size(), 5U);
-  EXPECT_FALSE(term.supports_flow());
-  EXPECT_FALSE(term.is_kick());
-  EXPECT_TRUE(term.supports_any_real());
 }
 
 TEST(TorqueTable, RefusesRowsOutOfOrderAndTimesOutside) {

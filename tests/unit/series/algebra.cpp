@@ -91,8 +91,6 @@ TEST(SeriesAlgebra, OneFormOfEveryTerm) {
 
 // Values of what is made of series against the same made of their values: exact.
 
-constexpr unsigned seeds = 6;
-
 TEST(SeriesValues, SumsAndProducts) {
   const Symbols symbols = some_symbols();
   for (unsigned seed = 0; seed < seeds; ++seed) {

@@ -16,6 +16,8 @@
 namespace polhode {
 namespace {
 
+using test::message_of;
+
 TEST(Units, CoreUnitsAreTheFilesTimeAndRadians) {
   const Units units("h", "deg", "kg m2");
   EXPECT_EQ(units.to_core(27.38, Dimension::time), 27.38);
