@@ -31,8 +31,6 @@ def command_line(*arguments: object) -> str:
     program = pathlib.Path(_core.__file__).resolve().parents[2] / "polhode"
     if not program.exists():
         pytest.skip("an installed package has no command line with it")
-    done = subprocess.run(
-        [program, *map(str, arguments)], stdin=subprocess.DEVNULL, capture_output=True, text=True,
-        check=True, timeout=120 * SLOWDOWN,
-    )
+    done = subprocess.run([program, *map(str, arguments)], stdin=subprocess.DEVNULL,
+                          capture_output=True, text=True, check=True, timeout=120 * SLOWDOWN)
     return done.stdout

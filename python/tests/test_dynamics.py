@@ -139,11 +139,8 @@ def test_methods_are_values():
     (lambda: Event("a", len, "up"), ValueError, "crossing: got 'up'"),
     (lambda: Event("a", len, period=-1.0), ValueError, "period -1.0 must be positive"),
     (lambda: Problem(BODY, START, 0, 1), TypeError, "system: got Body; expected a System"),
-    (
-        lambda: Problem(moon(), polhode.to_andoyer(START), 0, 1),
-        TypeError,
-        "initial: got AndoyerState; expected a RotorState",
-    ),
+    (lambda: Problem(moon(), polhode.to_andoyer(START), 0, 1), TypeError,
+     "initial: got AndoyerState; expected a RotorState"),
     (lambda: Problem(moon(), START.reshape((1,)), 0, 1), ValueError, "initial: got shape (1,)"),
     (lambda: Problem(moon(), START, 0, "1"), TypeError, "stop: got '1', a str; expected a"),
     (lambda: Problem(moon(), START, 0, np.nan), ValueError, "start 0 and stop nan must be"),
@@ -175,13 +172,8 @@ def test_what_is_no_run_says_why(changes, samples, error, words):
     system = moon()
     if changes.pop("torque", False):
         system = System(BODY, terms=[TorqueTerm(lambda t, s: (0.0, 0.0, s.g[2]), name="jet")])
-    problem = Problem(
-        system,
-        changes.get("initial", START),
-        0.0,
-        changes.get("stop", 10.0),
-        changes.get("method", Adaptive()),
-    )
+    problem = Problem(system, changes.get("initial", START), 0.0, changes.get("stop", 10.0),
+                      changes.get("method", Adaptive()))
     with pytest.raises(error) as raised:
         integrate(problem, samples)
     assert words in str(raised.value)
@@ -447,13 +439,9 @@ def test_sigint_from_outside_ends_a_script():
         "integrate(Problem(System(Body(1, 2, 2.7)), s, 0, 1e9), [], dense=False)\n"
     )
     package = pathlib.Path(polhode.__file__).parents[1]
-    child = subprocess.Popen(
-        [sys.executable, "-c", script],
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-        env={**os.environ, "PYTHONPATH": str(package)},
-    )
+    child = subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE,
+                             stderr=subprocess.PIPE, text=True,
+                             env={**os.environ, "PYTHONPATH": str(package)})
     assert child.stdout.readline() == "running\n"
     time.sleep(0.1)
     sent = time.perf_counter()

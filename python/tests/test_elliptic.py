@@ -93,22 +93,12 @@ def test_jacobi_of_arrays_depends_on_each_argument_alone():
 @pytest.mark.parametrize("phi", [-2.0, 0.5, 1.5, 400.0])
 def test_values(m, phi):
     with mpmath.workdps(40):
-        expected = {
-            "legendre_f": mpmath.ellipf(phi, m),
-            "legendre_e": mpmath.ellipe(phi, m),
-            "legendre_pi": mpmath.ellippi(-0.5, phi, m),
-            "complete_k": mpmath.ellipk(m),
-            "complete_e": mpmath.ellipe(m),
-            "complete_pi": mpmath.ellippi(-0.5, m),
-        }
-    got = {
-        "legendre_f": elliptic.legendre_f(phi, m),
-        "legendre_e": elliptic.legendre_e(phi, m),
-        "legendre_pi": elliptic.legendre_pi(phi, -0.5, m),
-        "complete_k": elliptic.complete_k(m),
-        "complete_e": elliptic.complete_e(m),
-        "complete_pi": elliptic.complete_pi(-0.5, m),
-    }
+        expected = {"legendre_f": mpmath.ellipf(phi, m), "legendre_e": mpmath.ellipe(phi, m),
+                    "legendre_pi": mpmath.ellippi(-0.5, phi, m), "complete_k": mpmath.ellipk(m),
+                    "complete_e": mpmath.ellipe(m), "complete_pi": mpmath.ellippi(-0.5, m)}
+    got = {"legendre_f": elliptic.legendre_f(phi, m), "legendre_e": elliptic.legendre_e(phi, m),
+           "legendre_pi": elliptic.legendre_pi(phi, -0.5, m), "complete_k": elliptic.complete_k(m),
+           "complete_e": elliptic.complete_e(m), "complete_pi": elliptic.complete_pi(-0.5, m)}
     for name, value in expected.items():
         assert got[name] == pytest.approx(float(value), rel=budgets.elliptic_python), name
 

@@ -73,12 +73,10 @@ def test_tables_are_orbits():
         assert term.orbit is orbit
     assert (orbit.order, orbit.has_velocities, orbit.is_evenly_spaced) == (8, True, True)
     assert repr(orbit) == "TableOrbit(101 rows from 0.0 to 10.0, order=8)"
-    for arguments, what in (
-        ((t[::-1], x), "must be after"),
-        ((t, x[:50]), "positions: expected the shape"),
-        ((t[:3], x[:3]), "3 rows must be 4 at least"),
-        ((t, x, v[:, :2]), "velocities"),
-    ):
+    for arguments, what in (((t[::-1], x), "must be after"),
+                            ((t, x[:50]), "positions: expected the shape"),
+                            ((t[:3], x[:3]), "3 rows must be 4 at least"),
+                            ((t, x, v[:, :2]), "velocities")):
         rejected(ValueError, what, polhode.TableOrbit, *arguments)
 
 

@@ -289,12 +289,8 @@ def test_a_run_is_read_from_results_and_from_its_file(results, tmp_path):
         assert_allclose(data.body.moments, body.moments)
         assert (data.title, data.time_unit, data.units["w3"]) == ("A tumbler", "h", "deg/h")
         assert_allclose(data.states.q, results.groups["q"], rtol=budgets.round_trip_floor)
-        assert_allclose(
-            np.degrees(data.states.g / body.moments),
-            results.groups["omega"],
-            rtol=budgets.round_trip_floor,
-            atol=budgets.round_trip_floor,
-        )
+        assert_allclose(np.degrees(data.states.g / body.moments), results.groups["omega"],
+                        rtol=budgets.round_trip_floor, atol=budgets.round_trip_floor)
     _, angles, rates = figures.overview(path)
     drawn = {line.get_gid(): line.get_ydata() for line in [*angles.lines, *rates.lines]}
     assert_allclose(drawn["theta"], results["theta"], rtol=budgets.round_trip_floor)

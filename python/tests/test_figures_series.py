@@ -162,11 +162,8 @@ def test_a_wrapped_angle_goes_over_the_edge(turn, low, rate):
 
 def test_what_is_not_wrapped_stays_whole():
     grows = np.linspace(0.0, 50.0, 9)  # unwrapped: more than half a turn from row to row
-    for values, turn in (
-        (grows, 2 * np.pi),
-        (np.sign(np.sin(grows)) * 3, None),
-        (grows * np.nan, 360.0),
-    ):
+    for values, turn in ((grows, 2 * np.pi), (np.sign(np.sin(grows)) * 3, None),
+                         (grows * np.nan, 360.0)):
         assert unbroken(grows, values, turn)[1] is values
     ax = figures.time_series({"t": T, "theta": 0.3 + 0.1 * np.sin(T)}, "theta")
     assert ax.get_ylim()[1] < 0.5  # its own range, no multiples of pi

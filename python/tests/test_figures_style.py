@@ -31,10 +31,8 @@ CALLS = {
     "herpolhode": lambda ax: figures.herpolhode(MOTION, ax=ax),
     "attitude_of_body": lambda ax: figures.attitude_of_body(STATE, BODY, ax=ax),
 }
-PANELS = {
-    "polhode_and_herpolhode": (lambda ax: figures.polhode_and_herpolhode(MOTION, ax=ax), 2),
-    "overview": (lambda ax: figures.overview(RUN, ax=ax), 3),
-}
+PANELS = {"polhode_and_herpolhode": (lambda ax: figures.polhode_and_herpolhode(MOTION, ax=ax), 2),
+          "overview": (lambda ax: figures.overview(RUN, ax=ax), 3)}
 
 
 @pytest.mark.parametrize("name", CALLS)

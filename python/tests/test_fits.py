@@ -53,10 +53,8 @@ def seen_of(state, noise=0.0, seed=3):
     small = np.column_stack([np.sqrt(1.0 - np.sum(half**2, axis=1)), half])
     w, x, y, z = rotor.q.T
     a, b, c, d = small.T
-    q = np.column_stack([
-        w * a - x * b - y * c - z * d, w * b + x * a + y * d - z * c,
-        w * c - x * d + y * a + z * b, w * d + x * c - y * b + z * a,
-    ])  # fmt: skip
+    q = np.column_stack([w * a - x * b - y * c - z * d, w * b + x * a + y * d - z * c,
+                         w * c - x * d + y * a + z * b, w * d + x * c - y * b + z * a])  # fmt: skip
     return polhode.Snapshots(attitudes=(TIMES, q, noise or SIGMA))
 
 

@@ -153,11 +153,9 @@ def test_refusals(call, message):
 @METHODS
 def test_scenarios_are_built_and_run(method):
     for units in (Units(angle="deg"), Units(angle="rad")):
-        scenario = Scenario.build(
-            System(BODY, None, ConstantTorque.in_body([0.01, 0, 0]), DAMPER),
-            START, (0.0, 4.0, 1.0),
-            method, columns=["g", "damper"], units=units, damper_rate=RATE,
-        )
+        scenario = Scenario.build(System(BODY, None, ConstantTorque.in_body([0.01, 0, 0]), DAMPER),
+                                  START, (0.0, 4.0, 1.0), method, columns=["g", "damper"],
+                                  units=units, damper_rate=RATE)
         assert scenario.system.damper == DAMPER
         assert np.array_equal(scenario.damper_rate, RATE)
         assert "kane1966" in [c.key for c in scenario.citations]

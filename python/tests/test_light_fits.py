@@ -173,9 +173,7 @@ def test_what_is_no_fit_is_refused(call, said):
 
 
 def test_ctrl_c_ends_a_search_and_a_scan():
-    calls = (
-        lambda: polhode.search_light(CURVE, [periods_of(BODY)], starts=1_000_000),
-        lambda: polhode.fourier_scan(CURVE, (0.01, 9.0, 4e-3), order=3, threads=2),
-    )
+    calls = (lambda: polhode.search_light(CURVE, [periods_of(BODY)], starts=1_000_000),
+             lambda: polhode.fourier_scan(CURVE, (0.01, 9.0, 4e-3), order=3, threads=2))
     for call in calls:
         assert seconds_from_signal(call) < LATEST

@@ -170,10 +170,8 @@ def made(body=BODY, orbit=ORBIT, state=START, t=0.0, **options):
     (lambda: THEORY.mean(0.0, LONG), "in another mode than the motion"),
     (lambda: THEORY.mean(0.0, polhode.RotorState(START.q, 2 * START.g)), "is made for"),
     (lambda: THEORY.states(0.0, MEAN, [1.0, np.nan]), "the time nan must be finite"),
-    (
-        lambda: made(state=THEORY.states(0.0, MEAN, [1.0, 2.0])),
-        r"state: got shape \(2,\); expected one",
-    ),
+    (lambda: made(state=THEORY.states(0.0, MEAN, [1.0, 2.0])),
+     r"state: got shape \(2,\); expected one"),
 ])
 def test_refusals_say_why(make, sentence):
     with pytest.raises(ValueError, match=sentence):

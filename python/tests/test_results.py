@@ -64,10 +64,8 @@ def test_it_is_a_mapping(apophis):
     assert apophis.units["theta"] == "deg" and apophis.units["w1"] == "deg/h"
     assert apophis.units["qw"] == "1" and apophis.units["t"] == "h"
     shapes = {name: array.shape for name, array in apophis.groups.items()}
-    assert shapes == {
-        "t": (1441,), "q": (1441, 4), "omega": (1441, 3), "euler": (1441, 6),
-        "andoyer": (1441, 6), "sadov": (1441, 6),
-    }
+    assert shapes == {"t": (1441,), "q": (1441, 4), "omega": (1441, 3), "euler": (1441, 6),
+                      "andoyer": (1441, 6), "sadov": (1441, 6)}
     apophis.units["t"] = "s"
     apophis.groups.clear()
     apophis.events.append(3)

@@ -101,11 +101,9 @@ def test_a_scenario_comes_back_from_its_objects(path):
     if path.stem in ("earth", "envisat"):
         given = shortened(given)
     rows = given.run()
-    made = Scenario.build(
-        given.system, given.state, given.time, given.method, columns=given.columns,
-        units=given.units, title=given.title, epoch=given.epoch, axes=given.axes,
-        orbits=given.orbits,
-    )
+    made = Scenario.build(given.system, given.state, given.time, given.method,
+                          columns=given.columns, units=given.units, title=given.title,
+                          epoch=given.epoch, axes=given.axes, orbits=given.orbits)
     assert made.run() == rows
     assert made.system == given.system and made.orbits == given.orbits
     assert made.initial_state == given.initial_state
@@ -327,10 +325,8 @@ def test_from_dict_takes_what_toml_has():
         "schema": 1,
         "title": "Two \"quoted\" words and a \\",
         "body": {"moments": np.array([1.0, 2.0, 2.5])},
-        "state": {"attitude-rate": {
-            "quaternion": (np.float64(1), 0, np.int64(0), 0),
-            "omega_body": {"value": [0.1, 0.2, 1.0], "unit": "rev/s"},
-        }},
+        "state": {"attitude-rate": {"quaternion": (np.float64(1), 0, np.int64(0), 0),
+                                    "omega_body": {"value": [0.1, 0.2, 1.0], "unit": "rev/s"}}},
         "event": [{"column": "w1", "stops": True}],
         "time": {"at": [0.1 + 0.2, "2 s", {"value": 3, "unit": "s"}]},
     }

@@ -279,10 +279,7 @@ def test_what_is_no_map(tmp_path):
     with pytest.raises(ScenarioError, match=r"expected a table \[map\]"):
         Scenario.from_text(MAP.partition("[[map.axis]]")[0]).map()
     scenario = Scenario.from_text(CHAOS)
-    for arguments, text in (
-        ({"threads": 0}, "threads: got 0"),
-        ({"resume": True}, "with outputs"),
-        ({"outputs": "-"}, 'map: got "-"'),
-        ({"outputs": tmp_path / "map.txt"}, "map.txt"),
-    ):
+    for arguments, text in (({"threads": 0}, "threads: got 0"), ({"resume": True}, "with outputs"),
+                            ({"outputs": "-"}, 'map: got "-"'),
+                            ({"outputs": tmp_path / "map.txt"}, "map.txt")):
         rejected(ValueError, text, scenario.map, **arguments)

@@ -102,11 +102,8 @@ def test_sunlight_and_air():
     r = np.linalg.norm(to_sun)
     e = polhode.attitude_matrix(q) @ (to_sun / r)
     system = polhode.System(body, None, term)
-    assert_allclose(
-        polhode.effect(system, 0.4, state).u,
-        3 * (10 / r) ** 2 * light_torque(surface, e),
-        atol=budgets.figure_orbit,
-    )
+    assert_allclose(polhode.effect(system, 0.4, state).u,
+                    3 * (10 / r) ** 2 * light_torque(surface, e), atol=budgets.figure_orbit)
     assert term.is_kick
     drag = polhode.AtmosphericDrag(
         surface, 0.2, orbit, scale_height=0.5, radius=2.0, rotation=[0, 0, 0.1]
@@ -122,11 +119,8 @@ def test_sunlight_and_air():
         * (v @ v)
         * np.cross((area * c)[:, None] * centre, e).sum(0)
     )
-    assert_allclose(
-        polhode.effect(polhode.System(body, None, drag), 0.4, state).u,
-        want,
-        atol=budgets.figure_orbit,
-    )
+    assert_allclose(polhode.effect(polhode.System(body, None, drag), 0.4, state).u, want,
+                    atol=budgets.figure_orbit)
     for made in (term.surface, drag):
         assert copy.copy(made) == made
     assert pickle.loads(pickle.dumps(drag)) == drag
@@ -167,11 +161,9 @@ def test_the_page_says_what_discs_in_a_plane_cost():
     worst = 0.0
     for c in earth + sun * np.linspace(-0.98, 0.98, 41):
         place = -6778 * np.array([np.cos(c), np.sin(c), 0])
-        light = polhode.SolarPressure(
-            surface, 1.0, 1.496e8, lambda t, x=place: x,
-            sun=lambda t, x=place: x + np.array([1.496e8, 0, 0]),
-            shadow="cone", radius=6378.0, sun_radius=695700.0,
-        )  # fmt: skip
+        light = polhode.SolarPressure(surface, 1.0, 1.496e8, lambda t, x=place: x, sun=lambda t,
+                                      x=place: x + np.array([1.496e8, 0, 0]), shadow="cone",
+                                      radius=6378.0, sun_radius=695700.0)  # fmt: skip
         visible = np.linalg.norm(polhode.effect(polhode.System(body, None, light), 0, state).u)
         edge = (np.cos(earth) - np.cos(r) * np.cos(c)) / (np.sin(r) * np.sin(c))
         covered = np.arccos(np.clip(edge, -1, 1))

@@ -185,14 +185,10 @@ def test_what_is_no_oblateness_says_why(J2, radius, pole, words):
 
 def test_terms_compare_copy_and_pickle():
     earth, moon = Oblateness(1e-3, 0.5), TidalBody(0.3, 0.01, 0.5)
-    terms = [
-        HigherGravity(0.7, ORBIT, MOMENTS, OrbitOf.body, name="planet"),
-        OblateGravity(0.7, ORBIT, earth),
-        TidalTorque(0.7, 0.4, ORBIT, moon),
-        InternalDamping(0.3),
-        InternalDamping.of_wobble(BODY, 2.0, 1.0),
-        TorqueTable([0, 1], [[0, 0, 1], [0, 1, 0]], axes="inertial"),
-    ]
+    terms = [HigherGravity(0.7, ORBIT, MOMENTS, OrbitOf.body, name="planet"),
+             OblateGravity(0.7, ORBIT, earth), TidalTorque(0.7, 0.4, ORBIT, moon),
+             InternalDamping(0.3), InternalDamping.of_wobble(BODY, 2.0, 1.0),
+             TorqueTable([0, 1], [[0, 0, 1], [0, 1, 0]], axes="inertial")]
     for term in terms:
         again = pickle.loads(pickle.dumps(term))
         assert again == term
@@ -250,13 +246,10 @@ rate = 2
     parts = System(
         body,
         None,
-        [
-            GravityGradient(1.0, orbit),
-            HigherGravity(1.0, orbit, MOMENTS, "body"),
-            OblateGravity(1.0, orbit, Oblateness(0.1, 3.0, [0, 1, 2])),
-            TidalTorque(1.0, 2.0, orbit, TidalBody(0.3, 0.1, 0.5)),
-            InternalDamping.of_wobble(body, 5.0, 5.0),
-        ],
+        [GravityGradient(1.0, orbit), HigherGravity(1.0, orbit, MOMENTS, "body"),
+         OblateGravity(1.0, orbit, Oblateness(0.1, 3.0, [0, 1, 2])),
+         TidalTorque(1.0, 2.0, orbit, TidalBody(0.3, 0.1, 0.5)),
+         InternalDamping.of_wobble(body, 5.0, 5.0)],
     )
     got, want = effect(scenario.system, 0.3, state), effect(parts, 0.3, state)
     assert_allclose(got.u, want.u, rtol=budgets.numpy_formula)

@@ -139,11 +139,9 @@ def test_axes_are_the_columns_of_the_matrix_of_the_attitude(columns, body):
             "omega_body = [0.1, 0.2, 1]\n")
     c = columns(text, "axis1", "axis2", "axis3", "q_inertial")
     w, x, y, z = (c[name] for name in ("Qw", "Qx", "Qy", "Qz"))
-    matrix = {
-        "axis1": (1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)),
-        "axis2": (2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x)),
-        "axis3": (2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)),
-    }
+    matrix = {"axis1": (1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)),
+              "axis2": (2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x)),
+              "axis3": (2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y))}
     for axis, expected in matrix.items():
         for i, name in enumerate("xyz"):
             assert_allclose(c[f"{axis}_{name}"], expected[i], atol=budgets.observer_columns)

@@ -73,11 +73,8 @@ def test_axes_parts_and_changes(out, figure):
     key = COLUMNS.split(",")[:5]
     by_key = [
         {tuple(row[k] for k in key): row for row in rows}
-        for rows in (
-            rows_of(figure[1])[1],
-            table("--axis", "momentum")[1],
-            table("--axis", "figure", "--part", "oppolzer")[1],
-        )
+        for rows in (rows_of(figure[1])[1], table("--axis", "momentum")[1],
+                     table("--axis", "figure", "--part", "oppolzer")[1])
     ]
     for k, oppolzer in by_key[2].items():
         if k not in by_key[0] or k not in by_key[1]:

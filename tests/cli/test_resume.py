@@ -18,14 +18,12 @@ SECONDS = 60 * SLOWDOWN
 SHORT = "stop = 3000\nstep = 0.1"
 DAMPED = ('[state.attitude-rate]\nquaternion = [1, 0, 0, 0]\nomega_body = [0.1, 0.2, 1]\n'
           '[[perturbation]]\nkind = "damping"\ncoefficients = [1e-9, 1e-9, 1e-9]')
-METHODS = {
-    "free": "",
-    "free-events": '[[event]]\ncolumn = "w2"\n[[event]]\nname = "n"\ncolumn = "qw"\n',
-    "adaptive": '[method]\nkind = "adaptive"\ntolerance = 1e-9\n',
-    "double-double": '[method]\nkind = "adaptive"\nprecision = "double-double"\n',
-    "splitting": '[method]\nkind = "splitting"\nstep = 0.1\nscheme = "order4"\n',
-    "variation": '[method]\nkind = "variation-of-constants"\ntolerance = 1e-10\n',
-}
+METHODS = {"free": "",
+           "free-events": '[[event]]\ncolumn = "w2"\n[[event]]\nname = "n"\ncolumn = "qw"\n',
+           "adaptive": '[method]\nkind = "adaptive"\ntolerance = 1e-9\n',
+           "double-double": '[method]\nkind = "adaptive"\nprecision = "double-double"\n',
+           "splitting": '[method]\nkind = "splitting"\nstep = 0.1\nscheme = "order4"\n',
+           "variation": '[method]\nkind = "variation-of-constants"\ntolerance = 1e-10\n'}
 
 
 def stopped(polhode, arguments, after, by=signal.SIGINT):
