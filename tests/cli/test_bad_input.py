@@ -9,8 +9,8 @@ import subprocess
 import time
 
 import pytest
+from scenario_parts import BODY as HEAD
 
-HEAD = "schema = 1\n[body]\nmoments = [1, 2, 2.5]\n"
 ANDOYER = "[state.andoyer]\nl = 1\ng = 2\nh = 3\nL = 0.5\nG = 1\nH = 0.1\n"
 TUMBLER = ("[state.tumbler]\nmode = \"SAM\"\nprecession_period = 30.56\nrotation_period = 263\n"
            "pole = { longitude = 1, latitude = 1 }\n")

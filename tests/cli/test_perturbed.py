@@ -11,10 +11,9 @@ import numpy
 import pytest
 from closeness import assert_allclose
 from pybtex.database import parse_file, parse_string
+from scenario_parts import BODY, STATE
 
 SPHERE = "schema = 1\n[body]\nmoments = [2, 2, 2]\n"
-BODY = "schema = 1\n[body]\nmoments = [1, 2, 2.5]\n"
-STATE = "[state.attitude-rate]\nquaternion = [1, 0, 0, 0]\nomega_body = [0.1, 0.2, 1]\n"
 ORBIT = "[orbit.moon]\ngm = 1\nsemi_major_axis = 1\neccentricity = 0.1\n"
 GRAVITY = "[[perturbation]]\nkind = \"gravity-gradient\"\norbit = \"moon\"\n"
 # A point mass that passes almost through the body at t = 1: no step is short enough.

@@ -10,6 +10,7 @@
 
 #include "run/detail/attitude_errors.hpp"
 #include "run/detail/checkpoint.hpp"
+#include "scenario_text.hpp"
 
 namespace polhode {
 namespace {
@@ -20,10 +21,9 @@ using testing::HasSubstr;
 
 Identity identity_of_torque() {
   const Scenario scenario = scenario_from_text(
-      "schema = 1\n[body]\nmoments = [1, 2, 2.5]\n[state.attitude-rate]\n"
-      "quaternion = [1, 0, 0, 0]\nomega_body = [0.1, 0.2, 0.3]\n"
-      "[[perturbation]]\nkind = \"constant-torque\"\ntorque = [0.01, 0, 0]\n"
-      "[time]\nstop = 10\ncount = 11\n",
+      test::scenario_text("[[perturbation]]\nkind = \"constant-torque\"\ntorque = [0.01, 0, 0]\n"
+                          "[time]\nstop = 10\ncount = 11\n",
+                          {.rate = "omega_body = [0.1, 0.2, 0.3]\n"}),
       "f.toml");
   return detail::identity_of(scenario, {{"f.csv"}, {}, {"q"}});
 }

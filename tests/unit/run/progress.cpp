@@ -12,6 +12,7 @@
 #include "budgets.hpp"
 #include "polhode/run/detail/run_state.hpp"
 #include "polhode/run/run.hpp"
+#include "scenario_text.hpp"
 #include "worst.hpp"
 
 namespace polhode {
@@ -40,12 +41,9 @@ class CountingSink final : public Sink {
 };
 
 Scenario scenario(const std::string& rest) {
-  return scenario_from_text(
-      "schema = 1\n[body]\nmoments = [1, 2, 2.5]\n[state.attitude-rate]\n"
-      "quaternion = [0.5, 0.5, 0.5, 0.5]\nomega_body = [0.1, 0.2, 1]\n"
-      "[output]\ncolumns = [\"q\"]\n" +
-          rest,
-      "f.toml");
+  return scenario_from_text(test::scenario_text("[output]\ncolumns = [\"q\"]\n" + rest,
+                                                {.quaternion = "[0.5, 0.5, 0.5, 0.5]"}),
+                            "f.toml");
 }
 
 RunReport run_into(const Scenario& s, Counted& counted, const Progress& progress) {
@@ -109,10 +107,8 @@ class Kept final : public Sink {
 // A steady spin: qw is zero at t = pi, and qz at 2 pi.
 Scenario scenario(const std::string& time, const std::string& rest) {
   return scenario_from_text(
-      "schema = 1\n[body]\nmoments = [1, 2, 2.5]\n[state.attitude-rate]\n"
-      "quaternion = [1, 0, 0, 0]\nomega_body = [0, 0, 1]\n[output]\ncolumns = [\"q\"]\n"
-      "[time]\n" +
-          time + rest,
+      test::scenario_text("[output]\ncolumns = [\"q\"]\n[time]\n" + time + rest,
+                          {.rate = "omega_body = [0, 0, 1]\n"}),
       "f.toml");
 }
 const std::string half = "[[event]]\nname = \"half\"\ncolumn = \"qw\"\nvalue = 0\n";
@@ -187,12 +183,13 @@ TEST(ToStop, AContinuedRunIsTheStraightOne) {
 // An ephemeris is tabulated over the run, behind the last row too.
 TEST(ToStop, OrbitsCoverTheWholeRun) {
   const Ran run = ran(scenario_from_text(
-      "schema = 1\n[units]\ntime = \"d\"\nlength = \"km\"\nmoment = \"kg m2\"\n[body]\n"
-      "moments = [1, 2, 2.5]\n[state]\nepoch = \"2013-01-05T00:00:00 UTC\"\n"
-      "axes = \"equator-J2000\"\n[state.attitude-rate]\nquaternion = [1, 0, 0, 0]\n"
-      "omega_body = [0, 0, 1]\n[orbit.moon]\nkind = \"ephemeris\"\ntarget = \"moon\"\n"
-      "centre = \"earth\"\n[[perturbation]]\nkind = \"gravity-gradient\"\norbit = \"moon\"\n"
-      "[time]\nstop = 3.9\nstep = 1\n",
+      test::scenario_text(
+          "[orbit.moon]\nkind = \"ephemeris\"\ntarget = \"moon\"\n"
+          "centre = \"earth\"\n[[perturbation]]\nkind = \"gravity-gradient\"\norbit = \"moon\"\n"
+          "[time]\nstop = 3.9\nstep = 1\n",
+          {.units = "[units]\ntime = \"d\"\nlength = \"km\"\nmoment = \"kg m2\"\n",
+           .state = "[state]\nepoch = \"2013-01-05T00:00:00 UTC\"\naxes = \"equator-J2000\"\n",
+           .rate = "omega_body = [0, 0, 1]\n"}),
       "f.toml"));
   EXPECT_TRUE(run.report.outcome.ok()) << run.report.outcome.advice;
   EXPECT_EQ(run.numbers.size() % 4, 0U);

@@ -12,6 +12,7 @@
 
 #include "budgets.hpp"
 #include "message_of.hpp"
+#include "scenario_text.hpp"
 #include "worst.hpp"
 
 namespace polhode {
@@ -96,9 +97,8 @@ TEST(Scenario, RootsOfMomentaHaveUnits) {
     return "[state.poincare-pi-0]\nsigma = 1\nQ1 = " + Q1 +
            "\nQ2 = 0.1\nG = 1\nP1 = 0.2\nP2 = 0.3\n";
   };
-  const std::string body = "[body]\nmoments = [1, 2, 2.5]\n";
   const auto read = [&](const std::string& Q1) {
-    return scenario_from_text("schema = 1\n" + units + body + text(Q1), "f.toml");
+    return scenario_from_text("schema = 1\n" + units + head.substr(11) + text(Q1), "f.toml");
   };
   const auto Q1 = [](const Scenario& s) {
     return std::get<ChartState>(s.rotation().state).numbers[1];
@@ -122,11 +122,11 @@ TEST(Scenario, DefaultsAreThoseOfTheSchema) {
 }
 
 TEST(Scenario, RatesOfTheBodyGiveTheMomentum) {
-  const std::string text =
-      "schema = 1\n[units]\nangle = \"deg\"\n[body]\nmoments = [1, 2, 2.5]\n"
-      "[state.attitude-rate]\nquaternion = [1, 0, 0, 0]\n";
-  for (const char* rate : {"omega_body", "omega_inertial"}) {
-    const Scenario s = scenario_from_text(text + rate + " = [180, 0, \"1 rad/s\"]\n", "f.toml");
+  for (const std::string rate : {"omega_body", "omega_inertial"}) {
+    const Scenario s =
+        scenario_from_text(test::scenario_text("", {.units = "[units]\nangle = \"deg\"\n",
+                                                    .rate = rate + " = [180, 0, \"1 rad/s\"]\n"}),
+                           "f.toml");
     const RotorState r = initial_state(s);
     EXPECT_NEAR(r.g.x, std::numbers::pi, budget::io_state);
     EXPECT_NEAR(r.g.z, 2.5, budget::io_state);
@@ -174,8 +174,7 @@ TEST(Scenario, SignsOfTheElementsAreRead) {
 // same motion as the principal moments with the omega in principal axes.
 TEST(Scenario, ATensorGivesItsOwnBodyAxes) {
   const std::string state = "[state.attitude-rate]\nquaternion = [0.5, 0.5, 0.5, 0.5]\n";
-  const Scenario diagonal = scenario_from_text(
-      "schema = 1\n[body]\nmoments = [1, 2, 2.5]\n" + state + "omega_body = [1, 2, 3]\n", "a");
+  const Scenario diagonal = scenario_from_text(head + state + "omega_body = [1, 2, 3]\n", "a");
   const Scenario full =
       scenario_from_text("schema = 1\n[body]\ntensor = [[1, 0, 0], [0, 2, 0], [0, 0, 2.5]]\n" +
                              state + "omega_body = [1, 2, 3]\n",
@@ -191,10 +190,8 @@ TEST(Scenario, ColumnAxesTurnNothingElse) {
   const std::string rest =
       "[state.attitude-rate]\nquaternion = [0.5, 0.5, 0.5, 0.5]\nomega_body = [1, 2, 3]\n"
       "[[perturbation]]\nkind = \"constant-torque\"\ntorque = [0.1, 0.2, 0.3]\n";
-  const std::string moments = "schema = 1\n[body]\nmoments = [1, 2, 2.5]\n";
-  const Scenario plain = scenario_from_text(moments + rest, "a");
-  const Scenario turned =
-      scenario_from_text(moments + "column_axes = [0.6, 0, 0, 0.8]\n" + rest, "b");
+  const Scenario plain = scenario_from_text(head + rest, "a");
+  const Scenario turned = scenario_from_text(head + "column_axes = [0.6, 0, 0, 0.8]\n" + rest, "b");
   EXPECT_EQ(turned.rotation().body.q_FB(), (Quaternion{0.6, 0.0, 0.0, 0.8}));
   EXPECT_EQ(initial_state(turned).q, initial_state(plain).q);
   EXPECT_EQ(initial_state(turned).g, initial_state(plain).g);

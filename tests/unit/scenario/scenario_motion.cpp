@@ -10,6 +10,7 @@
 #include "message_of.hpp"
 #include "polhode/run/run.hpp"
 #include "polhode/scenario/scenario.hpp"
+#include "scenario_text.hpp"
 
 namespace polhode {
 namespace {
@@ -19,9 +20,8 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
 
-const std::string head =
-    "schema = 1\n[body]\nmoments = [1, 2, 2.5]\n[state.attitude-rate]\n"
-    "quaternion = [0.5, 0.5, 0.5, 0.5]\nomega_body = [0.1, 0.2, 1]\n";  // six lines
+const std::string head =  // six lines
+    test::scenario_text("", {.quaternion = "[0.5, 0.5, 0.5, 0.5]"});
 const std::string orbit = "[orbit.moon]\ngm = 1\nsemi_major_axis = 1\n";
 const std::string gravity = "[[perturbation]]\nkind = \"gravity-gradient\"\norbit = \"moon\"\n";
 
@@ -85,10 +85,8 @@ TEST(ScenarioMotion, TorquesAndDampingStandInTheAxesOfTheTensor) {
 // The attitude of the file is that in the frame; a rate in inertial components is in inertial axes.
 TEST(ScenarioMotion, TheStateIsThatInTheFrame) {
   const std::string frame = "[frame.precessing]\naxis = [0, 0, 2]\nrate = 0.5\nepoch = -3\n";
-  const std::string text =
-      "schema = 1\n[body]\nmoments = [1, 2, 2.5]\n[state.attitude-rate]\n"
-      "quaternion = [1, 0, 0, 0]\nomega_inertial = [1, 0, 0]\n";
-  const RotorState s = initial_state(scenario_from_text(text + frame, "f.toml"));
+  const std::string text = test::scenario_text(frame, {.rate = "omega_inertial = [1, 0, 0]\n"});
+  const RotorState s = initial_state(scenario_from_text(text, "f.toml"));
   EXPECT_EQ(s.q, Quaternion{});
   // S has turned by 1.5 rad about axis 3, and so has the body
   EXPECT_NEAR(s.g.x, std::cos(1.5), budget::io_state);

@@ -13,6 +13,7 @@
 #include "polhode/ephemeris/ephemeris.hpp"
 #include "polhode/run/summary.hpp"
 #include "polhode/scenario/scenario.hpp"
+#include "scenario_text.hpp"
 #include "temp_folder.hpp"
 #include "worst.hpp"
 
@@ -24,11 +25,8 @@ using ::testing::HasSubstr;
 class ScenarioOrbits : public test::InTempFolder {
  protected:
   Scenario read(const std::string& orbit, const std::string& more = "") const {
-    return scenario_from_text("schema = 1\n" + units_ + "[body]\nmoments = [1, 2, 2.5]\n[state]\n" +
-                                  state_ +
-                                  "[state.attitude-rate]\nquaternion = [1, 0, 0, 0]\n"
-                                  "omega_body = [0.1, 0.2, 1]\n[orbit.moon]\n" +
-                                  orbit + more,
+    return scenario_from_text(test::scenario_text("[orbit.moon]\n" + orbit + more,
+                                                  {.units = units_, .state = "[state]\n" + state_}),
                               path("f.toml"));
   }
   std::string error_of(const std::string& orbit, const std::string& more = "") const {

@@ -4,7 +4,9 @@
 
 #include <string>
 
+#include "message_of.hpp"
 #include "polhode/scenario/scenario.hpp"
+#include "scenario_text.hpp"
 #include "temp_folder.hpp"
 
 namespace polhode {
@@ -22,21 +24,14 @@ class TableHeaders : public test::InTempFolder {
     return error_of_keys("[orbit.moon]\nkind = \"table\"\nfile = \"moon.csv\"\n" + keys);
   }
   std::string error_of_keys(const std::string& more) const {
-    const std::string text = "schema = 1\n[units]\n" + units_ +
-                             "[body]\nmoments = [1, 2, 2.5]\n[state]\n" + state_ +
-                             "[state.attitude-rate]\nquaternion = [1, 0, 0, 0]\n"
-                             "omega_body = [0.1, 0.2, 1]\n" +
-                             more;
-    try {
-      scenario_from_text(text, path("f.toml"));
-    } catch (const ScenarioError& error) {
-      std::string what = error.what();
-      const std::string folder = path("");
-      for (std::size_t at = what.find(folder); at != std::string::npos; at = what.find(folder))
-        what.erase(at, folder.size());
-      return what;
-    }
-    return "";
+    const std::string text =
+        test::scenario_text(more, {.units = "[units]\n" + units_, .state = "[state]\n" + state_});
+    std::string what =
+        test::message_of<ScenarioError>([&] { scenario_from_text(text, path("f.toml")); });
+    const std::string folder = path("");
+    for (std::size_t at = what.find(folder); at != std::string::npos; at = what.find(folder))
+      what.erase(at, folder.size());
+    return what;
   }
   std::string units_ = "time = \"s\"\nlength = \"km\"\n";
   std::string state_ = "epoch = \"2029-04-13T00:00:00 UTC\"\naxes = \"equator-J2000\"\n";
