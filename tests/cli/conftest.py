@@ -6,7 +6,7 @@ import subprocess
 
 import pytest
 from ensemble_files import VARY
-from fit_files import HEAD
+from fit_files import FREE_LIGHT, HEAD, NIGHT, TUMBLER
 from slowdown import SLOWDOWN
 
 # With what tools/sanitized asks of the sanitizers.
@@ -92,3 +92,11 @@ def fit_file(tmp_path):
         return path
 
     return write
+
+
+@pytest.fixture
+def night(run, fit_file, tmp_path):
+    """The file of a night whose light curve is there."""
+    path = fit_file(NIGHT, FREE_LIGHT, head=TUMBLER)
+    run.ok("simulate", path, "--into", tmp_path)
+    return path

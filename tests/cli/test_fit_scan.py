@@ -7,12 +7,9 @@ import json
 import budgets
 import numpy
 import pytest
+from fit_files import FREE_LIGHT as FREE
 from fit_files import TUMBLER, fitted, refused, rows
 
-FREE = """
-[free]
-unknowns = ["attitude", "rate", "shape"]
-"""
 NIGHT = """
 [[observation]]
 kind = "light-curve"

@@ -196,8 +196,12 @@ TEST(EveryTerm, SaysWhatItHas) {
     EXPECT_EQ(term.supports_flow(), rows[i].has_flow);
     EXPECT_EQ(term.is_kick(), rows[i].is_kick);
     EXPECT_TRUE(term.supports_any_real());
-    if (!rows[i].has_energy) EXPECT_REJECTED(term.energy(at), "has no energy");
-    if (!rows[i].has_flow) EXPECT_REJECTED(term.flow(at, 0.5), "has no exact flow");
+    if (!rows[i].has_energy) {
+      EXPECT_REJECTED(term.energy(at), "has no energy");
+    }
+    if (!rows[i].has_flow) {
+      EXPECT_REJECTED(term.flow(at, 0.5), "has no exact flow");
+    }
     if (!term.is_kick()) continue;
     const RotorState after = term.flow(at, 0.5);
     EXPECT_EQ(after.q, c.s.q);
