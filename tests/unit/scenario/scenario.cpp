@@ -385,7 +385,7 @@ TEST(Scenario, ItsProblemIsTheRunToTheLastRow) {
           "kind = \"constant-torque\"\ntorque = [0, 0, 1]\n[method]\nkind = \"splitting\"\n" +
           "step = 0.5\n",
       "f.toml");
-  const DampedProblem problem = problem(s.experiment);
+  const DampedProblem problem = polhode::problem(s.experiment);
   EXPECT_EQ(problem.start, 0.0);
   EXPECT_EQ(problem.stop, 8.0);
   EXPECT_EQ(problem.initial.rotor, initial_state(s));
@@ -393,7 +393,8 @@ TEST(Scenario, ItsProblemIsTheRunToTheLastRow) {
   EXPECT_EQ(problem.method, Method(Splitting{.step = 0.5}));
   EXPECT_EQ(problem.system.terms().size(), 1U);
   EXPECT_TRUE(problem.events.empty());
-  EXPECT_THROW(problem(scenario_from_text(head + andoyer, "f.toml").experiment), DomainError);
+  EXPECT_THROW(polhode::problem(scenario_from_text(head + andoyer, "f.toml").experiment),
+               DomainError);
 }
 
 TEST(Scenario, ManyErrorsStayFew) {
