@@ -182,7 +182,7 @@ TEST(EveryTerm, SaysWhatItHas) {
               {"dipole", true, true, true},
               {"eddy", false, true, false},
               {"sunlight", false, true, true},
-              {"drag", false, false, false},
+              {"drag", false, true, true},
               {"own", false, false, false}};
   const Case c = drawn_case(508, 0);
   const Setting at = c.on<double>();
