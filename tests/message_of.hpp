@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 
+#include <span>
 #include <string>
 
 #include "polhode/error.hpp"
@@ -19,6 +20,22 @@ std::string message_of(const F& f) {
     return error.what();
   }
   return "";
+}
+
+// A rejected input and what its message has in it, or begins with where that is a place in f.toml.
+struct Rejected {
+  std::string input, message;
+};
+
+void expect_rejected(const auto& error_of, std::span<const Rejected> rows) {
+  for (const auto& [input, message] : rows) {
+    SCOPED_TRACE(input);
+    if (message.starts_with("f.toml:")) {
+      EXPECT_THAT(error_of(input), testing::StartsWith(message));
+    } else {
+      EXPECT_THAT(error_of(input), testing::HasSubstr(message));
+    }
+  }
 }
 
 }  // namespace polhode::test
