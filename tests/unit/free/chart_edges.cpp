@@ -18,8 +18,8 @@ namespace {
 
 using namespace free_test;
 using namespace polhode;
-using testing::HasSubstr;
 using free_test::pi;
+using testing::HasSubstr;
 
 const Quaternion attitude{0.5, -0.5, 0.1, 0.7};
 Vec3 times(double size, const Vec3& v) { return {size * v.x, size * v.y, size * v.z}; }

@@ -33,8 +33,8 @@ namespace {
 using namespace oracle;
 using namespace free_test;
 using namespace polhode;
-using polhode::test::Lanes;
 using free_test::pi;
+using polhode::test::Lanes;
 
 template <std::size_t N>
 using Pack = Lanes<double, N>;

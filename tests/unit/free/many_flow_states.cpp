@@ -23,8 +23,8 @@ namespace {
 
 using namespace free_test;
 using namespace polhode;
-using polhode::test::Worst;
 using free_test::pi;
+using polhode::test::Worst;
 
 std::vector<std::uint64_t> bits_of_all(const std::vector<double>& numbers) {
   std::vector<std::uint64_t> b;

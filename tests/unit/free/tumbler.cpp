@@ -13,11 +13,11 @@ namespace {
 
 using namespace free_test;
 using namespace polhode;
+using free_test::pi;
 using polhode::test::smaller;
 using polhode::test::Worst;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
-using free_test::pi;
 
 constexpr double degree = pi / 180.0;
 

@@ -314,9 +314,11 @@ TEST(Schema, ErrorsInsideThemNameTheirPath) {
   detail::read_values("[orbit.moon]\nperoid = 3\n[[event]]\nkind = \"cuont\"\n", growing,
                       diagnostics);
   const std::string message = test::message_of<ScenarioError>([&] { diagnostics.raise(); });
-  EXPECT_THAT(message,
-              HasSubstr("f:2:1: orbit.moon.peroid: unknown key; did you mean period? expected period\n"));
-  EXPECT_THAT(message, HasSubstr("f:4:8: event[0].kind: got \"cuont\"; expected \"crossing\" or \"count\"; did you mean \"count\"?"));
+  EXPECT_THAT(
+      message,
+      HasSubstr("f:2:1: orbit.moon.peroid: unknown key; did you mean period? expected period\n"));
+  EXPECT_THAT(message, HasSubstr("f:4:8: event[0].kind: got \"cuont\"; expected \"crossing\" or "
+                                 "\"count\"; did you mean \"count\"?"));
 }
 
 TEST(Schema, DocumentsKnowThemToo) {

@@ -139,9 +139,10 @@ TEST_F(NumberTableFile, CompressedFilesReadTheSame) {
   EXPECT_EQ(table.lines.back(), 100001U);
   EXPECT_LT(std::filesystem::file_size(path_), text.size() / 2);
   std::filesystem::resize_file(path_, std::filesystem::file_size(path_) / 2);
-  EXPECT_THAT(
-      test::message_of([&] { read_number_table(path_, std::vector<std::string>{"t", "x"}); }),
-      EndsWith("cannot be unpacked: it ends before its end"));
+  EXPECT_THAT(test::message_of([&] {
+                read_number_table(path_, std::vector<std::string>{"t", "x"});
+              }),
+              EndsWith("cannot be unpacked: it ends before its end"));
 }
 
 TEST_F(NumberTableFile, OfHorizonsTheRowsBetweenItsMarks) {
