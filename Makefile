@@ -102,11 +102,13 @@ format: deps ## Format every C++ file; list the public headers in polhode.hpp
 	git ls-files -co --exclude-standard '*.cpp' '*.hpp' | xargs .venv/bin/clang-format -i
 
 docs: build ## Build the documentation as a site: build/site/index.html (no network)
+	$(PYTHON) docs/theory/proofs/run.py --check
 	$(PYTHON) -m sphinx -W --keep-going -q -j auto -b html -d build/doctrees docs build/site
 
-docs-tables: build ## Regenerate what is generated in docs/ (keys, schema, paper map)
+docs-tables: build ## Regenerate what is generated in docs/ (keys, schema, paper map, proofs)
 	tools/reference_docs.py
 	tools/paper_map.py
+	$(PYTHON) docs/theory/proofs/run.py --table docs/theory/proofs.md
 
 figures: build ## Redraw every figure of docs/ and the gallery's page
 	$(PYTHON) tools/figures/gallery.py

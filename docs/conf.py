@@ -44,7 +44,7 @@ extensions = [
 ]
 
 source_suffix = {".md": "markdown", ".py": "script"}
-exclude_patterns = ["conf.py", "examples/figures/*"]
+exclude_patterns = ["conf.py", "examples/figures/*", "theory/proofs/*"]
 default_role = "py:obj"
 highlight_language = "text"
 

@@ -29,7 +29,7 @@ LAYERS = {
     "shape": "math rotor",
     "light": "math rotor shape",
     "perturb": "math rotor orbit frame shape",
-    "system": "math rotor free frame perturb",
+    "system": "math rotor free orbit frame perturb",
     "trajectory": "math rotor",
     "dynamics": "math ode rotor free orbit frame perturb system trajectory",
     "secular": "*",

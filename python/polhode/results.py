@@ -48,7 +48,7 @@ class RunColumns(Columns):
         self._events = list(events)
         self._energy_change = energy_change
         self._kept = kept
-        self._end = end  # the last state of an integrated run
+        self._end = end
         self._dates = frozenset(file.date_columns)
 
     def _column(self, name: str, place: int) -> Array:
@@ -102,6 +102,15 @@ class RunColumns(Columns):
     def events(self) -> list[EventRecord]:
         """The events met, in the order of the run; their states in core units."""
         return list(self._events)
+
+    @property
+    def end(self) -> EventRecord | None:
+        """Where an integrated run ended: time and state, in core units.
+
+        That is `stop` or the event that stopped the run; the last row may lie before it. None for
+        exact free rotation, whose state at any time is `scenario.free_rotation.at(t)`, and for
+        scenarios of other kinds."""
+        return self._end
 
     @property
     def energy_change(self) -> float | None:

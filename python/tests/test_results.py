@@ -119,6 +119,17 @@ def test_what_a_run_was(apophis):
     assert w1.summary["energy_change"] == w1.energy_change
 
 
+def test_the_end_of_a_run_may_lie_behind_its_last_row():
+    text = DAMPED.replace(TIME, "[time]\nstop = 3.9\nstep = 1\n")
+    text += "[output]\ncolumns = [\"q\", \"g\"]\n"
+    results = Scenario.from_text(text).run()
+    assert results.t[-1] == 3.0 and results.end.t == 3.9
+    rows = Scenario.from_text(text.replace("step = 1", "step = 3.9")).run()
+    assert np.abs(results.end.s.g - rows.states.g[-1]).max() < budgets.io_state
+    assert np.abs(results.end.s.q - rows.states.q[-1]).max() < budgets.io_state
+    assert Scenario.from_text(FREE).run().end is None
+
+
 def test_a_run_that_an_event_stops():
     text = FREE + "[[event]]\ncolumn = \"g1\"\nstops = true\n"
     results = Scenario.from_text(text).run()

@@ -99,6 +99,7 @@ std::vector<SummaryLine> summary(const CustomExperiment& own, const Scenario& sc
   add(own.facts);
   if (own.more_facts) add(own.more_facts());
   lines.text("method", "method", propagation_text(own, scenario.units()));
+  add_table_values(lines, scenario);
   return lines.take();
 }
 

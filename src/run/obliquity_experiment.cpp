@@ -105,6 +105,7 @@ std::vector<SummaryLine> summary(const Obliquity& of, const Scenario& scenario) 
                  2.0 * std::numbers::pi / std::fabs(rate), Dimension::time);
   add_tides(lines, of);
   lines.text("method", "method", propagation_text(of, scenario.units()));
+  add_table_values(lines, scenario);
   return lines.take();
 }
 

@@ -272,18 +272,6 @@ void add_meshes(Lines& lines, const Rotation& rotation, const Units& units) {
   }
 }
 
-// The numbers of the torques, and in every table of the model what it leaves to defaults.
-void add_values(Lines& lines, const Scenario& scenario) {
-  for (const TableValues& of : model_values(scenario)) {
-    std::string key = of.table;
-    std::replace_if(
-        key.begin(), key.end(), [](char c) { return c == '.' || c == '[' || c == '-'; }, '_');
-    std::erase(key, ']');
-    if (of.table.starts_with("perturbation")) lines.text(key + "_values", of.table, of.given);
-    lines.text(key + "_defaults", of.table + ", not in the file", of.defaults);
-  }
-}
-
 // What moves the body, apart from its own spin.
 void add_motion(Lines& lines, const Rotation& rotation, const Units& units,
                 std::span<const ChartKind> charts) {
@@ -386,9 +374,20 @@ std::vector<SummaryLine> detail::summary(const Rotation& rotation, const Scenari
                   {q.w, q.x, q.y, q.z}, Dimension::number);
   add_motion(lines, rotation, scenario.units(), scenario.document.kinds->charts());
   add_meshes(lines, rotation, scenario.units());
-  add_values(lines, scenario);
+  add_table_values(lines, scenario);
   add_doubts(lines, rotation, scenario);
   return lines.take();
+}
+
+void detail::add_table_values(Lines& lines, const Scenario& scenario) {
+  for (const TableValues& of : model_values(scenario)) {
+    std::string key = of.table;
+    std::replace_if(
+        key.begin(), key.end(), [](char c) { return c == '.' || c == '[' || c == '-'; }, '_');
+    std::erase(key, ']');
+    if (of.table.starts_with("perturbation")) lines.text(key + "_values", of.table, of.given);
+    lines.text(key + "_defaults", of.table + ", not in the file", of.defaults);
+  }
 }
 
 std::vector<SummaryLine> detail::report_lines(const Rotation& rotation, const Scenario& scenario,

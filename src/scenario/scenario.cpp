@@ -3,6 +3,7 @@
 // bytes, and its outputs.
 #include "polhode/scenario/scenario.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdio>
@@ -170,6 +171,18 @@ OutputPlan output_of(const Values& values, const OutputFormats& formats) {
   return {.columns = detail::value_at(values, "output.columns").words, .formats = formats};
 }
 
+// Variables of a chart that are left out and equal another one: "H = G".
+void add_equal_variables(const Values& values, const ChartKind& chart,
+                         std::vector<TableValues>& all) {
+  const std::string table = "state." + std::string(chart.name);
+  const auto found = std::ranges::find(all, table, &TableValues::table);
+  if (found == all.end()) return;
+  for (const ChartVariable& variable : chart.variables)
+    if (!variable.otherwise.empty() && !has(values, table + "." + std::string(variable.name)))
+      found->defaults += (found->defaults.empty() ? "" : ", ") + std::string(variable.name) +
+                         " = " + std::string(variable.otherwise);
+}
+
 }  // namespace
 
 Scenario scenario_from_text(std::string_view text, const std::string& path, const Kinds& kinds) {
@@ -195,8 +208,9 @@ Scenario scenario_from_text(std::string_view text, const std::string& path, cons
 }
 
 std::vector<TableValues> model_values(const Scenario& scenario) {
-  constexpr std::string_view tables[] = {"body",   "state.",        "orbit.",
-                                         "frame.", "perturbation[", "surface["};
+  const std::string_view tables[] = {"body",     "state.",       "planet",
+                                     "orbit.",   "frame.",       "perturbation[",
+                                     "surface[", "observation[", scenario.document.kind};
   std::vector<TableValues> all;
   for (const std::string_view wanted : tables) {
     const std::size_t first = all.size();
@@ -211,6 +225,8 @@ std::vector<TableValues> model_values(const Scenario& scenario) {
       text += (text.empty() ? "" : ", ") + std::string(key_name(path)) + " = " + value.shown;
     }
   }
+  for (const ChartKind& chart : scenario.document.kinds->charts())
+    add_equal_variables(scenario.document.checked->values, chart, all);
   return all;
 }
 

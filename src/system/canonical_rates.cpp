@@ -17,17 +17,8 @@ inline namespace v0 {
 
 namespace {
 
-// Tangent vectors (theta_B, g_B) of the hub and matrices that act on them.
-std::array<double, 6> product(const Matrix6& m, const std::array<double, 6>& x) {
-  std::array<double, 6> y{};
-  for (int i = 0; i < 6; ++i)
-    for (int j = 0; j < 6; ++j)
-      y[static_cast<std::size_t>(i)] += m(i, j) * x[static_cast<std::size_t>(j)];
-  return y;
-}
-
-std::array<double, 6> product(const Matrix6& m, const HubRates& x) {
-  return product(m, std::array<double, 6>{x.theta.x, x.theta.y, x.theta.z, x.g.x, x.g.y, x.g.z});
+std::array<double, 6> tangent(const HubRates& x) {
+  return {x.theta.x, x.theta.y, x.theta.z, x.g.x, x.g.y, x.g.z};
 }
 
 constexpr CanonicalChart euler_chart{CanonicalSet::euler};
@@ -37,7 +28,7 @@ constexpr CanonicalChart andoyer_chart{CanonicalSet::andoyer};
 // G = |g| where g = 0.
 CanonicalRates charted(const CanonicalChart& chart, const RotorState& s, const HubRates& x) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  CanonicalRates z = product(inverse_chart_jacobian(chart, s), x);
+  CanonicalRates z = inverse_chart_jacobian(chart, s) * tangent(x);
   for (double& rate : z)
     if (!std::isfinite(rate)) rate = none;
   if (s.g == Vec3{} && chart.set != CanonicalSet::euler)
@@ -99,9 +90,8 @@ AndoyerRates modified_andoyer_rates(const System& system, double t0, double t,
                                     const RotorState& s) {
   const FreeRotation motion(system.body(), s, t);
   const std::array<double, 6> at_epoch =
-      product(motion.state_transition(t0), perturbation_rates(system, t, s));
-  CanonicalRates z =
-      product(inverse_chart_jacobian({CanonicalSet::andoyer}, motion.at(t0)), at_epoch);
+      motion.state_transition(t0) * tangent(perturbation_rates(system, t, s));
+  CanonicalRates z = inverse_chart_jacobian({CanonicalSet::andoyer}, motion.at(t0)) * at_epoch;
   for (double& rate : z)
     if (!std::isfinite(rate)) rate = std::numeric_limits<double>::quiet_NaN();
   return {z[0], z[1], z[2], z[3], z[4], z[5]};

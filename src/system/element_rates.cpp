@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <string>
 
 #include "math/number_text.hpp"
@@ -17,14 +16,17 @@
 #include "polhode/system/canonical_rates.hpp"
 #include "polhode/system/modified_andoyer.hpp"
 #include "polhode/system/osculation.hpp"
+#include "system/gauge.hpp"
 
 namespace polhode {
 inline namespace v0 {
 namespace {
 
-using Numbers = std::array<double, 6>;
+using detail::by_inertia;
+using detail::Convection;
+using detail::convection_of;
+using Numbers = detail::ElementNumbers;
 
-Vec3 times(const Vec3& I, const Vec3& x) { return {I.x * x.x, I.y * x.y, I.z * x.z}; }
 Vec3 over(const Vec3& x, const Vec3& I) { return {x.x / I.x, x.y / I.y, x.z / I.z}; }
 
 // A set of elements: its numbers, angles first, and the free motion that they describe.
@@ -107,16 +109,6 @@ template <class C>
                     " do not exist: a singularity of " + of.set + "; " + of.alternative);
 }
 
-Numbers product(const Matrix6& m, const Vec3& theta, const Vec3& momentum) {
-  Numbers y{};
-  for (int i = 0; i < 6; ++i) {
-    double& to = y[static_cast<std::size_t>(i)];
-    for (int j = 0; j < 3; ++j) to += m(i, j) * theta[j];
-    for (int j = 0; j < 3; ++j) to += m(i, j + 3) * momentum[j];
-  }
-  return y;
-}
-
 // v of the terms at a state, and that of the frame, -mu: the sum over terms that `chosen` takes.
 template <Real T, class Chosen>
 BasicVec3<T> convection(const System& system, const T& t, const BasicRotorState<T>& s,
@@ -161,70 +153,12 @@ Vec3 convection_rate(const System& system, double t, const RotorState& s, const 
   return total;
 }
 
-// Phi with its derivatives.
-struct Convection {
-  Vec3 value;
-  std::array<Vec3, 6> by_elements;
-  Vec3 by_time;
-};
-Convection convection_of(const Gauge& gauge, const Numbers& z, double t) {
-  if (!gauge.phi()) return {};
-  Gauge::Elements C;
-  for (int k = 0; k < 6; ++k)
-    C[static_cast<std::size_t>(k)] = Tangent::variable(z[static_cast<std::size_t>(k)], k);
-  const BasicVec3<Tangent> phi = gauge.phi()(C, Tangent(t));
-  Convection out{{phi.x.value, phi.y.value, phi.z.value}, {}, {}};
-  for (std::size_t k = 0; k < 6; ++k) {
-    out.by_elements[k] = {phi.x.derivative[k], phi.y.derivative[k], phi.z.derivative[k]};
-    C[k] = Tangent(z[k]);
-  }
-  const BasicVec3<Tangent> later = gauge.phi()(C, Tangent::variable(t, 0));
-  out.by_time = {later.x.derivative[0], later.y.derivative[0], later.z.derivative[0]};
-  return out;
-}
-
-// 1 + I dPhi/dC dC/dgamma, by columns, and x of S x = b.
-struct GaugeMatrix {
-  std::array<Vec3, 3> columns;
-  double size;
-
-  GaugeMatrix(const Vec3& I, const Convection& phi, const Matrix6& inverse) : columns{}, size(0.0) {
-    for (int j = 0; j < 3; ++j) {
-      Vec3 sum;
-      for (int k = 0; k < 6; ++k)
-        sum = sum + inverse(k, j + 3) * phi.by_elements[static_cast<std::size_t>(k)];
-      Vec3& column = columns[static_cast<std::size_t>(j)];
-      column = times(I, sum);
-      size = std::fmax(size, norm(column));
-      column[j] += 1.0;
-    }
-  }
-  double determinant() const { return dot(columns[0], cross(columns[1], columns[2])); }
-  bool is_singular() const {
-    const double scale = 1.0 + size;
-    return !(std::fabs(determinant()) > 1e-12 * scale * scale * scale);
-  }
-  Vec3 solved(const Vec3& b) const {
-    const double d = determinant();
-    return {dot(b, cross(columns[1], columns[2])) / d, dot(columns[0], cross(b, columns[2])) / d,
-            dot(columns[0], cross(columns[1], b)) / d};
-  }
-};
-
-template <class C>
-[[noreturn]] void singular_gauge(const char* function, const C& elements) {
-  const Numbers z = numbers(elements);
-  throw DomainError(std::string(function) + ": the gauge function Phi at the elements " +
-                    detail::tuple_text({z[0], z[1], z[2], z[3], z[4], z[5]}) +
-                    " leaves the linear system of their rates singular; choose a Phi that depends "
-                    "less on the elements, or the canonical or osculating gauge");
-}
-
 // q and gamma + I Phi = I w_SB of elements of other than the canonical gauge.
 template <class C>
 RotorState osculating_of(const Body& body, double t, const C& elements, const Gauge& gauge) {
   const RotorState free = free_state(body, t, elements);
-  return {free.q, free.g + times(body.moments(), convection_of(gauge, numbers(elements), t).value)};
+  return {free.q,
+          free.g + by_inertia(body.moments(), convection_of(gauge, numbers(elements), t).value)};
 }
 
 }  // namespace
@@ -241,25 +175,14 @@ C elements_of_state(const System& system, double t, const RotorState& canonical,
   const Body& body = system.body();
   if (gauge.is_canonical()) return of_free_state(body, t, canonical, like);
   const RotorState osculating = osculating_state(system, t, canonical);
-  C elements = of_free_state(body, t, osculating, like);
-  if (!gauge.phi()) return elements;
-  // Newton's method for gamma + I Phi(C(q, gamma), t) = I w_SB
-  RotorState free = osculating;
-  double last = std::numeric_limits<double>::infinity();
-  for (int step = 0; step < 50; ++step) {
-    const Convection phi = convection_of(gauge, numbers(elements), t);
-    const Vec3 missing = osculating.g - free.g - times(body.moments(), phi.value);
-    if (!(norm(missing) < last)) return elements;  // as near as rounding lets it come
-    last = norm(missing);
-    const GaugeMatrix S(body.moments(), phi, inverse_jacobian(body, t, elements, free));
-    if (S.is_singular()) singular_gauge("elements_of_state", elements);
-    free.g = free.g + S.solved(missing);
-    elements = of_free_state(body, t, free, like);
-  }
-  throw DomainError(
-      "elements_of_state: no elements found for the gauge function Phi, nearest "
-      "misses by " +
-      detail::number_text(last) + ": Phi changes too fast with the elements");
+  const auto free = [&](const Vec3& gamma) { return RotorState{osculating.q, gamma}; };
+  const Vec3 gamma = detail::unperturbed_momentum(
+      gauge, t, body.moments(), osculating.g,
+      [&](const Vec3& g) { return numbers(of_free_state(body, t, free(g), like)); },
+      [&](const Vec3& g) {
+        return inverse_jacobian(body, t, of_free_state(body, t, free(g), like), free(g));
+      });
+  return of_free_state(body, t, free(gamma), like);
 }
 
 template <RotorElements C>
@@ -285,29 +208,21 @@ std::array<double, 6> element_rates(const System& system, double t, const C& ele
   const Vec3 free_w = over(free.g, I), free_torque = cross(free.g, free_w);
   if (gauge.is_canonical()) {
     const HubRates added = perturbation_rates(system, t, free);
-    if constexpr (are_constants<C>) return product(inverse, added.theta, added.g);
-    return product(inverse, free_w + added.theta, free_torque + added.g);
+    if constexpr (are_constants<C>) return inverse * detail::tangent(added.theta, added.g);
+    return inverse * detail::tangent(free_w + added.theta, free_torque + added.g);
   }
 
-  const Convection phi = convection_of(gauge, numbers(elements), t);
+  const Numbers z = numbers(elements);
+  const Convection phi = convection_of(gauge, z, t);
   const Vec3 w = free_w + phi.value;  // w_SB
   const RotorState state = element_state(system, t, elements, gauge);
   const RotorRates rate = rotor_rates(system, t, state);
   const double fastest = norm(w) + norm(system.frame().at(t).mu_S);
   const Vec3 dv = convection_rate(system, t, state, rate, fastest > 0.0 ? fastest : 1.0);
-  const Vec3 momentum = rate.g + times(I, dv) - times(I, phi.by_time);  // but for dPhi/dC dC/dt
-  Numbers z = are_constants<C> ? product(inverse, phi.value, momentum - free_torque)
-                               : product(inverse, w, momentum);
-  if (!gauge.phi()) return z;
-
-  // (1 + B^-1 (0, I dPhi/dC)) dC/dt = z, of rank 3
-  const GaugeMatrix S(I, phi, inverse);
-  if (S.is_singular()) singular_gauge("element_rates", elements);
-  Vec3 moved;
-  for (std::size_t k = 0; k < 6; ++k) moved = moved + z[k] * phi.by_elements[k];
-  const Numbers back = product(inverse, {}, S.solved(times(I, moved)));
-  for (std::size_t k = 0; k < 6; ++k) z[k] -= back[k];
-  return z;
+  const Vec3 force = rate.g + by_inertia(I, dv);
+  return are_constants<C>
+             ? detail::gauge_rates(gauge, I, z, phi, inverse, {}, phi.value, force - free_torque)
+             : detail::gauge_rates(gauge, I, z, phi, inverse, {}, w, force);
 }
 
 #define POLHODE_ELEMENTS(C)                                                                       \

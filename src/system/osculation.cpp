@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "polhode/system/osculation.hpp"
 
+#include <array>
 #include <cmath>
+#include <concepts>
+#include <cstddef>
 #include <limits>
 #include <optional>
 
 #include "math/number_text.hpp"
+#include "math/solve_columns.hpp"
 #include "polhode/error.hpp"
+#include "polhode/math/double_double.hpp"
 #include "polhode/math/dual.hpp"
 
 namespace polhode {
@@ -28,18 +33,13 @@ DualVec terms_rate(const System& system, const Setting& at) {
   return v;
 }
 
-// x of A x = b by Cramer's rule, the columns of A given.
-Vec3 solved(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& right) {
-  const double det = dot(a, cross(b, c));
-  return {dot(right, cross(b, c)) / det, dot(a, cross(right, c)) / det,
-          dot(a, cross(b, right)) / det};
-}
-
 // g + I (v - mu) - g_osc with its derivatives, and the size of what is summed.
 struct Residual {
   Vec3 value;
-  Vec3 by_g[3];
+  std::array<Vec3, 3> by_g;
   double size;
+
+  Vec3 step() const { return detail::solve_columns(by_g, value); }
 };
 
 Residual residual(const System& system, const Setting& at, const Vec3& mu_B, const Vec3& g_osc) {
@@ -50,8 +50,9 @@ Residual residual(const System& system, const Setting& at, const Vec3& mu_B, con
   Residual r{(at.s.g - g_osc) + lag, {}, norm(at.s.g) + norm(lag) + norm(g_osc)};
   for (int j = 0; j < 3; ++j) {
     const auto k = static_cast<std::size_t>(j) + 3;
-    r.by_g[j] = {I.x * v.x.derivative[k], I.y * v.y.derivative[k], I.z * v.z.derivative[k]};
-    r.by_g[j][j] += 1.0;
+    Vec3& column = r.by_g[static_cast<std::size_t>(j)];
+    column = {I.x * v.x.derivative[k], I.y * v.y.derivative[k], I.z * v.z.derivative[k]};
+    column[j] += 1.0;
   }
   return r;
 }
@@ -72,11 +73,11 @@ Vec3 canonical_momentum(const System& system, Setting at, const Vec3& mu_B, cons
   for (int step = 0; step < 50; ++step) {
     if (norm(r.value) <= rounding * r.size) {
       // one more step brings the last bits, if it comes nearer
-      const Vec3 g = at.s.g - solved(r.by_g[0], r.by_g[1], r.by_g[2], r.value);
+      const Vec3 g = at.s.g - r.step();
       const Setting polished{at.body, at.t, {at.s.q, g}, at.q_IS};
       return norm(residual(system, polished, mu_B, g_osc).value) < norm(r.value) ? g : at.s.g;
     }
-    const Vec3 change = solved(r.by_g[0], r.by_g[1], r.by_g[2], r.value);
+    const Vec3 change = r.step();
     const Vec3 g = at.s.g;
     double part = 1.0;
     std::optional<Residual> nearer;
@@ -92,21 +93,84 @@ Vec3 canonical_momentum(const System& system, Setting at, const Vec3& mu_B, cons
   no_canonical_momentum(g_osc, r);
 }
 
+template <Real T>
+RotorState in_double(const BasicRotorState<T>& s) {
+  return {{to_double(s.q.w), to_double(s.q.x), to_double(s.q.y), to_double(s.q.z)},
+          {to_double(s.g.x), to_double(s.g.y), to_double(s.g.z)}};
+}
+
+// I v, v of the terms and the frame.
+template <Real T>
+BasicVec3<T> lag(const System& system, double t, const BasicRotorState<T>& s) {
+  const Vec3& I = system.body().moments();
+  if constexpr (std::same_as<T, double>) {
+    const Vec3 v = effect(system, t, s).v;
+    return {I.x * v.x, I.y * v.y, I.z * v.z};
+  } else {
+    require_no_damper(system);
+    const FrameMotion frame = system.frame().at(t);
+    const BasicFrameMotion<T> motion = system.frame().at(T(t));
+    const BasicSetting<T> at{system.body(), T(t), {normalized(s.q), s.g}, motion.q_IS};
+    const Setting narrow{system.body(), t, in_double(at.s), frame.q_IS};
+    BasicVec3<T> v = -body_from_reference(at, motion.mu_S);
+    for (const AnyPerturbation& term : system.terms()) {
+      if (term.supports_any_real()) {
+        v = v + term.effect(at).v;
+      } else {
+        const Vec3 of = term.effect(narrow).v;
+        v = v + BasicVec3<T>{T(of.x), T(of.y), T(of.z)};
+      }
+    }
+    return {T(I.x) * v.x, T(I.y) * v.y, T(I.z) * v.z};
+  }
+}
+
 }  // namespace
 
-RotorState osculating_state(const System& system, double t, const RotorState& canonical) {
-  const Vec3 v = effect(system, t, canonical).v;
-  const Vec3& I = system.body().moments();
-  return {canonical.q, canonical.g + Vec3{I.x * v.x, I.y * v.y, I.z * v.z}};
+template <Real T>
+BasicRotorState<T> osculating_state(const System& system, double t,
+                                    const BasicRotorState<T>& canonical) {
+  return {canonical.q, canonical.g + lag(system, t, canonical)};
 }
 
-RotorState canonical_state(const System& system, double t, const RotorState& osculating) {
+template <Real T>
+BasicRotorState<T> canonical_state(const System& system, double t,
+                                   const BasicRotorState<T>& osculating) {
   require_no_damper(system);
+  const RotorState start = in_double(osculating);
   const FrameMotion frame = system.frame().at(t);
-  const Setting at{system.body(), t, {normalized(osculating.q), osculating.g}, frame.q_IS};
+  const Setting at{system.body(), t, {normalized(start.q), start.g}, frame.q_IS};
   const Vec3 mu_B = body_from_reference(at, frame.mu_S);
-  return {osculating.q, canonical_momentum(system, at, mu_B, osculating.g)};
+  const Vec3 g = canonical_momentum(system, at, mu_B, start.g);
+  if constexpr (std::same_as<T, double>) {
+    return {osculating.q, g};
+  } else {
+    // a step with the Jacobian of double adds an order of derivatives, or the digits of a double
+    const auto by_g = residual(system, {at.body, t, {at.s.q, g}, at.q_IS}, mu_B, start.g).by_g;
+    BasicRotorState<T> canonical{osculating.q, {T(g.x), T(g.y), T(g.z)}};
+    const std::size_t steps = derivative_order<T> + (epsilon<T>() < epsilon<double>() ? 2 : 0);
+    for (std::size_t k = 0; k < steps; ++k)
+      canonical.g = canonical.g - detail::solve_columns(by_g, (canonical.g - osculating.g) +
+                                                                  lag(system, t, canonical));
+    return canonical;
+  }
 }
+
+RotorState osculating_state(const System& system, double t, const RotorState& canonical) {
+  return osculating_state<double>(system, t, canonical);
+}
+RotorState canonical_state(const System& system, double t, const RotorState& osculating) {
+  return canonical_state<double>(system, t, osculating);
+}
+
+template BasicRotorState<DoubleDouble> osculating_state(const System&, double,
+                                                        const BasicRotorState<DoubleDouble>&);
+template BasicRotorState<DoubleDouble> canonical_state(const System&, double,
+                                                       const BasicRotorState<DoubleDouble>&);
+template BasicRotorState<Tangent> osculating_state(const System&, double,
+                                                   const BasicRotorState<Tangent>&);
+template BasicRotorState<Tangent> canonical_state(const System&, double,
+                                                  const BasicRotorState<Tangent>&);
 
 AndoyerState osculating_andoyer(const System& system, double t, const RotorState& canonical) {
   return to_andoyer(osculating_state(system, t, canonical));

@@ -35,6 +35,15 @@ inline constexpr double paper_generating = 1e-14;
 inline constexpr double rates_rounding = 2e-15;
 inline constexpr double rates_by_differences = 5e-12;
 inline constexpr double rates_next_to_pole = 1e-7;
+// Derivatives of canonical states by osculating ones and back; the same states in double-double.
+inline constexpr double osculation_derivatives = 1e-14;
+inline constexpr double osculation_double_double = 1e-29;
+// Elements of a satellite, of order one: rates beside differences of order 8; there and back; mean
+// rates by 64 places of the orbit; ten orbits.
+inline constexpr double orbital_rates = 1e-10;
+inline constexpr double orbital_maps = 1e-14;
+inline constexpr double orbital_secular = 1e-15;
+inline constexpr double orbital_motion = 1e-12;
 // Lagrange brackets and what follows from them, relative; and what is not canonical.
 inline constexpr double andoyer_method = 2e-15;
 inline constexpr double not_canonical = 1e-2;

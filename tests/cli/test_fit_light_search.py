@@ -2,6 +2,7 @@
 """Searches of `polhode fit` for the motion behind light curves, and scans of their frequencies."""
 
 import json
+import re
 import signal
 import subprocess
 import time
@@ -193,6 +194,8 @@ def test_errors_that_are_far_too_small_give_no_period_without_a_word(run, fit_fi
     assert first.startswith("no model of this kind describes these data"), first
     assert "errors of the data may be too small, by a factor of 2" in first and "2.1" in first
     assert "errors of the data are too small" in done.stdout.split("\nnote: ")[1]
+    minima = re.findall(r"^ +\d+ +\S+ +\S+ +(\S+) +\S+ +(\S+)", done.stdout, re.MULTILINE)
+    assert set(minima) == {("unknown", "unknown")}
     assert "errors of the data are too small" not in run("fit", path).stdout
 
 
@@ -217,7 +220,7 @@ def test_no_variation_is_seen_in_noise(run, fit_file, tmp_path):
     first = done.stdout.splitlines()[0]
     assert done.returncode == 1 and "no variation is seen" in done.stderr
     assert first.startswith("no variation is seen in these data: a constant brightness"), first
-    assert "one frequency" not in done.stdout
+    assert "one frequency" not in done.stdout and "minima" not in done.stdout
     found = json.loads(run("fit", path, "--json").stdout)["scan"]
     assert found["constant"]["suffices"] and not found["one_period"]["suffices"]
 

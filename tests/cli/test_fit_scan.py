@@ -268,3 +268,14 @@ def test_bad_chosen_pairs_are_refused(run, nights, change, expected):
     path.write_text(nights.read_text().replace("pairs = 1\n", "pairs = 1\n" + change + "\n"))
     message = refused(run, path)
     assert expected in message, message
+
+
+def test_ten_thousand_points_get_the_advice_to_bin(run, fit_file, tmp_path):
+    scan = SCAN.replace("order = 2\nshortest = 8", "order = 1\nshortest = 30")
+    path = fit_file(NIGHT.replace('session_column = ["session"]\n', ""), FREE, scan,
+                    head=TUMBLER.replace("count = 81", "count = 10000"))
+    assert run("simulate", path, "--into", tmp_path).returncode == 0
+    done = run("fit", path, "--scan-only")
+    assert done.returncode == 0, done.stderr
+    advice = "10000 points: means of neighbouring points, a hundredth of a period apart, would give"
+    assert advice in " ".join(done.stdout.split())

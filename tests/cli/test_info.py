@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""What `polhode info` says without a scenario."""
+"""What `polhode info` says without a scenario, and of what a scenario leaves to defaults."""
+
+import pytest
 
 
 def test_it_says_what_it_uses_of_the_processor(run):
@@ -21,3 +23,16 @@ def test_a_scenario_is_missed_where_nothing_else_is_asked_for(run):
     result = run("info", check=False)
     assert result.returncode != 0
     assert "FILE" in result.stderr
+
+
+@pytest.mark.parametrize(("example", "table", "defaults"), [
+    ("tumbling-night", "observation[0]",
+     'brightness = "flux", calibrated = false, format = "columns", '),
+    ("tumbling-night", "fit", "iterations = 200, "),
+    ("mars-obliquity", "planet", "J = 0, tidal_drift = 0"),
+    ("earth-nutation", "nutation", 'least = "1 uas"'),
+])
+def test_it_shows_the_defaults_of_every_kind(run, root, example, table, defaults):
+    lines = run("info", root / "examples" / f"{example}.toml").stdout.splitlines()
+    [line] = [line for line in lines if line.startswith(f"{table}, not in the file ")]
+    assert line.split(" file ", 1)[1].strip().startswith(defaults)

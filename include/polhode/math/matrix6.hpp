@@ -8,6 +8,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 
 #include "polhode/math/real.hpp"
 
@@ -42,6 +43,15 @@ constexpr BasicMatrix6<T> operator*(const BasicMatrix6<T>& a, const BasicMatrix6
     for (int j = 0; j < 6; ++j)
       for (int k = 0; k < 6; ++k) c(i, j) = c(i, j) + a(i, k) * b(k, j);
   return c;
+}
+
+template <Number T>
+constexpr std::array<T, 6> operator*(const BasicMatrix6<T>& a, const std::array<T, 6>& x) {
+  std::array<T, 6> y{};
+  for (int i = 0; i < 6; ++i)
+    for (int j = 0; j < 6; ++j)
+      y[static_cast<std::size_t>(i)] += a(i, j) * x[static_cast<std::size_t>(j)];
+  return y;
 }
 
 template <Number T>

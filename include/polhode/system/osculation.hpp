@@ -27,9 +27,15 @@ namespace polhode {
 inline namespace v0 {
 
 // {q, g_osc} of a canonical state: FreeRotation from here is the free motion that touches the true
-// one in S. And back.
+// one in S. And back. T = DoubleDouble or Tangent.
 RotorState osculating_state(const System& system, double t, const RotorState& canonical);
 RotorState canonical_state(const System& system, double t, const RotorState& osculating);
+template <Real T>
+BasicRotorState<T> osculating_state(const System& system, double t,
+                                    const BasicRotorState<T>& canonical);
+template <Real T>
+BasicRotorState<T> canonical_state(const System& system, double t,
+                                   const BasicRotorState<T>& osculating);
 
 // Andoyer elements. The canonical ones of a hub state are to_andoyer(s).
 AndoyerState osculating_andoyer(const System& system, double t, const RotorState& canonical);

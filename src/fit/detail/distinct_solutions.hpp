@@ -33,8 +33,10 @@ void describe_relations(std::vector<FoundLight>& solutions, const LightGeometry&
 // of periods.
 class DistinctSolutions {
  public:
-  // Rounds of more starts, at most.
-  static constexpr int most_rounds = 6;
+  // Rounds of more starts for pairs of periods that have a solution.
+  static constexpr int least_rounds = 2, most_rounds = 6;
+  // Pairs of periods that a round takes at most.
+  static constexpr std::size_t pairs_of_round = 8;
 
   // Whether the second solution is the first one again.
   using AreSame = std::function<bool(const LightSolution&, const LightSolution&)>;
@@ -51,6 +53,7 @@ class DistinctSolutions {
   const std::optional<LightSolution>& best_of(std::size_t periods) const { return best_[periods]; }
   // The lowest first, with what each is beside those before it.
   std::vector<FoundLight> within_limit() const;
+  std::size_t count_within() const;
   // Not so far beyond the limit that it is given up.
   bool is_near(double cost) const;
 

@@ -252,10 +252,6 @@ namespace detail {
 namespace {
 
 constexpr double near_limit = 2.0;
-// How many pairs of periods a round takes, and how many rounds one with a solution within the limit
-// has at least.
-constexpr std::size_t pairs_of_round = 8;
-constexpr int least_rounds = 2;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 }  // namespace
@@ -294,6 +290,12 @@ double DistinctSolutions::limit() const {
   double least = infinite;
   for (const FoundLight& f : solutions_) least = std::min(least, f.solution.result.cost);
   return within_ * least;
+}
+
+std::size_t DistinctSolutions::count_within() const {
+  const double most = limit();
+  return static_cast<std::size_t>(std::ranges::count_if(
+      solutions_, [most](const FoundLight& f) { return f.solution.result.cost <= most; }));
 }
 
 bool DistinctSolutions::is_near(double cost) const { return cost <= near_limit * limit(); }

@@ -12,6 +12,7 @@
 #include "fit/detail/light_residuals.hpp"
 #include "fit/detail/light_starts.hpp"
 #include "fit/light/search_checks.hpp"
+#include "fit/light/search_progress.hpp"
 #include "polhode/ensemble/cells.hpp"
 #include "polhode/ensemble/counter_random.hpp"
 #include "polhode/ensemble/distributions.hpp"
@@ -122,15 +123,12 @@ std::optional<LightTrial> light_trial(const LightSearch& search, std::uint64_t n
 namespace {
 
 using detail::LightTrial;
+using detail::more_short_iterations;
+using detail::starts_of_round;
 using detail::times;
 
-// Starts of a round for each pair of periods.
-constexpr std::size_t starts_of_round = 50;
-// Of the iterations before it, where a fit that is not at its end goes on, and a start of a round.
-constexpr int more_search_iterations = 4, more_short_iterations = 3;
-
-// What is done, as far as can be told before, after the starts, their finalists and all rounds.
-constexpr double done_at_starts = 0.3, done_at_finalists = 0.6, done_at_rounds = 0.9;
+// A fit that is not at its end goes on with so many times the iterations.
+constexpr int more_search_iterations = 4;
 
 // Where a fit begins, and for which pair of periods.
 struct Finalist {
@@ -158,23 +156,25 @@ class EllipsoidSearch {
   explicit EllipsoidSearch(const LightSearch& search)
       : search_(search),
         geometry_(detail::geometry_of(search.curves)),
-        finds_(search.curves, search.periods.size(), search.within, {}, true) {}
+        finds_(search.curves, search.periods.size(), search.within, {}, true),
+        progress_(search) {}
 
   LightSearchResult found() {
     const std::vector<LightUnknowns> models = models_of(search_.unknowns);
     begin(models.front());
+    progress_.further_models = models.size() - 1;
     add_finalists();
     add_rounds();
     const std::size_t seldom = finds_.seldom();
-    until_ = done_at_rounds + 0.5 * (1.0 - done_at_rounds);
+    progress_.images_are_done = true;
     fit(images());
     for (std::size_t m = 1; m < models.size(); ++m) {
       const std::vector<Finalist> starts = ends();
       begin(models[m]);
-      until_ = 0.5 * (1.0 + until_);
+      --progress_.further_models;
       fit(starts);
     }
-    if (search_.progress) search_.progress(1.0);
+    progress_.end();
     finds_.move_to(result_);
     add_notes(seldom);
     return std::move(result_);
@@ -182,13 +182,6 @@ class EllipsoidSearch {
 
  private:
   using Trials = std::vector<std::vector<LightTrial>>;
-
-  // The next of `count` pieces of the present step is done.
-  void tell(std::int64_t k, std::size_t count) {
-    const double part = static_cast<double>(k + 1) / static_cast<double>(count);
-    if (search_.progress) search_.progress(done_ + part * (until_ - done_));
-    if (part == 1.0) done_ = until_;
-  }
 
   void begin(const LightUnknowns& model) {
     model_ = model;
@@ -198,8 +191,9 @@ class EllipsoidSearch {
         });
   }
 
-  // Short fits of the starts with these numbers, by pair of periods.
-  Trials trials(const std::vector<std::uint64_t>& numbers, int iterations) {
+  // Short fits of the starts with these numbers, by pair of periods; about `fits` of them will be
+  // fitted to the end.
+  Trials trials(const std::vector<std::uint64_t>& numbers, int iterations, double fits) {
     const LightSearch how = [&] {
       LightSearch s = search_;
       s.unknowns = model_;
@@ -215,7 +209,9 @@ class EllipsoidSearch {
           return detail::light_trial(how, numbers[static_cast<std::size_t>(k)]);
         },
         [&](std::int64_t k, const std::optional<LightTrial>& trial) {
-          tell(k, numbers.size());
+          if (trial && finds_.all().empty()) progress_.add_cost(trial->cost);
+          progress_.add_start(iterations, static_cast<double>(std::ssize(numbers) - k - 1), fits,
+                              finds_);
           if (!trial) return;
           ++result_.starts;
           const std::uint64_t number = numbers[static_cast<std::size_t>(k)];
@@ -228,8 +224,9 @@ class EllipsoidSearch {
   void add_finalists() {
     std::vector<std::uint64_t> numbers(search_.starts);
     std::iota(numbers.begin(), numbers.end(), std::uint64_t{0});
-    until_ = done_at_starts;
-    Trials all = trials(numbers, search_.short_iterations);
+    const std::size_t most = search_.finalists * search_.periods.size();
+    Trials all = trials(numbers, search_.short_iterations,
+                        static_cast<double>(std::min(most, numbers.size())));
     std::vector<Finalist> found;
     const auto are_alike = [](const LightTrial& a, const LightTrial& b) {
       return detail::are_alike(a.body, b.body);
@@ -238,7 +235,6 @@ class EllipsoidSearch {
       for (const LightTrial& t :
            detail::best_unlike(std::move(all[p]), search_.finalists, are_alike))
         found.push_back({t.body, p});
-    until_ = done_at_finalists;
     fit(found);
   }
 
@@ -251,21 +247,25 @@ class EllipsoidSearch {
       next[p] = p + (search_.starts + pairs - 1 - p) / pairs * pairs;
     for (int round = 0; round < detail::DistinctSolutions::most_rounds; ++round) {
       const std::vector<std::size_t> open = finds_.open_pairs(round);
-      if (open.empty()) return;
+      if (open.empty()) break;
+      progress_.open_pairs = open.size();
+      progress_.round = round + 1;
       std::vector<std::uint64_t> numbers;
       for (std::size_t k = 0; k < starts_of_round; ++k)
         for (const std::size_t p : open) {
           numbers.push_back(next[p]);
           next[p] += pairs;
         }
-      until_ = done_ + 0.5 * (done_at_rounds - done_);
-      const Trials all = trials(numbers, times(search_.short_iterations, more_short_iterations));
+      const Trials all = trials(numbers, times(search_.short_iterations, more_short_iterations),
+                                progress_.part_near * static_cast<double>(numbers.size()));
       std::vector<Finalist> found;
       for (const std::size_t p : open)
         for (const LightTrial& t : all[p])
           if (finds_.is_near(t.cost)) found.push_back({t.body, p});
+      progress_.part_near = static_cast<double>(found.size()) / static_cast<double>(numbers.size());
       fit(found);
     }
+    progress_.rounds_are_done = true;
   }
 
   std::vector<Finalist> images() const {
@@ -321,7 +321,8 @@ class EllipsoidSearch {
           return fit_light({search_.curves, f.start, model_, search_.loss, most_iterations});
         },
         [&](std::int64_t k, const LightSolution& s) {
-          tell(k, finalists.size());
+          progress_.add_fit(s.result.iterations, static_cast<double>(std::ssize(finalists) - k - 1),
+                            finds_);
           const std::size_t periods = finalists[static_cast<std::size_t>(k)].periods;
           if (s.is_found())
             finds_.add(s, periods);
@@ -356,9 +357,9 @@ class EllipsoidSearch {
   const LightSearch& search_;
   detail::LightGeometry geometry_;
   detail::DistinctSolutions finds_;
+  detail::SearchProgress progress_;
   LightUnknowns model_;
   std::size_t tried_ = 0;
-  double done_ = 0.0, until_ = 0.0;  // of the whole, before and after the present step
   std::vector<std::pair<double, Finalist>> unfinished_;  // with their costs
   LightSearchResult result_;
 };

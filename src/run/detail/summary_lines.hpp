@@ -36,6 +36,9 @@ class Lines {
   std::vector<SummaryLine> lines_;
 };
 
+// The numbers of the torques, and the values that each table of the scenario leaves to defaults.
+void add_table_values(Lines& lines, const Scenario& scenario);
+
 // Where a run ended, what it cost, its events. What was evaluated in its steps: "perturbations";
 // empty where nothing was integrated.
 void add_report(Lines& lines, const RunReport& report, const std::string& evaluated,

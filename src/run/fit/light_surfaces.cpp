@@ -2,6 +2,7 @@
 // Convex bodies and meshes from the ellipsoids of a search: of every pair of periods, whatever the
 // ellipsoid came to, and of the images of what is within the limit.
 #include <algorithm>
+#include <limits>
 #include <mutex>
 #include <utility>
 
@@ -69,8 +70,7 @@ class Surfaces {
               " to begin with, and images of the best");
     if (report_.mesh) search_periods();
     fit(
-        starts.size(), report_.mesh ? search_part : 0.0, first_part,
-        [&](std::size_t k) { return fits_.from(starts[k].ellipsoid.body); },
+        starts.size(), true, [&](std::size_t k) { return fits_.from(starts[k].ellipsoid.body); },
         [&](std::size_t k, const std::vector<SurfaceFound>& all) {
           add(all, starts[k].periods);
           tell(starts[k], all);
@@ -83,7 +83,7 @@ class Surfaces {
     if (!report_.mesh)
       for (const Start& one : starts) known.push_back(one.ellipsoid.body);
     fit(
-        kept.size(), first_part, 1.0,
+        kept.size(), false,
         [&](std::size_t k) { return fits_.from_images(kept[k].found.start, known); },
         [&](std::size_t k, const std::vector<SurfaceFound>& all) { add(all, kept[k].periods); });
     limit();
@@ -91,7 +91,8 @@ class Surfaces {
   }
 
  private:
-  static constexpr double search_part = 0.4, first_part = 0.8;  // of the work, about
+  static constexpr double search_part = 0.4;  // of the work on a mesh, about
+  static constexpr double images_of_one = 3.0;
 
   struct Kept {
     SurfaceFound found;
@@ -128,9 +129,10 @@ class Surfaces {
     return starts;
   }
 
+  // The images of those that are kept are fitted last (`has_images`).
   template <class Made, class Take>
-  void fit(std::size_t count, double from, double to, const Made& made, const Take& take) {
-    if (options_.progress) options_.progress("surfaces", from);
+  void fit(std::size_t count, bool has_images, const Made& made, const Take& take) {
+    double fits = 0.0;
     run_cells(
         0, static_cast<std::int64_t>(count), options_.threads,
         [&](std::int64_t k) {
@@ -139,9 +141,19 @@ class Surfaces {
         },
         [&](std::int64_t k, const std::vector<SurfaceFound>& all) {
           take(static_cast<std::size_t>(k), all);
-          const double part = static_cast<double>(k + 1) / static_cast<double>(count);
-          if (options_.progress) options_.progress("surfaces", from + (to - from) * part);
+          fits += static_cast<double>(all.size());
+          fits_done_ += static_cast<double>(all.size());
+          const double done = static_cast<double>(k + 1), all_of_them = static_cast<double>(count);
+          tell_progress((all_of_them - done) * fits / done +
+                        (has_images ? images_of_one * static_cast<double>(count_within()) : 0.0));
         });
+  }
+
+  void tell_progress(double fits_left) const {
+    if (!options_.progress) return;
+    const double from = report_.mesh ? search_part : 0.0;
+    const double part = fits_left > 0.0 ? fits_done_ / (fits_done_ + fits_left) : 1.0;
+    options_.progress("surfaces", from + (1.0 - from) * part);
   }
 
   void add(const std::vector<SurfaceFound>& all, std::size_t periods) {
@@ -218,6 +230,14 @@ class Surfaces {
     for (const std::size_t p : start.pairs) tell(best->solution, p);
   }
 
+  std::size_t count_within() const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Kept& one : kept_) least = std::min(least, one.found.solution.result.cost);
+    return static_cast<std::size_t>(std::ranges::count_if(kept_, [&](const Kept& one) {
+      return one.found.solution.result.cost <= plan_.light.within_factor * least;
+    }));
+  }
+
   void limit() {
     sort_by_cost(kept_, [](const Kept& one) -> const LightSolution& { return one.found.solution; });
     if (kept_.empty()) return;
@@ -258,6 +278,7 @@ class Surfaces {
   LightReport& report_;
   SurfaceFits fits_;
   std::vector<Kept> kept_;
+  double fits_done_ = 0.0;  // of those that are counted as progress
 };
 
 }  // namespace

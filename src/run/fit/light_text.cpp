@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "polhode/run/predictions.hpp"
 #include "run/detail/fit_tables.hpp"
@@ -91,6 +92,7 @@ void add_scan(std::string& text, const Scenario& scenario, const LightScan& scan
                              scan.one->order, period_of(scenario, fit.f2), time, fit.chi_square,
                              fit.degrees_of_freedom - 1));
   }
+  if (scan.constant && scan.constant->suffices) return;
   text += fmt::format(
       "\nlowest minima of the scan: lines at sums and multiples of 1/P1 and 1/P2{}\n"
       "{:>4}{:>12}{:>16}{:>11}{:>16}{:>11}\n",
@@ -101,7 +103,9 @@ void add_scan(std::string& text, const Scenario& scenario, const LightScan& scan
   for (std::size_t i = 0; i < scan.minima.size(); ++i) {
     const ScanMinimum& m = scan.minima[i];
     const RefinedPair& r = m.refined;
+    const bool is_described = r.scale * r.scale <= most_chi_square;
     const auto error = [&](double f, double sigma) {
+      if (!is_described) return std::numeric_limits<double>::infinity();
       return scenario.units().from_core(r.scale * sigma / (f * f), Dimension::time);
     };
     const double e1 = error(r.fit.f1, r.sigma_f1), e2 = error(r.fit.f2, r.sigma_f2);

@@ -4,12 +4,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <ctime>
+#include <utility>
 #include <vector>
 
 #include "bright_night.hpp"
 #include "budgets.hpp"
 #include "message_of.hpp"
 #include "polhode/fit/light_search.hpp"
+#include "worst.hpp"
 
 namespace {
 using namespace polhode;
@@ -121,12 +124,43 @@ TEST(LightSearch, FindsWhatFewStartsComeTo) {
     const Vec3& pole = found.solutions[0].solution.pole;
     if (seed == 1) first = pole;
     EXPECT_LT(norm(pole - first), budget::fit_same);
-    EXPECT_TRUE(std::ranges::is_sorted(parts));
+    EXPECT_TRUE(std::ranges::all_of(parts, [](double part) { return part > 0.0 && part <= 1.0; }));
     EXPECT_EQ(parts.back(), 1.0);
     parts.clear();
     EXPECT_EQ(std::ranges::count(found.solutions, Beside::image, &FoundLight::beside), 6);
     EXPECT_EQ(std::ranges::count(found.solutions, Beside::other_pole, &FoundLight::beside), 1);
   }
+}
+
+// The largest ratio between the time that was left and what the parts so far tell, either way up,
+// over the calls between `from` and 0.8 of the processor time of a search.
+double worst_time_left(LightSearch search, double from) {
+  std::vector<std::pair<double, double>> calls;  // processor time, part
+  const auto now = [] { return static_cast<double>(std::clock()); };
+  const double begun = now();
+  search.threads = 1;
+  search.progress = [&](double part) { calls.push_back({now() - begun, part}); };
+  search_light(search);
+  const double whole = now() - begun;
+  Worst worst;
+  for (const auto& [time, part] : calls) {
+    if (time < from * whole || time > 0.8 * whole) continue;
+    const double ratio = time * (1.0 - part) / part / (whole - time);
+    worst.add(ratio);
+    worst.add(1.0 / ratio);
+  }
+  return worst.value();
+}
+
+// Starts may be nearly all of the work, or the fits of many solutions be: then the number of
+// solutions is known after the first starts only.
+TEST(LightSearch, TellsTimesLeft) {
+  LightSearch search = search_of(drawn_tumbler(29, 100, 0.02, 5));
+  search.starts = 200;
+  EXPECT_LT(worst_time_left(search, 0.1), 2.0);
+  search.starts = 40;
+  search.within = 50.0;
+  EXPECT_LT(worst_time_left(search, 0.4), 2.0);
 }
 
 // With so few points two of the solutions are found by one start each.

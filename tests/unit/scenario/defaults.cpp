@@ -87,7 +87,7 @@ TEST(Defaults, AreInTheSummaryWithTheNumbersOfTheTorques) {
                                  "[state.andoyer]\nL = 1\nG = 2\n"));
   const std::string plain = summary_table(summary(dimensionless));
   EXPECT_THAT(plain, HasSubstr("3 x 2 x 1, area 22, 12 facets"));
-  EXPECT_THAT(plain, ContainsRegex("state.andoyer, not in the file +g = 0, h = 0, l = 0\n"));
+  EXPECT_THAT(plain, ContainsRegex("state.andoyer, not in the file +g = 0, h = 0, l = 0, H = G\n"));
 }
 
 // Between them the interpolation is worthless, and nothing said so.

@@ -5,7 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <string>
 
@@ -138,6 +140,34 @@ TEST(ModifiedAndoyer, IsTheRegularSetAtItsEpoch) {
   EXPECT_NEAR(there.g, added[1], budget::rates_rounding);
   EXPECT_NEAR(there.h, added[2], budget::rates_rounding);
   EXPECT_NEAR(there.H, added[5], budget::rates_rounding);
+}
+
+// Written in Andoyer variables: derivatives of the canonical state by the osculating one.
+TEST(CanonicalState, OfDualAndDoubleDoubleIsTheInverse) {
+  const auto H = []<class T>(const T&, const BasicRotorState<T>& s) {
+    return T(T(0.01) * s.g.x * s.g.y * s.g.z + T(0.02) * s.q.x * s.q.y * s.g.x);
+  };
+  const System system(body, Frame::precessing({0.6, 0.0, 0.8}, 0.05),
+                      {AnyPerturbation("bent", HamiltonianTerm(H))});
+  const AndoyerState C = to_andoyer(state);
+  const auto variable = [](double x, int k) { return Tangent::variable(x, k); };
+  const BasicAndoyerState<Tangent> z{variable(C.l, 0), variable(C.g, 1), variable(C.h, 2),
+                                     variable(C.L, 3), variable(C.G, 4), variable(C.H, 5)};
+  const auto canonical = canonical_state(system, 0.2, to_rotor(z));
+  const BasicAndoyerState<Tangent> back = to_andoyer(osculating_state(system, 0.2, canonical));
+  const std::array<Tangent, 6> found{back.l, back.g, back.h, back.L, back.G, back.H};
+  for (std::size_t i = 0; i < 6; ++i)
+    for (std::size_t j = 0; j < 6; ++j)
+      EXPECT_NEAR(found[i].derivative[j], i == j ? 1.0 : 0.0, budget::osculation_derivatives);
+  EXPECT_GT(std::fabs(canonical.g.x.derivative[3] - to_rotor(z).g.x.derivative[3]), 1e-3);
+
+  using DD = DoubleDouble;
+  const BasicRotorState<DD> wide{{DD(0.5) / sqrt(DD(0.99)), DD(-0.7) / sqrt(DD(0.99)),
+                                  DD(0.3) / sqrt(DD(0.99)), DD(0.4) / sqrt(DD(0.99))},
+                                 {DD(1.2), DD(-0.7), DD(2.1)}};
+  const BasicVec3<DD> missing =
+      osculating_state(system, 0.2, canonical_state(system, 0.2, wide)).g - wide.g;
+  EXPECT_LT(std::fabs(to_double(norm(missing))), budget::osculation_double_double);
 }
 
 }  // namespace

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+// SatelliteSystem: a point mass about a planet under any perturbation, in a moving frame;
+// Hamilton's equations of its position and momentum.
+//
+// Equations   H = p^2/2 - gm/r + H'(t, r, p) - mu . (r x p), with mu the rate of the frame S. Then
+//             dr/dt = p + dH'/dp - mu x r and dp/dt = -gm r/r^3 - dH'/dr - mu x p
+//             [SA (96) and the footnote on (108)]. If H' does not depend on p, the momentum p is
+//             the velocity relative to inertial axes, in components along S.
+// Units       any consistent set: gm in length^3 / time^2; momenta are per unit mass.
+// Domain      r not 0. H' is a generic callable on any number type:
+//             auto H(const auto& t, const BasicSatelliteState<T>& s).
+// Accuracy    a few roundings; derivatives of H' are by dual numbers.
+// Errors      DomainError for a gm that is not positive and finite. What H' throws passes through.
+// Cost        H' with six derivatives.
+#pragma once
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "polhode/frame/frame.hpp"
+#include "polhode/math/dual.hpp"
+#include "polhode/math/vector.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+// Position and momentum per unit mass, both along the axes of S.
+template <Number T>
+struct BasicSatelliteState {
+  BasicVec3<T> r;
+  BasicVec3<T> p;
+
+  constexpr bool operator==(const BasicSatelliteState&) const = default;
+};
+using SatelliteState = BasicSatelliteState<double>;
+
+template <class Visit>
+void each_number(SatelliteState& s, Visit&& visit) {
+  for (Vec3* v : {&s.r, &s.p})
+    for (int k = 0; k < 3; ++k) visit((*v)[k]);
+}
+
+// H' with its derivatives by r and p.
+template <Number T>
+struct BasicOrbitalEffect {
+  T energy;
+  BasicVec3<T> by_r;
+  BasicVec3<T> by_p;
+};
+
+// An energy H'(t, r, p) of any type.
+class OrbitalPerturbation {
+ public:
+  template <class F>
+    requires(!std::same_as<F, OrbitalPerturbation>)
+  explicit OrbitalPerturbation(F H) : held_(std::make_shared<const Held<F>>(std::move(H))) {}
+
+  BasicOrbitalEffect<double> effect(double t, const SatelliteState& s) const {
+    return held_->effect(t, s);
+  }
+  BasicOrbitalEffect<DoubleDouble> effect(const DoubleDouble& t,
+                                          const BasicSatelliteState<DoubleDouble>& s) const {
+    return held_->effect(t, s);
+  }
+
+ private:
+  struct Erased {
+    virtual ~Erased() = default;
+    virtual BasicOrbitalEffect<double> effect(double t, const SatelliteState& s) const = 0;
+    virtual BasicOrbitalEffect<DoubleDouble> effect(
+        const DoubleDouble& t, const BasicSatelliteState<DoubleDouble>& s) const = 0;
+  };
+  template <class F>
+  struct Held final : Erased {
+    explicit Held(F H) : energy(std::move(H)) {}
+    BasicOrbitalEffect<double> effect(double t, const SatelliteState& s) const override {
+      return effect_of(t, s);
+    }
+    BasicOrbitalEffect<DoubleDouble> effect(
+        const DoubleDouble& t, const BasicSatelliteState<DoubleDouble>& s) const override {
+      return effect_of(t, s);
+    }
+    template <Real T>
+    BasicOrbitalEffect<T> effect_of(const T& t, const BasicSatelliteState<T>& s) const {
+      using D = Dual<T, 6>;
+      const auto variable = [](const T& x, int k) { return D::variable(x, k); };
+      const D H = energy(D(t), BasicSatelliteState<D>{
+                                   {variable(s.r.x, 0), variable(s.r.y, 1), variable(s.r.z, 2)},
+                                   {variable(s.p.x, 3), variable(s.p.y, 4), variable(s.p.z, 5)}});
+      const auto& d = H.derivative;
+      return {H.value, {d[0], d[1], d[2]}, {d[3], d[4], d[5]}};
+    }
+    F energy;
+  };
+  std::shared_ptr<const Erased> held_;
+};
+
+// The oblateness of the planet about the third axis of S: H' = gm J2 R^2 / r^3 P_2(z/r).
+// DomainError unless the numbers are finite and the radius is positive.
+OrbitalPerturbation oblateness(double gm, double J2, double radius);
+
+class SatelliteSystem {
+ public:
+  explicit SatelliteSystem(double gm, Frame frame = Frame::inertial(),
+                           std::vector<OrbitalPerturbation> terms = {});
+
+  double gm() const { return gm_; }
+  const Frame& frame() const { return frame_; }
+  const std::vector<OrbitalPerturbation>& terms() const { return terms_; }
+
+ private:
+  double gm_;
+  Frame frame_;
+  std::vector<OrbitalPerturbation> terms_;
+};
+
+// (dr/dt, dp/dt), and the part of it that the perturbations and the frame add to the Kepler motion
+// (p, -gm r/r^3). T = double or DoubleDouble.
+template <Real T>
+BasicSatelliteState<T> satellite_rates(const SatelliteSystem& system, const T& t,
+                                       const BasicSatelliteState<T>& s);
+template <Real T>
+BasicSatelliteState<T> perturbation_rates(const SatelliteSystem& system, const T& t,
+                                          const BasicSatelliteState<T>& s);
+
+// The Hamiltonian, constant if nothing depends on time.
+double energy(const SatelliteSystem& system, double t, const SatelliteState& s);
+
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: MIT
+// Elements of a satellite in every gauge, beside the integration of its position and momentum.
+#include "polhode/system/orbital_elements.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "budgets.hpp"
+#include "message_of.hpp"
+#include "polhode/dynamics/integrate_model.hpp"
+#include "polhode/dynamics/satellite_path.hpp"
+#include "worst.hpp"
+
+namespace {
+
+using namespace polhode;
+using polhode::test::message_of;
+using polhode::test::Worst;
+using testing::HasSubstr;
+using enum OrbitalSet;
+
+constexpr double gm = 1.3, pi = std::numbers::pi;
+constexpr double J2 = 2e-3, radius = 0.8;
+const SatelliteState start{{1.1, -0.2, 0.4}, {0.1, 0.9, 0.35}};
+
+Frame precessing() { return Frame::precessing({0.36, 0.48, 0.8}, 0.03); }
+// A precession about a cone whose rate grows, and an energy with a dH'/dp quadratic in p that
+// depends on time.
+SatelliteSystem bent_system() {
+  const Frame frame = Frame::orbit_plane([](const auto& t) { return 0.02 * t + 0.004 * t * t; },
+                                         [](const auto& t) { return 0.3 + 0.01 * t; });
+  const auto H = []<class T>(const T& t, const BasicSatelliteState<T>& s) {
+    using std::cos;
+    return T(T(0.002) * s.p.x * s.p.y * s.p.z + T(0.004) * cos(T(0.7) * t) * s.p.x * s.r.y);
+  };
+  return SatelliteSystem(gm, frame, {oblateness(gm, J2, radius), OrbitalPerturbation(H)});
+}
+SatelliteSystem oblate_planet() {
+  return SatelliteSystem(gm, precessing(), {oblateness(gm, J2, radius)});
+}
+Gauge general_gauge() {
+  return Gauge([](const Gauge::Elements& C, const Tangent& t) {
+    using std::cos;
+    using std::sin;
+    return BasicVec3<Tangent>{Tangent(0.002) * sin(C[0] + Tangent(0.3) * t) * C[4],
+                              Tangent(0.001) * C[3] + Tangent(0.002) * cos(C[1]),
+                              Tangent(0.0015) * sin(C[2]) + Tangent(0.0004) * C[5]};
+  });
+}
+std::array<Gauge, 3> gauges() { return {Gauge::canonical(), Gauge::osculating(), general_gauge()}; }
+bool is_angle(OrbitalSet set, std::size_t k) { return set == delaunay ? k < 3 : k > 2; }
+
+// d/dt of the elements along the motion by differences of order 8.
+double error_of_rates(OrbitalSet set, const SatelliteSystem& system, const Gauge& gauge) {
+  constexpr double t = 0.4, h = 0.02;
+  constexpr std::array<double, 4> weights{672.0 / 840, -168.0 / 840, 32.0 / 840, -3.0 / 840};
+  const BasicTrajectory<SatelliteState> later = satellite_path(system, start, t, t + 5 * h);
+  const BasicTrajectory<SatelliteState> before = satellite_path(system, start, t, t - 5 * h);
+  OrbitalElements expected{};
+  for (int k = 1; k <= 4; ++k) {
+    const double d = k * h;
+    const auto b = elements_of_state(set, system, t + d, later.at(t + d), gauge);
+    const auto a = elements_of_state(set, system, t - d, before.at(t - d), gauge);
+    for (std::size_t i = 0; i < 6; ++i) {
+      const double change = b[i] - a[i];
+      expected[i] += weights[static_cast<std::size_t>(k - 1)] / h *
+                     (is_angle(set, i) ? std::remainder(change, 2.0 * pi) : change);
+    }
+  }
+  const auto rates =
+      element_rates(set, system, t, elements_of_state(set, system, t, start, gauge), gauge);
+  Worst worst;
+  for (std::size_t i = 0; i < 6; ++i) worst.add(std::fabs(rates[i] - expected[i]));
+  return worst.value();
+}
+
+TEST(OrbitalElements, HaveTheRatesAlongAPathInEverySetAndGauge) {
+  for (const OrbitalSet set : {delaunay, keplerian})
+    for (const Gauge& gauge : gauges()) {
+      EXPECT_LE(error_of_rates(set, oblate_planet(), gauge), budget::orbital_rates);
+      EXPECT_LE(error_of_rates(set, bent_system(), gauge), budget::orbital_rates);
+    }
+}
+
+TEST(OrbitalElements, GoToStatesAndBackInEverySetAndGauge) {
+  const SatelliteSystem system = bent_system();
+  for (const OrbitalSet set : {delaunay, keplerian})
+    for (const Gauge& gauge : gauges()) {
+      const OrbitalElements C = elements_of_state(set, system, 0.4, start, gauge);
+      const SatelliteState back = element_state(set, system, 0.4, C, gauge);
+      EXPECT_LE(norm(back.r - start.r) + norm(back.p - start.p), budget::orbital_maps);
+      // the velocity is that of the Kepler orbit and the convective term
+      const Vec3 velocity = satellite_rates(system, 0.4, start).r;
+      const Vec3 u = element_state(set, SatelliteSystem(gm), 0.4, C).p;
+      const Vec3 phi = element_convective_term(set, system, 0.4, C, gauge);
+      EXPECT_LE(norm(u + phi - velocity), budget::orbital_maps);
+    }
+}
+
+// Mean rates of canonical elements are derivatives of the mean energy:
+// <H'> = -gm J2 R^2 (3 cos^2 i - 1) / (4 a^3 (1 - e^2)^(3/2)) and -mu_3 H.
+TEST(OrbitalElements, MeanCanonicalRatesAreTheSecularOnes) {
+  const double a = 1.2, e = 0.25, i = 0.7, mu3 = 0.02;
+  const SatelliteSystem system(gm, Frame::precessing({0.0, 0.0, 1.0}, mu3),
+                               {oblateness(gm, J2, radius)});
+  constexpr int count = 64;
+  double node = 0.0, argument = 0.0;
+  for (int k = 0; k < count; ++k) {
+    const auto rates =
+        element_rates(keplerian, system, 0.0, {a, e, i, 0.4, 1.1, 2.0 * pi * k / count});
+    node += rates[3] / count;
+    argument += rates[4] / count;
+  }
+  const double n = std::sqrt(gm / (a * a * a)), parameter = a * (1.0 - e * e);
+  const double size = 1.5 * n * J2 * std::pow(radius / parameter, 2), c = std::cos(i);
+  EXPECT_NEAR(node, -size * c - mu3, budget::orbital_secular);
+  EXPECT_NEAR(argument, size * (2.5 * c * c - 0.5), budget::orbital_secular);
+}
+
+struct Six {
+  OrbitalElements z{};
+  bool operator==(const Six&) const = default;
+};
+template <class Visit>
+void each_number(Six& s, Visit&& visit) {
+  for (double& x : s.z) visit(x);
+}
+struct InElements {
+  using State = Six;
+  using Values = OrbitalElements;
+  static constexpr std::string_view name = "orbital elements";
+
+  SatelliteSystem system;
+  Gauge gauge;
+
+  template <std::same_as<double> T>
+  Values values(const State& s) const {
+    return s.z;
+  }
+  State state(const Values& y) const { return {y}; }
+  Values rates(const DoubleDouble& t, const Values& y) const {
+    return element_rates(delaunay, system, to_double(t), y, gauge);
+  }
+  double error_size(const Values& error, const Values&, const Values&) const {
+    double sum = 0.0;
+    for (const double x : error) sum += x * x;
+    return std::sqrt(sum);
+  }
+};
+
+// Errors of inclination, node and position.
+double error_of_motion(const SatelliteSystem& system, const Gauge& gauge, double stop) {
+  const BasicProblem<InElements> p{{system, gauge},
+                                   {elements_of_state(delaunay, system, 0.0, start, gauge)},
+                                   0.0,
+                                   stop,
+                                   Collocation{.tolerance = 1e-15}};
+  const auto run = integrate(p);
+  EXPECT_TRUE(run.outcome().ok()) << run.outcome().advice;
+  const OrbitalElements end = run.at(stop).z;
+  const SatelliteState direct = satellite_path(system, start, 0.0, stop).at(stop);
+  const OrbitalElements expected = elements_of_state(delaunay, system, stop, direct, gauge);
+  Worst worst;
+  worst.add(std::fabs(std::acos(end[5] / end[4]) - std::acos(expected[5] / expected[4])));
+  worst.add(std::fabs(std::remainder(end[2] - expected[2], 2.0 * pi)));
+  worst.add(norm(element_state(delaunay, system, stop, end, gauge).r - direct.r));
+  return worst.value();
+}
+
+TEST(OrbitalElements, AMotionInElementsIsThatOfPositionAndMomentum) {
+  constexpr double orbit = 5.8;
+  EXPECT_LE(error_of_motion(oblate_planet(), Gauge::canonical(), 10.0 * orbit),
+            budget::orbital_motion);
+  EXPECT_LE(error_of_motion(oblate_planet(), Gauge::osculating(), orbit), budget::orbital_motion);
+  EXPECT_LE(error_of_motion(oblate_planet(), general_gauge(), 0.3 * orbit), budget::orbital_motion);
+  EXPECT_LE(error_of_motion(bent_system(), Gauge::osculating(), 0.1 * orbit),
+            budget::orbital_motion);
+}
+
+TEST(OrbitalElements, EnergyIsConstantAlongAPath) {
+  const SatelliteSystem system = oblate_planet();
+  const BasicTrajectory<SatelliteState> path = satellite_path(system, start, 0.0, 50.0);
+  const double E = energy(system, 0.0, start);
+  EXPECT_NEAR(energy(system, 50.0, path.at(50.0)), E, budget::orbital_motion);
+}
+
+TEST(OrbitalElements, SingularitiesAndUnboundOrbitsAreRejected) {
+  const SatelliteSystem system = oblate_planet();
+  struct Row {
+    OrbitalSet set;
+    OrbitalElements elements;
+    const char* message;
+  };
+  for (const Row& row :
+       {Row{keplerian, {1.0, 0.0, 0.5, 0.1, 0.2, 0.3}, "a singularity of Keplerian elements"},
+        Row{keplerian, {1.0, 0.1, 0.0, 0.1, 0.2, 0.3}, "a singularity of Keplerian elements"},
+        Row{delaunay, {0.1, 0.2, 0.3, 1.0, 1.0, 0.5}, "a singularity of Delaunay's elements"},
+        Row{keplerian, {1.0, 1.2, 0.5, 0.1, 0.2, 0.3}, "not a bound orbit"},
+        Row{keplerian, {-1.0, 0.2, 0.5, 0.1, 0.2, 0.3}, "not a bound orbit"},
+        Row{delaunay, {0.1, 0.2, 0.3, 1.0, 0.9, 0.95}, "not a bound orbit"}})
+    EXPECT_THAT(message_of([&] { element_rates(row.set, system, 0.0, row.elements); }),
+                HasSubstr(row.message));
+  EXPECT_THAT(message_of([&] {
+                elements_of_state(keplerian, system, 0.0, {{1.0, 0.0, 0.0}, {0.0, 2.0, 0.0}});
+              }),
+              HasSubstr("expected 0 <= e < 1"));
+  EXPECT_THAT(message_of([] { SatelliteSystem(-1.0); }), HasSubstr("got gm = -1"));
+  EXPECT_THAT(message_of([] { oblateness(1.0, 1e-3, 0.0); }), HasSubstr("radius > 0"));
+}
+
+}  // namespace
