@@ -23,10 +23,8 @@ def _curve():
 
 
 CURVE = _curve()
-TETRAHEDRON = polhode.FacetShape(
-    [[1, 0, -0.3], [-0.6, 0.8, -0.3], [-0.6, -0.8, -0.3], [0, 0, 0.6]],
-    [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]],
-)  # fmt: skip
+TETRAHEDRON = polhode.FacetShape([[1, 0, -0.3], [-0.6, 0.8, -0.3], [-0.6, -0.8, -0.3], [0, 0, 0.6]],
+                                 [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]])  # fmt: skip
 MESH = polhode.MeshModel.homogeneous([1.0, 0, 0, 0], [0.4, 0.5, 1.0], TETRAHEDRON)
 
 
@@ -89,35 +87,24 @@ def of_fits():
             {"q": [1.0, 0, 0, 0], "w": SUN, "axes": [1.0, 0.8, 0.5], "t0": 0.0, "law": [1.0, 0.1]},
             {},
         ),
-        "fit_light": (
-            polhode.fit_light, {"most_iterations": 2}, {"start": BODY, "curves": CURVE},
-        ),
-        "fit_convex": (
-            polhode.fit_convex,
-            {**convex_numbers, "most_iterations": 2},
-            {"start": BODY, "curves": CURVE},
-        ),
+        "fit_light": (polhode.fit_light, {"most_iterations": 2}, {"start": BODY, "curves": CURVE}),
+        "fit_convex": (polhode.fit_convex, {**convex_numbers, "most_iterations": 2},
+                       {"start": BODY, "curves": CURVE}),
         "fit_mesh": (polhode.fit_mesh, {"most_iterations": 2}, {"start": MESH, "curves": CURVE}),
-        "MeshModel.homogeneous": (
-            polhode.MeshModel.homogeneous,
-            {"q": [1.0, 0, 0, 0], "w": SUN, "t0": 0.0, "law": [1.0, 0.1]},
-            {"shape": TETRAHEDRON},
-        ),
+        "MeshModel.homogeneous": (polhode.MeshModel.homogeneous,
+                                  {"q": [1.0, 0, 0, 0], "w": SUN, "t0": 0.0, "law": [1.0, 0.1]},
+                                  {"shape": TETRAHEDRON}),
         "likely_periods": (
             polhode.likely_periods, {"f1": 0.1, "f2": 0.27, "order": 1}, {"curves": CURVE},
         ),
         "search_light": (
             polhode.search_light, search, {"curves": CURVE, "periods": [("SAM", 10.0, 25.0)]},
         ),
-        "extend_light": (
-            polhode.extend_light,
-            {"first": 0, "within": 2.0, "most_counts": 9, "most_iterations": 2},
-            {"curves": [CURVE], "starts": BODY},
-        ),
-        "search_mesh": (
-            polhode.search_mesh, {k: x for k, x in search.items() if k != "lambert"},
-            {"body": MESH, "curves": CURVE, "periods": [("SAM", 10.0, 25.0)]},
-        ),
+        "extend_light": (polhode.extend_light,
+                         {"first": 0, "within": 2.0, "most_counts": 9, "most_iterations": 2},
+                         {"curves": [CURVE], "starts": BODY}),
+        "search_mesh": (polhode.search_mesh, {k: x for k, x in search.items() if k != "lambert"},
+                        {"body": MESH, "curves": CURVE, "periods": [("SAM", 10.0, 25.0)]}),
         "FourierScan.periods": (scan.periods, {"pairs": 1, "labels": 1}, {}),
         "scan_advice": (polhode.scan_advice, {"order": 2}, {"curves": CURVE}),
         "fourier_scan": (

@@ -28,13 +28,9 @@ DATE = polhode.calendar_date("UTC", 2020, 1, 1)
 TIMES = np.linspace(0.0, 10.0, 20)
 CIRCLE = np.stack([np.cos(TIMES), np.sin(TIMES), 0 * TIMES], axis=-1)
 CHECKPOINTS = []
-polhode.integrate(
-    polhode.Problem(SYSTEM, STATE, 0.0, 300.0, polhode.Splitting(0.1)),
-    np.linspace(0, 300, 6001),
-    sink=lambda *block: None,
-    keep_checkpoint=CHECKPOINTS.append,
-    checkpoint_seconds=0.0,
-)
+polhode.integrate(polhode.Problem(SYSTEM, STATE, 0.0, 300.0, polhode.Splitting(0.1)),
+                  np.linspace(0, 300, 6001), sink=lambda *block: None,
+                  keep_checkpoint=CHECKPOINTS.append, checkpoint_seconds=0.0)
 NAMES_OF_SERIES = polhode.Symbols(["G", "k"], ["g"], [("g", "G")])
 KEEP = polhode.Truncation({"k": 1}, 2)
 SERIES = polhode.Series(NAMES_OF_SERIES, "k*cos(g)")
@@ -207,11 +203,8 @@ OF_CALL = {
     "SolarPressure.__init__": {"shadow": "cone", "sun": ORBIT},
     "Frame.orbit_plane_pq": {"p": 0.1, "q": 0.2},
     "integrate_many": {"problems": [PROBLEM]},
-    "resume": {
-        "sink": lambda *block: None,
-        "samples": np.linspace(0, 300, 6001),
-        "problem": polhode.Problem(SYSTEM, STATE, 0.0, 300.0, polhode.Splitting(0.1)),
-    },
+    "resume": {"sink": lambda *block: None, "samples": np.linspace(0, 300, 6001),
+               "problem": polhode.Problem(SYSTEM, STATE, 0.0, 300.0, polhode.Splitting(0.1))},
     "ElementTable.__init__": {"times": TIMES},
     "TidalRates.__init__": {"orbit": 6.0},
     "ElementSeries.__init__": {name: [[0.1, 0.2, 0.3]] for name in ("ellipse", "plane")},
@@ -221,14 +214,8 @@ OF_CALL = {
     "long_axis_period": {"rotation_period": 2.0},  # longer than that of the short axis
     "planet_rates": {"name": "mars"},
     "planet_pole": {"name": "mars"},
-    "nutation_theory": {
-        "satellite_mass": 0.0123,
-        "ellipticity": 0.003,
-        "triaxiality": 0.0,
-        "spin_rate": 7e-5,
-        "order": 1,
-        "least": 1e-9,
-    },
+    "nutation_theory": {"satellite_mass": 0.0123, "ellipticity": 0.003, "triaxiality": 0.0,
+                        "spin_rate": 7e-5, "order": 1, "least": 1e-9},
     "spectrum": {"values": np.cos(0.7 * np.arange(100.0)), "lines": 2},
     "Truncation.__init__": {"order": 2, "most_bytes": 1000},
     "SeriesTerm.__init__": {"coefficient": 0.5},
@@ -239,10 +226,8 @@ OF_CALL = {
     "CompiledSeries.at": {"points": [1.0, 0.1, 0.5]},
     "Series.transform_size": {"keep": KEEP},
     "TransformSize.__init__": {"terms": [1.0], "bytes": [2.0]},
-    "LieTransform.__init__": {
-        "angles": ["g"],
-        "hamiltonian": SERIES + polhode.Series(NAMES_OF_SERIES, "G"),
-    },
+    "LieTransform.__init__": {"angles": ["g"],
+                              "hamiltonian": SERIES + polhode.Series(NAMES_OF_SERIES, "G")},
     "GravityGradientTheory.__init__": {"gm": 1e-5, "order": 1, "least": 1e-9},
     **{f"GravityGradientTheory.{name}": {"tolerance": 1e-9} for name in ("means", "states")},
     "satellite_precession": {"eccentricity": 0.1},

@@ -6,12 +6,11 @@ import subprocess
 
 import pytest
 from polhode import _core
+from scenario_parts import BODY, STATE
 from slowdown import SLOWDOWN
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 EXAMPLES = sorted((ROOT / "examples").glob("*.toml"))
-BODY = "schema = 1\n[body]\nmoments = [1, 2, 2.5]\n"
-STATE = "[state.attitude-rate]\nquaternion = [1, 0, 0, 0]\nomega_body = [0.1, 0.2, 1]\n"
 TIME = "[time]\nstop = 10\nstep = 0.5\n"
 FREE = BODY + STATE + TIME
 # An attracting point that the body falls through: no method gets beyond t = 1.
@@ -31,8 +30,6 @@ def command_line(*arguments: object) -> str:
     program = pathlib.Path(_core.__file__).resolve().parents[2] / "polhode"
     if not program.exists():
         pytest.skip("an installed package has no command line with it")
-    done = subprocess.run(
-        [program, *map(str, arguments)], stdin=subprocess.DEVNULL, capture_output=True, text=True,
-        check=True, timeout=120 * SLOWDOWN,
-    )
+    done = subprocess.run([program, *map(str, arguments)], stdin=subprocess.DEVNULL,
+                          capture_output=True, text=True, check=True, timeout=120 * SLOWDOWN)
     return done.stdout

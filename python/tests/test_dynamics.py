@@ -94,17 +94,14 @@ def test_without_times_every_step_is_a_sample():
     assert np.all(np.diff(run.t) > 0)
 
 
-@pytest.mark.parametrize(
-    "samples",
-    [
-        SaveAt.times([0, 3, 10]),
-        [0, 3, 10],
-        (0.0, 3.0, 10.0),
-        np.array([0, 3, 10], dtype=np.int32),
-        np.array([0.0, 99.0, 3.0, 99.0, 10.0])[::2],
-        [-1.0, 0.0, 3.0, 10.0, 11.0],  # what is outside the span is left out
-    ],
-)
+@pytest.mark.parametrize("samples", [
+    SaveAt.times([0, 3, 10]),
+    [0, 3, 10],
+    (0.0, 3.0, 10.0),
+    np.array([0, 3, 10], dtype=np.int32),
+    np.array([0.0, 99.0, 3.0, 99.0, 10.0])[::2],
+    [-1.0, 0.0, 3.0, 10.0, 11.0],  # what is outside the span is left out
+])
 def test_times_of_samples_in_every_form(samples):
     run = integrate(Problem(moon(), START, 0, 10), samples)
     assert run.t.tolist() == [0.0, 3.0, 10.0]
@@ -126,41 +123,31 @@ def test_methods_are_values():
         Adaptive().tolerance = 1e-3
 
 
-@pytest.mark.parametrize(
-    ("make", "error", "words"),
-    [
-        (lambda: Adaptive(0.0), ValueError, "tolerance 0 must be from 1e-15 to 0.01"),
-        (lambda: Adaptive(1e-20), ValueError, "tolerance 1e-20 must be"),
-        (lambda: Adaptive(np.nan), ValueError, "tolerance nan must be"),
-        (lambda: Adaptive("1e-9"), TypeError, "tolerance: got '1e-9', a str; expected a number"),
-        (lambda: Adaptive(precision="single"), ValueError, "got 'single'; expected one of"),
-        (lambda: Adaptive(precision=1.5), TypeError, "precision: got 1.5"),
-        (lambda: Adaptive(largest_step=0.0), ValueError, "largest_step 0 must be positive"),
-        (lambda: Splitting(-0.1), ValueError, "step -0.1 must be positive"),
-        (lambda: Splitting(np.inf), ValueError, "step inf must be finite"),
-        (lambda: Splitting(), TypeError, "Splitting: got no step; expected step (a number)"),
-        (lambda: VariationOfConstants(1.0), ValueError, "tolerance 1 must be"),
-        (lambda: Event("a", 3), TypeError, 'Event "a": function 3 must be callable'),
-        (lambda: Event("a", len, "up"), ValueError, "crossing: got 'up'"),
-        (lambda: Event("a", len, period=-1.0), ValueError, "period -1.0 must be positive"),
-        (lambda: Problem(BODY, START, 0, 1), TypeError, "system: got Body; expected a System"),
-        (
-            lambda: Problem(moon(), polhode.to_andoyer(START), 0, 1),
-            TypeError,
-            "initial: got AndoyerState; expected a RotorState",
-        ),
-        (
-            lambda: Problem(moon(), START.reshape((1,)), 0, 1),
-            ValueError,
-            "initial: got shape (1,)",
-        ),
-        (lambda: Problem(moon(), START, 0, "1"), TypeError, "stop: got '1', a str; expected a"),
-        (lambda: Problem(moon(), START, 0, np.nan), ValueError, "start 0 and stop nan must be"),
-        (lambda: Problem(moon(), START, -np.inf, 1), ValueError, "start -inf and stop 1 must be"),
-        (lambda: Problem(moon(), START, 0, 1, "adaptive"), TypeError, "method: got str"),
-        (lambda: Problem(moon(), START, 0, 1, events=[len]), TypeError, "events: got builtin"),
-    ],
-)
+@pytest.mark.parametrize(("make", "error", "words"), [
+    (lambda: Adaptive(0.0), ValueError, "tolerance 0 must be from 1e-15 to 0.01"),
+    (lambda: Adaptive(1e-20), ValueError, "tolerance 1e-20 must be"),
+    (lambda: Adaptive(np.nan), ValueError, "tolerance nan must be"),
+    (lambda: Adaptive("1e-9"), TypeError, "tolerance: got '1e-9', a str; expected a number"),
+    (lambda: Adaptive(precision="single"), ValueError, "got 'single'; expected one of"),
+    (lambda: Adaptive(precision=1.5), TypeError, "precision: got 1.5"),
+    (lambda: Adaptive(largest_step=0.0), ValueError, "largest_step 0 must be positive"),
+    (lambda: Splitting(-0.1), ValueError, "step -0.1 must be positive"),
+    (lambda: Splitting(np.inf), ValueError, "step inf must be finite"),
+    (lambda: Splitting(), TypeError, "Splitting: got no step; expected step (a number)"),
+    (lambda: VariationOfConstants(1.0), ValueError, "tolerance 1 must be"),
+    (lambda: Event("a", 3), TypeError, 'Event "a": function 3 must be callable'),
+    (lambda: Event("a", len, "up"), ValueError, "crossing: got 'up'"),
+    (lambda: Event("a", len, period=-1.0), ValueError, "period -1.0 must be positive"),
+    (lambda: Problem(BODY, START, 0, 1), TypeError, "system: got Body; expected a System"),
+    (lambda: Problem(moon(), polhode.to_andoyer(START), 0, 1), TypeError,
+     "initial: got AndoyerState; expected a RotorState"),
+    (lambda: Problem(moon(), START.reshape((1,)), 0, 1), ValueError, "initial: got shape (1,)"),
+    (lambda: Problem(moon(), START, 0, "1"), TypeError, "stop: got '1', a str; expected a"),
+    (lambda: Problem(moon(), START, 0, np.nan), ValueError, "start 0 and stop nan must be"),
+    (lambda: Problem(moon(), START, -np.inf, 1), ValueError, "start -inf and stop 1 must be"),
+    (lambda: Problem(moon(), START, 0, 1, "adaptive"), TypeError, "method: got str"),
+    (lambda: Problem(moon(), START, 0, 1, events=[len]), TypeError, "events: got builtin"),
+])
 def test_what_cannot_be_made_says_why(make, error, words):
     with pytest.raises(error) as raised:
         make()
@@ -170,31 +157,23 @@ def test_what_cannot_be_made_says_why(make, error, words):
 NO_NUMBER = FreeRotation(BODY, START).at(np.nan)
 
 
-@pytest.mark.parametrize(
-    ("changes", "samples", "error", "words"),
-    [
-        ({"initial": NO_NUMBER}, None, ValueError, "nan) must be finite"),
-        ({}, [5.0, 3.0], ValueError, "3 comes after 5"),
-        ({}, [5.0, np.nan], ValueError, "time nan must be finite"),
-        ({}, [[1.0, 2.0]], ValueError, "samples: got shape (1, 2)"),
-        ({}, 1.0, ValueError, "samples: got shape ()"),
-        ({}, ["a"], TypeError, "samples: got list of <U1; expected real numbers"),
-        ({}, [1j], TypeError, "samples: got list of complex128; expected real numbers"),
-        ({"method": Splitting(0.1), "torque": True}, None, ValueError, "has no exact flow"),
-    ],
-)
+@pytest.mark.parametrize(("changes", "samples", "error", "words"), [
+    ({"initial": NO_NUMBER}, None, ValueError, "nan) must be finite"),
+    ({}, [5.0, 3.0], ValueError, "3 comes after 5"),
+    ({}, [5.0, np.nan], ValueError, "time nan must be finite"),
+    ({}, [[1.0, 2.0]], ValueError, "samples: got shape (1, 2)"),
+    ({}, 1.0, ValueError, "samples: got shape ()"),
+    ({}, ["a"], TypeError, "samples: got list of <U1; expected real numbers"),
+    ({}, [1j], TypeError, "samples: got list of complex128; expected real numbers"),
+    ({"method": Splitting(0.1), "torque": True}, None, ValueError, "has no exact flow"),
+])
 def test_what_is_no_run_says_why(changes, samples, error, words):
     changes = dict(changes)
     system = moon()
     if changes.pop("torque", False):
         system = System(BODY, terms=[TorqueTerm(lambda t, s: (0.0, 0.0, s.g[2]), name="jet")])
-    problem = Problem(
-        system,
-        changes.get("initial", START),
-        0.0,
-        changes.get("stop", 10.0),
-        changes.get("method", Adaptive()),
-    )
+    problem = Problem(system, changes.get("initial", START), 0.0, changes.get("stop", 10.0),
+                      changes.get("method", Adaptive()))
     with pytest.raises(error) as raised:
         integrate(problem, samples)
     assert words in str(raised.value)
@@ -460,13 +439,9 @@ def test_sigint_from_outside_ends_a_script():
         "integrate(Problem(System(Body(1, 2, 2.7)), s, 0, 1e9), [], dense=False)\n"
     )
     package = pathlib.Path(polhode.__file__).parents[1]
-    child = subprocess.Popen(
-        [sys.executable, "-c", script],
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-        env={**os.environ, "PYTHONPATH": str(package)},
-    )
+    child = subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE,
+                             stderr=subprocess.PIPE, text=True,
+                             env={**os.environ, "PYTHONPATH": str(package)})
     assert child.stdout.readline() == "running\n"
     time.sleep(0.1)
     sent = time.perf_counter()

@@ -16,6 +16,7 @@ import pytest
 from interrupts import LATEST, seconds_from_signal
 from numpy.testing import assert_array_equal
 from polhode import DomainError, EnsembleResults, Scenario, ScenarioError, vary
+from rejections import rejected
 from scenario_texts import FREE, ROOT, command_line
 
 TUMBLER = ROOT / "examples/apophis-ensemble.toml"
@@ -94,8 +95,7 @@ def test_what_was_drawn_and_each_member_alone(keep, tmp_path):
     member = found.member(7)
     assert member.body.moments[0] == found.drawn[MOMENT][7]
     assert_array_equal(member.run()["qw"], rows["qw"][rows["member"] == 7])
-    with pytest.raises(DomainError, match="got member 12; expected 0 to 11"):
-        found.member(12)
+    rejected(DomainError, "got member 12; expected 0 to 11", found.member, 12)
 
 
 def test_what_varies_is_what_the_tables_say():
@@ -368,8 +368,7 @@ def test_an_ensemble_goes_on_where_it_was_stopped(keep, extension, tmp_path):
         scenario.ensemble(path, threads=2, progress=stop)
     assert threading.active_count() == before
     assert not path.exists() and path.with_name(path.name + ".checkpoint").exists()
-    with pytest.raises(ValueError, match="unfinished ensemble .* resume=True continues it"):
-        scenario.ensemble(path)
+    rejected(ValueError, "unfinished ensemble .* resume=True continues it", scenario.ensemble, path)
     with pytest.raises(ValueError, match="ensemble: got resume=True and restart=True"):
         scenario.ensemble(path, resume=True, restart=True)
     told = []
@@ -410,8 +409,7 @@ def test_python_runs_while_members_do():
 
 def test_what_is_refused(tmp_path):
     def refused(error, match, *arguments, **keywords):
-        with pytest.raises(error, match=match):
-            polhode.ensemble(*arguments, **keywords)
+        rejected(error, match, polhode.ensemble, *arguments, **keywords)
 
     refused(ScenarioError, "ensemble: got nothing; expected a table", FEW)
     refused(ScenarioError, "size", FEW, BOTH)
@@ -429,18 +427,15 @@ def test_what_is_refused(tmp_path):
     refused(ValueError, "holds one motion", FEW, BOTH, tmp_path / "e.aem", size=3)
     refused(OSError, "nothing.toml", tmp_path / "nothing.toml")
     refused(MemoryError, "rows of 100000000000 members", FEW, BOTH, size=10**11, keep="rows")
-    with pytest.raises(TypeError, match=r"vary.normal\(sigma.*: missing a required argument"):
-        vary.normal()
-    with pytest.raises(TypeError, match="vary.uniform: low"):
-        vary.uniform(1j, 2)
+    rejected(TypeError, r"vary.normal\(sigma.*: missing a required argument", vary.normal)
+    rejected(TypeError, "vary.uniform: low", vary.uniform, 1j, 2)
     with pytest.raises(ValueError, match="got kind 'cauchy'; expected one of normal"):
         vary.Distribution("cauchy", {})
     with pytest.raises(KeyError, match='no column "E_means"; did you mean E_mean'):
         polhode.ensemble(FEW, BOTH, size=3)["E_means"]
     run = tmp_path / "run.csv"
     FEW.run(run)
-    with pytest.raises(ValueError, match="no file of an ensemble"):
-        EnsembleResults.read(run)
+    rejected(ValueError, "no file of an ensemble", EnsembleResults.read, run)
     with pytest.raises(OSError):
         EnsembleResults.read(tmp_path / "nothing.h5")
 

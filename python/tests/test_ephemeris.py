@@ -14,6 +14,7 @@ import pandas as pd
 import polhode
 import pytest
 from closeness import assert_allclose
+from rejections import rejected
 from scenario_texts import ROOT
 
 
@@ -30,12 +31,9 @@ def test_dates_change_their_scale():
     assert repr(polhode.Date("TT", 2451545)) == "Date('TT', 2451545.0, 0.0)"
     assert polhode.calendar_date("UTC", 1950, 1, 1).is_dubious and not new_year.is_dubious
     for wrong in ((2015, 12, 31, 23, 59, 60.0), (2015, 2, 29), (2015, 13, 1)):
-        with pytest.raises(ValueError, match="must be one of the calendar"):
-            polhode.calendar_date("UTC", *wrong)
-    with pytest.raises(ValueError, match="UT1 - UTC must be given"):
-        new_year.to("UT1")
-    with pytest.raises(ValueError, match="expected one of UTC TAI"):
-        polhode.Date("GPS", 2451545)
+        rejected(ValueError, "must be one of the calendar", polhode.calendar_date, "UTC", *wrong)
+    rejected(ValueError, "UT1 - UTC must be given", new_year.to, "UT1")
+    rejected(ValueError, "expected one of UTC TAI", polhode.Date, "GPS", 2451545)
 
 
 def test_dates_are_texts_too():
@@ -52,13 +50,11 @@ def test_dates_are_texts_too():
         ("2013-01-05", "time scale is missing"),
         ("JD 2456297.5Z", "is not a time scale"),
     ):
-        with pytest.raises(ValueError, match=f'Date: got "{wrong}"; .*{what}'):
-            polhode.Date(wrong)
+        rejected(ValueError, f'Date: got "{wrong}"; .*{what}', polhode.Date, wrong)
     for day, fraction in ((math.nan, 0), (2451545, math.inf)):
         with pytest.raises(ValueError, match="Date: day .* and fraction .* must be finite"):
             polhode.Date("TT", day, fraction)
-    with pytest.raises(ValueError, match="its month 13 from 1 to 12"):
-        polhode.calendar_date("TT", 2013, 13, 1)
+    rejected(ValueError, "its month 13 from 1 to 12", polhode.calendar_date, "TT", 2013, 13, 1)
 
 
 def test_tables_are_orbits():
@@ -77,14 +73,11 @@ def test_tables_are_orbits():
         assert term.orbit is orbit
     assert (orbit.order, orbit.has_velocities, orbit.is_evenly_spaced) == (8, True, True)
     assert repr(orbit) == "TableOrbit(101 rows from 0.0 to 10.0, order=8)"
-    for arguments, what in (
-        ((t[::-1], x), "must be after"),
-        ((t, x[:50]), "positions: expected the shape"),
-        ((t[:3], x[:3]), "3 rows must be 4 at least"),
-        ((t, x, v[:, :2]), "velocities"),
-    ):
-        with pytest.raises(ValueError, match=what):
-            polhode.TableOrbit(*arguments)
+    for arguments, what in (((t[::-1], x), "must be after"),
+                            ((t, x[:50]), "positions: expected the shape"),
+                            ((t[:3], x[:3]), "3 rows must be 4 at least"),
+                            ((t, x, v[:, :2]), "velocities")):
+        rejected(ValueError, what, polhode.TableOrbit, *arguments)
 
 
 def test_tables_of_few_rows_or_with_a_gap_are_judged():
@@ -127,8 +120,7 @@ def test_planets_are_where_their_tables_put_them():
     assert_allclose(polhode.planetary_gm("earth"), 398600.4, rtol=budgets.ephemeris_gm)
     with pytest.raises(ValueError, match="1000 to 3000"):
         polhode.planetary_position("moon", "sun", polhode.calendar_date("TT", 800, 1, 1))
-    with pytest.raises(ValueError, match="must not both be mars"):
-        polhode.planetary_position("mars", "mars", epoch)
+    rejected(ValueError, "must not both be mars", polhode.planetary_position, "mars", "mars", epoch)
 
 
 @pytest.fixture(scope="module")
@@ -210,12 +202,10 @@ def test_dates_of_datetimes():
                     atol=budgets.date_second)
     assert np.array_equal(polhode.planetary_position("moon", "earth", utc),
                           polhode.planetary_position("moon", "earth", there))
-    with pytest.raises(ValueError, match="has no time zone; expected tzinfo=.*utc, or a scale"):
-        polhode.Date(naive)
+    rejected(ValueError, "has no time zone; expected tzinfo=.*utc, or a scale", polhode.Date, naive)
     with pytest.raises(ValueError, match="has a time zone and hence is UTC; expected no scale"):
         polhode.Date(utc, "TDB")
-    with pytest.raises(ValueError, match="no time zone"):
-        polhode.planetary_position("moon", "earth", naive)
+    rejected(ValueError, "no time zone", polhode.planetary_position, "moon", "earth", naive)
     with pytest.raises(TypeError, match=r"Date: instant: got datetime.date\(2029, 4, 13\); exp"):
         polhode.Date(utc.date())
 
@@ -245,8 +235,7 @@ def test_dates_of_datetime64(text, calendar):
      "Date: instant: got array"),
 ])  # fmt: skip
 def test_datetime64_that_is_no_date(call, error, message):
-    with pytest.raises(error, match=message):
-        call()
+    rejected(error, message, call)
 
 
 def test_dates_of_the_time_of_astropy():
@@ -265,8 +254,7 @@ def test_dates_of_the_time_of_astropy():
         (Time([2462240.0], [0.0], "tdb", (1,)), "<Time>, an array; expected one instant"),
         (Time(math.nan, 0.0, "tdb"), "<Time>; expected a date"),
     ):
-        with pytest.raises(ValueError, match=said):
-            polhode.Date(time)
+        rejected(ValueError, said, polhode.Date, time)
     with pytest.raises(ValueError, match="<Time>, whose scale is TDB; expected no other scale"):
         polhode.Date(Time(2462240.0, 0.0, "tdb"), "UTC")
 

@@ -36,12 +36,6 @@ state.euler.phi,body.moments[1],mean_megno,lyapunov
 """
 
 
-@pytest.fixture(autouse=True)
-def close_figures():
-    yield
-    plt.close("all")
-
-
 def mesh_of(ax):
     (mesh,) = ax.collections
     return mesh

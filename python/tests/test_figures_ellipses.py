@@ -25,12 +25,6 @@ TIMES = np.linspace(0.0, STOP, 23)
 MU = np.asarray(PATH.planet.mu)
 
 
-@pytest.fixture(autouse=True)
-def close_figures():
-    yield
-    plt.close("all")
-
-
 def piece(rates, start, length):
     """Chebyshev series of z' = rates(z), by Picard's iteration to rounding: another integrator than
     that of the library."""

@@ -17,6 +17,7 @@ from numpy.testing import assert_array_equal
 from polhode import figures
 from polhode.figures.body_as_seen import DARK
 from polhode.figures.pole_sky import pole_and_covariance
+from rejections import rejected
 
 SUN, OBSERVER = fit_calls.SUN, fit_calls.OBSERVER
 BODY = fit_calls.BODY
@@ -41,12 +42,6 @@ def solution():
     return found
 
 
-@pytest.fixture(autouse=True)
-def close_figures():
-    yield
-    plt.close("all")
-
-
 def lines(axis):
     return {line.get_gid(): line for line in axis.get_lines() if line.get_gid()}
 
@@ -63,8 +58,7 @@ def test_residuals_are_below_the_light_curve(solution):
         at_points = np.interp(session.t, drawn.get_xdata() / 2.0, drawn.get_ydata())
         assert_allclose(at_points, model / session.flux.mean(), atol=budgets.drawn_between)
         assert session.name in above.get_title(loc="left") and "(h)" in below.get_xlabel()
-    with pytest.raises(ValueError, match="no light curves"):
-        figures.light_curve_fit([], solution)
+    rejected(ValueError, "no light curves", figures.light_curve_fit, [], solution)
     one = figures.light_curve_fit(CURVE, solution.body)
     assert one.shape == (1, 2)
 
@@ -91,8 +85,7 @@ def test_a_landscape_has_the_least_of_its_cells_and_its_minima():
     assert near.get_xlabel() == "$f_2$ (1/h)"
     with pytest.raises(ValueError, match="zoom: got 99; expected 0, or the place of a minimum"):
         figures.scan_landscape(scan, zoom=99)
-    with pytest.raises(TypeError, match="expected what fourier_scan returns"):
-        figures.scan_landscape(3)
+    rejected(TypeError, "expected what fourier_scan returns", figures.scan_landscape, 3)
 
 
 def test_the_error_of_a_pole_is_that_of_draws(solution):
@@ -126,10 +119,8 @@ def test_poles_of_all_solutions_are_on_the_sky(solution):
     place = np.mod(marks["pole-2"].get_xdata() + np.pi, 2 * np.pi)
     assert_allclose(np.degrees(place), 180.9371752, atol=budgets.drawn_degrees)  # of `polhode fit`
     assert "error-1" in marks and "error-2" in marks
-    with pytest.raises(TypeError, match="mollweide"):
-        figures.pole_sky(solution, plt.figure().add_subplot())
-    with pytest.raises(TypeError, match="expected a solution"):
-        figures.pole_sky(3)
+    rejected(TypeError, "mollweide", figures.pole_sky, solution, plt.figure().add_subplot())
+    rejected(TypeError, "expected a solution", figures.pole_sky, 3)
     assert len(lines(figures.pole_sky(polhode.fit(fit_calls.TOUTATIS)))) == 2
     marks = lines(figures.pole_sky([solution] * 17))
     looks = {(marks[f"pole-{k}"].get_marker(), marks[f"pole-{k}"].get_color())
@@ -158,8 +149,7 @@ def test_a_body_is_seen_where_its_ellipsoid_is():
     assert largest(seen) == 1.0 and smallest(seen) >= DARK
     with pytest.raises(TypeError, match="expected a solution, an EllipsoidModel"):
         figures.body_as_seen(3, [0.0], SUN, OBSERVER)
-    with pytest.raises(ValueError, match="to_sun: got shape"):
-        figures.body_as_seen(BODY, [0.0], [1.0], OBSERVER)
+    rejected(ValueError, "to_sun: got shape", figures.body_as_seen, BODY, [0.0], [1.0], OBSERVER)
 
 
 def test_a_posterior_is_a_corner_plot():

@@ -7,7 +7,6 @@ import budgets
 import matplotlib
 
 matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 import numpy as np
 import polhode
 import pytest
@@ -18,12 +17,6 @@ from polhode.figures.frames import SETS, best_view, frames_of
 from polhode.figures.labels import Label, place
 from polhode.figures.planes import Disc, back_to_front
 from polhode.figures.view import View
-
-
-@pytest.fixture(autouse=True)
-def close_figures():
-    yield
-    plt.close("all")
 
 
 def states(count, seed=7):

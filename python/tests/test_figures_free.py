@@ -19,21 +19,11 @@ from polhode.figures import arrows, polhode_curves, polhodes
 from polhode.figures.momentum_sphere import DEFAULT_VIEW
 from polhode.figures.view import Ellipsoid, View, parts, sphere
 
-BODIES = {
-    "sorted": polhode.Body(3.0, 4.0, 6.0),
-    "odd order": polhode.Body(4.0, 3.0, 6.0),
-    "even order": polhode.Body(6.0, 3.0, 4.0),
-    "Apophis": polhode.Body(0.61, 0.965, 1.0),
-}
+BODIES = {"sorted": polhode.Body(3.0, 4.0, 6.0), "odd order": polhode.Body(4.0, 3.0, 6.0),
+          "even order": polhode.Body(6.0, 3.0, 4.0), "Apophis": polhode.Body(0.61, 0.965, 1.0)}
 plane = importlib.import_module("polhode.figures.phase_plane")  # its function has the same name
 every_body = pytest.mark.parametrize("body", BODIES.values(), ids=BODIES)
 QUATERNION = [0.9, 0.1, -0.3, 0.2]
-
-
-@pytest.fixture(autouse=True)
-def close_figures():
-    yield
-    plt.close("all")
 
 
 def motion(g, body=BODIES["sorted"]):
@@ -111,12 +101,9 @@ def test_the_separatrix_is_two_planes_through_the_intermediate_axis(body):
     tops = set()
     for arc in arcs:
         x, z = arc.points[:, least], arc.points[:, greatest]
-        assert_allclose(
-            x * x * (I[middle] / I[least] - 1.0),
-            z * z * (1.0 - I[middle] / I[greatest]),
-            rtol=budgets.chart_rounding,
-            atol=budgets.chart_rounding,
-        )
+        assert_allclose(x * x * (I[middle] / I[least] - 1.0),
+                        z * z * (1.0 - I[middle] / I[greatest]), rtol=budgets.chart_rounding,
+                        atol=budgets.chart_rounding)
         assert_allclose(np.abs(arc.points[[0, -1], middle]), 2.0)
         top = arc.points[len(x) // 2]
         tops.add((top[least] > 0, top[greatest] > 0))
@@ -128,10 +115,8 @@ def test_families_hold_both_modes_about_both_ends(body):
     least, _, greatest = polhodes.sorted_axes(body)
     for even in ("angle", "height"):
         found = polhodes.family(body, 1.0, 3, 2, even=even)
-        for regime, axis, number in (
-            (Regime.short_axis, greatest, 3),
-            (Regime.long_axis, least, 2),
-        ):
+        for regime, axis, number in ((Regime.short_axis, greatest, 3),
+                                     (Regime.long_axis, least, 2)):
             signs = [np.sign(c.points[0, axis]) for c in found if c.regime == regime]
             assert sorted(signs) == [-1.0] * number + [1.0] * number
 
@@ -237,13 +222,9 @@ def test_the_momentum_sphere_draws_its_polhodes_and_their_sense(body):
     assert len(heads(ax)) >= 8
     for point, direction in heads(ax):
         assert any(
-            on_flow(
-                DEFAULT_VIEW.paper(c.points),
-                DEFAULT_VIEW.paper(polhodes.momentum_rate(body, c.points)),
-                point,
-                direction,
-                1e-6,
-            )
+            on_flow(DEFAULT_VIEW.paper(c.points),
+                    DEFAULT_VIEW.paper(polhodes.momentum_rate(body, c.points)), point, direction,
+                    1e-6)
             for c in drawn
         )
     assert {t.get_text() for t in ax.texts} >= {rf"$\mathbf{{b}}_{k}$" for k in (1, 2, 3)}

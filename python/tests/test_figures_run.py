@@ -16,6 +16,7 @@ from polhode import figures
 from polhode.figures.attitude import BEYOND, THINNEST, BoxPicture, half_sizes
 from polhode.figures.run_data import run_data
 from polhode.figures.view import View
+from rejections import rejected
 
 BODY = polhode.Body(0.61, 0.965, 1.0)
 STATE = polhode.RotorState([0.9, 0.1, -0.3, 0.2], [0.3, 0.1, 0.8])
@@ -40,12 +41,6 @@ step = 0.5
 [output]
 columns = ["q", "omega", "euler"]
 """
-
-
-@pytest.fixture(autouse=True)
-def close_figures():
-    yield
-    plt.close("all")
 
 
 def test_half_sizes_give_the_moments_back():
@@ -269,15 +264,12 @@ def test_a_run_is_read_from_states():
     source = types.SimpleNamespace(t=TIMES, states=RUN.states)
     assert run_data(source, BODY).states == RUN.states
     assert run_data(RUN) is RUN
-    with pytest.raises(TypeError, match="got SimpleNamespace without a body; expected body=Body"):
-        run_data(source)
+    rejected(TypeError, "got SimpleNamespace without a body; expected body=Body", run_data, source)
 
 
 def test_columns_that_do_not_suffice_are_named():
-    with pytest.raises(
-        ValueError, match="got the columns t, w1, w2, w3; expected the groups q and g"
-    ):
-        run_data(Table(columns("omega")))
+    rejected(ValueError, "got the columns t, w1, w2, w3; expected the groups q and g", run_data,
+             Table(columns("omega")))
     with pytest.raises(ValueError, match="got w1 in turn/h; expected an angle per time"):
         run_data(Table(columns("q", "omega"), {"w1": "turn/h"}))
     with pytest.raises(ValueError, match=r"got times of shape \(2,\) and states of shape \(401,\)"):
@@ -297,12 +289,8 @@ def test_a_run_is_read_from_results_and_from_its_file(results, tmp_path):
         assert_allclose(data.body.moments, body.moments)
         assert (data.title, data.time_unit, data.units["w3"]) == ("A tumbler", "h", "deg/h")
         assert_allclose(data.states.q, results.groups["q"], rtol=budgets.round_trip_floor)
-        assert_allclose(
-            np.degrees(data.states.g / body.moments),
-            results.groups["omega"],
-            rtol=budgets.round_trip_floor,
-            atol=budgets.round_trip_floor,
-        )
+        assert_allclose(np.degrees(data.states.g / body.moments), results.groups["omega"],
+                        rtol=budgets.round_trip_floor, atol=budgets.round_trip_floor)
     _, angles, rates = figures.overview(path)
     drawn = {line.get_gid(): line.get_ydata() for line in [*angles.lines, *rates.lines]}
     assert_allclose(drawn["theta"], results["theta"], rtol=budgets.round_trip_floor)
@@ -330,8 +318,7 @@ def test_a_file_along_the_axes_of_a_tensor_is_drawn_along_principal_axes(tmp_pat
 def test_a_file_without_rows_is_refused(tmp_path):
     empty = tmp_path / "empty.csv"
     empty.write_text("# polhode 0\nt,qw\n", encoding="utf-8")
-    with pytest.raises(ValueError, match="without rows; expected a CSV file of polhode run"):
-        run_data(empty, BODY)
+    rejected(ValueError, "without rows; expected a CSV file of polhode run", run_data, empty, BODY)
 
 
 @pytest.mark.parametrize("shape", ["ellipsoid", "box"])

@@ -39,22 +39,14 @@ from polhode import (
 )
 from polhode.figures.energy_error import FLOOR
 from polhode.figures.section import states_of
+from rejections import rejected
 
 BODY = Body(1.0, 1.6, 2.0)
-SYSTEM = System(
-    BODY,
-    Frame.precessing((0, 0, 1), 1.0),
-    [GravityGradient(1.0, lambda t: (1.0, 0.0, 0.0), SpaceAxes.reference)],
-)
+SYSTEM = System(BODY, Frame.precessing((0, 0, 1), 1.0),
+                [GravityGradient(1.0, lambda t: (1.0, 0.0, 0.0), SpaceAxes.reference)])
 START = rotor_state(BODY, [0.9, 0.3, 0.2, 0.1], [0.5, 0.2, 3.0])
 EVENTS = [Event("half", lambda t, s: math.sin(t / 2)), Event("whole", lambda t, s: math.sin(t))]
 RUN = integrate(Problem(SYSTEM, START, 0.0, 40.0, Adaptive(1e-10), EVENTS), dense=False)
-
-
-@pytest.fixture(autouse=True)
-def close_figures():
-    yield
-    plt.close("all")
 
 
 def states_at_events(name=None, direction=None):
@@ -103,12 +95,8 @@ def test_coordinates_are_fields_ratios_functions_and_columns():
 
 MOON = Body(0.7, 0.95, 1.0)
 ORBIT = KeplerOrbit(KeplerElements(gm=1.0, pericentre=0.9, eccentricity=0.1))
-PLANAR = Problem(
-    System(MOON, terms=[GravityGradient(1.0, ORBIT)]),
-    rotor_state(MOON, [1, 0, 0, 0], [0, 0, 2.2]),
-    0.0,
-    60.0,
-)
+PLANAR = Problem(System(MOON, terms=[GravityGradient(1.0, ORBIT)]),
+                 rotor_state(MOON, [1, 0, 0, 0], [0, 0, 2.2]), 0.0, 60.0)
 
 
 def test_sections_give_their_points():
@@ -126,13 +114,10 @@ def test_sections_give_their_points():
     assert ax.get_ylabel() == "spin / mean motion" and ax.get_xlim() == (-np.pi / 2, np.pi / 2)
     ax = figures.poincare_section(section, "tilt", lambda s: s.g[:, 2])
     assert_array_equal(ax.get_lines()[0].get_ydata(), section.states.g[:, 2])
-    assert_array_equal(
-        figures.poincare_section(section, "l", "G").get_lines()[0].get_ydata(),
-        to_andoyer(section.states).G,
-    )
+    assert_array_equal(figures.poincare_section(section, "l", "G").get_lines()[0].get_ydata(),
+                       to_andoyer(section.states).G)
     none = spin_orbit_section(Problem(PLANAR.system, PLANAR.initial, 1.0, 2.0), ORBIT)
-    with pytest.raises(ValueError, match="expected points"):
-        figures.poincare_section(none)
+    rejected(ValueError, "expected points", figures.poincare_section, none)
 
 
 MAP = """schema = 1
@@ -209,8 +194,7 @@ def test_axes_are_labelled_with_units():
      'no column "c"; there are: a, b'),
 ])  # fmt: skip
 def test_what_has_no_section(call, message):
-    with pytest.raises(ValueError, match=message):
-        call()
+    rejected(ValueError, message, call)
 
 
 def test_a_run_without_events_takes_no_place():
@@ -229,11 +213,8 @@ def test_an_error_is_that_of_the_energy():
     for line, (name, one) in zip(ax.get_lines(), runs.items()):
         E = energy(SYSTEM, one.t, one.states)
         assert_array_equal(line.get_xdata(), one.t)
-        assert_allclose(
-            line.get_ydata(),
-            np.maximum(abs(E - E[0]) / abs(E[0]), FLOOR),
-            rtol=budgets.chart_rounding,
-        )
+        assert_allclose(line.get_ydata(), np.maximum(abs(E - E[0]) / abs(E[0]), FLOOR),
+                        rtol=budgets.chart_rounding)
         assert line.get_label() == name and line.get_ydata()[0] == FLOOR
     assert ax.get_yscale() == "log" and ax.get_xlabel() == "$t$ (s)"
     fine, coarse = (line.get_ydata().max() for line in ax.get_lines())
@@ -270,5 +251,4 @@ def test_an_energy_of_zero_has_no_relative_error():
     with pytest.raises(ValueError, match="first sample of still is 0; expected a number"):
         figures.energy_error({"still": rest}, free)
     nothing = SimpleNamespace(t=np.zeros(0), states=rest.states[:0])
-    with pytest.raises(ValueError, match="first sample of the run is unknown"):
-        figures.energy_error(nothing, free)
+    rejected(ValueError, "first sample of the run is unknown", figures.energy_error, nothing, free)

@@ -16,6 +16,7 @@ from numpy.testing import assert_array_equal
 from polhode import Body, FreeRotation, Problem, Scenario, System, figures, integrate, rotor_state
 from polhode.figures.columns import angle_axis, axis_label, symbol, table
 from polhode.figures.time_series import unbroken
+from rejections import rejected
 
 BODY = Body(3.0, 4.0, 6.0)
 MOTION = FreeRotation(BODY, rotor_state(BODY, [0.9, 0.2, 0.1, 0.3], [0.5, 0.02, 1.0]))
@@ -28,12 +29,6 @@ state.attitude-rate = { quaternion = [1, 0, 0, 0], omega_body = [0.6, 360, 0] }
 time = { stop = 4, step = 0.02 }
 output.columns = ["omega", "andoyer"]
 """
-
-
-@pytest.fixture(autouse=True)
-def close_figures():
-    yield
-    plt.close("all")
 
 
 def columns():
@@ -101,8 +96,7 @@ def test_a_trajectory_computes_its_columns():
     assert_array_equal(axes[0].get_lines()[0].get_ydata(), run.g[:, 0])
     assert axes[1].get_ylabel() == "$l$ (rad)" and axes[2].get_ylabel() == "$E$"
     assert_allclose(axes[2].get_lines()[0].get_ydata(), MOTION.energy)
-    with pytest.raises(ValueError, match='"l" needs system='):
-        figures.time_series(run, "l")
+    rejected(ValueError, '"l" needs system=', figures.time_series, run, "l")
 
 
 def test_a_data_frame_brings_its_units():
@@ -131,17 +125,13 @@ def test_tables_of_results_bring_their_units():
         assert_array_equal(axes[1].get_lines()[0].get_xydata().T, [results.t, results["w1"]])
 
 
-@pytest.mark.parametrize(
-    ("names", "message"),
-    [
-        ("w9", 'no column "w9"; there are: t, w1, w2, l'),
-        ([("l", "w1")], r"l \(rad\), w1 \(\) share a panel; expected one unit"),
-        ([], "got no columns; expected at least one"),
-    ],
-)
+@pytest.mark.parametrize(("names", "message"), [
+    ("w9", 'no column "w9"; there are: t, w1, w2, l'),
+    ([("l", "w1")], r"l \(rad\), w1 \(\) share a panel; expected one unit"),
+    ([], "got no columns; expected at least one"),
+])
 def test_what_cannot_be_drawn(names, message):
-    with pytest.raises(ValueError, match=message):
-        figures.time_series(columns(), names)
+    rejected(ValueError, message, figures.time_series, columns(), names)
 
 
 def test_a_column_has_one_number_for_each_time():
@@ -172,11 +162,8 @@ def test_a_wrapped_angle_goes_over_the_edge(turn, low, rate):
 
 def test_what_is_not_wrapped_stays_whole():
     grows = np.linspace(0.0, 50.0, 9)  # unwrapped: more than half a turn from row to row
-    for values, turn in (
-        (grows, 2 * np.pi),
-        (np.sign(np.sin(grows)) * 3, None),
-        (grows * np.nan, 360.0),
-    ):
+    for values, turn in ((grows, 2 * np.pi), (np.sign(np.sin(grows)) * 3, None),
+                         (grows * np.nan, 360.0)):
         assert unbroken(grows, values, turn)[1] is values
     ax = figures.time_series({"t": T, "theta": 0.3 + 0.1 * np.sin(T)}, "theta")
     assert ax.get_ylim()[1] < 0.5  # its own range, no multiples of pi

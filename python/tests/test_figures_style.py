@@ -17,6 +17,7 @@ from matplotlib.colors import to_rgb
 from PIL import Image
 from polhode import figures
 from polhode.figures import style
+from rejections import rejected
 
 BODY = polhode.Body(3.0, 4.0, 6.0)
 STATE = polhode.RotorState([0.9, 0.1, -0.3, 0.2], [0.6, 0.1, 0.8])
@@ -30,16 +31,8 @@ CALLS = {
     "herpolhode": lambda ax: figures.herpolhode(MOTION, ax=ax),
     "attitude_of_body": lambda ax: figures.attitude_of_body(STATE, BODY, ax=ax),
 }
-PANELS = {
-    "polhode_and_herpolhode": (lambda ax: figures.polhode_and_herpolhode(MOTION, ax=ax), 2),
-    "overview": (lambda ax: figures.overview(RUN, ax=ax), 3),
-}
-
-
-@pytest.fixture(autouse=True)
-def close_figures():
-    yield
-    plt.close("all")
+PANELS = {"polhode_and_herpolhode": (lambda ax: figures.polhode_and_herpolhode(MOTION, ax=ax), 2),
+          "overview": (lambda ax: figures.overview(RUN, ax=ax), 3)}
 
 
 @pytest.mark.parametrize("name", CALLS)
@@ -67,8 +60,7 @@ def test_a_figure_of_panels_returns_them_and_leaves_the_settings(name):
     given = plt.figure().subplots(1, count)
     assert list(call(given)) == list(given)
     assert dict(matplotlib.rcParams) == before
-    with pytest.raises(ValueError, match=f"got 1 Axes; expected {count}"):
-        call([given[0]])
+    rejected(ValueError, f"got 1 Axes; expected {count}", call, [given[0]])
 
 
 def test_importing_polhode_does_not_import_matplotlib():
@@ -161,8 +153,7 @@ def test_the_figure_of_axes_of_arrays_and_of_subfigures():
     assert style.figure_of(axes) is figure
     assert style.figure_of(axes[0]) is figure
     assert style.figure_of(figure) is figure
-    with pytest.raises(TypeError, match="expected Axes, an array of Axes or a Figure"):
-        style.figure_of("axes")
+    rejected(TypeError, "expected Axes, an array of Axes or a Figure", style.figure_of, "axes")
     grid = style.panels(None, 2, 2, (3.0, 2.0))
     assert grid.shape == (2, 2)
     style.panel_label(axes[0], "(a)")
@@ -171,7 +162,6 @@ def test_the_figure_of_axes_of_arrays_and_of_subfigures():
 
 def test_settings_return_after_an_error():
     before = dict(matplotlib.rcParams)
-    with pytest.raises(ValueError, match="expected andoyer, euler or both"):
-        figures.frames_and_angles(STATE, "all")
+    rejected(ValueError, "expected andoyer, euler or both", figures.frames_and_angles, STATE, "all")
     assert dict(matplotlib.rcParams) == before
     assert figures.frames_and_angles.__name__ == "frames_and_angles"

@@ -29,12 +29,6 @@ ROUNDED = 20.0
 """Errors of RK4 are rounding, grown or not: between machines they differ by less than this."""
 
 
-@pytest.fixture(autouse=True)
-def close_figures():
-    yield
-    plt.close("all")
-
-
 THINNED = {
     "chaos_map": {"3.0, 30)": "3.0, 5)", "/ 2, 25)": "/ 2, 4)"},
     "chaotic_zones": {"count = 19": "count = 3", "count = 25": "count = 3", "-20000": "-2000"},

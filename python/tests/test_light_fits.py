@@ -79,16 +79,13 @@ def test_a_robust_fit_has_the_factors_of_its_loss():
     assert f"0: loss {search.solutions[0].cost:.5g}, " in repr(search)
 
 
-@pytest.mark.parametrize(
-    "keys, budget",
-    [
-        ({}, budgets.python_residual_difference),
-        ({"moments": "fit"}, budgets.python_residual_difference),
-        ({"loss": ("soft_l1", 0.7)}, budgets.python_residual_difference),
-        # Lambert's law and its gradient are quadratures, each with its own error
-        ({"moments": "fit", "multiple": True}, budgets.python_lambert),
-    ],
-)
+@pytest.mark.parametrize("keys, budget", [
+    ({}, budgets.python_residual_difference),
+    ({"moments": "fit"}, budgets.python_residual_difference),
+    ({"loss": ("soft_l1", 0.7)}, budgets.python_residual_difference),
+    # Lambert's law and its gradient are quadratures, each with its own error
+    ({"moments": "fit", "multiple": True}, budgets.python_lambert),
+])
 def test_derivatives_are_those_of_the_residuals(keys, budget):
     f = polhode.LightResiduals(BODY, [CURVE, night(count=40, seed=5)], **keys)
     x = f.start
@@ -176,9 +173,7 @@ def test_what_is_no_fit_is_refused(call, said):
 
 
 def test_ctrl_c_ends_a_search_and_a_scan():
-    calls = (
-        lambda: polhode.search_light(CURVE, [periods_of(BODY)], starts=1_000_000),
-        lambda: polhode.fourier_scan(CURVE, (0.01, 9.0, 4e-3), order=3, threads=2),
-    )
+    calls = (lambda: polhode.search_light(CURVE, [periods_of(BODY)], starts=1_000_000),
+             lambda: polhode.fourier_scan(CURVE, (0.01, 9.0, 4e-3), order=3, threads=2))
     for call in calls:
         assert seconds_from_signal(call) < LATEST

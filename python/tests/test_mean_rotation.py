@@ -158,26 +158,21 @@ def made(body=BODY, orbit=ORBIT, state=START, t=0.0, **options):
     return GravityGradientTheory(body, orbit, state, t, **{"gm": WEAK, **options})
 
 
-@pytest.mark.parametrize(
-    ("make", "sentence"),
-    [
-        (lambda: made(polhode.Body(1, 1, 1)), "a sphere has no gravity gradient"),
-        (lambda: made(state=UPRIGHT), "next to spin about an axis"),
-        (lambda: made(gm=-1.0), "gm = -1 must be positive"),
-        (lambda: made(order=3), "the order 3 must be 1 or 2"),
-        (lambda: made(least=0.0), "least = 0 must be positive"),
-        (lambda: made(orbit=orbit_of(0.95)), "0.95 must be at most 0.9"),
-        (lambda: made(t=np.inf), "the time inf must be finite"),
-        (lambda: made(orbit=orbit_of(0.1, ONCE_A_TURN), gm=1e-6), "a resonance: phi_g"),
-        (lambda: THEORY.mean(0.0, LONG), "in another mode than the motion"),
-        (lambda: THEORY.mean(0.0, polhode.RotorState(START.q, 2 * START.g)), "is made for"),
-        (lambda: THEORY.states(0.0, MEAN, [1.0, np.nan]), "the time nan must be finite"),
-        (
-            lambda: made(state=THEORY.states(0.0, MEAN, [1.0, 2.0])),
-            r"state: got shape \(2,\); expected one",
-        ),
-    ],
-)
+@pytest.mark.parametrize(("make", "sentence"), [
+    (lambda: made(polhode.Body(1, 1, 1)), "a sphere has no gravity gradient"),
+    (lambda: made(state=UPRIGHT), "next to spin about an axis"),
+    (lambda: made(gm=-1.0), "gm = -1 must be positive"),
+    (lambda: made(order=3), "the order 3 must be 1 or 2"),
+    (lambda: made(least=0.0), "least = 0 must be positive"),
+    (lambda: made(orbit=orbit_of(0.95)), "0.95 must be at most 0.9"),
+    (lambda: made(t=np.inf), "the time inf must be finite"),
+    (lambda: made(orbit=orbit_of(0.1, ONCE_A_TURN), gm=1e-6), "a resonance: phi_g"),
+    (lambda: THEORY.mean(0.0, LONG), "in another mode than the motion"),
+    (lambda: THEORY.mean(0.0, polhode.RotorState(START.q, 2 * START.g)), "is made for"),
+    (lambda: THEORY.states(0.0, MEAN, [1.0, np.nan]), "the time nan must be finite"),
+    (lambda: made(state=THEORY.states(0.0, MEAN, [1.0, 2.0])),
+     r"state: got shape \(2,\); expected one"),
+])
 def test_refusals_say_why(make, sentence):
     with pytest.raises(ValueError, match=sentence):
         make()

@@ -43,9 +43,7 @@ def night():
     assert motion.regime.name == "long_axis"
     periods = ("LAM", 2.0 * np.pi / motion.precession_rate_long, motion.polhode_period)
     t = np.linspace(-4.0, 4.0, 140) * periods[1]
-    (flux,) = polhode.model_fluxes(
-        body, polhode.LightCurve(t, np.ones(140), 1.0, SUN, OBSERVER)
-    )
+    (flux,) = polhode.model_fluxes(body, polhode.LightCurve(t, np.ones(140), 1.0, SUN, OBSERVER))
     sigma = 0.02 * flux.mean()
     seen = flux + sigma * np.random.default_rng(8).normal(size=140)
     return body, polhode.LightCurve(t, seen, sigma, SUN, OBSERVER), periods
@@ -61,9 +59,7 @@ def test_periods_are_enough(night):
     # its own attitude and rate are not looked at
     known = polhode.MeshModel.homogeneous([1.0, 0, 0, 0], [0.0, 0.0, 1.0], body.shape)
     pairs = [("LAM", phi, 0.01 * psi), (mode, 1.002 * phi, 0.998 * psi)]
-    found = [
-        polhode.search_mesh(known, curve, pairs, starts=80, threads=n, seed=1) for n in (1, 3)
-    ]
+    found = [polhode.search_mesh(known, curve, pairs, starts=80, threads=n, seed=1) for n in (1, 3)]
     best, same = (one.solutions[0] for one in found)
     assert best.values.tobytes() == same.values.tobytes() and repr(found[0]) == repr(found[1])
     assert found[0].starts == 40 and "1 of 2 pairs" in found[0].notes[0]

@@ -8,6 +8,7 @@ import re
 import numpy as np
 import polhode
 import pytest
+from rejections import rejected
 
 BODY = polhode.Body(1.0, 2.0, 2.5)
 STATE = polhode.RotorState([1, 0, 0, 0], [0.1, 0.2, 1.0])
@@ -180,8 +181,7 @@ MISTAKES = {
 @pytest.mark.parametrize("mistake", MISTAKES)
 def test_one_sentence_says_what_is_wrong(mistake):
     make, sentence = MISTAKES[mistake]
-    with pytest.raises((TypeError, ValueError), match=f"^{re.escape(sentence)}$"):
-        make()
+    rejected((TypeError, ValueError), f"^{re.escape(sentence)}$", make)
 
 
 def test_there_is_no_list_of_signatures():
@@ -206,8 +206,7 @@ def test_a_subclass_is_explained_as_its_class():
         def __init__(self):
             super().__init__("small")
 
-    with pytest.raises(TypeError, match="Adaptive: tolerance: got 'small', a str; expected a num"):
-        Mine()
+    rejected(TypeError, "Adaptive: tolerance: got 'small', a str; expected a num", Mine)
 
 
 def test_what_an_argument_raises_is_not_hidden():
@@ -215,20 +214,16 @@ def test_what_an_argument_raises_is_not_hidden():
         def __array__(self, dtype=None, copy=None):
             raise RuntimeError("no array today")
 
-    with pytest.raises(RuntimeError, match="no array today"):
-        MOTION.at(Bad())
+    rejected(RuntimeError, "no array today", MOTION.at, Bad())
 
 
-@pytest.mark.parametrize(
-    ("name", "expected"),
-    [
-        ("ConstantTorque", "ConstantTorque.in_body or ConstantTorque.in_space"),
-        ("SaveAt", "SaveAt.steps or SaveAt.count or SaveAt.times"),
-        ("Trajectory", "integrate or resume"),
-        ("Spectrum", "spectrum"),
-        ("AnyPerturbation", "what other functions of polhode return"),
-    ],
-)
+@pytest.mark.parametrize(("name", "expected"), [
+    ("ConstantTorque", "ConstantTorque.in_body or ConstantTorque.in_space"),
+    ("SaveAt", "SaveAt.steps or SaveAt.count or SaveAt.times"),
+    ("Trajectory", "integrate or resume"),
+    ("Spectrum", "spectrum"),
+    ("AnyPerturbation", "what other functions of polhode return"),
+])
 def test_a_class_that_cannot_be_called_says_what_makes_it(name, expected):
     said = f"^{name}: its class cannot be called; expected {expected}$"
     with pytest.raises(TypeError, match=said):
@@ -237,5 +232,4 @@ def test_a_class_that_cannot_be_called_says_what_makes_it(name, expected):
 
 def test_steps_of_one_length_take_no_tolerance():
     said = "tolerance 1e-09 goes with steps under control; got step 0.2"
-    with pytest.raises(ValueError, match=said):
-        polhode.Collocation(1e-9, step=0.2)
+    rejected(ValueError, said, polhode.Collocation, 1e-9, step=0.2)

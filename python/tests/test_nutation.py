@@ -96,14 +96,9 @@ def test_no_published_term_is_missing(earth):
 
 # IAU 2000A (Mathews et al. 2002), sin in longitude and cos in obliquity, mas: the Earth yields, and
 # has a core and oceans.
-IAU_2000A = {
-    (0, 0, 0, 0, 1): (-17206.4161, 9205.2331),
-    (0, 0, 2, 0, 2): (-227.6413, 97.8459),
-    (0, 0, 0, 0, 2): (207.4554, -89.7492),
-    (1, 0, 0, 0, 0): (71.1159, -0.6750),
-    (0, 0, 2, 0, 1): (-38.7298, 20.0728),
-    (1, 0, 2, 0, 2): (-30.1461, 12.9025),
-}
+IAU_2000A = {(0, 0, 0, 0, 1): (-17206.4161, 9205.2331), (0, 0, 2, 0, 2): (-227.6413, 97.8459),
+             (0, 0, 0, 0, 2): (207.4554, -89.7492), (1, 0, 0, 0, 0): (71.1159, -0.6750),
+             (0, 0, 2, 0, 1): (-38.7298, 20.0728), (1, 0, 2, 0, 2): (-30.1461, 12.9025)}
 
 
 def fitted(values, theta):
@@ -160,14 +155,8 @@ def test_precession_of_the_earth(earth):
 # Cottereau et al. (2010), tables 9 and 6: axis of figure in longitude, Oppolzer terms in obliquity;
 # 1e-7 arcsec. Their longitudes have the other sign; M, Ls.
 VENUS_DIGITS = 1e-4  # mas: what they print
-VENUS = {
-    (0, 2): (-6937480, -690090),
-    (1, 0): (-5244238, -260831),
-    (1, 2): (-81654, -12184),
-    (-1, 2): (72257, 3594),
-    (2, 2): (-803, -160),
-    (2, 0): (-1228, -122),
-}
+VENUS = {(0, 2): (-6937480, -690090), (1, 0): (-5244238, -260831), (1, 2): (-81654, -12184),
+         (-1, 2): (72257, 3594), (2, 2): (-803, -160), (2, 0): (-1228, -122)}
 
 
 @pytest.mark.parametrize("multipliers", VENUS)
@@ -252,17 +241,12 @@ def test_nineteen_years_of_every_turn(earth):
     assert np.hypot(fitted[::2], fitted[1::2]).max() < budgets.nutation_term
 
 
-@pytest.mark.parametrize(
-    ("changed", "text"),
-    [
-        ({"ellipticity": 0.003}, ("[0.9967262452, 0.9967262452, 1.0]", "[0.997, 0.997, 1.0]")),
-        (
-            {"satellite_mass": 0.9 * 4902.800118 / 398600.435507},
-            ('target = "moon"', 'target = "moon"\ngm = "4412.5201062 km3/s2"'),
-        ),
-        ({"obliquity": np.radians(20.0)}, ("theta = 23.43768", "theta = 19.9984")),
-    ],
-)
+@pytest.mark.parametrize(("changed", "text"), [
+    ({"ellipticity": 0.003}, ("[0.9967262452, 0.9967262452, 1.0]", "[0.997, 0.997, 1.0]")),
+    ({"satellite_mass": 0.9 * 4902.800118 / 398600.435507},
+     ('target = "moon"', 'target = "moon"\ngm = "4412.5201062 km3/s2"')),
+    ({"obliquity": np.radians(20.0)}, ("theta = 23.43768", "theta = 19.9984")),
+])
 def test_theory_and_integration_change_alike(earth, changed, text):
     run = earth_run(stop=("stop = 13594", "stop = 1100"), changed=text)
     rest = np.abs(left_over(run, polhode.nutation_theory(**changed), "momentum")).max()

@@ -23,6 +23,7 @@ from polhode import (
     pericentre_distance,
     semi_major_axis,
 )
+from rejections import rejected
 
 ROUNDED = budgets.numpy_formula
 SLOPES = budgets.numpy_differences
@@ -92,8 +93,7 @@ def test_times_of_any_shape():
     assert orbit.position([]).shape == (0, 3)
     assert (orbit.position([1.0, 2.0])[1] == orbit.position(2.0)).all()
     assert np.isnan(orbit.position([math.nan, 1.0])).tolist() == [[True] * 3, [False] * 3]
-    with pytest.raises(TypeError, match="expected real numbers"):
-        orbit.position("noon")
+    rejected(TypeError, "expected real numbers", orbit.position, "noon")
 
 
 def test_an_orbit_from_a_state_goes_through_it():
@@ -102,8 +102,7 @@ def test_an_orbit_from_a_state_goes_through_it():
     assert_allclose(again.elements.eccentricity, 0.3, rtol=budgets.kepler_elements)
     assert_allclose(again.elements.pericentre, 3.0, rtol=budgets.kepler_elements)
     assert_allclose(again.position(20.0), there.position(20.0), rtol=budgets.kepler_elements)
-    with pytest.raises(ValueError, match="not along one line"):
-        KeplerOrbit.from_state([1, 0, 0], [1, 0, 0], gm=1.0)
+    rejected(ValueError, "not along one line", KeplerOrbit.from_state, [1, 0, 0], [1, 0, 0], gm=1.0)
     with pytest.raises(ValueError, match=r"position: got shape \(2,\)"):
         KeplerOrbit.from_state([1, 0], [1, 0, 0], gm=1.0)
 
@@ -134,8 +133,7 @@ def test_the_node_of_a_sun_synchronous_orbit_turns_once_a_year():
                             rates.argument * year, rates.mean_anomaly * year)
     assert_allclose(orbit.position(year), KeplerOrbit(turned).position(year),
                     atol=ROUNDED * p)
-    with pytest.raises(ValueError, match="j2_rates"):
-        j2_rates(FLYBY, 1e-3, 1.0)
+    rejected(ValueError, "j2_rates", j2_rates, FLYBY, 1e-3, 1.0)
 
 
 def test_an_orbit_from_a_state_about_the_earth_keeps_its_place():
@@ -165,8 +163,7 @@ def test_an_orbit_from_a_state_about_the_earth_keeps_its_place():
 
     assert missed(e) < budgets.j2_low_orbit_km
     assert missed(state.elements) > 10 * budgets.j2_low_orbit_km
-    with pytest.raises(ValueError, match="mean_elements"):
-        mean_elements(FLYBY, 1e-3, 1.0)
+    rejected(ValueError, "mean_elements", mean_elements, FLYBY, 1e-3, 1.0)
 
 
 def test_precessing_velocity_is_the_slope_of_position():
@@ -226,8 +223,7 @@ def test_a_dual_velocity_is_gravity():
 ])
 def test_elements_of_no_orbit(change, message):
     good = {"gm": 1.0, "pericentre": 1.0, "eccentricity": 0.1}
-    with pytest.raises(polhode.DomainError, match=message):
-        KeplerElements(**{**good, **change})
+    rejected(polhode.DomainError, message, KeplerElements, **{**good, **change})
 
 
 VALUES = [ELLIPSE, SecularRates(0.1, 0.2, 0.3), KeplerOrbit(ELLIPSE),

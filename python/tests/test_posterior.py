@@ -14,6 +14,7 @@ import pytest
 from closeness import assert_allclose, largest
 from polhode import Snapshots, SpinResiduals, SpinState
 from polhode.posterior import Unbounded
+from rejections import rejected
 
 pytest.importorskip("mici")
 pytest.importorskip("arviz_stats")
@@ -116,12 +117,9 @@ def test_what_the_data_do_not_say_is_refused():
     """One attitude tells nothing of the rate and the moments."""
     seen = Snapshots(attitudes=([0.0, 0.0, 0.0], [1, 0, 0, 0], 0.1))
     f = SpinResiduals(STATE, seen)
-    with pytest.raises(ValueError, match="do not determine all unknowns"):
-        polhode.posterior(f)
-    with pytest.raises(TypeError, match="got 3; expected SpinResiduals"):
-        polhode.posterior(3)
-    with pytest.raises(ValueError, match="accept: got 2"):
-        polhode.posterior(f, accept=2.0)
+    rejected(ValueError, "do not determine all unknowns", polhode.posterior, f)
+    rejected(TypeError, "got 3; expected SpinResiduals", polhode.posterior, 3)
+    rejected(ValueError, "accept: got 2", polhode.posterior, f, accept=2.0)
 
 
 @pytest.mark.parametrize("package", ["mici", "arviz_stats"])

@@ -152,10 +152,8 @@ def test_the_walk_sees_the_functions_that_there_are():
 
 
 # Functions written in Python: each with a valid call, by the names of its numbers.
-TLE = (
-    "1 00005U 58002B   00179.78495062  .00000023  00000-0  28098-4 0  4753",
-    "2 00005  34.2682 348.7242 1859667 331.7664  19.3264 10.82419157413667",
-)
+TLE = ("1 00005U 58002B   00179.78495062  .00000023  00000-0  28098-4 0  4753",
+       "2 00005  34.2682 348.7242 1859667 331.7664  19.3264 10.82419157413667")
 TIMES = np.linspace(0.0, 30.0, 60)
 MOTION = public_calls.OF_CLASS["FreeRotation"]
 PLANET = figures.OblatePlanet(1.0, 0.01, (0.0, 0.0, 0.1))
@@ -175,52 +173,29 @@ def no_figures(tmp_path):
     ck = {"et": TIMES, "q": np.tile([1.0, 0, 0, 0], (60, 1)), "omega": np.zeros((60, 3))}
     names = {"path": tmp_path / "a.bc", "structure": -1234567, "frame": "F", "reference": "J2000"}
     return {
-        "harmonic_fit": (
-            polhode.harmonic_fit,
-            {"t": TIMES, "y": np.sin(TIMES), "periods": [3.0], "degree": 1},
-            {},
-        ),
-        "argument_fit": (
-            polhode.argument_fit,
-            {"t": TIMES, "y": np.sin(TIMES), "degree": 1, **ARGUMENTS},
-            {},
-        ),
+        "harmonic_fit": (polhode.harmonic_fit,
+                         {"t": TIMES, "y": np.sin(TIMES), "periods": [3.0], "degree": 1}, {}),
+        "argument_fit": (polhode.argument_fit,
+                         {"t": TIMES, "y": np.sin(TIMES), "degree": 1, **ARGUMENTS}, {}),
         "ArgumentFit.at": (polhode.argument_fit(TIMES, TIMES, **ARGUMENTS).at, {"t": TIMES}, {}),
         "HarmonicFit.at": (polhode.harmonic_fit(TIMES, TIMES, [3.0]).at, {"t": TIMES}, {}),
-        "without_free_wobble": (
-            polhode.without_free_wobble,
-            {"start": 0.0, "periods": 6, "damper_rate": [0.0, 0.0, 0.0]},
-            {"system": polhode.System(public_calls.BODY), "initial": SPINNING},
-        ),
+        "without_free_wobble": (polhode.without_free_wobble,
+                                {"start": 0.0, "periods": 6, "damper_rate": [0.0, 0.0, 0.0]},
+                                {"system": polhode.System(public_calls.BODY), "initial": SPINNING}),
         "to_scipy": (polhode.to_scipy, {"attitude": [1.0, 0.0, 0.0, 0.0]}, {}),
         "Satellite.states": (SATELLITE.states, {"times": [0.0, 60.0]}, {"epoch": EPOCH}),
         "Satellite.orbit": (SATELLITE.orbit, first_last, {"epoch": EPOCH}),
-        "Satellite.write": (
-            SATELLITE.write,
-            first_last,
-            {"path": tmp_path / "a.csv", "epoch": EPOCH},
-        ),
-        "Scenario.build": (
-            Scenario.build,
-            {"time": TIMES, "damper_rate": [0.0, 0.0, 0.0]},
-            {"system": public_calls.BODY, "state": public_calls.STATE},
-        ),
-        "ensemble": (
-            polhode.ensemble,
-            {"size": 3, "seed": 1, "quantiles": [0.5]},
-            {"scenario": Scenario.from_text(FREE), "vary": VARY},
-        ),
+        "Satellite.write": (SATELLITE.write, first_last,
+                            {"path": tmp_path / "a.csv", "epoch": EPOCH}),
+        "Scenario.build": (Scenario.build, {"time": TIMES, "damper_rate": [0.0, 0.0, 0.0]},
+                           {"system": public_calls.BODY, "state": public_calls.STATE}),
+        "ensemble": (polhode.ensemble, {"size": 3, "seed": 1, "quantiles": [0.5]},
+                     {"scenario": Scenario.from_text(FREE), "vary": VARY}),
         "vary.normal": (polhode.vary.normal, {"sigma": 1.0, "mean": 0.0, "low": 0.0}, {}),
-        "vary.joint_normal": (
-            polhode.vary.joint_normal,
-            {"covariance": [[1.0, 0.0], [0.0, 1.0]], "means": [0.0, 0.0]},
-            {},
-        ),
-        "ephemeris_time": (
-            spice.ephemeris_time,
-            {"seconds": TIMES},
-            {"epoch": "2000-06-28T00:00:00 TDB"},
-        ),
+        "vary.joint_normal": (polhode.vary.joint_normal,
+                              {"covariance": [[1.0, 0.0], [0.0, 1.0]], "means": [0.0, 0.0]}, {}),
+        "ephemeris_time": (spice.ephemeris_time, {"seconds": TIMES},
+                           {"epoch": "2000-06-28T00:00:00 TDB"}),
         "write_ck_rows": (spice.write_ck_rows, ck, names),
     }
 
@@ -230,11 +205,8 @@ def of_elliptic():
     values = {"m": 0.25, "m1": 0.75}
     functions = {name: getattr(elliptic, name) for name in elliptic.__all__}
     return {
-        name: (
-            function,
-            {p: values.get(p, 0.5) for p in inspect.signature(function).parameters},
-            {},
-        )
+        name: (function, {p: values.get(p, 0.5) for p in inspect.signature(function).parameters},
+               {})
         for name, function in functions.items()
         if inspect.isfunction(function)
     }
@@ -242,11 +214,8 @@ def of_elliptic():
 
 def of_figures(tmp_path):
     """The same of figures."""
-    map_ = {
-        "a": [0.0, 0.0, 1.0, 1.0],
-        "b": [0.0, 1.0, 0.0, 1.0],
-        "mean_megno": [2.0, 2.0, 3.0, 4.0],
-    }
+    map_ = {"a": [0.0, 0.0, 1.0, 1.0], "b": [0.0, 1.0, 0.0, 1.0],
+            "mean_megno": [2.0, 2.0, 3.0, 4.0]}
     chaos = polhode.chaos_indicator(public_calls.PROBLEM, [0.0, 0.1])
     run = polhode.integrate(public_calls.PROBLEM)
     film = {"motion": MOTION, "path": tmp_path / "film.gif"}
@@ -255,17 +224,11 @@ def of_figures(tmp_path):
         "chaos_map": (figures.chaos_map, {"limits": [2.0, 4.0]}, {"source": map_}),
         "chaos_growth": (figures.chaos_growth, {"scale": 1.0}, {"runs": chaos}),
         "orbit_ellipses": (figures.orbit_ellipses, {"times": [0.2]}, {"path": PATH}),
-        "momentum_sphere": (
-            figures.momentum_sphere,
-            {"G": 1.0, "trace": [[0.1, 0.2, 0.9]]},
-            {"body": public_calls.BODY},
-        ),
+        "momentum_sphere": (figures.momentum_sphere, {"G": 1.0, "trace": [[0.1, 0.2, 0.9]]},
+                            {"body": public_calls.BODY}),
         "OblatePlanet.path": (PLANET.path, {"r": [0.6, 0, 0], "p": [0, 1.2, 0.3], "stop": 1.0}, {}),
-        "OblatePlanet": (
-            figures.OblatePlanet,
-            {"gm": 1.0, "J2_R2": 0.01, "mu": [0.0, 0.0, 0.1]},
-            {},
-        ),
+        "OblatePlanet": (figures.OblatePlanet, {"gm": 1.0, "J2_R2": 0.01, "mu": [0.0, 0.0, 0.1]},
+                         {}),
         "outcomes": (
             figures.outcomes,
             {"limits": [0.0, 1.0], "size": 2.0},
@@ -277,22 +240,13 @@ def of_figures(tmp_path):
             {"source": {"pole_ra": [0.0, 1.0], "pole_dec": [0.5, 0.6]}, "value": "pole_dec"},
         ),
         "overview": (figures.overview, {"span": 0.1}, {"results": run, "body": public_calls.BODY}),
-        "phase_plane": (
-            figures.phase_plane,
-            {"G": 1.0, "trace": [[0.1, 0.2, 0.9]]},
-            {"body": public_calls.BODY},
-        ),
+        "phase_plane": (figures.phase_plane, {"G": 1.0, "trace": [[0.1, 0.2, 0.9]]},
+                        {"body": public_calls.BODY}),
         "herpolhode": (figures.herpolhode, {"periods": 1.0}, {"motion": MOTION}),
-        "polhode_and_herpolhode": (
-            figures.polhode_and_herpolhode,
-            {"periods": 1.0},
-            {"motion": MOTION},
-        ),
-        "poincare_section": (
-            figures.poincare_section,
-            {"size": 1.0},
-            {"runs": {"x": [1.0], "y": [2.0]}, "x": "x", "y": "y"},
-        ),
+        "polhode_and_herpolhode": (figures.polhode_and_herpolhode, {"periods": 1.0},
+                                   {"motion": MOTION}),
+        "poincare_section": (figures.poincare_section, {"size": 1.0},
+                             {"runs": {"x": [1.0], "y": [2.0]}, "x": "x", "y": "y"}),
         "View.__init__": (figures.View, {"elevation": 20.0, "azimuth": 30.0}, {}),
         "View.paper": (figures.View().paper, {"points": [1.0, 2.0, 3.0]}, {}),
     }
@@ -357,18 +311,11 @@ def test_functions_written_in_python_refuse_quantities(tmp_path):
 def test_what_looks_like_a_quantity_and_is_none_is_taken():
     t = [0.5, 0.7]
     expected = MOTION.at(t)
-    for same in (
-        np.array(t, np.float64)[::1],
-        np.array([0.5, 9.0, 0.7])[::2],
-        tuple(t),
-        [np.float64(0.5), 0.7],
-        pd.Series(t, index=["unit", "to_value"]),
-        pd.Series(t, name="units"),
-        xr.DataArray(t, attrs={"units": "s", "unit": "h"}),
-        astropy.table.Column(t),
-        np.ma.masked_array(t, mask=False),
-        [np.array(0.5), np.array(0.7)],
-    ):
+    for same in (np.array(t, np.float64)[::1], np.array([0.5, 9.0, 0.7])[::2], tuple(t),
+                 [np.float64(0.5), 0.7], pd.Series(t, index=["unit", "to_value"]),
+                 pd.Series(t, name="units"), xr.DataArray(t, attrs={"units": "s", "unit": "h"}),
+                 astropy.table.Column(t), np.ma.masked_array(t, mask=False),
+                 [np.array(0.5), np.array(0.7)]):
         assert MOTION.at(same) == expected
     frame = pd.DataFrame({"unit": [0.1], "units": [0.2], "magnitude": [1.0]})
     state = polhode.rotor_state(public_calls.BODY, [1, 0, 0, 0], frame)
@@ -418,31 +365,23 @@ def test_what_a_function_of_the_user_returns_has_no_unit_either():
         )
 
 
-@pytest.mark.parametrize(
-    "period",
-    [
-        30.56 * u.h,
-        30.56 * PINT.h,
-        np.array(30.56) * u.h,
-        np.timedelta64(30, "h"),
-        np.datetime64("2029-04-13", "ns"),
-        np.ma.masked_array([30.56], mask=[True])[0],
-        [30.56 * u.h],
-    ],
-)
+@pytest.mark.parametrize("period", [
+    30.56 * u.h,
+    30.56 * PINT.h,
+    np.array(30.56) * u.h,
+    np.timedelta64(30, "h"),
+    np.datetime64("2029-04-13", "ns"),
+    np.ma.masked_array([30.56], mask=[True])[0],
+    [30.56 * u.h],
+])
 def test_a_scenario_takes_texts_with_units_and_no_quantities(period):
     data = {
         "schema": 1,
         "body": {"moments": [1, 2, 2.5]},
         "state": {
-            "tumbler": {
-                "precession_period": "27.38 h",
-                "rotation_period": period,
-                "pole": {"longitude": "1 deg", "latitude": 0},
-                "mode": "SAM",
-                "phi0": 0,
-                "psi0": 0,
-            }
+            "tumbler": {"precession_period": "27.38 h", "rotation_period": period,
+                        "pole": {"longitude": "1 deg", "latitude": 0}, "mode": "SAM", "phi0": 0,
+                        "psi0": 0}
         },
     }
     with pytest.raises((TypeError, ValueError), match="state.tumbler.rotation_period: got"):

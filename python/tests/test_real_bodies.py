@@ -52,10 +52,8 @@ def in_the_plane(gamma, e, turns, rate, M):
 def test_mercury_librates_in_15_85_years():
     run = scenario("mercury").run()
     P = 87.9693496
-    fit = harmonic_fit(
-        run.t, libration(run), [5800, *(P / k for k in range(1, 5))], degree=0,
-        adjust=[True] + 4 * [False],
-    )  # fmt: skip
+    fit = harmonic_fit(run.t, libration(run), [5800, *(P / k for k in range(1, 5))], degree=0,
+                       adjust=[True] + 4 * [False])  # fmt: skip
     years = fit.periods[0] / 365.25
     assert abs(years - 15.85) < budgets.published_mercury * 15.85
     assert abs(years - 15.847) < budgets.published_mercury * 15.847  # Rambaux and Bois (2004)

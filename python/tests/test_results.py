@@ -11,6 +11,7 @@ import numpy as np
 import polhode
 import pytest
 from polhode import Results, Scenario, load
+from rejections import rejected
 from scenario_texts import BODY, EXAMPLES, FREE, ROOT, STATE, TIME
 
 APOPHIS = ROOT / "examples/apophis.toml"
@@ -63,10 +64,8 @@ def test_it_is_a_mapping(apophis):
     assert apophis.units["theta"] == "deg" and apophis.units["w1"] == "deg/h"
     assert apophis.units["qw"] == "1" and apophis.units["t"] == "h"
     shapes = {name: array.shape for name, array in apophis.groups.items()}
-    assert shapes == {
-        "t": (1441,), "q": (1441, 4), "omega": (1441, 3), "euler": (1441, 6),
-        "andoyer": (1441, 6), "sadov": (1441, 6),
-    }
+    assert shapes == {"t": (1441,), "q": (1441, 4), "omega": (1441, 3), "euler": (1441, 6),
+                      "andoyer": (1441, 6), "sadov": (1441, 6)}
     apophis.units["t"] = "s"
     apophis.groups.clear()
     apophis.events.append(3)
@@ -184,8 +183,7 @@ def test_write_makes_the_file_of_the_run(apophis, tmp_path):
         assert a.read_bytes() == b.read_bytes()
     with pytest.raises(polhode.DomainError, match="expected .csv, .h5 or .aem"):
         apophis.write(tmp_path / "a.parquet")
-    with pytest.raises(polhode.OutputError, match="No space left"):
-        apophis.write("/dev/full")
+    rejected(polhode.OutputError, "No space left", apophis.write, "/dev/full")
 
 
 def test_without_rows_in_memory(tmp_path):
@@ -197,8 +195,7 @@ def test_without_rows_in_memory(tmp_path):
         pickle.loads(pickle.dumps(empty)).write(tmp_path / "b.csv")
     assert (tmp_path / "a.csv").stat().st_size > 100_000
     huge = Scenario.from_text(FREE.replace("stop = 10\nstep = 0.5", "stop = 1e15\nstep = 1"))
-    with pytest.raises(MemoryError, match="keep=False"):
-        huge.run(tmp_path / "b.csv")
+    rejected(MemoryError, "keep=False", huge.run, tmp_path / "b.csv")
     assert not (tmp_path / "b.csv.part").exists()
 
 
@@ -230,5 +227,4 @@ def test_what_a_package_itself_is_missing_is_named(apophis, monkeypatch, tmp_pat
     (tmp_path / "xarray.py").write_text("import what_xarray_needs\n")
     monkeypatch.syspath_prepend(tmp_path)
     monkeypatch.delitem(sys.modules, "xarray", raising=False)
-    with pytest.raises(ModuleNotFoundError, match="^No module named 'what_xarray_needs'$"):
-        apophis.to_xarray()
+    rejected(ModuleNotFoundError, "^No module named 'what_xarray_needs'$", apophis.to_xarray)

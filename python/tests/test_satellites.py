@@ -14,12 +14,11 @@ import sgp4
 from closeness import assert_allclose
 from polhode import satellites
 from polhode.satellites.__main__ import main
+from rejections import rejected
 from scenario_texts import BODY, STATE
 
-VANGUARD = (
-    "1 00005U 58002B   00179.78495062  .00000023  00000-0  28098-4 0  4753",
-    "2 00005  34.2682 348.7242 1859667 331.7664  19.3264 10.82419157413667",
-)
+VANGUARD = ("1 00005U 58002B   00179.78495062  .00000023  00000-0  28098-4 0  4753",
+            "2 00005  34.2682 348.7242 1859667 331.7664  19.3264 10.82419157413667")
 OMM = {
     "OBJECT_NAME": "VANGUARD 1",
     "OBJECT_ID": "1958-002B",
@@ -173,41 +172,25 @@ def test_the_epoch_of_a_table_is_a_date(tmp_path):
         assert f"from 2000-06-28T{time} UTC" in (tmp_path / "a.csv").read_text()
 
 
-@pytest.mark.parametrize(
-    ("line1", "line2", "what"),
-    [
-        (VANGUARD[0][:-1] + "4", VANGUARD[1], "line 1: its checksum is 4; its characters give 3"),
-        (VANGUARD[0], VANGUARD[1][:-1] + "0", "line 2: its checksum is 0; its characters give 7"),
-        (VANGUARD[0][:-1], VANGUARD[1], "line 1: has 68 characters; expected 69"),
-        (VANGUARD[1], VANGUARD[0], 'line 1: begins with "2 "'),
-        (
-            VANGUARD[0],
-            VANGUARD[1].replace("34.2682", "34.26x2")[:-1] + "9",
-            'line 2: its inclination " 34.26x2", in columns 9 to 16, is not a number',
-        ),
-        (
-            VANGUARD[0].replace("28098-4", "28o98-4")[:-1] + "3",
-            VANGUARD[1],
-            'line 1: its drag term " 28o98-4"',
-        ),
-        (
-            VANGUARD[0],
-            VANGUARD[1].replace("10.82419157", "00.00000000")[:-1] + "9",
-            "line 2: its mean motion is 0",
-        ),
-        (tle("21367.63955392"), VANGUARD[1], "the day of its epoch is 367.64; expected 1 to 365"),
-        (tle("21000.50000000"), VANGUARD[1], "the day of its epoch is 0.5; expected 1 to 365"),
-        (tle(kind="4"), VANGUARD[1], "its ephemeris type, in column 63, is 4; SGP4 elements"),
-        (
-            VANGUARD[0],
-            VANGUARD[1].replace(" 34.2682", "184.2682")[:-1] + "3",
-            "line 2: its inclination is 184.2682; expected at most 180 deg",
-        ),
-    ],
-)
+@pytest.mark.parametrize(("line1", "line2", "what"), [
+    (VANGUARD[0][:-1] + "4", VANGUARD[1], "line 1: its checksum is 4; its characters give 3"),
+    (VANGUARD[0], VANGUARD[1][:-1] + "0", "line 2: its checksum is 0; its characters give 7"),
+    (VANGUARD[0][:-1], VANGUARD[1], "line 1: has 68 characters; expected 69"),
+    (VANGUARD[1], VANGUARD[0], 'line 1: begins with "2 "'),
+    (VANGUARD[0], VANGUARD[1].replace("34.2682", "34.26x2")[:-1] + "9",
+     'line 2: its inclination " 34.26x2", in columns 9 to 16, is not a number'),
+    (VANGUARD[0].replace("28098-4", "28o98-4")[:-1] + "3", VANGUARD[1],
+     'line 1: its drag term " 28o98-4"'),
+    (VANGUARD[0], VANGUARD[1].replace("10.82419157", "00.00000000")[:-1] + "9",
+     "line 2: its mean motion is 0"),
+    (tle("21367.63955392"), VANGUARD[1], "the day of its epoch is 367.64; expected 1 to 365"),
+    (tle("21000.50000000"), VANGUARD[1], "the day of its epoch is 0.5; expected 1 to 365"),
+    (tle(kind="4"), VANGUARD[1], "its ephemeris type, in column 63, is 4; SGP4 elements"),
+    (VANGUARD[0], VANGUARD[1].replace(" 34.2682", "184.2682")[:-1] + "3",
+     "line 2: its inclination is 184.2682; expected at most 180 deg"),
+])
 def test_lines_that_are_wrong_say_where(line1, line2, what):
-    with pytest.raises(ValueError, match=what):
-        satellites.satellite_from_tle(line1, line2)
+    rejected(ValueError, what, satellites.satellite_from_tle, line1, line2)
 
 
 @pytest.mark.parametrize(("call", "message"), [
@@ -219,8 +202,7 @@ def test_lines_that_are_wrong_say_where(line1, line2, what):
     (lambda: satellites.satellite_from_omm(as_csv(OMM, OMM)), "2 messages; expected one"),
 ])  # fmt: skip
 def test_messages_that_are_wrong_say_where(call, message):
-    with pytest.raises(ValueError, match=message):
-        call()
+    rejected(ValueError, message, call)
 
 
 def message(number, name="", **fields):
@@ -319,8 +301,7 @@ def test_epochs_of_messages_and_days_with_a_leap_second():
     ({"REV_AT_EPOCH": "4_1366"}, "REV_AT_EPOCH: got"),
 ])  # fmt: skip
 def test_elements_of_another_theory_or_beyond_their_range_are_rejected(fields, what):
-    with pytest.raises(ValueError, match=what):
-        satellites.satellite_from_omm({**OMM, **fields})
+    rejected(ValueError, what, satellites.satellite_from_omm, {**OMM, **fields})
 
 
 @pytest.mark.parametrize(("text", "what"), [
@@ -332,8 +313,7 @@ def test_elements_of_another_theory_or_beyond_their_range_are_rejected(fields, w
     ("A,MEAN_MOTION\n1\n", "message 1: has 1 fields; the first line names 2"),
 ])  # fmt: skip
 def test_a_damaged_message_says_what_is_wrong(text, what):
-    with pytest.raises(ValueError, match=f"a: .*{what}"):
-        satellites.satellites_from_text(text, "a")
+    rejected(ValueError, f"a: .*{what}", satellites.satellites_from_text, text, "a")
 
 
 def test_elements_that_are_old_warn():

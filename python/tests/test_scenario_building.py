@@ -33,16 +33,11 @@ from polhode import (
 BODY = Body(1.0, 1.9, 2.3)
 ELEMENTS = KeplerElements(0.7, 1.1, 0.01, 1.1, 0.2, 0.3, 0.4, 5.0)
 ORBIT = KeplerOrbit(ELEMENTS)
-UNITS = [
-    {},
-    {"time": "h", "angle": "deg", "moment": "kg m2", "length": "km"},
-    {"time": "d", "angle": "arcsec", "length": "au"},
-]
+UNITS = [{}, {"time": "h", "angle": "deg", "moment": "kg m2", "length": "km"},
+         {"time": "d", "angle": "arcsec", "length": "au"}]
 DRAW = np.random.default_rng(20260101)
-STATES = [
-    RotorState(q / np.linalg.norm(q), g)
-    for q, g in zip(DRAW.normal(size=(40, 4)), DRAW.normal(size=(40, 3)))
-]
+STATES = [RotorState(q / np.linalg.norm(q), g) for q,
+          g in zip(DRAW.normal(size=(40, 4)), DRAW.normal(size=(40, 3)))]
 
 # In each chart what a file holds of a hub state.
 CHARTS = {
@@ -55,16 +50,10 @@ CHARTS = {
     "poincare-pi-0": lambda s: polhode.to_poincare(s, "pi", "zero"),
     "poincare-pi-pi": lambda s: polhode.to_poincare(s, "pi", "pi"),
 }
-TO_HUB = {
-    "rotor": lambda s: s,
-    "euler_rates": lambda s: polhode.to_euler_rates(BODY, s),
-    "free_rotation": lambda s: FreeRotation(BODY, s),
-}
-HUB = {
-    "rotor": lambda x: x,
-    "euler_rates": lambda x: polhode.to_rotor(BODY, x),
-    "free_rotation": lambda x: x.initial_state,
-}
+TO_HUB = {"rotor": lambda s: s, "euler_rates": lambda s: polhode.to_euler_rates(BODY, s),
+          "free_rotation": lambda s: FreeRotation(BODY, s)}
+HUB = {"rotor": lambda x: x, "euler_rates": lambda x: polhode.to_rotor(BODY, x),
+       "free_rotation": lambda x: x.initial_state}
 
 
 @pytest.mark.parametrize("units", UNITS, ids=["core", "deg", "arcsec"])
@@ -136,10 +125,8 @@ def test_a_run_of_the_file_is_the_run_of_the_objects(units):
     assert len(made.orbits) == 2  # equal orbits are one
     assert [type(t) for t in made.system.terms] == [type(t) for t in system.terms]
     assert made.system.frame == system.frame
-    again = Scenario.build(
-        made.system, made.initial_state, made.time, made.method, columns=made.columns,
-        units=made.units,
-    )
+    again = Scenario.build(made.system, made.initial_state, made.time, made.method,
+                           columns=made.columns, units=made.units)
     assert again == made
 
 

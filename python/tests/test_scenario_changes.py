@@ -9,6 +9,7 @@ import numpy as np
 import polhode
 import pytest
 from polhode import Scenario, ScenarioError, load
+from rejections import rejected
 from scenario_texts import ROOT, command_line
 
 APOPHIS = ROOT / "examples" / "apophis.toml"
@@ -52,12 +53,9 @@ def test_replace_says_what_is_wrong():
         apophis.replace({"body.momnets": [1, 2, 3]})
     with pytest.raises(ScenarioError, match="state.tumbler.mode: got \"XAM\""):
         apophis.replace({"state.tumbler.mode": "XAM"})
-    with pytest.raises(ValueError, match=r"replace: event\.0\.value: "):
-        apophis.replace({"event.0.value": 3})
-    with pytest.raises(TypeError, match="time.stop: got <object"):
-        apophis.replace({"time.stop": object()})
-    with pytest.raises(TypeError, match="expected a dict"):
-        apophis.replace(["time.stop"])
+    rejected(ValueError, r"replace: event\.0\.value: ", apophis.replace, {"event.0.value": 3})
+    rejected(TypeError, "time.stop: got <object", apophis.replace, {"time.stop": object()})
+    rejected(TypeError, "expected a dict", apophis.replace, ["time.stop"])
 
 
 def test_dates_are_texts_that_numpy_understands():
@@ -110,8 +108,7 @@ def test_tumblers_take_the_words_of_observers():
     body = polhode.Body(0.61, 0.965, 1.0)
     assert polhode.least_period_ratio(body, "LAM") == polhode.least_period_ratio(
         body, polhode.Regime.long_axis)
-    with pytest.raises(ValueError, match="mode"):
-        polhode.TumblerState(30.56, 263.0, [0, 0, 1], "XAM", 0.0, 0.0)
+    rejected(ValueError, "mode", polhode.TumblerState, 30.56, 263.0, [0, 0, 1], "XAM", 0.0, 0.0)
 
 
 def test_long_axis_period_is_that_of_the_paper():
@@ -119,8 +116,7 @@ def test_long_axis_period_is_that_of_the_paper():
     found = polhode.long_axis_period(27.38, 263.0)
     assert found == pytest.approx(30.56, abs=budgets.published_hours)
     for wrong in (0.0, -1.0, 263.0, float("nan")):
-        with pytest.raises(ValueError, match="long_axis_period"):
-            polhode.long_axis_period(wrong, 263.0)
+        rejected(ValueError, "long_axis_period", polhode.long_axis_period, wrong, 263.0)
 
 
 def test_a_perturbed_run_ends_with_what_it_made_of_the_spin():

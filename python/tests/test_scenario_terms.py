@@ -149,11 +149,9 @@ OWN = {
 
 
 def rebuilt(given):
-    return Scenario.build(
-        given.system, given.state, given.time, given.method, columns=given.columns,
-        units=given.units, epoch=given.epoch, axes=given.axes,
-        orbits=given.orbits,
-    )
+    return Scenario.build(given.system, given.state, given.time, given.method,
+                          columns=given.columns, units=given.units, epoch=given.epoch,
+                          axes=given.axes, orbits=given.orbits)
 
 
 T = 1.0

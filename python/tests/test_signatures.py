@@ -9,6 +9,7 @@ import re
 import numpy
 import polhode
 import pytest
+from rejections import rejected
 
 PUBLIC = [
     (module.__name__ + "." + name, getattr(module, name))
@@ -60,10 +61,8 @@ def test_methods_are_called_pickled_and_shown_as_before():
     assert at.__name__ == "at" and "exact state" in at.__doc__
     assert motion.at.__doc__ == at.__doc__
     assert pickle.loads(pickle.dumps(motion.at))(2.0) == motion.at(2.0)
-    with pytest.raises(TypeError, match=r"FreeRotation.at: got no t; expected t \(numbers\)"):
-        motion.at()
-    with pytest.raises(TypeError, match="FreeRotation.at: self: got 3, an int; expected a FreeRot"):
-        at(3, 2.0)
+    rejected(TypeError, r"FreeRotation.at: got no t; expected t \(numbers\)", motion.at)
+    rejected(TypeError, "FreeRotation.at: self: got 3, an int; expected a FreeRot", at, 3, 2.0)
 
 
 # What the signature calls a default is what is taken when the argument is left out.

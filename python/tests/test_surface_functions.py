@@ -29,9 +29,7 @@ def quietly(function, *arguments, **keywords):
 def seen(body, count=70, noise=0.01, seed=6):
     random = np.random.default_rng(seed)
     t = np.linspace(0.0, 40.0, count)
-    (flux,) = polhode.model_fluxes(
-        body, polhode.LightCurve(t, np.ones(count), 1.0, SUN, OBSERVER)
-    )
+    (flux,) = polhode.model_fluxes(body, polhode.LightCurve(t, np.ones(count), 1.0, SUN, OBSERVER))
     sigma = noise * flux.mean()
     return polhode.LightCurve(t, flux + sigma * random.normal(size=count), sigma, SUN, OBSERVER)
 

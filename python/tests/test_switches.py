@@ -23,6 +23,7 @@ from polhode import (
     effect,
     integrate,
 )
+from rejections import rejected
 
 BODY = Body(1.0, 1.5, 2.0)
 SPIN = RotorState([1, 0, 0, 0], [0, 0, 1.0])
@@ -91,11 +92,9 @@ def test_switches_that_are_no_numbers(returned, error, message):
 
 
 def test_refused_when_it_is_made():
-    with pytest.raises(TypeError, match="switches"):
-        TorqueTerm(jet, switches=3.0)
+    rejected(TypeError, "switches", TorqueTerm, jet, switches=3.0)
     for time in (0.0, -1.0, math.nan):
-        with pytest.raises(ValueError, match="expected a positive time"):
-            TorqueTerm(jet, time_scale=time)
+        rejected(ValueError, "expected a positive time", TorqueTerm, jet, time_scale=time)
 
 
 def test_a_pulse_that_its_term_knows():

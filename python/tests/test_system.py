@@ -36,6 +36,7 @@ from polhode import (
     to_euler,
     to_rotor,
 )
+from rejections import rejected
 
 EPS = np.finfo(float).eps
 ROUNDED = budgets.numpy_formula
@@ -310,10 +311,8 @@ def test_charts_by_name():
         CanonicalSet.poincare, polhode.Pole.pi, polhode.Pole.zero)
     assert pickle.loads(pickle.dumps(chart)) == chart and hash(chart) == hash(copy.copy(chart))
     assert eval(repr(chart), vars(polhode)) == chart != CanonicalChart("euler")
-    with pytest.raises(ValueError, match="expected one of euler andoyer poincare"):
-        CanonicalChart("delaunay")
-    with pytest.raises(TypeError, match="chart"):
-        polhode.canonical_rates(3.5, SYSTEM, T, STATE)
+    rejected(ValueError, "expected one of euler andoyer poincare", CanonicalChart, "delaunay")
+    rejected(TypeError, "chart", polhode.canonical_rates, 3.5, SYSTEM, T, STATE)
 
 
 # Andoyer's general method
@@ -426,8 +425,7 @@ def test_systems_compare_copy_and_pickle(system):
     (lambda: setattr(SYSTEM, "terms", ()), AttributeError, None),
 ])  # fmt: skip
 def test_wrong_arguments(call, error, message):
-    with pytest.raises(error, match=message):
-        call()
+    rejected(error, message, call)
 
 
 def test_times_and_states_broadcast(states, times):

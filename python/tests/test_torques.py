@@ -32,6 +32,7 @@ from polhode import (
     integrate,
     wobble_time,
 )
+from rejections import rejected
 from scipy.integrate import solve_ivp
 from scipy.interpolate import PchipInterpolator
 
@@ -57,8 +58,7 @@ def test_mass_moments_are_sums():
     turned = MassMoments.of_points(MASSES, POINTS @ R.T)
     assert_allclose(MOMENTS.rotated(R).fourth, turned.fourth, rtol=0, atol=budgets.numpy_random)
     assert pickle.loads(pickle.dumps(MOMENTS)) == MOMENTS
-    with pytest.raises(ValueError, match="third"):
-        MassMoments(np.zeros(9), np.zeros(15))
+    rejected(ValueError, "third", MassMoments, np.zeros(9), np.zeros(15))
 
 
 @pytest.mark.parametrize("of", ["attractor", "body"])
@@ -119,8 +119,7 @@ def test_internal_damping():
     by_time = InternalDamping.of_wobble(BODY, wobble_time(rock, G / 2.5), G)
     by_rock = about(InternalDamping.of_material(BODY, rock))
     assert_allclose(about(by_time).v, by_rock.v, rtol=budgets.numpy_formula)
-    with pytest.raises(ValueError, match=">= 0"):
-        InternalDamping(-1.0)
+    rejected(ValueError, ">= 0", InternalDamping, -1.0)
 
 
 def test_internal_damping_is_the_limit_of_a_sphere_in_a_viscous_cavity():
@@ -162,13 +161,10 @@ def test_torque_table_cubic_is_scipys_pchip():
         assert_allclose(
             effect(system, t, STATE).u, pchip(t), rtol=0, atol=budgets.numpy_formula * 10
         )
-    with pytest.raises(ValueError, match="before the first row"):
-        effect(system, 0.0, STATE)
+    rejected(ValueError, "before the first row", effect, system, 0.0, STATE)
     assert_allclose(table.breakpoints, times, rtol=0, atol=0)
-    with pytest.raises(ValueError, match="later"):
-        TorqueTable([0, 0], np.zeros((2, 3)))
-    with pytest.raises(ValueError, match="shape"):
-        TorqueTable([0, 1], np.zeros((3, 3)))
+    rejected(ValueError, "later", TorqueTable, [0, 0], np.zeros((2, 3)))
+    rejected(ValueError, "shape", TorqueTable, [0, 1], np.zeros((3, 3)))
 
 
 def test_a_second_of_torque_in_a_day():
@@ -178,29 +174,21 @@ def test_a_second_of_torque_in_a_day():
     assert_allclose(run.g[-1, 2], 5e-3, rtol=budgets.pulse_momentum)
 
 
-@pytest.mark.parametrize(
-    ("J2", "radius", "pole", "words"),
-    [
-        (1e-3, -1, [0, 0, 1], "Oblateness: radius -1 must be positive and finite"),
-        (np.nan, 1, [0, 0, 1], "Oblateness: J2 nan must be finite"),
-        (1e-3, 1, [0, 0, 0], r"Oblateness: pole \(0, 0, 0\) must be a direction"),
-    ],
-)
+@pytest.mark.parametrize(("J2", "radius", "pole", "words"), [
+    (1e-3, -1, [0, 0, 1], "Oblateness: radius -1 must be positive and finite"),
+    (np.nan, 1, [0, 0, 1], "Oblateness: J2 nan must be finite"),
+    (1e-3, 1, [0, 0, 0], r"Oblateness: pole \(0, 0, 0\) must be a direction"),
+])
 def test_what_is_no_oblateness_says_why(J2, radius, pole, words):
-    with pytest.raises(ValueError, match=words):
-        Oblateness(J2, radius, pole)
+    rejected(ValueError, words, Oblateness, J2, radius, pole)
 
 
 def test_terms_compare_copy_and_pickle():
     earth, moon = Oblateness(1e-3, 0.5), TidalBody(0.3, 0.01, 0.5)
-    terms = [
-        HigherGravity(0.7, ORBIT, MOMENTS, OrbitOf.body, name="planet"),
-        OblateGravity(0.7, ORBIT, earth),
-        TidalTorque(0.7, 0.4, ORBIT, moon),
-        InternalDamping(0.3),
-        InternalDamping.of_wobble(BODY, 2.0, 1.0),
-        TorqueTable([0, 1], [[0, 0, 1], [0, 1, 0]], axes="inertial"),
-    ]
+    terms = [HigherGravity(0.7, ORBIT, MOMENTS, OrbitOf.body, name="planet"),
+             OblateGravity(0.7, ORBIT, earth), TidalTorque(0.7, 0.4, ORBIT, moon),
+             InternalDamping(0.3), InternalDamping.of_wobble(BODY, 2.0, 1.0),
+             TorqueTable([0, 1], [[0, 0, 1], [0, 1, 0]], axes="inertial")]
     for term in terms:
         again = pickle.loads(pickle.dumps(term))
         assert again == term
@@ -258,13 +246,10 @@ rate = 2
     parts = System(
         body,
         None,
-        [
-            GravityGradient(1.0, orbit),
-            HigherGravity(1.0, orbit, MOMENTS, "body"),
-            OblateGravity(1.0, orbit, Oblateness(0.1, 3.0, [0, 1, 2])),
-            TidalTorque(1.0, 2.0, orbit, TidalBody(0.3, 0.1, 0.5)),
-            InternalDamping.of_wobble(body, 5.0, 5.0),
-        ],
+        [GravityGradient(1.0, orbit), HigherGravity(1.0, orbit, MOMENTS, "body"),
+         OblateGravity(1.0, orbit, Oblateness(0.1, 3.0, [0, 1, 2])),
+         TidalTorque(1.0, 2.0, orbit, TidalBody(0.3, 0.1, 0.5)),
+         InternalDamping.of_wobble(body, 5.0, 5.0)],
     )
     got, want = effect(scenario.system, 0.3, state), effect(parts, 0.3, state)
     assert_allclose(got.u, want.u, rtol=budgets.numpy_formula)
@@ -306,8 +291,6 @@ def test_torque_table_of_a_scenario(tmp_path):
         (inline + 'time_unit = "s"\n', "expected a key file as well"),
         (TABLE, "expected exactly one of times, file"),
     ]:
-        with pytest.raises(polhode.DomainError, match=message):
-            polhode.Scenario.from_text(text)
+        rejected(polhode.DomainError, message, polhode.Scenario.from_text, text)
     (tmp_path / "thruster.csv").write_text(rows.replace("120,", "60,"))
-    with pytest.raises(polhode.DomainError, match="time 60 stands twice"):
-        polhode.load(path)
+    rejected(polhode.DomainError, "time 60 stands twice", polhode.load, path)

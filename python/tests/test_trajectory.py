@@ -27,6 +27,7 @@ from polhode import (
     VariationOfConstants,
     integrate,
 )
+from rejections import rejected
 
 BODY = Body(1.0, 2.0, 2.7)
 START = RotorState([0.5, 0.5, -0.5, 0.5], [0.8, 1.9, 0.3])
@@ -93,16 +94,13 @@ def test_at_is_between_the_samples_what_it_is_at_them():
     assert np.abs(free.at(t).g - exact.at(t).g).max() < budgets.adaptive_dense
 
 
-@pytest.mark.parametrize(
-    ("t", "error", "words"),
-    [
-        (10.1, ValueError, "t = 10.1 must be from 0 to 10"),
-        ([1.0, -0.1], ValueError, "t = -0.1 must be from 0 to 10"),
-        (np.full(100, np.nan), ValueError, "t = nan must be from 0 to 10"),
-        ("now", TypeError, "t: got a str; expected real numbers"),
-        (None, TypeError, "t: got None; expected numbers"),
-    ],
-)
+@pytest.mark.parametrize(("t", "error", "words"), [
+    (10.1, ValueError, "t = 10.1 must be from 0 to 10"),
+    ([1.0, -0.1], ValueError, "t = -0.1 must be from 0 to 10"),
+    (np.full(100, np.nan), ValueError, "t = nan must be from 0 to 10"),
+    ("now", TypeError, "t: got a str; expected real numbers"),
+    (None, TypeError, "t: got None; expected numbers"),
+])
 def test_at_says_what_it_cannot_do(t, error, words):
     with pytest.raises(error) as raised:
         run().at(t)
@@ -113,8 +111,7 @@ def test_a_run_without_dense_output_says_so():
     r = run(dense=False)
     assert not r.has_dense and run().has_dense
     assert r.at(0.0) == START
-    with pytest.raises(ValueError, match="no dense output"):
-        r.at(5.0)
+    rejected(ValueError, "no dense output", r.at, 5.0)
 
 
 class Model:
@@ -159,8 +156,7 @@ def test_a_pickle_holds_all_but_dense_output():
     assert repr(again.statistics) == repr(r.statistics)
     assert again.outcome.ok and again.outcome.t == 10.0
     assert again.at(0.0) == START
-    with pytest.raises(ValueError, match="no dense output"):
-        again.at(5.0)
+    rejected(ValueError, "no dense output", again.at, 5.0)
     assert pickle.loads(pickle.dumps(again)).states == r.states
 
 
@@ -225,16 +221,13 @@ def test_columns_know_the_frame():
     assert not np.array_equal(table["w3"], table["w3_rel"])
 
 
-@pytest.mark.parametrize(
-    ("names", "with_system", "error", "words"),
-    [
-        ("andoyr", True, ValueError, 'unknown column "andoyr"'),
-        (["thta"], True, ValueError, "did you mean theta"),
-        ("andoyer", False, ValueError, '"andoyer" needs system='),
-        ([1], True, TypeError, "got 1; expected names"),
-        (3, True, TypeError, "int"),
-    ],
-)
+@pytest.mark.parametrize(("names", "with_system", "error", "words"), [
+    ("andoyr", True, ValueError, 'unknown column "andoyr"'),
+    (["thta"], True, ValueError, "did you mean theta"),
+    ("andoyer", False, ValueError, '"andoyer" needs system='),
+    ([1], True, TypeError, "got 1; expected names"),
+    (3, True, TypeError, "int"),
+])
 def test_columns_that_are_none_say_why(names, with_system, error, words):
     with pytest.raises(error) as raised:
         run().columns(names, system() if with_system else None)
@@ -246,8 +239,7 @@ def test_columns_that_are_none_say_why(names, with_system, error, words):
 def test_energy_of_a_system_without_one_is_refused():
     s = System(BODY, terms=[TorqueTerm(lambda t, s: (0.1, 0.0, 0.0), name="jet")])
     r = integrate(Problem(s, START, 0.0, 1.0), [0.0, 1.0])
-    with pytest.raises(ValueError, match="jet"):
-        r.columns("energy", s)
+    rejected(ValueError, "jet", r.columns, "energy", s)
 
 
 def test_a_pandas_table():
@@ -294,19 +286,16 @@ def test_times_to_save_at():
         steps[11]
 
 
-@pytest.mark.parametrize(
-    ("make", "error", "words"),
-    [
-        (lambda: SaveAt.steps(0.0, 1.0, -0.1), ValueError, "a step of -0.1 does not lead"),
-        (lambda: SaveAt.steps(0.0, np.nan, 0.1), ValueError, "stop nan must be finite"),
-        (lambda: SaveAt.count(0.0, 1.0, 0), ValueError, "a count of 0"),
-        (lambda: SaveAt.count(0.0, 1.0, 2.5), TypeError, "rows: got 2.5, a float; expected an int"),
-        (lambda: SaveAt.times([np.inf]), ValueError, "time inf must be finite"),
-        (lambda: SaveAt.times([[1.0]]), ValueError, "times: got shape (1, 1)"),
-        (lambda: SaveAt.times("1"), TypeError, "times: got a str"),
-        (lambda: SaveAt(), TypeError, "SaveAt"),
-    ],
-)
+@pytest.mark.parametrize(("make", "error", "words"), [
+    (lambda: SaveAt.steps(0.0, 1.0, -0.1), ValueError, "a step of -0.1 does not lead"),
+    (lambda: SaveAt.steps(0.0, np.nan, 0.1), ValueError, "stop nan must be finite"),
+    (lambda: SaveAt.count(0.0, 1.0, 0), ValueError, "a count of 0"),
+    (lambda: SaveAt.count(0.0, 1.0, 2.5), TypeError, "rows: got 2.5, a float; expected an int"),
+    (lambda: SaveAt.times([np.inf]), ValueError, "time inf must be finite"),
+    (lambda: SaveAt.times([[1.0]]), ValueError, "times: got shape (1, 1)"),
+    (lambda: SaveAt.times("1"), TypeError, "times: got a str"),
+    (lambda: SaveAt(), TypeError, "SaveAt"),
+])
 def test_times_that_cannot_be_say_why(make, error, words):
     with pytest.raises(error) as raised:
         make()
@@ -329,5 +318,4 @@ def test_columns_of_the_hub_need_no_system():
     run = polhode.integrate(polhode.Problem(polhode.System(polhode.Body(1, 2, 2.5)), start, 0, 5))
     for names in (["g3"], ["g"], ["q", "g1"]):
         assert list(run.columns(names)) == ["t", "qw", "qx", "qy", "qz", "g1", "g2", "g3"]
-    with pytest.raises(ValueError, match='"andoyer" needs system='):
-        run.columns(["g3", "andoyer"])
+    rejected(ValueError, '"andoyer" needs system=', run.columns, ["g3", "andoyer"])

@@ -44,7 +44,7 @@ inline constexpr double teme_km = 1.2e-3;
 inline constexpr double tle_epoch = 1e-3;  // s, its last digit
 inline constexpr double omm_km = 1e-2;
 
-// --- Moon and Sun in Delaunay's arguments (tests/unit/ephemeris/delaunay.cpp) ---
+// --- Moon and Sun in Delaunay's arguments (tests/unit/ephemeris/earth.cpp) ---
 // Over the distance; the Sun: perturbations of the Earth by the planets, 30 arcsec.
 inline constexpr double delaunay_moon = 5e-11;
 inline constexpr double delaunay_sun = 1.5e-4;

@@ -11,12 +11,12 @@ inline constexpr double frame_rate_eps = 2.0;
 // The same in double-double.
 inline constexpr double frame_wide = 2e-31;
 
-// --- local vertical (tests/unit/frame/local_vertical.cpp) ---
+// --- local vertical (tests/unit/frame/orbit_frames.cpp) ---
 // Axes against those from position and velocity by hand; rates relative to mu.
 inline constexpr double local_vertical_axes = 5e-14;
 inline constexpr double local_vertical_differences = 1e-6;
 
-// --- orbit plane (tests/unit/frame/orbit_plane.cpp) ---
+// --- orbit plane (tests/unit/frame/orbit_frames.cpp) ---
 
 inline constexpr double orbit_plane_axes = 5e-14;
 inline constexpr double orbit_plane_differences = 2e-11;  // rad/s

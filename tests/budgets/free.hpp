@@ -27,7 +27,7 @@ inline constexpr double free_double_double = 1e-28;
 inline constexpr double free_dual = 1e-11;
 // The same within 1e-8 of the separatrix, where slopes of the period are 1e8 times its own.
 inline constexpr double free_dual_near_separatrix = 4e-10;
-// The oracle past the edges (tests/unit/oracle/free_edge_cases.cpp), 1e25 turns included.
+// The oracle past the edges (tests/unit/oracle/free_body.cpp), 1e25 turns included.
 inline constexpr double oracle_edges = 1e-30;
 // Of the phase, rad per rad, 4 x 2^-104 (2.0 were seen in 2,800 cases): beyond 1e15 turns it has
 // fewer digits than the state.
@@ -83,7 +83,7 @@ inline constexpr double psi_max_by_sampling = 1e-5;
 // Periods, rates, modulus and actions against closed forms and each other, relative.
 inline constexpr double free_constants_eps = 4.0;
 
-// rounding_sensitivity (tests/unit/free/rounding_sensitivity.cpp): in eps w t of a sphere; in eps a
+// rounding_sensitivity (tests/unit/free/propagate.cpp): in eps w t of a sphere; in eps a
 // unit of time; and how many times larger it is a rounding away from the separatrix.
 inline constexpr double sensitivity_least = 0.25;
 inline constexpr double sensitivity_most = 4.0;

@@ -29,7 +29,7 @@ inline constexpr double j2_mean_axis = 3.0;
 inline constexpr double j2_low_orbit_km = 30.0;
 inline constexpr double j2_eccentric_orbit_km = 40.0;
 
-// Over the distance of the pericentre (tests/unit/orbit/mean_ellipse.cpp).
+// Over the distance of the pericentre (tests/unit/orbit/precessing_kepler_orbit.cpp).
 inline constexpr double mean_ellipse = 2e-14;
 
 // --- tabulated orbits (tests/unit/orbit/table_orbit.cpp), on numbers of order one ---

@@ -40,7 +40,7 @@ inline constexpr double higher_gravity_difference = 1e-15;
 // The exponent with which a remainder falls between 1000 and 2000 radii.
 inline constexpr double higher_gravity_slope = 0.02;
 
-// --- tides (tests/unit/perturb/tidal_torque.cpp), relative ---
+// --- tides (tests/unit/perturb/dissipation.cpp), relative ---
 // Over the sum of its three parts, in units of eps.
 inline constexpr double tidal_eps = 16.0;
 // A difference over a lag of 1e-4, of its own rounding and of the third order in the lag.

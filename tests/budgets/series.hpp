@@ -4,7 +4,7 @@
 
 namespace polhode::budget {
 
-// --- Poisson series (tests/unit/series/evaluation.cpp) ---
+// --- Poisson series (tests/unit/series/fourier.cpp) ---
 // Of the sum of |C a^n|, in eps.
 inline constexpr double compiled_series_eps = 5.0;
 // Relative, of 2^-168, after products of some terms.

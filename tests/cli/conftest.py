@@ -6,7 +6,7 @@ import subprocess
 
 import pytest
 from ensemble_files import VARY
-from fit_files import HEAD
+from fit_files import FREE_LIGHT, HEAD, NIGHT, TUMBLER
 from slowdown import SLOWDOWN
 
 # With what tools/sanitized asks of the sanitizers.
@@ -16,15 +16,32 @@ ENVIRONMENT["LANG"] = "C.UTF-8"
 SECONDS = 120 * SLOWDOWN
 
 
-@pytest.fixture(scope="session")
-def run(polhode):
+class CommandLine:
     """run("info", path, stdin="...") -> CompletedProcess with text, whatever its exit code."""
 
-    def call(*arguments, stdin="", **options):
-        return subprocess.run([polhode, *map(str, arguments)], input=stdin, text=True,
+    def __init__(self, program):
+        self.program = program
+
+    def __call__(self, *arguments, stdin="", **options):
+        return subprocess.run([self.program, *map(str, arguments)], input=stdin, text=True,
                               capture_output=True, timeout=SECONDS, env=ENVIRONMENT, **options)
 
-    return call
+    def ok(self, *arguments, **options):
+        """The same of a command that succeeds."""
+        done = self(*arguments, **options)
+        assert done.returncode == 0, done.stderr
+        return done
+
+    def rejected(self, *arguments, **options):
+        """What a command that is rejected says."""
+        done = self(*arguments, **options)
+        assert done.returncode == 2, done.stderr
+        return done.stderr
+
+
+@pytest.fixture(scope="session")
+def run(polhode):
+    return CommandLine(polhode)
 
 
 @pytest.fixture
@@ -75,3 +92,11 @@ def fit_file(tmp_path):
         return path
 
     return write
+
+
+@pytest.fixture
+def night(run, fit_file, tmp_path):
+    """The file of a night whose light curve is there."""
+    path = fit_file(NIGHT, FREE_LIGHT, head=TUMBLER)
+    run.ok("simulate", path, "--into", tmp_path)
+    return path

@@ -39,8 +39,7 @@ def columns(run, tmp_path):
         listed = ", ".join(f'"{group}"' for group in groups)
         path.write_text(f"schema = 1\n{text}\n{extra}[time]\n{time}\n"
                         f"[output]\ncolumns = [{listed}]\n", "utf-8")
-        done = run("run", path)
-        assert done.returncode == 0, done.stderr
+        done = run.ok("run", path)
         lines = [line for line in done.stdout.splitlines() if not line.startswith("#")]
         cells = [line.split(",") for line in lines[1:]]
         found = {}
@@ -140,11 +139,9 @@ def test_axes_are_the_columns_of_the_matrix_of_the_attitude(columns, body):
             "omega_body = [0.1, 0.2, 1]\n")
     c = columns(text, "axis1", "axis2", "axis3", "q_inertial")
     w, x, y, z = (c[name] for name in ("Qw", "Qx", "Qy", "Qz"))
-    matrix = {
-        "axis1": (1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)),
-        "axis2": (2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x)),
-        "axis3": (2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)),
-    }
+    matrix = {"axis1": (1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)),
+              "axis2": (2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x)),
+              "axis3": (2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y))}
     for axis, expected in matrix.items():
         for i, name in enumerate("xyz"):
             assert_allclose(c[f"{axis}_{name}"], expected[i], atol=budgets.observer_columns)
@@ -198,8 +195,7 @@ def test_hdf5_and_events_hold_the_same_dates(run, tmp_path):
     path.write_text("schema = 1\n" + tumbler() + '[[event]]\ncolumn = "pole_lon"\nvalue = 250\n'
                     '[[event]]\ncolumn = "axis3_z"\n[time]\nstop = 200\nstep = 0.7\n'
                     '[output]\ncolumns = ["date", "tumbler"]\n', "utf-8")
-    done = run("run", path, "--out", csv, "--out", h5, "--events", events)
-    assert done.returncode == 0, done.stderr
+    run.ok("run", path, "--out", csv, "--out", h5, "--events", events)
     rows = [line.split(",") for line in csv.read_text().splitlines() if line[0] != "#"][1:]
     with h5py.File(h5) as file:
         assert list(file["date"].attrs["columns"]) == ["date"]

@@ -33,10 +33,8 @@ def rotor_table(rows, seed=3):
 @pytest.mark.parametrize("chart", CHARTS)
 def test_there_and_back(run, table, chart):
     text = rotor_table(200)
-    there = run("convert", "--from", "rotor", "--to", chart, *MOMENTS, stdin=text)
-    assert there.returncode == 0, there.stderr
-    back = run("convert", "--from", chart, "--to", "rotor", *MOMENTS, stdin=there.stdout)
-    assert back.returncode == 0, back.stderr
+    there = run.ok("convert", "--from", "rotor", "--to", chart, *MOMENTS, stdin=text)
+    back = run.ok("convert", "--from", chart, "--to", "rotor", *MOMENTS, stdin=there.stdout)
     first, last = text.splitlines(), back.stdout.splitlines()
     assert first[0] == last[0] and len(first) == len(last)
     for a, b in zip(first[1:], last[1:], strict=True):
@@ -159,9 +157,8 @@ def test_a_run_in_a_chart_is_the_run_of_the_hub(run, scenario, table, chart):
     names, rows = table(run("run", path).stdout)
     assert len(rows) == 21
     numbers = "\n".join(",".join(map(repr, row[:7])) for row in rows)
-    back = run("convert", "--from", chart, "--to", "rotor",
-               stdin=",".join(names[:7]) + "\n" + numbers + "\n")
-    assert back.returncode == 0, back.stderr
+    back = run.ok("convert", "--from", chart, "--to", "rotor",
+                  stdin=",".join(names[:7]) + "\n" + numbers + "\n")
     for row, state in zip(rows, table(back.stdout)[1], strict=True):
         hub = [row[names.index(name)] for name in "qw qx qy qz g1 g2 g3".split()]
         sign = 1 if sum(x * y for x, y in zip(hub[:4], state[1:5], strict=True)) > 0 else -1
@@ -178,5 +175,5 @@ def test_two_poincare_sets_stand_next_to_each_other(run, scenario, table):
 
 def test_degrees_of_a_run_are_refused(polhode, run, tmp_path):
     table = "# units: t [h], phi [deg], theta [deg]\nt,phi,theta,psi,Phi,Theta,Psi\n0,1,1,1,1,1,1\n"
-    result = run("convert", "--from", "euler", "--to", "rotor", stdin=table)
-    assert result.returncode == 2 and "phi is in deg; expected radians" in result.stderr
+    assert "phi is in deg; expected radians" in run.rejected("convert", "--from", "euler", "--to",
+                                                             "rotor", stdin=table)

@@ -29,8 +29,7 @@ def rotor_rows(momenta, t=0.25):
 
 
 def converted(run, there, back, text, moments=BODY):
-    result = run("convert", "--from", there, "--to", back, "--moments", moments, stdin=text)
-    assert result.returncode == 0, result.stderr
+    result = run.ok("convert", "--from", there, "--to", back, "--moments", moments, stdin=text)
     return result.stdout
 
 
@@ -73,8 +72,7 @@ def test_an_energy_that_no_double_holds_is_refused(run):
 
 
 def read(run, path, *flags):
-    result = run("info", path, *flags)
-    assert result.returncode == 0, result.stderr
+    result = run.ok("info", path, *flags)
     return result.stdout
 
 

@@ -26,8 +26,7 @@ def test_any_number_of_threads_gives_the_same_files(run, ensemble, tmp_path, kee
     marks = set()
     for threads in (1, 2, 3):
         outs = [tmp_path / f"{threads}.csv", tmp_path / f"{threads}.h5"]
-        done = run("ensemble", path, "--out", outs[0], "--out", outs[1], "--threads", threads)
-        assert done.returncode == 0, done.stderr
+        done = run.ok("ensemble", path, "--out", outs[0], "--out", outs[1], "--threads", threads)
         assert "members           40\nvaried            state.attitude-rate.omega_body[2]: " in (
             done.stdout)
         marks.add(tuple(mark(out) for out in outs))
@@ -38,13 +37,12 @@ def test_any_number_of_threads_gives_the_same_files(run, ensemble, tmp_path, kee
     ("statistics", "t", "t"), ("final", "member", "member"), ("rows", "row", "member")])
 def test_dimensions_have_names(run, ensemble, tmp_path, keep, rows, first):
     out = tmp_path / "e.h5"
-    done = run("ensemble", ensemble(f'size = 5\nkeep = "{keep}"'), "--out", out)
-    assert done.returncode == 0, done.stderr
+    run.ok("ensemble", ensemble(f'size = 5\nkeep = "{keep}"'), "--out", out)
     found = dimensions(out)
     assert next(iter(found)) == first and {names[0] for names in found.values()} == {rows}
     assert all(names[1:] in ((), (f"{group}_column",)) for group, names in found.items())
     chunks = ensemble('size = 5\nchunk = 2\nkeep = "rows"')
-    assert run("ensemble", chunks, "--out", tmp_path / "c-{chunk}.h5").returncode == 0
+    run.ok("ensemble", chunks, "--out", tmp_path / "c-{chunk}.h5")
     assert {names[0] for names in dimensions(tmp_path / "c-index.h5").values()} == {"chunk"}
     assert {names[0] for names in dimensions(tmp_path / "c-1.h5").values()} == {"row"}
 
@@ -54,7 +52,7 @@ def test_an_ensemble_survives_kills(polhode, run, ensemble, tmp_path, keep):
     path = ensemble(f'size = 300\nchunk = 10\nkeep = "{keep}"', extra=TORQUE,
                     time="stop = 400\nstep = 4")
     whole, out, table = tmp_path / "whole.csv", tmp_path / "part.csv", tmp_path / "part.h5"
-    assert run("ensemble", path, "--out", whole).returncode == 0
+    run.ok("ensemble", path, "--out", whole)
     command = [polhode, "ensemble", path, "--out", out, "--out", table, "--resume",
                "--checkpoint", "0"]
     for threads, pause in (("1", 0.2), ("2", 0.3), ("3", 0.2)):
@@ -65,15 +63,14 @@ def test_an_ensemble_survives_kills(polhode, run, ensemble, tmp_path, keep):
         process.wait()
     if out.exists():  # it was complete when the last kill came
         assert out.read_bytes() == whole.read_bytes()
-    done = run(*command[1:])
-    assert done.returncode == 0, done.stderr
+    run.ok(*command[1:])
     assert out.read_bytes() == whole.read_bytes()
     assert {one.name for one in tmp_path.iterdir()} == {
         "body.toml", "whole.csv", "part.csv", "part.h5"}
     again = run(*command[1:])
     assert "nothing to do: complete" in again.stdout
     straight = tmp_path / "straight.h5"
-    assert run("ensemble", path, "--out", straight).returncode == 0
+    run.ok("ensemble", path, "--out", straight)
     assert mark(straight) == mark(table)
 
 
@@ -112,7 +109,7 @@ def test_a_machine_with_other_sines_does_not_go_on_unless_told(polhode, run, tmp
         return subprocess.run([polhode, *arguments], capture_output=True, text=True,
                               timeout=SECONDS, env=other)
 
-    assert run(*words(500)).returncode == 0
+    run.ok(*words(500))
     out.rename(whole)
     assert elsewhere(*words(500)).returncode == 0
     if out.read_bytes() == whole.read_bytes():
@@ -146,17 +143,16 @@ high = 2.5
                     body='moments = ["1 kg m2", "2 kg m2", "2.5 kg m2"]')
     path.write_text(path.read_text().replace("[body]", "units.moment = \"kg m2\"\n[body]"))
     final = tmp_path / "final.csv"
-    assert run("ensemble", path, "--out", final).returncode == 0
+    run.ok("ensemble", path, "--out", final)
     last = rows_of(final)
     for member in (0, 17, 49):
         out, toml = tmp_path / f"{member}.csv", tmp_path / f"{member}.toml"
-        done = run("ensemble", path, "--member", member, "--out", out, "--out", toml)
-        assert done.returncode == 0, done.stderr
+        run.ok("ensemble", path, "--member", member, "--out", out, "--out", toml)
         alone = rows_of(out)
         for name, column in alone.items():
             assert column[-1] == last[name][member], name
         again = tmp_path / f"again-{member}.csv"
-        assert run("run", toml, "--out", again).returncode == 0
+        run.ok("run", toml, "--out", again)
         assert all((rows_of(again)[name] == column).all() for name, column in alone.items())
         assert toml.read_text() == run("ensemble", path, "--member", member).stdout
         assert toml.read_text().startswith(f"# Member {member} of body.toml, 50 members, seed 1\n")
@@ -172,10 +168,10 @@ def test_statistics_are_those_of_the_rows(run, ensemble, tmp_path):
     for keep in ("statistics", "rows"):
         path = ensemble(f'size = 200\nkeep = "{keep}"\nquantiles = [0.025, 0.5, 0.9]', vary=vary,
                         **parts)
-        assert run("ensemble", path, "--out", tmp_path / f"{keep}.csv").returncode == 0
+        run.ok("ensemble", path, "--out", tmp_path / f"{keep}.csv")
         kept[keep] = rows_of(tmp_path / f"{keep}.csv")
     base = tmp_path / "base.csv"
-    assert run("run", path, "--out", base).returncode == 0
+    run.ok("run", path, "--out", base)
     base, found, rows = rows_of(base), kept["statistics"], kept["rows"]
     times = found["t"]
     assert (found["members"] == 200).all() and len(times) == 7
@@ -246,10 +242,9 @@ sigma = 0.05
     out, table = tmp_path / "out.h5", tmp_path / "rows.h5"
     parts = {"columns": '"andoyer"', "time": "stop = 10\ncount = 50"}
     path = ensemble("size = 40000\nchunk = 1000", vary=vary, **parts)
-    done = run("ensemble", path, "--out", out)
-    assert done.returncode == 0, done.stderr
+    run.ok("ensemble", path, "--out", out)
     path = ensemble('size = 40000\nkeep = "rows"', vary=vary, **parts)
-    assert run("ensemble", path, "--out", table).returncode == 0
+    run.ok("ensemble", path, "--out", table)
     with h5py.File(out) as file, h5py.File(table) as rows:
         L = rows["andoyer"][:].reshape(40000, 50, 6)
         last = dict(zip(file["L"].attrs["columns"], file["L"][-1]))
@@ -280,7 +275,7 @@ key = "state.attitude-rate.omega_body[2]"
 sigma = 0.01
 """)
     out = tmp_path / "out.csv"
-    assert run("ensemble", path, "--out", out).returncode == 0
+    run.ok("ensemble", path, "--out", out)
     found = rows_of(out)
     # l goes at (1/I3 - 1/I1) L, L = I3 w3, from where it is: (1 - I3/I1) w3 t
     expected = abs(1 - 1 / 2) * 0.01 * found["t"]
@@ -301,8 +296,7 @@ def test_members_that_cannot_be_are_counted_and_left_out(run, ensemble, tmp_path
     """I3 = 2.5 > I1 + I2 where I2 < 1.5."""
     path = ensemble("size = 400", vary=FAILING)
     out = tmp_path / "out.csv"
-    done = run("ensemble", path, "--out", out)
-    assert done.returncode == 0, done.stderr
+    done = run.ok("ensemble", path, "--out", out)
     failed = int(done.stdout.split("failed            ")[1].split(",")[0])
     assert 20 < failed < 60
     assert "  member " in done.stdout and "body.moments" in done.stdout
@@ -311,7 +305,7 @@ def test_members_that_cannot_be_are_counted_and_left_out(run, ensemble, tmp_path
     alone = run("ensemble", path, "--member", member, "--out", tmp_path / "alone.csv")
     assert alone.returncode != 0 and "body.moments" in alone.stderr
     path.write_text(path.read_text().replace("size = 400", 'size = 400\nkeep = "final"'))
-    assert run("ensemble", path, "--out", tmp_path / "final.csv").returncode == 0
+    run.ok("ensemble", path, "--out", tmp_path / "final.csv")
     final = rows_of(tmp_path / "final.csv")
     assert numpy.isnan(final["w1"]).sum() == failed
     assert (numpy.isnan(final["w1"]) == (final["body.moments[1]"] < 1.5)).all()
@@ -321,11 +315,10 @@ def test_an_event_that_stops_members_ends_their_part(run, ensemble, tmp_path):
     event = '[[event]]\nname = "end"\ncolumn = "w1"\nvalue = 0\nstops = true\n'
     for extra in (event, TORQUE + event):
         path = ensemble('size = 100\nkeep = "final"', extra=extra)
-        assert run("ensemble", path, "--out", tmp_path / "final.csv").returncode == 0
+        run.ok("ensemble", path, "--out", tmp_path / "final.csv")
         ends = rows_of(tmp_path / "final.csv")["t"]
         path = ensemble("size = 100", extra=extra)
-        done = run("ensemble", path, "--out", tmp_path / "s.csv")
-        assert done.returncode == 0
+        done = run.ok("ensemble", path, "--out", tmp_path / "s.csv")
         found = rows_of(tmp_path / "s.csv")
         assert found["members"][-1] == 0
         assert "  w1              no members\n" in done.stdout and "nan" not in done.stdout
@@ -335,7 +328,7 @@ def test_an_event_that_stops_members_ends_their_part(run, ensemble, tmp_path):
 
 def test_a_branch_that_is_noted_is_of_the_files_own_run(run, ensemble, tmp_path):
     path = ensemble('size = 3\nkeep = "final"', columns='"sadov", "andoyer"')
-    assert run("ensemble", path, "--out", tmp_path / "final.csv").returncode == 0
+    run.ok("ensemble", path, "--out", tmp_path / "final.csv")
     notes = [line for line in (tmp_path / "final.csv").read_text().splitlines() if "sadov" in line]
     assert "# sadov: region" in notes[0] and "is that of the file's own run" in notes[1]
 
@@ -360,12 +353,11 @@ sigma = 0.5
     marks = set()
     for threads in (1, 3):
         out = tmp_path / f"{threads}.csv"
-        done = run("ensemble", path, "--out", out, "--threads", threads)
-        assert done.returncode == 0, done.stderr
+        run.ok("ensemble", path, "--out", out, "--threads", threads)
         marks.add(mark(out))
     assert len(marks) == 1 and len(set(rows_of(out)["obliquity"])) == 12
     alone = tmp_path / "alone.csv"
-    assert run("ensemble", path, "--member", 5, "--out", alone).returncode == 0
+    run.ok("ensemble", path, "--member", 5, "--out", alone)
     assert rows_of(alone)["obliquity"][-1] == rows_of(out)["obliquity"][5]
 
 
@@ -467,8 +459,7 @@ def test_tables_grids_and_directions(run, ensemble, tmp_path):
     done = run("ensemble", path, "--out", tmp_path / "final.csv")
     assert "expected a vector whose length in the file is not 0" in done.stderr
     path.write_text(path.read_text().replace("[1, 0, 0, 0]", "[1, 0, 0, 2]"))
-    done = run("ensemble", path, "--out", tmp_path / "final.csv")
-    assert done.returncode == 0, done.stderr
+    run.ok("ensemble", path, "--out", tmp_path / "final.csv")
     found = rows_of(tmp_path / "final.csv")
     assert found[OMEGA + "[0]"].tolist() == [-1, -2, -3, -4, -5, -6]
     assert found[OMEGA + "[1]"].tolist() == [1, 2, 3, 4, 5, 6]
@@ -490,8 +481,7 @@ kind = "direction"
 keys = ["state.tumbler.pole.longitude", "state.tumbler.pole.latitude"]
 """)
     out = tmp_path / "out.csv"
-    done = run("ensemble", path, "--out", out)
-    assert done.returncode == 0, done.stderr
+    run.ok("ensemble", path, "--out", out)
     found = rows_of(out)
     longitude, latitude = (found[f"state.tumbler.pole.{x}"] for x in ("longitude", "latitude"))
     assert (longitude >= 0).all() and (longitude < 360).all() and longitude.std() > 80
@@ -505,7 +495,7 @@ keys = ["state.tumbler.pole.longitude", "state.tumbler.pole.latitude"]
 def test_a_disk_that_fills_up_keeps_the_members(polhode, run, ensemble, tmp_path, keep):
     path = ensemble(f'size = 600\nkeep = "{keep}"', extra=TORQUE)
     whole, out = tmp_path / "whole.csv", tmp_path / "m.csv"
-    assert run("ensemble", path, "--out", whole).returncode == 0
+    run.ok("ensemble", path, "--out", whole)
     assert whole.stat().st_size > 64 * 1024
     for kilobytes, status in ((32, 1), (64, 1), (None, 0)):
         limit = f"ulimit -f {kilobytes}; exec \"$@\"" if kilobytes else "exec \"$@\""
@@ -534,17 +524,16 @@ def test_draws_that_are_others_do_not_go_on(polhode, run, ensemble, tmp_path):
     process.kill()
     process.wait()
     draws.write_text(draws.read_text().replace("1.000001\n", "1.000002\n"))
-    done = run("ensemble", path, "--out", out, "--resume")
-    assert done.returncode == 2 and "is of another ensemble: files of the scenario" in done.stderr
+    assert "is of another ensemble: files of the scenario" in run.rejected("ensemble", path,
+                                                                           "--out", out, "--resume")
 
 
 @pytest.mark.parametrize("extension", ["csv", "h5"])
 def test_a_complete_run_is_no_complete_ensemble(run, ensemble, tmp_path, extension):
     path, out = ensemble("size = 10"), tmp_path / f"a.{extension}"
     for first, second in (("run", "ensemble"), ("ensemble", "run")):
-        assert run(first, path, "--out", out, "--restart").returncode == 0
+        run.ok(first, path, "--out", out, "--restart")
         before = out.read_bytes()
-        done = run(second, path, "--out", out, "--resume")
-        assert done.returncode == 2 and "is there, of another run" in done.stderr
+        assert "is there, of another run" in run.rejected(second, path, "--out", out, "--resume")
         assert out.read_bytes() == before
         assert "nothing to do" in run(first, path, "--out", out, "--resume").stdout

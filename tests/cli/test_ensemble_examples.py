@@ -25,8 +25,7 @@ def ensemble(run, root, tmp_path):
         out.unlink(missing_ok=True)
         sets = [each for key, value in changes.items()
                 for each in ("--set", f"{key.replace('__', '.')}={value}")]
-        done = run("ensemble", root / "examples" / f"{name}.toml", *sets, "--out", out)
-        assert done.returncode == 0, done.stderr
+        run.ok("ensemble", root / "examples" / f"{name}.toml", *sets, "--out", out)
         return columns(out.read_text(encoding="utf-8"))
 
     return go
@@ -48,9 +47,8 @@ def member(run, root, tmp_path):
         path, out = tmp_path / f"{index}.toml", tmp_path / f"{index}.csv"
         sets = [each for key, value in changes.items()
                 for each in ("--set", f"{key.replace('__', '.')}={value}")]
-        done = run("ensemble", root / "examples" / f"{name}.toml", "--member", index, *sets,
-                   "--out", path, "--out", out)
-        assert done.returncode == 0, done.stderr
+        run.ok("ensemble", root / "examples" / f"{name}.toml", "--member", index, *sets, "--out",
+               path, "--out", out)
         return (tomllib.loads(path.read_text(encoding="utf-8")),
                 columns(out.read_text(encoding="utf-8")))
 

@@ -33,8 +33,7 @@ def kept(run, ensemble, tmp_path, keep, size=200, **parts):
     marks = set()
     for threads in (1, 3):
         out = tmp_path / f"{keep}{threads}.csv"
-        done = run("ensemble", path, "--out", out, "--threads", threads)
-        assert done.returncode == 0, done.stderr
+        done = run.ok("ensemble", path, "--out", out, "--threads", threads)
         marks.add(mark(out))
     assert len(marks) == 1
     return rows_of(out), done.stdout
@@ -43,7 +42,7 @@ def kept(run, ensemble, tmp_path, keep, size=200, **parts):
 def first_times(run, toml, tmp_path):
     """Of a run alone: the first time of each event, and its last row."""
     out, events = tmp_path / "alone.csv", tmp_path / "events.csv"
-    assert run("run", toml, "--out", out, "--events", events).returncode == 0
+    run.ok("run", toml, "--out", out, "--events", events)
     times = {}
     for line in events.read_text().splitlines():
         name, t = line.split(",")[:2] if not line.startswith("#") else ("name", "t")
@@ -62,7 +61,7 @@ def test_first_times_are_those_of_the_members_alone(run, ensemble, tmp_path):
         path = ensemble("size = 60", **parts)
         for member in (0, 7, 23):
             toml = tmp_path / "member.toml"
-            assert run("ensemble", path, "--member", member, "--out", toml).returncode == 0
+            run.ok("ensemble", path, "--member", member, "--out", toml)
             times, alone = first_times(run, toml, tmp_path)
             here = rows["member"] == member
             assert (rows["w1"][here] == alone["w1"]).all()
@@ -81,15 +80,15 @@ def test_a_member_alone_has_what_the_ensemble_keeps_of_it(run, ensemble, tmp_pat
     rows, _ = kept(run, ensemble, tmp_path, "rows", size=20, **parts)
     path, out = ensemble("size = 20", **parts), tmp_path / "alone.csv"
     for member in (3, 11):
-        assert run("ensemble", path, "--member", member, "--out", out).returncode == 0
+        run.ok("ensemble", path, "--member", member, "--out", out)
         alone, here = rows_of(out), rows["member"] == member
         assert list(alone) == list(rows)[1:] and "down_first" in alone and "lyapunov" in alone
         for name, column in alone.items():
             numpy.testing.assert_array_equal(column, rows[name][here])
     done = run("ensemble", path, "--member", 11, "--out", out, "--resume")
     assert done.returncode == 0 and "nothing to do" in done.stdout
-    done = run("ensemble", path, "--member", 3, "--out", out, "--resume")
-    assert done.returncode == 2 and "alone.csv: is there" in done.stderr
+    assert "alone.csv: is there" in run.rejected("ensemble", path, "--member", 3, "--out", out,
+                                                 "--resume")
 
 
 def test_parts_count_members_that_an_event_has_stopped(run, ensemble, tmp_path):
@@ -205,7 +204,7 @@ def test_indicators_are_those_of_a_map(run, ensemble, scenario, tmp_path):
     parts = {"extra": CHAOS, "time": "stop = 400\ncount = 9", **HYPERION}
     path = scenario(**{key: part for key, part in parts.items() if key != "extra"})
     path.write_text(path.read_text() + CHAOS + '[map]\nkind = "chaos"\n[[map.axis]]\n' + GRID)
-    assert run("map", path, "--out", tmp_path / "map.csv").returncode == 0
+    run.ok("map", path, "--out", tmp_path / "map.csv")
     cells = rows_of(tmp_path / "map.csv")
     names = ("lyapunov", "mean_megno")
     vary = 'indicators = ["lyapunov", "mean_megno"]\n[[ensemble.vary]]\nkind = "grid"\n' + GRID
@@ -315,9 +314,8 @@ sigma = 3
 """
     path, out = tmp_path / "mars.toml", tmp_path / "out.csv"
     path.write_text(text)
-    assert run("ensemble", path, "--out", tmp_path / "rows.csv").returncode == 0
-    done = run("ensemble", path, "--set", "ensemble.keep=statistics", "--out", out)
-    assert done.returncode == 0, done.stderr
+    run.ok("ensemble", path, "--out", tmp_path / "rows.csv")
+    run.ok("ensemble", path, "--set", "ensemble.keep=statistics", "--out", out)
     rows, found, table = (rows_of(tmp_path / name)
                           for name in ("rows.csv", "out.csv", "out.obliquity.csv"))
     assert found["t"].tolist() == [-10, -40, -70]

@@ -26,17 +26,15 @@ def test_an_ensemble_of_which_nobody_is_left_ends_with_an_error(run, ensemble, t
     assert not list(tmp_path.glob("*.checkpoint"))
     printed = run("ensemble", path)
     assert printed.returncode == 1 and "-nan" not in printed.stdout
-    again = run("ensemble", path, "--set", "body.moments=[1, 2, 2.5]", "--set",
-                "ensemble.vary.0.low=1.6", "--set", "ensemble.vary.0.high=2", "--out", out)
-    assert again.returncode == 0, again.stderr
+    run.ok("ensemble", path, "--set", "body.moments=[1, 2, 2.5]", "--set",
+           "ensemble.vary.0.low=1.6", "--set", "ensemble.vary.0.high=2", "--out", out)
 
 
 @pytest.mark.parametrize("keep", ["statistics", "final", "rows"])
 def test_a_file_says_which_members_failed_and_why(run, ensemble, tmp_path, keep):
     path = ensemble(f'size = 60\nkeep = "{keep}"\nchunk = 7', vary=SOME_FAIL)
     out, table = tmp_path / "out.csv", tmp_path / "out.h5"
-    done = run("ensemble", path, "--out", out, "--out", table)
-    assert done.returncode == 0, done.stderr
+    done = run.ok("ensemble", path, "--out", out, "--out", table)
     failed = int(done.stdout.split("failed            ")[1].split(",")[0])
     said = [line[10:] for line in out.read_text().splitlines() if line.startswith("# failed: ")]
     assert said[0] == f"{failed} of 60 members" and len(said) == 1 + (failed if failed < 20 else 20)
@@ -48,14 +46,13 @@ def test_a_file_says_which_members_failed_and_why(run, ensemble, tmp_path, keep)
     one = run("ensemble", path, "--member", said[1].split(":")[0][7:], "--out", tmp_path / "a.csv")
     assert one.returncode != 0 and "body.moments" in one.stderr
     one_thread = tmp_path / "again.csv"
-    assert run("ensemble", path, "--out", one_thread, "--threads", 1).returncode == 0
+    run.ok("ensemble", path, "--out", one_thread, "--threads", 1)
     assert one_thread.read_bytes() == out.read_bytes()
 
 
 def test_files_of_chunks_say_who_failed_in_them(run, ensemble, tmp_path):
     path = ensemble('size = 40\nkeep = "final"\nchunk = 10', vary=SOME_FAIL)
-    done = run("ensemble", path, "--out", tmp_path / "e-{chunk}.csv")
-    assert done.returncode == 0, done.stderr
+    run.ok("ensemble", path, "--out", tmp_path / "e-{chunk}.csv")
     index = rows_of(tmp_path / "e-index.csv")
     for k, failed in enumerate(index["failed"]):
         text = (tmp_path / f"e-{k}.csv").read_text()
@@ -69,8 +66,7 @@ def test_columns_without_numbers_are_not_shown_as_nan(run, ensemble, tmp_path):
     vary = f'[[ensemble.vary]]\nkind = "normal"\nkey = "{OMEGA}[0]"\nsigma = 0.01\n'
     path = ensemble("size = 9", vary=vary, state=state,
                     columns='"q", "omega", "andoyer", "energy", "tumbler"')
-    done = run("ensemble", path, "--out", tmp_path / "out.csv")
-    assert done.returncode == 0, done.stderr
+    done = run.ok("ensemble", path, "--out", tmp_path / "out.csv")
     assert "nan" not in done.stdout
     assert "  mode            0 SAM, 1 LAM, 0 others\n" in done.stdout  # behind 12 columns
     few = run("ensemble", path, "--set", "ensemble.size=1", "--set",
@@ -81,8 +77,7 @@ def test_columns_without_numbers_are_not_shown_as_nan(run, ensemble, tmp_path):
 
 def test_what_another_keep_leaves_out_is_said(run, ensemble, tmp_path):
     path = ensemble('size = 4\nkeep = "final"', vary=SOME_FAIL + HISTOGRAM + FRACTION)
-    done = run("ensemble", path, "--out", tmp_path / "out.csv")
-    assert done.returncode == 0
+    done = run.ok("ensemble", path, "--out", tmp_path / "out.csv")
     for table in ("histogram", "fraction"):
         assert (f'body.toml: note: [[ensemble.{table}]] is left out: it goes with keep = '
                 '"statistics", and this is keep = "final"\n') in done.stderr
@@ -99,7 +94,7 @@ def test_a_direction_goes_by_the_names_of_its_angles(run, root, tmp_path):
     for keys in (sky, sky[::-1]):
         path.write_text(text + '\n[ensemble]\nsize = 400\nkeep = "final"\n[[ensemble.vary]]\n'
                         f'kind = "direction"\nkeys = ["{keys[0]}", "{keys[1]}"]\n')
-        assert run("ensemble", path, "--out", out).returncode == 0
+        run.ok("ensemble", path, "--out", out)
         found = rows_of(out)
         assert (abs(found[sky[1]]) <= 90).all() and found[sky[1]].min() < -60
         assert (found[sky[0]] >= 0).all() and found[sky[0]].max() > 300
@@ -120,8 +115,7 @@ def test_planes_of_orbits_lie_every_way(run, ensemble, tmp_path):
     for keys in ((NODE, INCLINATION), (INCLINATION, NODE)):
         vary = f'[[ensemble.vary]]\nkind = "direction"\nkeys = ["{keys[0]}", "{keys[1]}"]\n'
         path = ensemble('size = 400\nkeep = "final"', vary=vary, extra=orbit)
-        done = run("ensemble", path, "--out", tmp_path / "out.csv")
-        assert done.returncode == 0, done.stderr
+        run.ok("ensemble", path, "--out", tmp_path / "out.csv")
         tilt = rows_of(tmp_path / "out.csv")[INCLINATION]
         assert (tilt >= 0).all() and (tilt <= numpy.pi).all()
         assert abs(numpy.cos(tilt).mean()) < 0.15 and (tilt > numpy.pi / 2).mean() > 0.4

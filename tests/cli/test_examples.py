@@ -15,15 +15,13 @@ EXAMPLES = sorted((pathlib.Path(__file__).resolve().parents[2] / "examples").glo
 
 
 def info(run, root, name):
-    result = run("info", root / "examples" / name, "--json")
-    assert result.returncode == 0, result.stderr
+    result = run.ok("info", root / "examples" / name, "--json")
     return json.loads(result.stdout)
 
 
 @pytest.mark.parametrize("path", EXAMPLES, ids=lambda p: p.stem)
 def test_every_example_runs_and_names_its_source(run, table, path):
-    result = run("run", path)
-    assert result.returncode == 0
+    result = run.ok("run", path)
     # without the lines of progress
     printed = re.sub(r"^ *\d+ %, .*\n", "", result.stderr, flags=re.MULTILINE)
     assert printed == ""
@@ -78,8 +76,7 @@ def test_the_satellite_spins_evenly(run, root, table):
 
 
 def columns(run, table, path):
-    result = run("run", path)
-    assert result.returncode == 0, result.stderr
+    result = run.ok("run", path)
     names, rows = table(result.stdout)
     return dict(zip(names, numpy.array(rows).T, strict=True))
 

@@ -103,7 +103,7 @@ TRUTH = {"turn_x": 0, "turn_y": 0, "turn_z": 0, "w_x": 3, "w_y": 4, "w_z": 12,
 def test_unknowns_with_a_slash_are_datasets_of_a_covariance(run, fit_file, tmp_path):
     """A slash in the name of an HDF5 dataset means a group."""
     path = fit_file(ATTITUDES, FREE)
-    assert run("simulate", path, "--into", tmp_path).returncode == 0
+    run.ok("simulate", path, "--into", tmp_path)
     tables = [tmp_path / "c.csv", tmp_path / "c.h5"]
     solution, = fitted(run, path, *(x for t in tables for x in ("--covariance", t)))["solutions"]
     with h5py.File(tables[1]) as file:
@@ -115,7 +115,7 @@ def test_unknowns_with_a_slash_are_datasets_of_a_covariance(run, fit_file, tmp_p
 
 def test_degrees_that_may_be_radians_get_a_note(run, fit_file, tmp_path):
     path = fit_file(ATTITUDES, DIRECTIONS + 'columns = ["t", "lon", "lat"]\n', FREE)
-    assert run("simulate", path, "--into", tmp_path).returncode == 0
+    run.ok("simulate", path, "--into", tmp_path)
     assert fitted(run, path)["notes"] == []
     pole = tmp_path / "pole.csv"
     seen = rows(pole)
@@ -136,8 +136,7 @@ def test_what_was_simulated_is_found(run, fit_file, tmp_path, tables, seed):
     """From a start that is off: the distance to the truth is a draw of chi-square with 8 degrees
     of freedom; and whitened residuals have the size of their errors."""
     path = fit_file(tables, FREE)
-    done = run("simulate", path, "--into", tmp_path, "--set", f"simulate.seed={seed}")
-    assert done.returncode == 0, done.stderr
+    run.ok("simulate", path, "--into", tmp_path, "--set", f"simulate.seed={seed}")
     off = ["--set", "state.attitude-rate.omega_body=[3.01, 4.02, 11.99]",
            "--set", "state.attitude-rate.euler.theta=63", "--set", "body.moments=[1.02, 2.25, 2.6]"]
     solution, = fitted(run, path, *off, "--covariance", tmp_path / "c.csv")["solutions"]
@@ -157,13 +156,12 @@ def test_what_was_simulated_is_found(run, fit_file, tmp_path, tables, seed):
 
 def test_a_solution_runs_on_from_its_state(run, fit_file, tmp_path, table):
     path = fit_file(ATTITUDES, FREE)
-    assert run("simulate", path, "--into", tmp_path).returncode == 0
+    run.ok("simulate", path, "--into", tmp_path)
     out = tmp_path / "fitted.toml"
     solution, = fitted(run, path, "--solution", out)["solutions"]
     text = out.read_text()
     assert text.startswith("# Solution 1 of 1 of a fit of fit.toml") and "observation" not in text
-    done = run("run", out)
-    assert done.returncode == 0, done.stderr
+    done = run.ok("run", out)
     names, numbers = table(done.stdout)
     first = dict(zip(names, numbers[0], strict=True))
     q = [first[n] for n in ("qw", "qx", "qy", "qz")]
@@ -180,17 +178,17 @@ def test_a_solution_runs_on_from_its_state(run, fit_file, tmp_path, table):
 
 
 def test_a_solution_without_rows_covers_what_was_seen(run, fit_file, tmp_path, table):
-    assert run("simulate", fit_file(ATTITUDES, FREE), "--into", tmp_path).returncode == 0
+    run.ok("simulate", fit_file(ATTITUDES, FREE), "--into", tmp_path)
     head = HEAD.replace("[time]\nstop = 60\nstep = 1.5\n", "")
     out = tmp_path / "fitted.toml"
-    assert run("fit", fit_file(ATTITUDES, FREE, head=head), "--solution", out).returncode == 0
+    run.ok("fit", fit_file(ATTITUDES, FREE, head=head), "--solution", out)
     names, numbers = table(run("run", out).stdout)
     assert len(numbers) == 101 and numbers[0][0] == 0 and numbers[-1][0] == 60
 
 
 def test_residuals_say_table_line_and_size(run, fit_file, tmp_path):
     path = fit_file(ATTITUDES, DIRECTIONS, RATES, FREE)
-    assert run("simulate", path, "--into", tmp_path).returncode == 0
+    run.ok("simulate", path, "--into", tmp_path)
     out = tmp_path / "left.csv"
     solution, = fitted(run, path, "--residuals", out, "--residuals",
                        tmp_path / "left.h5")["solutions"]
@@ -215,7 +213,7 @@ def test_residuals_say_table_line_and_size(run, fit_file, tmp_path):
 def test_a_run_can_be_fitted(run, fit_file, tmp_path):
     """The columns q of polhode run are those that an observation has."""
     path = fit_file(ATTITUDES, FREE, '[output]\ncolumns = ["q", "omega"]\n')
-    assert run("run", path, "--out", tmp_path / "seen.csv").returncode == 0
+    run.ok("run", path, "--out", tmp_path / "seen.csv")
     solution, = fitted(run, path, "--set", "body.moments=[1.05, 2.3, 2.6]")["solutions"]
     for name, truth in TRUTH.items():
         assert solution["unknowns"][name]["value"] == pytest.approx(
@@ -225,19 +223,19 @@ def test_a_run_can_be_fitted(run, fit_file, tmp_path):
 def test_simulations_depend_on_the_seed_and_keep_files(run, fit_file, tmp_path):
     path = fit_file(ATTITUDES, RATES, FREE)
     one, two = tmp_path / "one", tmp_path / "two"
-    assert run("simulate", path, "--into", one).returncode == 0
-    assert run("simulate", path, "--into", two, "--set", "simulate.seed=2").returncode == 0
+    run.ok("simulate", path, "--into", one)
+    run.ok("simulate", path, "--into", two, "--set", "simulate.seed=2")
     assert (one / "seen.csv").read_text() != (two / "seen.csv").read_text()
     first = (one / "rates.csv").read_bytes()
-    again = run("simulate", path, "--into", one)
-    assert again.returncode == 2 and "seen.csv: is there; expected another folder" in again.stderr
-    assert run("simulate", path, "--into", one, "--replace").returncode == 0
+    assert "seen.csv: is there; expected another folder" in run.rejected("simulate", path, "--into",
+                                                                         one)
+    run.ok("simulate", path, "--into", one, "--replace")
     assert (one / "rates.csv").read_bytes() == first
 
 
 def test_many_starts_find_the_same_solution(run, fit_file, tmp_path):
     path = fit_file(ATTITUDES, FREE)
-    assert run("simulate", path, "--into", tmp_path).returncode == 0
+    run.ok("simulate", path, "--into", tmp_path)
     found = fitted(run, path, "--set", "fit.starts=12", "--set", "fit.rate_spread=0.05",
                    "--set", "fit.within=5")
     best = found["solutions"][0]
@@ -294,7 +292,7 @@ def test_a_fit_is_of_kind_fit(run, fit_file):
 
 def test_what_does_not_converge_is_no_solution(run, fit_file, tmp_path):
     path = fit_file(ATTITUDES, FREE)
-    assert run("simulate", path, "--into", tmp_path).returncode == 0
+    run.ok("simulate", path, "--into", tmp_path)
     out = tmp_path / "fitted.toml"
     done = run("fit", path, "--solution", out, "--set", "fit.iterations=1", "--set",
                "state.attitude-rate.omega_body=[3.1, 4.1, 11.8]")
@@ -310,10 +308,8 @@ def test_a_solution_on_a_bound_says_so(run, fit_file, tmp_path):
     told = 0
     for seed in range(1, 5):
         into = tmp_path / str(seed)
-        assert run("simulate", path, "--into", into, "--set",
-                   f"simulate.seed={seed}").returncode == 0
-        done = run("fit", path, "--json", "--set", f"observation.0.file={seed}/seen.csv")
-        assert done.returncode == 0, done.stderr
+        run.ok("simulate", path, "--into", into, "--set", f"simulate.seed={seed}")
+        done = run.ok("fit", path, "--json", "--set", f"observation.0.file={seed}/seen.csv")
         solution, = json.loads(done.stdout)["solutions"]
         x, y = (solution["unknowns"][name]["value"] for name in ("Ixx/Izz", "Iyy/Izz"))
         is_on_bound = abs(x + y - 1) < budgets.cli_rounding

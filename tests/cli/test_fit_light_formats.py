@@ -47,7 +47,7 @@ def night(run, fit_file, tmp_path):
     """Columns of a simulated night, and what a fit of them comes to."""
     table = TABLE % "night.csv" + VECTORS + "sigma = 0.02\n"
     path = fit_file(table, head=HEAD)
-    assert run("simulate", path, "--into", tmp_path).returncode == 0
+    run.ok("simulate", path, "--into", tmp_path)
     read = fit_file(TABLE % "night.csv" + VECTORS + 'sigma_columns = ["sigma"]\n', head=HEAD)
     return rows(tmp_path / "night.csv"), fitted(run, read)["solutions"][0]
 
@@ -133,7 +133,7 @@ def test_alcdef_through_a_scenario(run, fit_file, tmp_path):
     orbits = 'orbit = "body"\nobserver_orbit = "earth"\n'
     observed = (TABLE % "seen.csv").replace("at-body", "at-observer") + orbits
     path = fit_file(observed + "sigma = 0.02\n", ORBITS, head=HEAD)
-    assert run("simulate", path, "--into", tmp_path).returncode == 0
+    run.ok("simulate", path, "--into", tmp_path)
     own = fit_file(observed + 'sigma_columns = ["sigma"]\n', ORBITS, head=HEAD, name="own.toml")
     expected = fitted(run, own)["solutions"][0]
     light = rows(tmp_path / "seen.csv")
@@ -163,13 +163,12 @@ def test_alcdef_is_simulated(run, fit_file, tmp_path):
     observed = (TABLE % "seen.csv").replace("at-body", "at-observer") + (
         'orbit = "body"\nobserver_orbit = "earth"\nsigma = 0.02\nbrightness = "magnitude"\n')
     path = fit_file(observed, ORBITS, head=HEAD)
-    assert run("simulate", path, "--into", tmp_path).returncode == 0
+    run.ok("simulate", path, "--into", tmp_path)
     light = rows(tmp_path / "seen.csv")
     table = observed.replace("seen.csv", "seen.alcdef").replace(
         'brightness = "magnitude"', 'format = "alcdef"')
     own = fit_file(table, ORBITS, head=HEAD, name="own.toml")
-    done = run("simulate", own, "--into", tmp_path)
-    assert done.returncode == 0, done.stderr
+    run.ok("simulate", own, "--into", tmp_path)
     data = numpy.array([line.removeprefix("DATA=").split("|") for line in (
         tmp_path / "seen.alcdef").read_text().splitlines() if line.startswith("DATA=")], float)
     assert data[:, 0] == pytest.approx(JULIAN + light["t"] / 1440, abs=budgets.cli_julian_day)
@@ -217,8 +216,7 @@ def test_a_file_that_was_fitted_can_be_simulated(run, fit_file, tmp_path, keys, 
     head = HEAD.replace("sessions = [0, 120]",
                         'sessions = ["2013-01-05T00:00:00", "2013-01-05T02:00:00"]')
     table = TABLE % "sim.csv" + VECTORS + keys
-    done = run("simulate", fit_file(table + "sigma = 0\n", head=head), "--into", tmp_path)
-    assert done.returncode == 0, done.stderr
+    run.ok("simulate", fit_file(table + "sigma = 0\n", head=head), "--into", tmp_path)
     row = next(x for x in (tmp_path / "sim.csv").read_text().splitlines()[1:]
                if x.startswith("1,"))
     assert row.split(",")[1].startswith(first)
@@ -264,8 +262,7 @@ def test_light_time_at_the_ends_of_a_table(run, fit_file, tmp_path):
                         orbits, head=head, name="ends.toml")
 
     path = file_of("rows", "earth")
-    done = run("simulate", path, "--into", tmp_path)
-    assert done.returncode == 0, done.stderr
+    run.ok("simulate", path, "--into", tmp_path)
     found = fitted(run, path)["solutions"][0]
     assert 0.4 < found["chi_square"] / found["degrees_of_freedom"] < 1.7
     lines = (tmp_path / "body.csv").read_text().splitlines()
@@ -284,7 +281,6 @@ def test_light_of_an_ephemeris_that_ends_with_the_run(run, fit_file, tmp_path):
     table = (TABLE % "late.csv").replace("at-body", "at-observer") + (
         'orbit = "body"\nobserver_orbit = "earth"\nsigma = 0.02\n')
     path = fit_file(table, ORBITS, head=head)
-    done = run("simulate", path, "--into", tmp_path)
-    assert done.returncode == 0, done.stderr
+    run.ok("simulate", path, "--into", tmp_path)
     found = fitted(run, path)["solutions"][0]
     assert 0.4 < found["chi_square"] / found["degrees_of_freedom"] < 1.7

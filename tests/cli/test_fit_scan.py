@@ -7,12 +7,9 @@ import json
 import budgets
 import numpy
 import pytest
+from fit_files import FREE_LIGHT as FREE
 from fit_files import TUMBLER, fitted, refused, rows
 
-FREE = """
-[free]
-unknowns = ["attitude", "rate", "shape"]
-"""
 NIGHT = """
 [[observation]]
 kind = "light-curve"
@@ -44,8 +41,7 @@ VECTORS = ["--set", "observation[0].to_sun=[1, 0.2, 0.3]",
 @pytest.fixture
 def nights(run, fit_file, tmp_path):
     path = fit_file(NIGHT, FREE, SCAN, SESSIONS, head=HEAD)
-    done = run("simulate", path, "--into", tmp_path)
-    assert done.returncode == 0, done.stderr
+    run.ok("simulate", path, "--into", tmp_path)
     return path
 
 
@@ -55,8 +51,7 @@ def test_the_template_of_light_curves_is_fitted(run, tmp_path):
     assert "[fit.scan]\n" in text and "radar" not in text and "attitudes.csv" not in text
     path = tmp_path / "mine.toml"
     path.write_text(text)
-    done = run("simulate", path, "--into", tmp_path, *VECTORS)
-    assert done.returncode == 0, done.stderr
+    run.ok("simulate", path, "--into", tmp_path, *VECTORS)
     assert (tmp_path / "night.csv").exists()
     less = ["--set", "fit.scan.order=2", "--set", "fit.scan.longest=40", "--set",
             "fit.scan.pairs=2", "--set", "fit.starts=400"]
@@ -108,8 +103,7 @@ def test_sessions_join_one_by_one(run, nights, tmp_path):
     """From a scan and search of the first night, and from its solution."""
     change = ["--set", "fit.sessions=one-by-one"]
     found = tmp_path / "found.toml"
-    done = run("fit", nights, *change, "--json", "--solution", found)
-    assert done.returncode == 0, done.stderr
+    done = run.ok("fit", nights, *change, "--json", "--solution", found)
     report = json.loads(done.stdout)
     first, second = report["joined_sessions"]
     assert (first["session"], second["session"]) == (1, 2)
@@ -185,7 +179,7 @@ def test_pairs_that_are_not_shown_are_counted(run, nights):
 def test_a_solution_in_another_folder_is_fitted_again(run, fit_file, tmp_path):
     """It names what it reads from where it lies; in the folder of the file nothing changes."""
     path = fit_file(NIGHT, FREE, head=TUMBLER)
-    assert run("simulate", path, "--into", tmp_path).returncode == 0
+    run.ok("simulate", path, "--into", tmp_path)
     (tmp_path / "of it").mkdir()
     here, there = tmp_path / "here.toml", tmp_path / "of it" / "there.toml"
     first, = fitted(run, path, "--solution", here)["solutions"]
@@ -195,10 +189,9 @@ def test_a_solution_in_another_folder_is_fitted_again(run, fit_file, tmp_path):
     again, = fitted(run, there)["solutions"]
     assert again["chi_square"] == pytest.approx(first["chi_square"], rel=budgets.cli_fit_starts)
     # from the folder that it lies in, and named without it
-    below = run("fit", "there.toml", "--json", "--solution", "next.toml", cwd=there.parent)
-    assert below.returncode == 0, below.stderr
+    run.ok("fit", "there.toml", "--json", "--solution", "next.toml", cwd=there.parent)
     assert 'file = "../night.csv"\n' in there.with_name("next.toml").read_text()
-    assert run("fit", path, "--solution", "other.toml", cwd=there.parent).returncode == 0
+    run.ok("fit", path, "--solution", "other.toml", cwd=there.parent)
     assert 'file = "../night.csv"\n' in there.with_name("other.toml").read_text()
     # what begins at the root stays
     root = tmp_path / "root.toml"

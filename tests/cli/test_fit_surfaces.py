@@ -62,8 +62,7 @@ def night(run, fit_file, tmp_path):
     """The light of the egg; a file that fits it follows."""
     (tmp_path / "seen.obj").write_text(egg())
     path = fit_file(MESH, TURN, head=HEAD, name="truth.toml")
-    done = run("simulate", path, "--into", tmp_path)
-    assert done.returncode == 0, done.stderr
+    run.ok("simulate", path, "--into", tmp_path)
     return path
 
 
@@ -102,10 +101,9 @@ def test_a_convex_body_follows_an_ellipsoid(run, night, fit_file, tmp_path):
 
     assert found_beside(tmp_path) == ["found-seen.obj"]
     assert (tmp_path / "found-seen.obj").read_text().count("\nf ") > 100
-    assert run("run", out).returncode == 0
+    run.ok("run", out)
     again = tmp_path / "again"
-    done = run("simulate", out, "--into", again, "--set", "observation.0.sigma=1e-9")
-    assert done.returncode == 0, done.stderr
+    run.ok("simulate", out, "--into", again, "--set", "observation.0.sigma=1e-9")
     model = rows(tmp_path / "left.csv")["model"]
     flux = rows(again / "night.csv")["flux"]
     assert numpy.abs(flux / flux.mean() - model / model.mean()).max() < budgets.cli_convex_mesh
@@ -117,8 +115,7 @@ def test_a_convex_body_follows_an_ellipsoid(run, night, fit_file, tmp_path):
 
 def test_a_search_of_convex_bodies_has_every_pair_of_periods(run, night, fit_file):
     path = fit_file(CONVEX, FREE, SEARCH, head=HEAD, name="search.toml")
-    one = run("fit", path, "--json", "--threads", "1")
-    assert one.returncode == 0, one.stderr
+    one = run.ok("fit", path, "--json", "--threads", "1")
     assert run("fit", path, "--json", "--threads", "3").stdout == one.stdout
     found = json.loads(one.stdout)
     assert found["surfaces_converged"] <= found["surfaces"]
@@ -227,8 +224,7 @@ def test_a_mesh_is_found_where_no_ellipsoid_leads_to_it(run, fit_file, tmp_path)
         assert given in head
         head = head.replace(given, instead)
     mesh = '[light]\nshape = "mesh"\n'
-    done = run("simulate", fit_file(mesh, TURN, head=head, name="truth.toml"), "--into", tmp_path)
-    assert done.returncode == 0, done.stderr
+    run.ok("simulate", fit_file(mesh, TURN, head=head, name="truth.toml"), "--into", tmp_path)
     periods = ('[fit]\nfrom = "search"\nstarts = 40\nwithin_factor = 1.1\n[[fit.periods]]\n'
                'mode = "SAM"\nprecession_period = 11.9995\nrotation_period = 97.1\n')
     found = fitted(run, fit_file(mesh, TURN, periods, head=head, name="search.toml"))
@@ -271,8 +267,7 @@ def test_what_does_not_converge_is_no_convex_body(run, night, fit_file, tmp_path
 def test_a_mesh_needs_a_file_beside_it(run, night, fit_file):
     path = fit_file(CONVEX, FREE, head=HEAD, name="convex.toml")
     for out in ("-", "found.obj"):
-        done = run("fit", path, "--solution", out)
-        assert done.returncode == 2 and "expected PATH.toml" in done.stderr
+        assert "expected PATH.toml" in run.rejected("fit", path, "--solution", out)
 
 
 def test_a_mesh_beside_a_solution_is_no_file_that_is_read(run, night, fit_file, tmp_path):
@@ -283,11 +278,9 @@ def test_a_mesh_beside_a_solution_is_no_file_that_is_read(run, night, fit_file, 
     head = HEAD.replace("moments = [0.5625, 1.2025, 1.36]", 
                         'shape = "egg-seen.obj"\nscale = 1\ndensity = 1')
     path = fit_file(CONVEX, FREE, head=head, name="of-shape.toml")
-    done = run("fit", path, "--solution", tmp_path / "egg.toml")
-    assert done.returncode == 2 and "egg-seen.obj" in done.stderr, done.stderr
+    assert "egg-seen.obj" in run.rejected("fit", path, "--solution", tmp_path / "egg.toml")
     assert truth.read_text() == egg() and not (tmp_path / "egg.toml").exists()
-    done = run("fit", path, "--solution", tmp_path / "other.toml")
-    assert done.returncode == 0, done.stderr
+    run.ok("fit", path, "--solution", tmp_path / "other.toml")
     assert (tmp_path / "egg.obj").read_text() == "mine"
 
 
@@ -317,8 +310,7 @@ def test_a_mesh_thinner_than_any_ellipsoid_of_a_start_is_found(run, fit_file, tm
     one = '[fit]\nfrom = "search"\nstarts = 30\n[[fit.periods]]\nmode = "LAM"\n' \
         "precession_period = 12\nrotation_period = 0.9\n"
     path = fit_file('[light]\nshape = "mesh"\n', TURN, one, head=head, name="thin.toml")
-    done = run("simulate", path, "--into", tmp_path)
-    assert done.returncode == 0, done.stderr
+    run.ok("simulate", path, "--into", tmp_path)
     found = fitted(run, path)
     best = found["solutions"][0]
     assert best["chi_square"] < 1.5 * best["degrees_of_freedom"]

@@ -76,8 +76,7 @@ def fit_file(tmp_path):
 
 
 def fitted(run, path, *arguments):
-    done = run("fit", path, "--json", *arguments)
-    assert done.returncode == 0, done.stderr
+    done = run.ok("fit", path, "--json", *arguments)
     solution, = json.loads(done.stdout)["solutions"]
     return solution
 
@@ -104,8 +103,7 @@ def angle_between(a, b):
 
 
 def attitudes(run, path, *changes):
-    done = run("run", path, "--set", 'output.columns=["q"]', *changes)
-    assert done.returncode == 0, done.stderr
+    done = run.ok("run", path, "--set", 'output.columns=["q"]', *changes)
     return rows(done.stdout)
 
 
@@ -116,7 +114,7 @@ def within_errors(number, truth):
 
 def test_a_torque_is_found_and_goes_on(run, fit_file, tmp_path):
     path = fit_file(TORQUE, FREE_TORQUE)
-    assert run("simulate", path, "--into", tmp_path).returncode == 0
+    run.ok("simulate", path, "--into", tmp_path)
     start = ("--set", 'perturbation[0].torque=["1e-2 N m", 0, "0 N m"]')
     out = tmp_path / "solution.toml"
     found = fitted(run, path, "--solution", out, *start)
@@ -141,7 +139,7 @@ def test_a_torque_is_found_and_goes_on(run, fit_file, tmp_path):
 def test_a_solution_in_another_folder_finds_the_tables_of_torques(run, fit_file, tmp_path):
     (tmp_path / "burn.csv").write_text("t,x,y,z\n0,0,0,0\n40,0,0,0.01\n120,0,0,0\n")
     path = fit_file('[[perturbation]]\nkind = "torque-table"\nfile = "burn.csv"\n')
-    assert run("simulate", path, "--into", tmp_path).returncode == 0
+    run.ok("simulate", path, "--into", tmp_path)
     there = tmp_path / "there" / "found.toml"
     there.parent.mkdir()
     fitted(run, path, "--solution", there)
@@ -154,7 +152,7 @@ def test_a_solution_in_another_folder_finds_the_tables_of_torques(run, fit_file,
 
 def test_known_torques_need_no_unknown(run, fit_file, tmp_path):
     path = fit_file(TORQUE)
-    assert run("simulate", path, "--into", tmp_path).returncode == 0
+    run.ok("simulate", path, "--into", tmp_path)
     found = fitted(run, path)
     assert list(found["unknowns"]) == [
         "turn_x", "turn_y", "turn_z", "w_x", "w_y", "w_z", "Ixx/Izz", "Iyy/Izz"]
@@ -167,8 +165,7 @@ def test_known_torques_need_no_unknown(run, fit_file, tmp_path):
 def test_the_same_state_through_an_encounter(run, fit_file, tmp_path):
     """Seen before a flyby alone, a state predicts what comes after it."""
     path = fit_file(FLYBY)
-    assert run("simulate", path, "--into", tmp_path, "--set", "time.stop=36", "--set",
-               "time.step=1").returncode == 0
+    run.ok("simulate", path, "--into", tmp_path, "--set", "time.stop=36", "--set", "time.step=1")
     out = tmp_path / "after.toml"
     found = fitted(run, path, "--solution", out)
     assert found["converged"]
@@ -182,7 +179,7 @@ def test_the_same_state_through_an_encounter(run, fit_file, tmp_path):
 
 def test_a_jump_is_found(run, fit_file, tmp_path):
     path = fit_file(JUMP)
-    assert run("simulate", path, "--into", tmp_path).returncode == 0
+    run.ok("simulate", path, "--into", tmp_path)
     out = tmp_path / "solution.toml"
     found = fitted(run, path, "--solution", out, "--set", "free.jump[0].change=[0, 0, 0]")
     for place, truth in enumerate([0.5, -1, 2]):
@@ -190,7 +187,7 @@ def test_a_jump_is_found(run, fit_file, tmp_path):
         assert one["unit"] == "deg/h" and within_errors(one, truth)
     assert "right from t = 50" in out.read_text()
     residuals = tmp_path / "residuals.csv"
-    assert run("fit", path, "--residuals", residuals).returncode == 0
+    run.ok("fit", path, "--residuals", residuals)
     last = rows(residuals.read_text())
     assert abs(last["turn_x"][-1]) < 5
     # the text is of t = 0, as the numbers are, and the scenario of what comes after the jump
@@ -226,20 +223,20 @@ def test_bad_parameters_are_refused(run, fit_file, tmp_path, change, expected):
 def test_what_is_not_proportional_is_refused(run, fit_file, tmp_path):
     path = fit_file(FLYBY, '\nJ2 = 1e-3\npole = [0, 0, 1]\nprimary_radius = 6378\n',
                     '[[free.parameter]]\nkey = "perturbation[0].primary_radius"\n')
-    assert run("simulate", path, "--into", tmp_path, "--set", "time.stop=80").returncode == 0
+    run.ok("simulate", path, "--into", tmp_path, "--set", "time.stop=80")
     assert "does not change in proportion to perturbation[0].primary_radius" in refused(run, path)
 
 
 def test_jumps_lie_between_observations(run, fit_file, tmp_path):
     path = fit_file(JUMP)
-    assert run("simulate", path, "--into", tmp_path).returncode == 0
+    run.ok("simulate", path, "--into", tmp_path)
     late = refused(run, path, "--set", "free.jump[0].t=96")
     assert "jump[0].change at t = 96; expected a time from the first observation on" in late
 
 
 def test_more_unknowns_than_data_are_refused(run, fit_file, tmp_path):
     path = fit_file(TORQUE, FREE_TORQUE)
-    assert run("simulate", path, "--into", tmp_path, "--set", "time.stop=4").returncode == 0
+    run.ok("simulate", path, "--into", tmp_path, "--set", "time.stop=4")
     message = refused(run, path)
     assert "9 unknowns" in message and "perturbation[0].torque[2]" in message
 
@@ -257,7 +254,7 @@ def test_a_parameter_without_a_torque_is_open(run, fit_file, tmp_path):
     surface = ('[[surface]]\narea = "2 m2"\nposition = [0, 0, 1]\nnormal = [0, 0, 1]\n'
                '[[free.parameter]]\nkey = "surface[0].area"\n')
     path = fit_file(surface)
-    assert run("simulate", path, "--into", tmp_path).returncode == 0
+    run.ok("simulate", path, "--into", tmp_path)
     found = fitted(run, path)
     assert found["unknowns"]["surface[0].area"]["error"] is None
     assert any("do not determine surface[0].area" in note for note in found["notes"])
@@ -265,7 +262,7 @@ def test_a_parameter_without_a_torque_is_open(run, fit_file, tmp_path):
 
 def test_errors_are_scaled_on_a_bound(run, fit_file, tmp_path):
     path = fit_file(TORQUE, FREE_TORQUE)
-    assert run("simulate", path, "--into", tmp_path).returncode == 0
+    run.ok("simulate", path, "--into", tmp_path)
     bound = fit_file(TORQUE.replace("-3e-2", "-1e-2"), FREE_TORQUE + "low = -1e-2\n",
                      name="bound.toml")
     found = fitted(run, bound)

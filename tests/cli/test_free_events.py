@@ -41,8 +41,8 @@ def test_rows_are_those_of_a_run_without_events(run, body, frame, tmp_path):
     without = run("run", body(FRAMES[frame], columns=columns))
     events = tmp_path / "e.csv"
     out = tmp_path / "a.csv"
-    done = run("run", body(FRAMES[frame] + FLIP, columns=columns), "--out", out, "--events", events)
-    assert done.returncode == 0, done.stderr
+    done = run.ok("run", body(FRAMES[frame] + FLIP, columns=columns), "--out", out, "--events",
+                  events)
     assert "exact free rotation" in done.stdout and "steps" not in done.stdout
     assert lines(out.read_text(encoding="utf-8")) == lines(without.stdout)
     assert len(found(events)) == 11
@@ -52,14 +52,12 @@ def test_flips_after_a_billion_turns(run, body, tmp_path):
     """Half a period of the polhode apart, each to the rounding of the time."""
     events = tmp_path / "e.csv"
     path = body(FLIP, time="start = 1e9\nstop = 1000000370\nstep = 10", columns='"omega"')
-    done = run("run", path, "--out", tmp_path / "a.csv", "--events", events)
-    assert done.returncode == 0, done.stderr
+    run.ok("run", path, "--out", tmp_path / "a.csv", "--events", events)
     times = [float(event["t"]) for event in found(events)]
     assert len(times) == 100
     half = (times[-1] - times[0]) / 99
     path = body(FLIP, columns='"omega"')
-    near = run("run", path, "--out", tmp_path / "b.csv", "--events", events)
-    assert near.returncode == 0, near.stderr
+    run.ok("run", path, "--out", tmp_path / "b.csv", "--events", events)
     first = [float(event["t"]) for event in found(events)]
     exact = (first[-1] - first[0]) / (len(first) - 1)
     ulp = math.ulp(1e9)
@@ -74,8 +72,7 @@ def test_flips_after_a_billion_turns(run, body, tmp_path):
 
 def test_an_event_may_stop_it(run, body, table, tmp_path):
     path = body(FLIP + "stops = true\n", columns='"omega"')
-    result = run("run", path)
-    assert result.returncode == 0, result.stderr
+    result = run.ok("run", path)
     names, rows = table(result.stdout)
     assert [row[0] for row in rows[:-1]] == [0.5 * k for k in range(len(rows) - 1)]
     last = dict(zip(names, rows[-1], strict=True))
@@ -88,7 +85,7 @@ def test_a_zero_at_the_start_and_at_the_stop(run, body, tmp_path):
     """w3 is 0 at t = 0; the run that begins there reports it."""
     events = tmp_path / "e.csv"
     path = body('[[event]]\ncolumn = "w3"\n', time="stop = 1\nstep = 0.5", columns='"omega"')
-    assert run("run", path, "--out", tmp_path / "a.csv", "--events", events).returncode == 0
+    run.ok("run", path, "--out", tmp_path / "a.csv", "--events", events)
     assert [float(event["t"]) for event in found(events)] == [0.0]
 
 

@@ -73,11 +73,8 @@ def test_axes_parts_and_changes(out, figure):
     key = COLUMNS.split(",")[:5]
     by_key = [
         {tuple(row[k] for k in key): row for row in rows}
-        for rows in (
-            rows_of(figure[1])[1],
-            table("--axis", "momentum")[1],
-            table("--axis", "figure", "--part", "oppolzer")[1],
-        )
+        for rows in (rows_of(figure[1])[1], table("--axis", "momentum")[1],
+                     table("--axis", "figure", "--part", "oppolzer")[1])
     ]
     for k, oppolzer in by_key[2].items():
         if k not in by_key[0] or k not in by_key[1]:
@@ -105,20 +102,17 @@ def test_the_relative_rate(out):
     assert "offset from the mean axis of momentum 0.511" in relative
 
 
-@pytest.mark.parametrize(
-    ("arguments", "message"),
-    [
-        (("--axis", "pole"), "--axis: pole not in {momentum,figure,rotation}"),
-        (("--obliquity", "23.4"), '--obliquity: got "23.4"; expected a positive angle'),
-        (("--epoch", "today"), '--epoch: got "today"'),
-        (("--ellipticity", 2), "ellipticity 2 must be in"),
-        (("--order", 3), "order 3 must be 1 or 2"),
-        (("--planet", "mars", "--satellite-mass", 0.1), "mars has no satellite here"),
-        (("--axis", "figure", "--rate", "relative"), "a relative rate has the axis of rotation"),
-        (("--axis", "momentum", "--part", "oppolzer"), "Oppolzer terms are those of figure"),
-        (("--out", "/nowhere/at/all.csv"), "/nowhere/at/all.csv"),
-    ],
-)
+@pytest.mark.parametrize(("arguments", "message"), [
+    (("--axis", "pole"), "--axis: pole not in {momentum,figure,rotation}"),
+    (("--obliquity", "23.4"), '--obliquity: got "23.4"; expected a positive angle'),
+    (("--epoch", "today"), '--epoch: got "today"'),
+    (("--ellipticity", 2), "ellipticity 2 must be in"),
+    (("--order", 3), "order 3 must be 1 or 2"),
+    (("--planet", "mars", "--satellite-mass", 0.1), "mars has no satellite here"),
+    (("--axis", "figure", "--rate", "relative"), "a relative rate has the axis of rotation"),
+    (("--axis", "momentum", "--part", "oppolzer"), "Oppolzer terms are those of figure"),
+    (("--out", "/nowhere/at/all.csv"), "/nowhere/at/all.csv"),
+])
 def test_what_is_refused(error, arguments, message):
     assert message in error("nutation", *arguments)
 
@@ -164,19 +158,16 @@ def test_info_says_what_the_theory_finds(out, tmp_path):
     assert "[kinoshita1977]" in out("cite", tmp_path / "n.toml")
 
 
-@pytest.mark.parametrize(
-    ("old", "new", "message"),
-    [
-        ('"earth"', '"pluto"', 'expected "earth", "venus" or "mars"'),
-        ('planet = "earth"', 'planet = "mars"\nsatellite_mass = 0.1', "mars has no satellite"),
-        ('planet = "earth"', 'planet = "earth"\nepoch = "noon"', "n.toml:6:9: nutation.epoch"),
-        ('planet = "earth"', 'planet = "earth"\nellipticity = 0.9',
-         "n.toml:6:15: nutation.ellipticity: got 0.9; PlanetNutation: ellipticity 0.9 must be in"),
-        ('planet = "earth"', 'planet = "earth"\nobliquity = "0.01 deg"',
-         "n.toml:6:13: nutation.obliquity: got \"0.01 deg\"; PlanetNutation: obliq"),
-        ("[time]", '[output]\ncolumns = ["obliquity"]\n[time]', "expected none"),
-    ],
-)
+@pytest.mark.parametrize(("old", "new", "message"), [
+    ('"earth"', '"pluto"', 'expected "earth", "venus" or "mars"'),
+    ('planet = "earth"', 'planet = "mars"\nsatellite_mass = 0.1', "mars has no satellite"),
+    ('planet = "earth"', 'planet = "earth"\nepoch = "noon"', "n.toml:6:9: nutation.epoch"),
+    ('planet = "earth"', 'planet = "earth"\nellipticity = 0.9',
+     "n.toml:6:15: nutation.ellipticity: got 0.9; PlanetNutation: ellipticity 0.9 must be in"),
+    ('planet = "earth"', 'planet = "earth"\nobliquity = "0.01 deg"',
+     "n.toml:6:13: nutation.obliquity: got \"0.01 deg\"; PlanetNutation: obliq"),
+    ("[time]", '[output]\ncolumns = ["obliquity"]\n[time]', "expected none"),
+])
 def test_scenarios_that_are_refused(error, tmp_path, old, new, message):
     assert SCENARIO.count(old) == 1
     (tmp_path / "n.toml").write_text(SCENARIO.replace(old, new))

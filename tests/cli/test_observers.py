@@ -37,8 +37,7 @@ def rows(run, table):
     """rows(text) -> columns by name"""
 
     def call(text, *arguments):
-        done = run("run", "-", *arguments, stdin=text)
-        assert done.returncode == 0, done.stderr
+        done = run.ok("run", "-", *arguments, stdin=text)
         names, numbers = table(done.stdout)
         return dict(zip(names, numpy.array(numbers).T, strict=True))
 
@@ -50,8 +49,7 @@ def info(run):
     """info(text) -> the lines of `polhode info --json`"""
 
     def call(text):
-        done = run("info", "--json", "-", stdin=text)
-        assert done.returncode == 0, done.stderr
+        done = run.ok("info", "--json", "-", stdin=text)
         return json.loads(done.stdout)
 
     return call
@@ -207,8 +205,7 @@ def test_a_perturbed_run_ends_with_before_and_after(run, rows, tmp_path):
                         '[output]\ncolumns = ["tumbler", "pole"]\n')
     path = tmp_path / "a.toml"
     path.write_text(text, "utf-8")
-    done = run("run", path, "--out", tmp_path / "a.csv")
-    assert done.returncode == 0, done.stderr
+    done = run.ok("run", path, "--out", tmp_path / "a.csv")
     before, after = (line.split(None, 4) for line in done.stdout.splitlines()[-2:])
     assert before[:4] == ["at", "t", "=", "0"] and after[:4] == ["at", "t", "=", "100"]
     c = rows(text)
@@ -339,8 +336,7 @@ def test_small_pitch_has_the_period_of_the_textbooks(run, tmp_path):
     path.write_text(satellite(e=0.0, q=f"[{math.cos(half)!r}, 0, {math.sin(half)!r}, 0]") + GRAVITY
                     + '[[event]]\ncolumn = "pitch"\ncrossing = "rising"\n'
                     "[time]\nstop = 60000\ncount = 2\n[output]\ncolumns = [\"roll_pitch_yaw\"]\n")
-    done = run("run", path, "--events", events)
-    assert done.returncode == 0, done.stderr
+    run.ok("run", path, "--events", events)
     lines = [line.split(",") for line in events.read_text().splitlines() if line[0] != "#"][1:]
     times = [float(line[1]) for line in lines]
     n = math.sqrt(GM / A**3)

@@ -52,8 +52,7 @@ def rows(run, tmp_path):
 
     def of(text):
         (tmp_path / "a.toml").write_text(text, encoding="utf-8")
-        done = run("run", tmp_path / "a.toml", "--out", tmp_path / "a.csv")
-        assert done.returncode == 0, done.stderr
+        run.ok("run", tmp_path / "a.toml", "--out", tmp_path / "a.csv")
         lines = (tmp_path / "a.csv").read_text(encoding="utf-8").splitlines()
         table = list(csv.DictReader(line for line in lines if not line.startswith("#")))
         return {name: [float(row[name]) for row in table] for name in table[0]}

@@ -97,7 +97,7 @@ def test_a_scan_says_how_long_it_takes(polhode, run, fit_file, tmp_path):
         "to_sun = [1, 0.2, 0.3]\nto_observer = [0.8, 0.6, 0.1]\nsigma = 0.02\n"
         '[free]\nunknowns = ["attitude", "rate", "shape"]\n[fit]\nfrom = "search"\n'
         "[fit.scan]\norder = 4\nshortest = 0.5\nlongest = 120\n", head=TUMBLER)
-    assert run("simulate", path, "--into", tmp_path, "--set", "time.count=201").returncode == 0
+    run.ok("simulate", path, "--into", tmp_path, "--set", "time.count=201")
     process = subprocess.Popen([polhode, "fit", path], stderr=subprocess.PIPE, text=True)
     try:
         work, part = process.stderr.readline(), process.stderr.readline()

@@ -18,14 +18,12 @@ SECONDS = 60 * SLOWDOWN
 SHORT = "stop = 3000\nstep = 0.1"
 DAMPED = ('[state.attitude-rate]\nquaternion = [1, 0, 0, 0]\nomega_body = [0.1, 0.2, 1]\n'
           '[[perturbation]]\nkind = "damping"\ncoefficients = [1e-9, 1e-9, 1e-9]')
-METHODS = {
-    "free": "",
-    "free-events": '[[event]]\ncolumn = "w2"\n[[event]]\nname = "n"\ncolumn = "qw"\n',
-    "adaptive": '[method]\nkind = "adaptive"\ntolerance = 1e-9\n',
-    "double-double": '[method]\nkind = "adaptive"\nprecision = "double-double"\n',
-    "splitting": '[method]\nkind = "splitting"\nstep = 0.1\nscheme = "order4"\n',
-    "variation": '[method]\nkind = "variation-of-constants"\ntolerance = 1e-10\n',
-}
+METHODS = {"free": "",
+           "free-events": '[[event]]\ncolumn = "w2"\n[[event]]\nname = "n"\ncolumn = "qw"\n',
+           "adaptive": '[method]\nkind = "adaptive"\ntolerance = 1e-9\n',
+           "double-double": '[method]\nkind = "adaptive"\nprecision = "double-double"\n',
+           "splitting": '[method]\nkind = "splitting"\nstep = 0.1\nscheme = "order4"\n',
+           "variation": '[method]\nkind = "variation-of-constants"\ntolerance = 1e-10\n'}
 
 
 def stopped(polhode, arguments, after, by=signal.SIGINT):
@@ -69,14 +67,14 @@ def test_changes_and_dates_go_on_with_the_run(polhode, run, long, tmp_path):
     refused = run("run", long, *outputs, "--resume")
     assert refused.returncode == 2 and "--restart" in refused.stderr  # another scenario
     short = ["run", long, *changes, "--set", "time.stop=40", *outputs]
-    assert run(*short, "--restart").returncode == 0
+    run.ok(*short, "--restart")
     assert run(*short, "--resume").stdout.startswith(f"{long.name}: nothing to do")
 
 
 def test_complete_it_sweeps_what_a_kill_at_its_very_end_left(run, scenario, tmp_path):
     path, outs = scenario(), [tmp_path / "a.csv", tmp_path / "a.h5"]
     command = ["run", path, "--out", outs[0], "--out", outs[1]]
-    assert run(*command).returncode == 0
+    run.ok(*command)
     before = {one: one.read_bytes() for one in tmp_path.iterdir()}
     for left in ("a.csv.checkpoint.part", "a.h5.checkpoint.part", "a.h5.part-undo"):
         (tmp_path / left).write_text("killed here")
@@ -108,7 +106,7 @@ def test_stopped_often_it_leaves_the_straight_run(polhode, run, scenario, tmp_pa
         paths = ["--out", tmp_path / f"{name}.csv", "--out", tmp_path / f"{name}.h5"]
         return paths + ["--events", tmp_path / f"{name}.events.csv"] * ("[[event]]" in text)
 
-    assert run("run", body, *outputs("s")).returncode == 0
+    run.ok("run", body, *outputs("s"))
     arguments = [polhode, "run", body, *outputs("r"), "--resume"]
     codes, pause = [], 0.002
     while 0 not in codes and pause < SECONDS:
@@ -170,13 +168,12 @@ def test_no_output_of_an_unfinished_run_is_overwritten(polhode, run, long, scena
         place, rest = done.stderr.split(": an unfinished run is there ")
         assert checkpoint.samefile(place)
         assert "rows, in p.csv, p.h5, e.csv); --resume continues it, --restart begins anew" in rest
-    done = run("run", long, "--out", "b/p.h5", "--resume", cwd=tmp_path)
-    assert done.returncode == 2 and "outputs was" in done.stderr
+    assert "outputs was" in run.rejected("run", long, "--out", "b/p.h5", "--resume", cwd=tmp_path)
     assert (folders[1] / "p.h5.part").read_bytes() == before
     code, _, err = stopped(polhode, [*arguments, "--resume"], folders[1] / "p.h5.part")
     assert code == 130 and "continues at t = " in err
     # on purpose; then the rows of the run are gone, and it says what it lacks and what to do
-    assert run("run", short, "--out", second, "--restart").returncode == 0
+    run.ok("run", short, "--out", second, "--restart")
     done = run(*arguments, "--resume")
     assert done.returncode == 2 and done.stderr.count("\n") == 1
     assert done.stderr.startswith(f"{second}.part: cannot be continued: it is gone; expected the ")
@@ -201,7 +198,7 @@ def test_an_output_whose_checkpoint_is_gone(polhode, run, long, scenario, tmp_pa
         assert done.returncode == 2 and done.stderr == (
             f"{there}/p.h5.checkpoint: an unfinished run or map is there; expected its checkpoint "
             f"{there}/p.csv.checkpoint, which is gone: put it back, or --restart begins anew\n")
-    assert run("run", short, "--out", there / "p.h5", "--restart").returncode == 0
+    run.ok("run", short, "--out", there / "p.h5", "--restart")
     assert not (there / "p.h5.checkpoint").exists()
 
 
@@ -213,8 +210,8 @@ def test_another_run_is_refused_by_name(polhode, run, long, tmp_path, change, na
     path = tmp_path / "a.csv"
     stopped(polhode, ["run", long, "--out", path], tmp_path / "a.csv.part")
     part = (tmp_path / "a.csv.part").read_bytes()
-    other = run("run", long, "--out", path, "--out", tmp_path / "b.csv", "--resume")
-    assert other.returncode == 2 and "outputs was" in other.stderr
+    assert "outputs was" in run.rejected("run", long, "--out", path, "--out", tmp_path / "b.csv",
+                                         "--resume")
     changed = change(long.read_text())
     assert changed != long.read_text()
     long.write_text(changed)
@@ -229,14 +226,13 @@ def test_damaged_checkpoints_and_parts_are_refused(polhode, run, long, tmp_path)
     whole = checkpoint.read_bytes()
     for damaged in (b"", whole[:-1], whole[:200], whole[:-9] + b"x" + whole[-8:]):
         checkpoint.write_bytes(damaged)
-        done = run("run", long, "--out", path, "--resume")
-        assert done.returncode == 2 and "is not a checkpoint" in done.stderr
+        assert "is not a checkpoint" in run.rejected("run", long, "--out", path, "--resume")
     checkpoint.write_bytes(whole)
     part = (tmp_path / "a.csv.part").read_bytes()
     for damaged in (part[:100], b"X" + part[1:]):
         (tmp_path / "a.csv.part").write_bytes(damaged)
-        done = run("run", long, "--out", path, "--resume")
-        assert done.returncode == 2 and "a.csv.part: cannot be continued" in done.stderr
+        assert "a.csv.part: cannot be continued" in run.rejected("run", long, "--out", path,
+                                                                 "--resume")
 
 
 def test_complete_runs_have_nothing_to_do(run, scenario, tmp_path):
@@ -250,9 +246,8 @@ def test_complete_runs_have_nothing_to_do(run, scenario, tmp_path):
         0, f"body.toml: nothing to do: complete in {path}\n", "")
     assert path.stat().st_mtime_ns == before
     body.write_text(body.read_text().replace("0.2, 1]", "0.2, 1.1]"))
-    other = run("run", body, "--out", path, "--resume")
-    assert other.returncode == 2 and "of another scenario" in other.stderr
-    assert run("run", body, "--out", path, "--restart").returncode == 0
+    assert "of another scenario" in run.rejected("run", body, "--out", path, "--resume")
+    run.ok("run", body, "--out", path, "--restart")
 
 
 def test_complete_rows_are_no_complete_events(run, scenario, tmp_path):
@@ -260,7 +255,7 @@ def test_complete_rows_are_no_complete_events(run, scenario, tmp_path):
     body = scenario()
     body.write_text(body.read_text().replace("[output]", '[[event]]\ncolumn = "qw"\n[output]'))
     command = ["run", body, "--out", rows, "--events", events]
-    assert run(*command).returncode == 0
+    run.ok(*command)
     assert "nothing to do" in run(*command, "--resume").stdout
     events.write_bytes(rows.read_bytes())
     other = run(*command, "--resume")
@@ -281,18 +276,16 @@ def test_a_complete_file_of_another_scenario_is_not_ours(run, scenario, tmp_path
     title = "| A title with \xe4 like a line of a scenario, and longer than one: " + 30 * "word "
     body = with_epoch(scenario())
     body.write_text(body.read_text().replace('"A body"', f'"{title}"'), encoding="utf-8")
-    assert run("run", body, "--out", path).returncode == 0
+    run.ok("run", body, "--out", path)
     again = run("run", body, "--out", path, "--resume")
     assert again.returncode == 0 and "nothing to do" in again.stdout
     before = path.read_bytes()
     body.write_text(body.read_text().replace("0.2, 1]", "0.2, 1.1]"))
-    other = run("run", body, "--out", path, "--resume")
-    assert other.returncode == 2 and "is there, of another scenario" in other.stderr
+    assert "is there, of another scenario" in run.rejected("run", body, "--out", path, "--resume")
     path.write_text("old")
-    other = run("run", body, "--out", path, "--resume")
-    assert other.returncode == 2 and "does not say of which scenario" in other.stderr
+    assert "does not say of which scenario" in run.rejected("run", body, "--out", path, "--resume")
     path.write_bytes(before)
-    assert run("run", body, "--out", path, "--restart").returncode == 0
+    run.ok("run", body, "--out", path, "--restart")
 
 
 # Rows far from the sixteen times at which the torque is looked at.
@@ -334,16 +327,14 @@ def test_a_complete_file_with_another_table_is_not_ours(run, scenario, tmp_path,
     body = with_epoch(scenario(state="[state.attitude-rate]\nquaternion = [1, 0, 0, 0]\n"
                                      "omega_body = [0.1, 0.2, 1]\n" + BURN))
     burn(tmp_path, 1e-3)
-    assert run("run", body, "--out", path).returncode == 0
+    run.ok("run", body, "--out", path)
     assert "nothing to do" in run("run", body, "--out", path, "--resume").stdout
     burn(tmp_path, 2e-3)
-    other = run("run", body, "--out", path, "--resume")
-    assert other.returncode == 2 and "with other files" in other.stderr
+    assert "with other files" in run.rejected("run", body, "--out", path, "--resume")
 
 
 def test_what_cannot_be_continued(run, scenario):
-    done = run("run", scenario(), "--resume")
-    assert done.returncode == 2 and "resume needs outputs that are files" in done.stderr
+    assert "resume needs outputs that are files" in run.rejected("run", scenario(), "--resume")
     both = run("run", scenario(), "--resume", "--restart")
     assert both.returncode == 2
 
@@ -374,7 +365,7 @@ def test_one_run_at_a_time(polhode, run, long, tmp_path):
 def test_a_disk_that_fills_up_loses_nothing(polhode, run, scenario, tmp_path, extension):
     body = scenario(time="stop = 3000\nstep = 0.1", state=DAMPED)
     straight, path = tmp_path / f"s.{extension}", tmp_path / f"r.{extension}"
-    assert run("run", body, "--out", straight).returncode == 0
+    run.ok("run", body, "--out", straight)
     kilobytes = straight.stat().st_size // 1024
     starts = 0
     remedy = "raise the limit on the size of files (ulimit -f), then --resume goes on from t = "
@@ -388,7 +379,7 @@ def test_a_disk_that_fills_up_loses_nothing(polhode, run, scenario, tmp_path, ex
             f"{path}.part: cannot be written: File too large; {remedy}")
         starts += "continues at" in done.stderr
     assert starts == 2
-    assert run("run", body, "--out", path, "--resume").returncode == 0
+    run.ok("run", body, "--out", path, "--resume")
     if extension == "csv":
         assert straight.read_bytes() == path.read_bytes()
     else:

@@ -36,8 +36,7 @@ GROUPS = {
 
 
 def columns(run, table, path, *extra):
-    result = run("run", path, *extra)
-    assert result.returncode == 0, result.stderr
+    result = run.ok("run", path, *extra)
     names, rows = table(result.stdout)
     return dict(zip(names, numpy.array(rows).T, strict=True))
 
@@ -147,9 +146,8 @@ def test_what_is_wrong_with_automatic_rows(run, scenario, time, message):
 def test_members_of_an_ensemble_share_the_automatic_rows(run, scenario, ensemble, table, tmp_path):
     time = 'stop = 10\nstep = "auto"\nerror = 1e-3'
     t = columns(run, table, scenario(time=time))["t"]
-    result = run("ensemble", ensemble('size = 6\nkeep = "statistics"', time=time), "--out",
-                 tmp_path / "e.csv")
-    assert result.returncode == 0, result.stderr
+    run.ok("ensemble", ensemble('size = 6\nkeep = "statistics"', time=time), "--out",
+           tmp_path / "e.csv")
     names, rows = table((tmp_path / "e.csv").read_text(encoding="utf-8"))
     assert names[0] == "t" and [row[0] for row in rows] == list(t)
 
@@ -182,7 +180,7 @@ def test_hdf5_holds_what_csv_holds(run, scenario, table, tmp_path):
 def test_equal_runs_give_equal_files(run, scenario, tmp_path, extension):
     path = scenario()
     for name in ("a", "b"):
-        assert run("run", path, "--out", tmp_path / f"{name}.{extension}").returncode == 0
+        run.ok("run", path, "--out", tmp_path / f"{name}.{extension}")
     first = (tmp_path / f"a.{extension}").read_bytes()
     assert first == (tmp_path / f"b.{extension}").read_bytes()
     assert not list(tmp_path.glob("*.part"))
@@ -259,7 +257,7 @@ def test_help_shows_an_example_everywhere(run):
     for command in ("run", "fit", "simulate", "info", "convert", "init", "cite", "schema"):
         result = run(command, "--help")
         assert result.returncode == 0 and f"Example:\n  polhode {command}" in result.stdout
-    assert run("--help").returncode == 0
+    run.ok("--help")
     assert run("--version").stdout.startswith("polhode 0.")
 
 

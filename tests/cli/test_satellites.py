@@ -174,8 +174,7 @@ def test_the_tides_of_a_map_cell_are_those_of_the_run(mine, run, table, tmp_path
     path = tmp_path / "map.toml"
     path.write_text(text + '[map]\nkind = "column"\ncolumn = "rotation_rate"\n[[map.axis]]\n'
                     'key = "planet.tides.k2"\nfrom = 0\nto = 0.305\ncount = 2\n', encoding="utf-8")
-    done = run("map", path, "--out", tmp_path / "map.csv")
-    assert done.returncode == 0, done.stderr
+    run.ok("map", path, "--out", tmp_path / "map.csv")
     cells = table((tmp_path / "map.csv").read_text(encoding="utf-8"))[1]
     assert cells[0][1:] == [1, 1, 1]
     assert cells[1][1:] == [1, rows[-1][4], rows[-1][4]]

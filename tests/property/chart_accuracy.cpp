@@ -29,12 +29,10 @@
 namespace {
 
 using namespace chart_test;
-using oracle::Draw;
-using polhode::Body;
-using polhode::FreeRotation;
+using namespace oracle;
+using namespace polhode;
 using polhode::test::larger;
 using polhode::test::smaller;
-namespace budget = polhode::budget;
 
 struct Case {
   Body body;
@@ -98,10 +96,9 @@ Case drawn(Place place, double distance, std::uint64_t index) {
   if (place == Place::I) return {body, tilted(far, near)};
   if (place == Place::theta) {
     const double half_turns = sample.coin() ? 1.0 : 0.0;
-    const polhode::Quaternion flip{1.0 - half_turns, half_turns, 0.0, 0.0};
+    const Quaternion flip{1.0 - half_turns, half_turns, 0.0, 0.0};
     return {body,
-            {polhode::rotation_z(sample.angle()) * flip * polhode::rotation_x(near) *
-                 polhode::rotation_z(sample.angle()),
+            {rotation_z(sample.angle()) * flip * rotation_x(near) * rotation_z(sample.angle()),
              sample.generic().g}};
   }
   RotorState s = sample.generic();
@@ -121,14 +118,14 @@ Case drawn(Place place, double distance, std::uint64_t index) {
 double canonical_defect(const Matrix6& B, const Matrix6& exact, const Vec3& g) {
   return symplectic_defect(B, canonical_tensor(), hub_tensor(g), exact);
 }
-double canonical_defect(const polhode::CanonicalChart& chart, const RotorState& s) {
+double canonical_defect(const CanonicalChart& chart, const RotorState& s) {
   return canonical_defect(chart_jacobian(chart, s), wide_jacobian(chart, s), s.g);
 }
 
 // The vertical of space along the body axes, and the sines that say how near a state is to where a
 // set is singular: of theta, J and I. By hand, so that no set allows itself anything.
 std::array<double, 3> vertical(const RotorState& s) {
-  const auto& [w, x, y, z] = polhode::normalized(s.q);
+  const auto& [w, x, y, z] = normalized(s.q);
   return {2.0 * (x * z - w * y), 2.0 * (y * z + w * x), 1.0 - 2.0 * (x * x + y * y)};
 }
 double sine_of_theta(const RotorState& s) { return std::hypot(vertical(s)[0], vertical(s)[1]); }
@@ -149,7 +146,7 @@ std::optional<Loss> rate_loss(const Case& c) {
   return Loss{hub_difference(rotor_state(c.body, c.state.q, w), c.state), budget::chart_rounding};
 }
 std::optional<Loss> matrix_loss(const Case& c) {
-  const polhode::Quaternion q = polhode::attitude(polhode::transpose(rotation_matrix(c.state.q)));
+  const Quaternion q = attitude(transpose(rotation_matrix(c.state.q)));
   return Loss{hub_difference({q, c.state.g}, c.state), budget::chart_rounding};
 }
 std::optional<Loss> euler_rates_loss(const Case& c) {
@@ -192,20 +189,20 @@ Loss flow_loss(const Case& c, const RotorState& back, const Matrix6& B, const Ma
 constexpr double pole_distance = 1e-7;  // sqrt(eps), and some
 
 // The time since t0, which leads from t0 to the state. Next to an axis t0 rounds to anything.
-double elapsed_since(const polhode::SerretState& s, const oracle::FlowAdapted& motion) {
+double elapsed_since(const SerretState& s, const FlowAdapted& motion) {
   EXPECT_LE(std::abs(s.t0), (0.5 + budget::flow_phase) * motion.period());
   return -s.t0;
 }
 // The derivatives are the oracle's at the phase the library gives; so that this is the phase, the
 // oracle comes to the state from there.
-void expect_phase(const oracle::FlowAdapted& motion, double elapsed, bool at_pole) {
+void expect_phase(const FlowAdapted& motion, double elapsed, bool at_pole) {
   EXPECT_LE(motion.miss(elapsed), at_pole ? budget::flow_pole : budget::flow_phase);
 }
 
 std::optional<Loss> sadov_loss(const Case& c) {
   const FreeRotation motion(c.body, c.state);
   const auto s = to_sadov(motion, 0.0);
-  const oracle::FlowAdapted exact(c.body.moments(), c.state);
+  const FlowAdapted exact(c.body.moments(), c.state);
   const bool spin = !exact.long_axis() && exact.sine_of_action() < pole_distance;
   const bool at_pole = spin || exact.sine_of_tilt() < pole_distance;
   const double elapsed = elapsed_since(to_serret(motion, 0.0), exact);
@@ -217,7 +214,7 @@ std::optional<Loss> sadov_loss(const Case& c) {
 }
 std::optional<Loss> serret_loss(const Case& c) {
   const auto s = to_serret(FreeRotation(c.body, c.state), 0.0);
-  const oracle::FlowAdapted exact(c.body.moments(), c.state);
+  const FlowAdapted exact(c.body.moments(), c.state);
   const Vec3 I = c.body.moments();
   const double energy = exact.twice_energy() / (exact.momentum() * exact.momentum());
   const double across_1 = 1.0 - energy * smaller(I.x, I.y, I.z);

@@ -31,12 +31,8 @@ namespace {
 using polhode::test::larger;
 using polhode::test::smaller;
 using namespace chart_test;
-using oracle::FlowCharts;
-using oracle::Long;
-using polhode::Body;
-using polhode::FreeRotation;
-using polhode::Quaternion;
-namespace budget = polhode::budget;
+using namespace oracle;
+using namespace polhode;
 
 // --- verdicts ---
 
@@ -140,13 +136,12 @@ Result euler_result(const Known& k) {
 }
 Result andoyer_result(const Known& k) {
   const auto a = to_andoyer(k.c.state);
-  return judged(loss_of(to_rotor(polhode::andoyer_state(a.l, a.g, a.h, a.L, a.G, a.H)), k.c.state),
+  return judged(loss_of(to_rotor(andoyer_state(a.l, a.g, a.h, a.L, a.G, a.H)), k.c.state),
                 budget::chart_rounding + pole_loss(k.place.J3) + pole_loss(k.place.I), "andoyer");
 }
 Result poincare_result(const Known& k) {
   const auto p = nearest_poincare(k.c.state);
-  const auto checked =
-      polhode::poincare_state(p.sigma, p.Q1, p.Q2, p.G, p.P1, p.P2, p.pole_J, p.pole_I);
+  const auto checked = poincare_state(p.sigma, p.Q1, p.Q2, p.G, p.P1, p.P2, p.pole_J, p.pole_I);
   return judged(loss_of(to_rotor(checked), k.c.state), budget::poincare, "poincare");
 }
 Result euler_rates_result(const Known& k) {
@@ -169,7 +164,7 @@ Result euler_rates_result(const Known& k) {
 bool both_not_a_number(double a, double b) { return std::isnan(a) && std::isnan(b); }
 
 // B of a state in units where |g| is 2^e times smaller: entries times exact powers of two.
-Result jacobian_result(const Known& k, const polhode::CanonicalChart& chart) {
+Result jacobian_result(const Known& k, const CanonicalChart& chart) {
   const double G = norm(k.c.state.g);
   if (G == 0.0) return left_out;
   const int e = std::ilogb(G) / 2 * 2;
@@ -217,7 +212,7 @@ bool rate_is_in_range(const Known& k) {
   return std::abs(rate) < 1020;
 }
 double angle_off(double a, const Long& b) {
-  const Long off = Long(a) - b, turn = 2 * oracle::long_pi();
+  const Long off = Long(a) - b, turn = 2 * long_pi();
   return std::abs(double_of(Long(off - turn * round(off / turn))));
 }
 double relative_off(double a, const Long& b) {
@@ -253,9 +248,8 @@ double sadov_allowed(const Known& k) {
 // separatrix than 2^-40 the headers promise more.
 double held_by_doubles(const Known& k, const std::array<double, 6>& held, int halves, bool serret) {
   if (!k.flow.moves || k.flow.K == 0 || (serret && k.place.D2 < branch_distance)) return 0.0;
-  const double moved = oracle::moved_by_half_ulps(
-      k.body.moments(), k.c.state, serret ? oracle::serret_numbers : oracle::sadov_numbers, halves,
-      held);
+  const double moved = moved_by_half_ulps(k.body.moments(), k.c.state,
+                                          serret ? serret_numbers : sadov_numbers, halves, held);
   return budget::chart_half_ulps * smaller(moved, std::sqrt(2.0 * k.place.J * moved));
 }
 // From the half period of the oracle to that of these elements.
@@ -301,7 +295,7 @@ Result serret_result(const Known& k) {
       allowed = larger(allowed, held_by_doubles(k, held, halves_between(k, s.t0), true));
     }
     return judged(loss, smaller(allowed, budget::says_nothing), "serret");
-  } catch (const polhode::DomainError& error) {
+  } catch (const DomainError& error) {
     // moments equal but for rounding: T says nothing
     const bool untold = k.place.D2 < branch_zone && k.place.gap < branch_zone;
     const bool t0_is_held = !k.flow.moves || k.flow.K == 0 ||
@@ -325,7 +319,7 @@ Result serret_values(const Known& k) {
     off = larger(off, std::abs(double_of(u_off)) / (1.0 + std::abs(double_of(k.flow.u))));
     return judged(off, budget::flow_values + eps * std::abs(double_of(Long(k.c.t * k.flow.n))),
                   "serret values");
-  } catch (const polhode::DomainError& error) {
+  } catch (const DomainError& error) {
     return refused(error.what(), true);  // judged by serret_result
   }
 }
@@ -348,7 +342,7 @@ Result sadov_result(const Known& k) {
                     budget::serret_edge + pole_loss(k.place.I), "sadov, momentum in space");
     }
     return judged(loss_of(back, k.c.state), allowed, "sadov");
-  } catch (const polhode::DomainError& error) {
+  } catch (const DomainError& error) {
     return refused(error.what(), !rate_is_in_range(k));
   }
 }
@@ -386,11 +380,10 @@ double tip_width(const Known& k) {
 Result tumbler_result(const Known& k) {
   try {
     const FreeRotation motion(k.body, k.c.state, k.c.t);
-    if (motion.regime() != polhode::Regime::short_axis &&
-        motion.regime() != polhode::Regime::long_axis) {
+    if (motion.regime() != Regime::short_axis && motion.regime() != Regime::long_axis) {
       try {
         static_cast<void>(to_tumbler(motion, k.c.t));
-      } catch (const polhode::DomainError&) {
+      } catch (const DomainError&) {
         return left_out;
       }
       return {Verdict::wrong, 1.0, "tumbler of a motion that has none"};
@@ -405,7 +398,7 @@ Result tumbler_result(const Known& k) {
     RotorState back;
     try {
       back = to_rotor(k.body, s);
-    } catch (const polhode::DomainError& error) {
+    } catch (const DomainError& error) {
       // no momentum in double precision has these periods
       const bool said =
           std::string(error.what()).find("closer to the separatrix") != std::string::npos;
@@ -414,18 +407,18 @@ Result tumbler_result(const Known& k) {
     const double tip = std::sqrt(2.0 * eps / tip_width(k));
     if (tip > budget::says_nothing) return left_out;
     return judged(loss_of(back, k.c.state), budget::tumbler_edge + tip, "tumbler");
-  } catch (const polhode::DomainError& error) {
+  } catch (const DomainError& error) {
     return refused(error.what(), !rate_is_in_range(k) || !period_is_held(k));
   }
 }
 
 Result modified_result(const Known& k) {
   try {
-    const auto a = polhode::modified_andoyer(k.body, k.c.t, k.c.t, k.c.state);
-    return judged(loss_of(polhode::from_modified_andoyer(k.body, k.c.t, k.c.t, a), k.c.state),
+    const auto a = modified_andoyer(k.body, k.c.t, k.c.t, k.c.state);
+    return judged(loss_of(from_modified_andoyer(k.body, k.c.t, k.c.t, a), k.c.state),
                   budget::serret_edge + pole_loss(k.place.J3) + pole_loss(k.place.I),
                   "modified andoyer");
-  } catch (const polhode::DomainError& error) {
+  } catch (const DomainError& error) {
     return refused(error.what(), !rate_is_in_range(k));
   }
 }
@@ -457,7 +450,7 @@ Result flow_jacobian_result(const Known& k) {
       }
     return judged(worst, budget::scaled_jacobian_eps * eps,
                   "sadov jacobian against that of the scaled state");
-  } catch (const polhode::DomainError& error) {
+  } catch (const DomainError& error) {
     return refused(error.what(), !rate_is_in_range(k));
   }
 }
@@ -507,7 +500,7 @@ const std::vector<Prepared>& prepared_cases() {
       bool in_range = norm(c.state.g) > 1e-300 && norm(c.state.g) < 1e301;
       for (const double x : {I.x, I.y, I.z}) in_range = in_range && std::isnormal(x) && x < 1e301;
       if (!in_range) continue;
-      const FlowCharts flow = oracle::flow_charts(I, c.state);
+      const FlowCharts flow = flow_charts(I, c.state);
       const Quaternion q = normalized(c.state.q);
       // D2 as double-double holds it, and that of the momentum displaced for the limit of a spin
       const double least = smaller(I.x, I.y, I.z), most = larger(I.x, I.y, I.z);

@@ -19,12 +19,7 @@
 
 namespace chart_test {
 
-using polhode::CanonicalSet;
-using polhode::DoubleDouble;
-using polhode::Matrix6;
-using polhode::Pole;
-using polhode::RotorState;
-using polhode::Vec3;
+using namespace polhode;
 using Numbers = std::array<double, 6>;
 using polhode::test::larger;
 using polhode::test::smaller;

@@ -22,14 +22,13 @@ namespace {
 using polhode::test::Worst;
 
 namespace budget = polhode::budget;
-using oracle::FreeCase;
-using oracle::Wide;
+using namespace oracle;
 
 constexpr std::uint64_t seed = 1923;  // the year of Andoyer's book
 
 // The largest over the four 3x3 blocks of |block - exact| / |exact|, Frobenius norms; the block of
 // d(g)/d(theta), which is 0, counts relative to G. Infinite for what is not finite.
-double relative_error(const polhode::Matrix6& m, const oracle::WideMatrix6& exact, double G) {
+double relative_error(const polhode::Matrix6& m, const WideMatrix6& exact, double G) {
   Worst worst;
   for (int block = 0; block < 4; ++block) {
     const int row = 3 * (block / 2), column = 3 * (block % 2);
@@ -48,10 +47,10 @@ double relative_error(const polhode::Matrix6& m, const oracle::WideMatrix6& exac
 }
 
 double transition_error(const FreeCase& c) {
-  oracle::FreeBody body(c.moments, c.start.q, c.start.g);
+  FreeBody body(c.moments, c.start.q, c.start.g);
   const polhode::FreeRotation rotation(polhode::Body(c.moments.x, c.moments.y, c.moments.z),
                                        c.start, c.t0);
-  const auto exact = oracle::FreeTransition(body).at(Wide(c.t) - Wide(c.t0));
+  const auto exact = FreeTransition(body).at(Wide(c.t) - Wide(c.t0));
   return relative_error(rotation.state_transition(c.t), exact,
                         static_cast<double>(body.momentum()));
 }
@@ -77,12 +76,12 @@ void expect_transitions(const std::vector<FreeCase>& cases) {
 bool is_full() { return std::getenv("POLHODE_TEST_FULL") != nullptr; }
 
 // Drawn like the accuracy sets, over -10 .. 10 turns.
-std::vector<FreeCase> drawn_cases(oracle::CaseMaker maker, std::uint64_t stream, std::size_t sample,
+std::vector<FreeCase> drawn_cases(CaseMaker maker, std::uint64_t stream, std::size_t sample,
                                   std::size_t full) {
   const std::size_t count = is_full() ? full : sample;
   std::vector<FreeCase> cases;
   for (std::size_t i = 0; i < count; ++i) {
-    oracle::Draw draw(seed + (stream << 32U), i);
+    Draw draw(seed + (stream << 32U), i);
     FreeCase c = maker(draw);
     set_time(c, draw.uniform(-10.0, 10.0));
     cases.push_back(c);
@@ -155,24 +154,22 @@ std::vector<FreeCase> degenerate_cases() {
   return cases;
 }
 
-TEST(FreeTransition, RandomBodies) {
-  expect_transitions(drawn_cases(oracle::random_case, 1, 40, 300));
-}
+TEST(FreeTransition, RandomBodies) { expect_transitions(drawn_cases(random_case, 1, 40, 300)); }
 
 TEST(FreeTransition, NearPrincipalAxes) {
-  expect_transitions(drawn_cases(oracle::near_axis_case, 2, 20, 200));
+  expect_transitions(drawn_cases(near_axis_case, 2, 20, 200));
 }
 
 TEST(FreeTransition, NearlyEqualMoments) {
-  expect_transitions(drawn_cases(oracle::nearly_equal_case, 3, 40, 300));
+  expect_transitions(drawn_cases(nearly_equal_case, 3, 40, 300));
 }
 
 TEST(FreeTransition, NearTheSeparatrix) {
-  expect_transitions(drawn_cases(oracle::near_separatrix_case, 4, 20, 200));
+  expect_transitions(drawn_cases(near_separatrix_case, 4, 20, 200));
 }
 
 TEST(FreeTransition, OnTheSeparatrix) {
-  expect_transitions(drawn_cases(oracle::exact_separatrix_case, 5, 20, 100));
+  expect_transitions(drawn_cases(exact_separatrix_case, 5, 20, 100));
 }
 
 TEST(FreeTransition, FromFlipToFlip) { expect_transitions(flipping_cases()); }
@@ -189,7 +186,7 @@ TEST(FreeTransition, IsRightOrNotANumber) {
       const polhode::Matrix6 m = motion.state_transition(t);
       if (std::isnan(m(0, 3))) continue;
       ++judged;
-      oracle::FreeBody exact({1.0, 1.7, 2.1}, {1, 0, 0, 0}, {across, 1.0, 0.7 * across});
+      FreeBody exact({1.0, 1.7, 2.1}, {1, 0, 0, 0}, {across, 1.0, 0.7 * across});
       const auto g = exact.at(Wide(t)).g;
       for (int j = 3; j < 6; ++j) {
         Wide kept = 0, largest = 0;

@@ -25,11 +25,7 @@
 namespace {
 
 using namespace polhode;
-using oracle::Wide;
-using oracle::WideQuaternion;
-using oracle::WideState;
-using oracle::WideVec3;
-using polhode::test::larger;
+using namespace oracle;
 using polhode::test::smaller;
 using polhode::test::Worst;
 
@@ -130,7 +126,7 @@ std::vector<double> times(const Rotor& r) {
 // osculating ones is the relative one; so angular_velocity says too.
 TEST(Osculation, BothAngularVelocitiesAfterTenThousandTurns) {
   for (const Rotor& r : rotors()) {
-    oracle::FreeBody exact(r.moments, r.start.q, r.start.g);
+    FreeBody exact(r.moments, r.start.q, r.start.g);
     const FreeRotation motion(r.body(), r.start);
     for (const Observer& o : observers()) {
       const System system(r.body(), o.frame);
@@ -169,7 +165,7 @@ TEST(Osculation, BothAngularVelocitiesAfterTenThousandTurns) {
 TEST(Osculation, CanonicalElementsObeyHamiltonsEquationsInTheFrame) {
   const Wide h("1e-25");
   for (const Rotor& r : rotors()) {
-    oracle::FreeBody exact(r.moments, r.start.q, r.start.g);
+    FreeBody exact(r.moments, r.start.q, r.start.g);
     const FreeRotation motion(r.body(), r.start);
     for (const Observer& o : observers()) {
       const System system(r.body(), o.frame);
@@ -260,7 +256,7 @@ struct Mixed {
 
 // There and back for v that is nonlinear in g.
 TEST(Osculation, CanonicalFromOsculating) {
-  oracle::Draw draw(17021, 0);
+  Draw draw(17021, 0);
   Worst worst;
   for (int i = 0; i < 200; ++i) {
     Mixed H{};

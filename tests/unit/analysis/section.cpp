@@ -4,7 +4,6 @@
 #include "polhode/analysis/section.hpp"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
@@ -16,7 +15,6 @@
 #include "budgets.hpp"
 #include "message_of.hpp"
 #include "polhode/analysis/chaos_indicator.hpp"
-#include "polhode/error.hpp"
 #include "polhode/free/free_rotation.hpp"
 #include "polhode/perturb/user_terms.hpp"
 #include "unit/analysis/hyperion.hpp"

@@ -3,7 +3,6 @@
 #include "polhode/analysis/spectrum.hpp"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>

@@ -17,17 +17,12 @@
 namespace polhode {
 namespace {
 
-using splitting_test::distance;
-using splitting_test::end_of;
-using splitting_test::PointMassTorque;
+using namespace splitting_test;
 using testing::HasSubstr;
-
-constexpr double turns_10 = 2.0 * std::numbers::pi * 10.0 / 9.9;
-constexpr Adaptive reference{1e-19, Precision::double_double};
 
 System gravity(const Frame& frame = Frame::inertial()) {
   const AnyOrbit orbit("orbit", KeplerOrbit({1.0, 0.9, 0.1}));
-  return System(splitting_test::workload_body(), frame,
+  return System(workload_body(), frame,
                 {AnyPerturbation("gravity gradient", GravityGradient(1.0, orbit))});
 }
 
@@ -78,29 +73,13 @@ TEST_P(Schemes, GiveLegendreCoefficients) {
 INSTANTIATE_TEST_SUITE_P(Gauss, Schemes, testing::Values(4, 8, 16, 32));
 
 TEST(Collocation, IsFreeRotationWhereThereIsNoTorque) {
-  const Vec3 moments[] = {{0.9, 1.0, 1.1}, {3.0, 1.0, 2.5}, {1.0, 1.0, 1.5},
-                          {1.5, 1.0, 1.0}, {1.0, 1.0, 1.0}, {1.0, 2.0, 2.9}};
-  const Vec3 momenta[] = {{4.5, 4.0, 8.25}, {0, 0, 3}, {0, -2, 1e-9}, {0, 0, 0}, {1e-9, 1, 2}};
-  for (const Vec3& I : moments) {
-    const Body body(I.x, I.y, I.z);
-    for (const Vec3& g : momenta) {
-      const RotorState s{normalized(Quaternion{0.3, -0.4, 0.5, 0.6}), g};
-      const double time = norm(g) > 0.0 ? 20.0 * std::numbers::pi / norm(g) : 1.0;
-      for (const Frame& frame : {Frame::inertial(), splitting_test::precessing_frame()}) {
-        const System system(body, frame);
-        const RotorState exact = reference_state(
-            system, time, FreeRotation(body, inertial_state(system, 0.0, s)).at(time));
-        EXPECT_LE(distance(end_of(system, s, 0.0, time, Collocation{}), exact),
-                  budget::collocation_free);
-      }
-    }
-  }
+  expect_free_rotation([](double) { return std::vector{Collocation{}}; }, budget::collocation_free);
 }
 
 TEST(Collocation, AgreesWithDoubleDoubleAfterTenOrbits) {
   const double stop = 20.0 * std::numbers::pi;
-  const RotorState s = splitting_test::workload_state();
-  for (const Frame& frame : {Frame::inertial(), splitting_test::precessing_frame()}) {
+  const RotorState s = workload_state();
+  for (const Frame& frame : {Frame::inertial(), precessing_frame()}) {
     const RotorState exact = end_of(gravity(frame), s, 0.0, stop, reference);
     for (const int stages : {4, 8, 16})
       EXPECT_LE(distance(end_of(gravity(frame), s, 0.0, stop, Collocation{1e-13, stages}), exact),
@@ -110,8 +89,8 @@ TEST(Collocation, AgreesWithDoubleDoubleAfterTenOrbits) {
 }
 
 TEST(Collocation, ErrsByLessForASmallerTolerance) {
-  const System system = gravity(splitting_test::precessing_frame());
-  const RotorState s = splitting_test::workload_state();
+  const System system = gravity(precessing_frame());
+  const RotorState s = workload_state();
   const RotorState exact = end_of(system, s, 0.0, turns_10, reference);
   for (const int stages : {4, 8, 16})
     for (const double tolerance : {1e-5, 1e-7, 1e-9, 1e-11}) {
@@ -123,7 +102,7 @@ TEST(Collocation, ErrsByLessForASmallerTolerance) {
 
 TEST(Collocation, IsOfTwiceItsStages) {
   const System system = gravity();
-  const RotorState s = splitting_test::workload_state();
+  const RotorState s = workload_state();
   const RotorState exact = end_of(system, s, 0.0, 8.0, reference);
   const auto slope = [&](int stages, double h, double smaller) {
     const auto error = [&](double step) {
@@ -136,31 +115,13 @@ TEST(Collocation, IsOfTwiceItsStages) {
   EXPECT_NEAR(slope(8, 0.32, 0.2), 16.0, budget::collocation_order);
 }
 
-// Axisymmetric, a sphere, far from symmetric, and across the separatrix; terms that are no kicks,
-// and that no lanes know.
 TEST(Collocation, AgreesWithDoubleDoubleForEveryBody) {
-  const Frame frame = splitting_test::precessing_frame();
-  const struct {
-    Vec3 moments, g;
-  } cases[] = {{{1.0, 1.0, 1.5}, {1.0, 0.5, 2.0}},   {{1.5, 1.0, 1.0}, {1.0, 0.5, 2.0}},
-               {{1.0, 1.0, 1.0}, {1.0, 0.5, 2.0}},   {{1.0, 2.0, 2.9}, {1.0, 0.5, 2.0}},
-               {{1.0, 2.0, 2.9}, {1e-3, 2.0, 1e-3}}, {{1.0, 2.0, 2.9}, {0.0, 0.0, 2.0}},
-               {{1.0, 2.0, 2.9}, {0.0, 0.0, 0.0}}};
-  for (const auto& c : cases) {
-    const System system(Body(c.moments.x, c.moments.y, c.moments.z), frame,
-                        {AnyPerturbation("gravity gradient", PointMassTorque{1.0, 0.1, 0.2}),
-                         AnyPerturbation("damping", splitting_test::Damping{0.01}),
-                         AnyPerturbation("turn", splitting_test::Spinner{0.3})});
-    const RotorState s{normalized(Quaternion{0.3, -0.4, 0.5, 0.6}), c.g};
-    const RotorState exact = end_of(system, s, 0.0, 15.0, reference);
-    EXPECT_LE(distance(end_of(system, s, 0.0, 15.0, Collocation{}), exact),
-              budget::collocation_bodies);
-  }
+  expect_double_double_for_every_body(Collocation{}, budget::collocation_bodies);
 }
 
 TEST(Collocation, RunsBackToWhereItStarted) {
-  const System system = gravity(splitting_test::precessing_frame());
-  const RotorState s = splitting_test::workload_state();
+  const System system = gravity(precessing_frame());
+  const RotorState s = workload_state();
   for (const Collocation& method : {Collocation{}, Collocation{.step = 0.12}}) {
     const RotorState there = end_of(system, s, 0.0, turns_10, method);
     EXPECT_LE(distance(end_of(system, there, turns_10, 0.0, method), s), budget::collocation_back);
@@ -169,12 +130,12 @@ TEST(Collocation, RunsBackToWhereItStarted) {
 
 // The lanes of every set of instructions give the same bits.
 TEST(Collocation, DoesNotDependOnTheProcessor) {
-  const auto field = std::make_shared<const detail::RotorField<double>>(
-      gravity(splitting_test::precessing_frame()));
+  const auto field =
+      std::make_shared<const detail::RotorField<double>>(gravity(precessing_frame()));
   const auto end = [&](std::size_t stages, InstructionSet set) {
-    detail::CollocationSolver solver(
-        field, stages, set, 0.0,
-        detail::RotorField<double>::start(splitting_test::workload_state()), {{1e-12}, false});
+    detail::CollocationSolver solver(field, stages, set, 0.0,
+                                     detail::RotorField<double>::start(workload_state()),
+                                     {{1e-12}, false});
     while (solver.time().hi < 20.0) EXPECT_EQ(solver.advance(20.0), StepOutcome::made);
     solver.refined();
     return std::pair(solver.state().y, solver.state().carry);
@@ -189,7 +150,7 @@ TEST(Collocation, DoesNotDependOnTheProcessor) {
 TEST(Collocation, KeepsQuadraticInvariants) {
   const auto field =
       std::make_shared<const detail::RotorField<double>>(System(Body(0.9, 1.0, 1.1)));
-  const RotorState s = splitting_test::workload_state();
+  const RotorState s = workload_state();
   detail::CollocationSolver solver(field, 8, widest_instruction_set(), 0.0,
                                    detail::RotorField<double>::start(s), {{1e-12, 0.15}, true});
   const double stop = 15000.0;
@@ -213,8 +174,8 @@ TEST(Collocation, KeepsQuadraticInvariants) {
 
 // Inside a step as accurate as at its ends, by the polynomial that a trajectory keeps.
 TEST(Collocation, IsAccurateInsideItsSteps) {
-  const System system = gravity(splitting_test::precessing_frame());
-  const RotorState s = splitting_test::workload_state();
+  const System system = gravity(precessing_frame());
+  const RotorState s = workload_state();
   const Trajectory run = integrate({system, s, 0.0, 6.0, Collocation{}});
   for (int k = 0; k <= 60; ++k) {
     const double t = 0.1 * k;
@@ -226,7 +187,7 @@ TEST(Collocation, IsAccurateInsideItsSteps) {
 TEST(Collocation, FindsEvents) {
   const auto height = [](double, const RotorState& x) { return x.g.z - 8.0; };
   const auto events = [&](const Method& method) {
-    Problem p{gravity(), splitting_test::workload_state(), 0.0, 20.0, method, {}};
+    Problem p{gravity(), workload_state(), 0.0, 20.0, method, {}};
     p.events.push_back({"height", height, Crossing::both, false, 0.0});
     return integrate(p, {SaveAt::times({20.0})}).events();
   };
@@ -245,7 +206,7 @@ TEST(Collocation, EndsItsStepsWhereATorqueSwitches) {
   const auto sides = [](double t, const RotorState& s) {
     return std::vector{std::sin(0.7 * t), s.g.z - 0.2};
   };
-  const System system(Body(1.0, 2.0, 2.7), splitting_test::precessing_frame(),
+  const System system(Body(1.0, 2.0, 2.7), precessing_frame(),
                       {AnyPerturbation("push", SwitchedTorqueTerm(push, sides))});
   const RotorState s{{0.5, 0.5, -0.5, 0.5}, {0.8, 1.9, 0.3}};
   const RotorState exact = end_of(system, s, 0.0, 40.0, Adaptive{1e-14});
@@ -299,15 +260,15 @@ TEST(Collocation, PassesOverNoiseBelowTheTolerance) {
 }
 
 TEST(Collocation, MakesNoSliverOfAFixedStep) {
-  const Trajectory run = integrate(
-      {gravity(), splitting_test::workload_state(), 0.0, 0.1 * 3.0, Collocation{.step = 0.1}});
+  const Trajectory run =
+      integrate({gravity(), workload_state(), 0.0, 0.1 * 3.0, Collocation{.step = 0.1}});
   EXPECT_EQ(run.statistics().steps, 3);
 }
 
 TEST(Collocation, RefusesAStepThatDoesNotConverge) {
-  const Trajectory run = integrate(
-      {gravity(), splitting_test::workload_state(), 0.0, 100.0, Collocation{.step = 20.0}},
-      {SaveAt::times({100.0})});
+  const Trajectory run =
+      integrate({gravity(), workload_state(), 0.0, 100.0, Collocation{.step = 20.0}},
+                {SaveAt::times({100.0})});
   EXPECT_EQ(run.outcome().status, Outcome::Status::failed);
   EXPECT_THAT(run.outcome().advice, HasSubstr("do not converge: take a shorter step"));
 }

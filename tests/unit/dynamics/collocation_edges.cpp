@@ -19,8 +19,7 @@
 namespace polhode {
 namespace {
 
-using splitting_test::distance;
-using splitting_test::end_of;
+using namespace splitting_test;
 
 // The same torque with its sides named and without: 0.3 sin 3t, its absolute value, its sign.
 enum class Shape { kink, jump };
@@ -33,7 +32,7 @@ System unnamed(Shape shape) {
     const double sine = std::sin(3.0 * t);
     return Vec3{size_of(shape, sine, sine < 0.0 ? -1.0 : 1.0), 0.0, 0.0};
   };
-  return System(splitting_test::workload_body(), Frame::inertial(),
+  return System(workload_body(), Frame::inertial(),
                 {AnyPerturbation("unnamed", TorqueTerm(torque))});
 }
 System named(Shape shape) {
@@ -41,13 +40,13 @@ System named(Shape shape) {
     return Vec3{size_of(shape, std::sin(3.0 * t), sides[0]), 0.0, 0.0};
   };
   const auto sides = [](double t, const RotorState&) { return std::vector{std::sin(3.0 * t)}; };
-  return System(splitting_test::workload_body(), Frame::inertial(),
+  return System(workload_body(), Frame::inertial(),
                 {AnyPerturbation("named", SwitchedTorqueTerm(torque, sides))});
 }
 
 // Before the ends of steps were looked at: 3e-3 and 8e-6 rad at 1e-12.
 TEST(CollocationEdges, JumpsAndKinksThatNoTermNamesAreSeen) {
-  const RotorState s = splitting_test::workload_state();
+  const RotorState s = workload_state();
   for (const Shape shape : {Shape::kink, Shape::jump})
     for (const double stop : {20.1, -20.1}) {
       const RotorState exact = end_of(named(shape), s, 0.0, stop, Adaptive{1e-14});
@@ -67,12 +66,12 @@ TEST(CollocationEdges, StepsGrowAgainBesideANamedEdge) {
       return Vec3{t < unnamed_at ? 0.1 : 0.3, 0.05 * sides[0], 0.0};
     };
     const auto sides = [](double t, const RotorState&) { return std::vector{t - 5.0}; };
-    return System(splitting_test::workload_body(), Frame::inertial(),
+    return System(workload_body(), Frame::inertial(),
                   {AnyPerturbation("push", SwitchedTorqueTerm(torque, sides))});
   };
   for (const double at : {4.5, 4.99, 5.0, 5.01})
     for (const double start : {0.0, 4.9}) {
-      Problem p{pushed(at), splitting_test::workload_state(), start, 12.0, Collocation{}};
+      Problem p{pushed(at), workload_state(), start, 12.0, Collocation{}};
       const Trajectory run = integrate(p);
       EXPECT_TRUE(run.outcome().ok()) << at << " " << run.outcome().advice;
       EXPECT_LT(run.statistics().steps, 3000) << at;
@@ -83,11 +82,11 @@ TEST(CollocationEdges, StepsGrowAgainBesideANamedEdge) {
 
 // A term that is smooth takes as many steps as if it were known to be.
 TEST(CollocationEdges, SmoothTermsOfAUserTakeNoMoreSteps) {
-  const splitting_test::PointMassTorque torque{1.0, 0.1};
+  const PointMassTorque torque{1.0, 0.1};
   const AnyOrbit orbit("orbit", KeplerOrbit({1.0, 0.9, 0.1}));
   const auto steps = [&](AnyPerturbation term, double tolerance) {
-    const System system(splitting_test::workload_body(), Frame::inertial(), {std::move(term)});
-    return integrate({system, splitting_test::workload_state(), 0.0, 30.0, Collocation{tolerance}})
+    const System system(workload_body(), Frame::inertial(), {std::move(term)});
+    return integrate({system, workload_state(), 0.0, 30.0, Collocation{tolerance}})
         .statistics()
         .steps;
   };
@@ -205,9 +204,9 @@ struct Dawn {
 
 TEST(CollocationEdges, ATermOfAUserCanSayThatItFades) {
   const auto system = [](bool says_so) {
-    return System(splitting_test::workload_body(), Frame::inertial(), {{"dawn", Dawn{says_so}}});
+    return System(workload_body(), Frame::inertial(), {{"dawn", Dawn{says_so}}});
   };
-  const RotorState s = splitting_test::workload_state();
+  const RotorState s = workload_state();
   const RotorState exact = end_of(system(true), s, 0.0, 60.0, Adaptive{1e-15});
   const auto error = [&](bool says_so) {
     return distance(end_of(system(says_so), s, 0.0, 60.0, Collocation{}), exact);

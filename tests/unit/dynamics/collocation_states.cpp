@@ -2,7 +2,6 @@
 // States of every kind by Collocation: their lanes, what fixed steps conserve, jumps and kinks
 // inside a run, torques that are weak. Adaptive at a tight tolerance is the oracle, or a law.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>

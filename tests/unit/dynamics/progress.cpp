@@ -3,7 +3,6 @@
 #include "polhode/trajectory/progress.hpp"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <functional>

@@ -4,7 +4,6 @@
 #include "polhode/dynamics/resume.hpp"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdint>
@@ -22,11 +21,12 @@
 #include "polhode/perturb/torque_table.hpp"
 #include "polhode/perturb/user_terms.hpp"
 #include "polhode/trajectory/state_bytes.hpp"
+#include "unit/dynamics/resume_support.hpp"
 
 namespace {
 
 using namespace polhode;
-using polhode::test::message_of;
+using namespace polhode::test;
 using testing::HasSubstr;
 
 Problem problem(const Method& method, double stop) {
@@ -41,57 +41,7 @@ Problem problem(const Method& method, double stop) {
           {{"height", height, Crossing::both, false, 0.0}}};
 }
 
-// All that a run gives out.
-template <class S>
-struct RecordOf {
-  std::vector<BasicSample<S>> samples;
-  std::vector<BasicEventRecord<S>> events;
-  std::vector<Checkpoint> checkpoints;
-  std::vector<std::pair<std::size_t, std::size_t>> given;  // samples, events before each
-};
-
 using Record = RecordOf<RotorState>;
-
-template <class S>
-BasicStreams<S> into(RecordOf<S>& record, int every) {
-  return {[&record](std::span<const BasicSample<S>> block) {
-            record.samples.insert(record.samples.end(), block.begin(), block.end());
-          },
-          [&record](const BasicEventRecord<S>& event) { record.events.push_back(event); },
-          [every, calls = 0](double) mutable { return every > 0 && ++calls % every == 0; },
-          [&record](const Checkpoint& now) {
-            record.checkpoints.push_back(now);
-            record.given.emplace_back(record.samples.size(), record.events.size());
-          }};
-}
-
-template <class S>
-void expect_the_straight_run(const BasicProblem<System, S>& problem, const SaveAt& times,
-                             int every) {
-  RecordOf<S> straight;
-  const BasicTrajectory<S> whole = integrate(problem, times, into(straight, every));
-  ASSERT_GE(straight.checkpoints.size(), 10U);
-  const std::size_t stride = 1 + straight.checkpoints.size() / 8;
-  for (std::size_t k = 0; k < straight.checkpoints.size(); k += stride) {
-    RecordOf<S> rest;
-    // through bytes, as a file would keep them
-    const Checkpoint from(straight.checkpoints[k].bytes());
-    EXPECT_EQ(from.t(), straight.checkpoints[k].t());
-    const BasicTrajectory<S> end = resume(problem, times, from, into(rest, 0));
-    const auto [samples, events] = straight.given[k];
-    ASSERT_EQ(samples + rest.samples.size(), straight.samples.size()) << k;
-    for (std::size_t i = 0; i < rest.samples.size(); ++i)
-      ASSERT_EQ(rest.samples[i], straight.samples[samples + i]) << k << " " << i;
-    ASSERT_EQ(events + rest.events.size(), straight.events.size()) << k;
-    for (std::size_t i = 0; i < rest.events.size(); ++i)
-      ASSERT_EQ(rest.events[i], straight.events[events + i]) << k << " " << i;
-    EXPECT_EQ(end.outcome().t, whole.outcome().t);
-    EXPECT_EQ(end.outcome().status, whole.outcome().status);
-    EXPECT_EQ(end.statistics().steps, whole.statistics().steps);
-    EXPECT_EQ(end.statistics().rejected, whole.statistics().rejected);
-    EXPECT_EQ(end.statistics().evaluations, whole.statistics().evaluations);
-  }
-}
 
 class ResumeOf : public testing::TestWithParam<Method> {};
 
@@ -160,7 +110,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Splitting{.step = 0.05, .scheme = SplittingScheme::order4},
                     Splitting{.step = 0.05}, VariationOfConstants{.tolerance = 1e-10},
                     Collocation{.tolerance = 1e-10}, Collocation{.stages = 4, .step = 0.1},
-                    polhode::test::runge_kutta_4(0.05)));
+                    test::runge_kutta_4(0.05)));
 
 TEST(Resume, WithADamper) {
   for (const Method& method :
@@ -191,12 +141,7 @@ TEST(Resume, WithADamper) {
     integrate(p, times, into(record, 50));
     const Checkpoint& from = record.checkpoints.at(0);
     const auto differs = [&](const DampedProblem& other) {
-      try {
-        resume(other, times, from, into(rest, 0));
-      } catch (const DomainError& error) {
-        return std::string(error.what());
-      }
-      return std::string();
+      return message_of([&] { resume(other, times, from, into(rest, 0)); });
     };
     DampedProblem other = p;
     other.system =
@@ -232,15 +177,11 @@ TEST(Resume, AnotherProblemIsRefusedByWhatDiffers) {
   Record record;
   integrate(p, times, into(record, 100));
   const Checkpoint& from = record.checkpoints.at(0);
-  const auto refusal = [&](const Problem& other, const SaveAt& at) -> std::string {
+  const auto refusal = [&](const Problem& other, const SaveAt& at) {
     Record rest;
-    try {
-      resume(other, at, from, into(rest, 0));
-    } catch (const DomainError& error) {
-      EXPECT_TRUE(rest.samples.empty());
-      return error.what();
-    }
-    return "";
+    const std::string message = message_of([&] { resume(other, at, from, into(rest, 0)); });
+    EXPECT_TRUE(rest.samples.empty());
+    return message;
   };
   Problem other = p;
   other.initial.g.x = 0.81;

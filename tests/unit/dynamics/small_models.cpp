@@ -2,7 +2,6 @@
 // The least that a model must have: two numbers, and none of the optional members. And what single
 // optional members do. Its oracle is the circle that an oscillator runs through.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>

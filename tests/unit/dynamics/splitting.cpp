@@ -1,32 +1,34 @@
 // SPDX-License-Identifier: MIT
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "budgets.hpp"
 #include "dynamics/splitting/splitting_map.hpp"
-#include "polhode/error.hpp"
+#include "message_of.hpp"
 #include "polhode/free/free_rotation.hpp"
 #include "polhode/perturb/momentum_term.hpp"
 #include "splitting_support.hpp"
+#include "unit/dynamics/splitting_support.hpp"
 
-namespace polhode {
+namespace polhode::splitting_test {
 namespace {
 
-using splitting_test::Damping;
-using splitting_test::PointMassTorque;
+using namespace splitting_test;
 using Scheme = SplittingScheme;
 
 constexpr Scheme schemes[] = {Scheme::order2, Scheme::order4, Scheme::order6,
                               Scheme::order8, Scheme::ABA864, Scheme::ABA1064};
-constexpr double turns_10 = 2.0 * std::numbers::pi * 10.0 / 9.9;  // time of ten turns of W1's body
 
 System gravity(double strength, const Frame& frame = Frame::inertial()) {
-  return System(splitting_test::workload_body(), frame,
+  return System(workload_body(), frame,
                 {AnyPerturbation("gravity gradient", PointMassTorque{1.0, 0.1, strength})});
 }
 
@@ -54,26 +56,12 @@ TEST(SplittingCoefficients, AddUpToOneAndAreTheSameBackwards) {
 }
 
 TEST(Splitting, IsFreeRotationWhereThereIsNoTorque) {
-  const Vec3 moments[] = {{0.9, 1.0, 1.1}, {3.0, 1.0, 2.5}, {1.0, 1.0, 1.5},
-                          {1.5, 1.0, 1.0}, {1.0, 1.0, 1.0}, {1.0, 2.0, 2.9}};
-  const Vec3 momenta[] = {{4.5, 4.0, 8.25}, {0, 0, 3}, {0, -2, 1e-9}, {0, 0, 0}, {1e-9, 1, 2}};
-  for (const Vec3& I : moments) {
-    const Body body(I.x, I.y, I.z);
-    for (const Vec3& g : momenta) {
-      const RotorState s{normalized(Quaternion{0.3, -0.4, 0.5, 0.6}), g};
-      const double time = norm(g) > 0.0 ? 20.0 * std::numbers::pi / norm(g) : 1.0;
-      for (const Frame& frame : {Frame::inertial(), splitting_test::precessing_frame()}) {
-        const System system(body, frame);
-        const RotorState exact = reference_state(
-            system, time, FreeRotation(body, inertial_state(system, 0.0, s)).at(time));
-        for (const Scheme scheme : schemes) {
-          const RotorState end =
-              splitting_test::end_of(system, s, 0.0, time, Splitting{time / 97.3, scheme});
-          EXPECT_LE(splitting_test::distance(end, exact), budget::splitting_free);
-        }
-      }
-    }
-  }
+  const auto methods = [](double time) {
+    std::vector<Splitting> all;
+    for (const Scheme scheme : schemes) all.push_back({time / 97.3, scheme});
+    return all;
+  };
+  expect_free_rotation(methods, budget::splitting_free);
 }
 
 // A rotor of constant speed in the body, and axes that move in space, beside Collocation; and what
@@ -113,42 +101,38 @@ TEST(Splitting, TakesTermsLinearInTheMomentum) {
 }
 
 TEST(Splitting, AndVariationOfConstantsTakeRatesOfAnyUnitOfTime) {
-  const System system(splitting_test::workload_body());
+  const System system(workload_body());
   for (const double unit : {1e-28, 1e27}) {
-    RotorState s = splitting_test::workload_state();
+    RotorState s = workload_state();
     s.g = unit * s.g;
     const double time = 3.0 / unit;
     const RotorState exact = FreeRotation(system.body(), s).at(time);
-    EXPECT_LE(splitting_test::distance(
-                  splitting_test::end_of(system, s, 0.0, time, Splitting{0.01 * time}), exact),
+    EXPECT_LE(distance(end_of(system, s, 0.0, time, Splitting{0.01 * time}), exact),
               budget::splitting_free);
-    EXPECT_LE(splitting_test::distance(
-                  splitting_test::end_of(system, s, 0.0, time, VariationOfConstants{}), exact),
+    EXPECT_LE(distance(end_of(system, s, 0.0, time, VariationOfConstants{}), exact),
               budget::splitting_free);
   }
 }
 
 TEST(Splitting, TakesMomentaOfAnyUnitOfMass) {
-  const Vec3 I = splitting_test::workload_body().moments();
+  const Vec3 I = workload_body().moments();
   for (const double unit : {1e-120, 1e120}) {
     const System system(Body(unit * I.x, unit * I.y, unit * I.z));
-    RotorState s = splitting_test::workload_state();
+    RotorState s = workload_state();
     s.g = unit * s.g;
     const RotorState exact = FreeRotation(system.body(), s).at(3.0);
-    const RotorState end = splitting_test::end_of(system, s, 0.0, 3.0, Splitting{0.01});
-    EXPECT_LE(
-        splitting_test::distance({end.q, (1.0 / unit) * end.g}, {exact.q, (1.0 / unit) * exact.g}),
-        budget::splitting_free)
+    const RotorState end = end_of(system, s, 0.0, 3.0, Splitting{0.01});
+    EXPECT_LE(distance({end.q, (1.0 / unit) * end.g}, {exact.q, (1.0 / unit) * exact.g}),
+              budget::splitting_free)
         << unit;
   }
 }
 
 TEST(Splitting, TakesStepsOfManyTurnsOfAFreeBody) {
-  const System system(splitting_test::workload_body());
-  const RotorState exact = FreeRotation(system.body(), splitting_test::workload_state()).at(10.0);
-  const RotorState end =
-      splitting_test::end_of(system, splitting_test::workload_state(), 0.0, 10.0, Splitting{5.0});
-  EXPECT_LE(splitting_test::distance(end, exact), budget::splitting_free);
+  const System system(workload_body());
+  const RotorState exact = FreeRotation(system.body(), workload_state()).at(10.0);
+  const RotorState end = end_of(system, workload_state(), 0.0, 10.0, Splitting{5.0});
+  EXPECT_LE(distance(end, exact), budget::splitting_free);
 }
 
 // What is tiny next to the middle axis grows: the body flips where the closed form flips it.
@@ -156,7 +140,7 @@ TEST(Splitting, FlipsABodyThatIsNextToItsMiddleAxis) {
   const Body body(1.0, 1.7, 2.1);
   const RotorState start{{1, 0, 0, 0}, {1e-120, 1.0, 0.0}};
   const Vec3 g = FreeRotation(body, start).at(1400.0).g;
-  const RotorState end = splitting_test::end_of(System(body), start, 0.0, 1400.0, Splitting{0.5});
+  const RotorState end = end_of(System(body), start, 0.0, 1400.0, Splitting{0.5});
   EXPECT_LT(g.y, -0.999);
   EXPECT_LT(end.g.y, -0.999);
 }
@@ -164,9 +148,9 @@ TEST(Splitting, FlipsABodyThatIsNextToItsMiddleAxis) {
 // |g| and the kinetic energy after 1e5 drifts: no walk at all, while g itself has been rounded at
 // every step.
 TEST(Splitting, KeepsMomentumAndEnergyOfAFreeBodyBeyondDouble) {
-  const Body body = splitting_test::workload_body();
+  const Body body = workload_body();
   const detail::SplittingMap map(System(body), Scheme::order2);
-  detail::SplittingState s = map.start(0.0, splitting_test::workload_state());
+  detail::SplittingState s = map.start(0.0, workload_state());
   const auto squares = [&](const Vec3& weight) {
     DoubleDouble sum = 0.0;
     for (int i = 0; i < 3; ++i) {
@@ -182,10 +166,9 @@ TEST(Splitting, KeepsMomentumAndEnergyOfAFreeBodyBeyondDouble) {
 }
 
 TEST(Splitting, HasTheOrderThatItsNameSays) {
-  const System system = gravity(1.0, splitting_test::precessing_frame());
-  const RotorState s = splitting_test::workload_state();
-  const RotorState exact =
-      splitting_test::end_of(system, s, 0.0, 2.0, Splitting{0.002, Scheme::order8});
+  const System system = gravity(1.0, precessing_frame());
+  const RotorState s = workload_state();
+  const RotorState exact = end_of(system, s, 0.0, 2.0, Splitting{0.002, Scheme::order8});
   const struct {
     Scheme scheme;
     double order, h, octaves;
@@ -194,12 +177,9 @@ TEST(Splitting, HasTheOrderThatItsNameSays) {
                {Scheme::order6, 6, 0.05, 2},
                {Scheme::order8, 8, 0.1, 1}};
   for (const auto& c : cases) {
-    const double coarse = splitting_test::distance(
-        splitting_test::end_of(system, s, 0.0, 2.0, Splitting{c.h, c.scheme}), exact);
-    const double fine = splitting_test::distance(
-        splitting_test::end_of(system, s, 0.0, 2.0,
-                               Splitting{c.h * std::exp2(-c.octaves), c.scheme}),
-        exact);
+    const double coarse = distance(end_of(system, s, 0.0, 2.0, Splitting{c.h, c.scheme}), exact);
+    const double fine = distance(
+        end_of(system, s, 0.0, 2.0, Splitting{c.h * std::exp2(-c.octaves), c.scheme}), exact);
     EXPECT_GE(slope(coarse, fine, c.octaves), c.order - budget::splitting_order_below);
     EXPECT_LE(slope(coarse, fine, c.octaves), c.order + budget::splitting_order_above);
   }
@@ -210,11 +190,10 @@ double odd_error(Scheme scheme, double strength, double h) {
   std::array<double, 6> e[2];
   for (const int side : {0, 1}) {
     const System system = gravity(side == 0 ? strength : -strength);
-    const RotorState s = splitting_test::workload_state();
-    const RotorState exact =
-        splitting_test::end_of(system, s, 0.0, 4.0, Splitting{0.004, Scheme::order8});
-    const RotorState end = splitting_test::end_of(system, s, 0.0, 4.0, Splitting{h, scheme});
-    e[side] = splitting_test::difference(end, exact);
+    const RotorState s = workload_state();
+    const RotorState exact = end_of(system, s, 0.0, 4.0, Splitting{0.004, Scheme::order8});
+    const RotorState end = end_of(system, s, 0.0, 4.0, Splitting{h, scheme});
+    e[side] = difference(end, exact);
   }
   double sum = 0.0;
   for (std::size_t i = 0; i < 6; ++i) sum += (e[0][i] - e[1][i]) * (e[0][i] - e[1][i]);
@@ -233,75 +212,64 @@ TEST(Splitting, OfNearIntegrableFamiliesIsOfOrder8And10InASmallTorqueAndProporti
 
 TEST(Splitting, OfNearIntegrableFamiliesIsOfOrder4InAStrongTorque) {
   const System system = gravity(100.0);
-  const RotorState s = splitting_test::workload_state();
-  const RotorState exact =
-      splitting_test::end_of(system, s, 0.0, 1.0, Splitting{0.001, Scheme::order8});
+  const RotorState s = workload_state();
+  const RotorState exact = end_of(system, s, 0.0, 1.0, Splitting{0.001, Scheme::order8});
   for (const Scheme scheme : {Scheme::ABA864, Scheme::ABA1064}) {
-    const double coarse = splitting_test::distance(
-        splitting_test::end_of(system, s, 0.0, 1.0, Splitting{0.025, scheme}), exact);
-    const double fine = splitting_test::distance(
-        splitting_test::end_of(system, s, 0.0, 1.0, Splitting{0.00625, scheme}), exact);
+    const double coarse = distance(end_of(system, s, 0.0, 1.0, Splitting{0.025, scheme}), exact);
+    const double fine = distance(end_of(system, s, 0.0, 1.0, Splitting{0.00625, scheme}), exact);
     EXPECT_NEAR(slope(coarse, fine, 2.0), 4.0, budget::splitting_order_below);
   }
 }
 
 // Two kinds of flows together: kicks are then compositions themselves.
 TEST(Splitting, KeepsItsOrderWhereFlowsDoNotCommute) {
-  const System system(splitting_test::workload_body(), Frame::inertial(),
+  const System system(workload_body(), Frame::inertial(),
                       {AnyPerturbation("damping", Damping{0.7}),
                        AnyPerturbation("gravity gradient", PointMassTorque{1.0, 0.1, 3.0}),
-                       AnyPerturbation("torque along b1", splitting_test::Spinner{0.9})});
-  const RotorState s = splitting_test::workload_state();
-  const RotorState exact =
-      splitting_test::end_of(system, s, 0.0, 1.0, Splitting{0.0005, Scheme::order8});
+                       AnyPerturbation("torque along b1", Spinner{0.9})});
+  const RotorState s = workload_state();
+  const RotorState exact = end_of(system, s, 0.0, 1.0, Splitting{0.0005, Scheme::order8});
   const struct {
     Scheme scheme;
     double order, h;
   } cases[] = {{Scheme::order2, 2, 0.01}, {Scheme::order4, 4, 0.05}, {Scheme::order6, 6, 0.05},
                {Scheme::order8, 8, 0.1},  {Scheme::ABA864, 4, 0.1},  {Scheme::ABA1064, 4, 0.1}};
   for (const auto& c : cases) {
-    const double coarse = splitting_test::distance(
-        splitting_test::end_of(system, s, 0.0, 1.0, Splitting{c.h, c.scheme}), exact);
-    const double fine = splitting_test::distance(
-        splitting_test::end_of(system, s, 0.0, 1.0, Splitting{0.5 * c.h, c.scheme}), exact);
+    const double coarse = distance(end_of(system, s, 0.0, 1.0, Splitting{c.h, c.scheme}), exact);
+    const double fine =
+        distance(end_of(system, s, 0.0, 1.0, Splitting{0.5 * c.h, c.scheme}), exact);
     EXPECT_GE(slope(coarse, fine, 1.0), c.order - budget::splitting_order_below)
         << static_cast<int>(c.scheme) << " " << coarse << " " << fine;
   }
 }
 
 TEST(Splitting, RunsBackToWhereItStarted) {
-  const System system = gravity(1.0, splitting_test::precessing_frame());
-  const RotorState s = splitting_test::workload_state();
+  const System system = gravity(1.0, precessing_frame());
+  const RotorState s = workload_state();
   for (const Scheme scheme : schemes) {
     const Splitting method{turns_10 / 128.0, scheme};
-    const RotorState there = splitting_test::end_of(system, s, 0.0, turns_10, method);
-    EXPECT_LE(
-        splitting_test::distance(splitting_test::end_of(system, there, turns_10, 0.0, method), s),
-        budget::splitting_free);
+    const RotorState there = end_of(system, s, 0.0, turns_10, method);
+    EXPECT_LE(distance(end_of(system, there, turns_10, 0.0, method), s), budget::splitting_free);
     const double far = 10.0 * turns_10;
-    const RotorState farther = splitting_test::end_of(system, s, 0.0, far, method);
-    EXPECT_LE(
-        splitting_test::distance(splitting_test::end_of(system, farther, far, 0.0, method), s),
-        budget::hundred_turns_back);
+    const RotorState farther = end_of(system, s, 0.0, far, method);
+    EXPECT_LE(distance(end_of(system, farther, far, 0.0, method), s), budget::hundred_turns_back);
   }
 }
 
 TEST(Splitting, IsTheSameMotionInAMovingFrame) {
-  const System inertial = gravity(1.0), moving = gravity(1.0, splitting_test::precessing_frame());
-  const RotorState s =
-      splitting_test::workload_state();  // the frame coincides with inertial axes at t = 0
+  const System inertial = gravity(1.0), moving = gravity(1.0, precessing_frame());
+  const RotorState s = workload_state();  // the frame coincides with inertial axes at t = 0
   for (const Scheme scheme : schemes) {
     const Splitting method{0.1, scheme};
-    const RotorState a = splitting_test::end_of(inertial, s, 0.0, turns_10, method);
-    const RotorState b = splitting_test::end_of(moving, s, 0.0, turns_10, method);
-    EXPECT_LE(splitting_test::distance(inertial_state(moving, turns_10, b), a),
-              budget::splitting_free);
+    const RotorState a = end_of(inertial, s, 0.0, turns_10, method);
+    const RotorState b = end_of(moving, s, 0.0, turns_10, method);
+    EXPECT_LE(distance(inertial_state(moving, turns_10, b), a), budget::splitting_free);
   }
 }
 
 TEST(Splitting, DenseOutputIsAStepOfTheSameScheme) {
-  const System system = gravity(1.0, splitting_test::precessing_frame());
-  const RotorState s = splitting_test::workload_state();
+  const System system = gravity(1.0, precessing_frame());
+  const RotorState s = workload_state();
   for (const Scheme scheme : schemes) {
     const Splitting method{0.1, scheme};
     const auto stepper = detail::make_stepper(Problem{system, s, 0.0, 1.0, method, {}}, method);
@@ -310,12 +278,11 @@ TEST(Splitting, DenseOutputIsAStepOfTheSameScheme) {
     const auto dense = stepper->dense(true);
     EXPECT_EQ(dense->t0(), 0.1);
     EXPECT_EQ(dense->t1(), 0.2);
-    EXPECT_LE(splitting_test::distance(dense->at(dense->t1()), stepper->state()),
-              budget::splitting_dense);
-    const RotorState first = splitting_test::end_of(system, s, 0.0, 0.1, method);
-    EXPECT_LE(splitting_test::distance(dense->at(0.1), first), budget::splitting_dense);
-    const RotorState middle = splitting_test::end_of(system, first, 0.1, 0.143, method);
-    EXPECT_LE(splitting_test::distance(dense->at(0.143), middle), budget::splitting_dense);
+    EXPECT_LE(distance(dense->at(dense->t1()), stepper->state()), budget::splitting_dense);
+    const RotorState first = end_of(system, s, 0.0, 0.1, method);
+    EXPECT_LE(distance(dense->at(0.1), first), budget::splitting_dense);
+    const RotorState middle = end_of(system, first, 0.1, 0.143, method);
+    EXPECT_LE(distance(dense->at(0.143), middle), budget::splitting_dense);
   }
 }
 
@@ -331,10 +298,10 @@ Matrix6 poisson(const Vec3& g) {
 }
 
 TEST(Splitting, StepIsSymplectic) {
-  for (const Frame& frame : {Frame::inertial(), splitting_test::precessing_frame()}) {
+  for (const Frame& frame : {Frame::inertial(), precessing_frame()}) {
     for (const Scheme scheme : schemes) {
       const detail::SplittingMap map(gravity(1.0, frame), scheme);
-      const detail::SplittingState s = map.start(0.3, splitting_test::workload_state());
+      const detail::SplittingState s = map.start(0.3, workload_state());
       const Matrix6 M = map.step_transition(s, 0.1);  // one radian
       const Vec3 g1 = map.stepped(s, 0.1).g.hi;
       const Matrix6 P = poisson(s.g.hi), image = M * P * transpose(M), wanted = poisson(g1);
@@ -354,8 +321,8 @@ TEST(Splitting, StepIsSymplectic) {
 }
 
 TEST(Splitting, StepTransitionIsTheDerivativeOfTheStep) {
-  const detail::SplittingMap map(gravity(1.0, splitting_test::precessing_frame()), Scheme::ABA864);
-  const RotorState s = splitting_test::workload_state();
+  const detail::SplittingMap map(gravity(1.0, precessing_frame()), Scheme::ABA864);
+  const RotorState s = workload_state();
   const Matrix6 M = map.step_transition(map.start(0.3, s), 0.1);
   const double d = 1e-5;
   for (int j = 0; j < 6; ++j) {
@@ -372,7 +339,7 @@ TEST(Splitting, StepTransitionIsTheDerivativeOfTheStep) {
       }
       const auto end = map.state(map.stepped(map.start(0.3, moved), 0.1));
       const auto base = map.state(map.stepped(map.start(0.3, s), 0.1));
-      ends[side] = splitting_test::difference(end, base);
+      ends[side] = difference(end, base);
       for (std::size_t i = 3; i < 6; ++i) ends[side][i] *= norm(base.g);
     }
     for (int i = 0; i < 6; ++i) {
@@ -383,23 +350,16 @@ TEST(Splitting, StepTransitionIsTheDerivativeOfTheStep) {
 }
 
 TEST(Splitting, NamesATermWithoutAFlow) {
-  const System system(splitting_test::workload_body(), Frame::inertial(),
-                      {AnyPerturbation("drag", splitting_test::NoFlow{})});
-  try {
-    detail::make_stepper(
-        Problem{system, splitting_test::workload_state(), 0, 1, Splitting{0.1}, {}},
-        Splitting{0.1});
-    FAIL();
-  } catch (const DomainError& error) {
-    EXPECT_STREQ(error.what(),
+  const System system(workload_body(), Frame::inertial(), {AnyPerturbation("drag", NoFlow{})});
+  EXPECT_MESSAGE(detail::make_stepper(Problem{system, workload_state(), 0, 1, Splitting{0.1}, {}},
+                                      Splitting{0.1}),
                  "Splitting: term \"drag\" has no exact flow: use Adaptive, which needs none");
-  }
 }
 
 std::string advice_of(const System& system, double start, double stop, double step) {
   const Splitting method{step};
-  const auto stepper = detail::make_stepper(
-      Problem{system, splitting_test::workload_state(), start, stop, method, {}}, method);
+  const auto stepper =
+      detail::make_stepper(Problem{system, workload_state(), start, stop, method, {}}, method);
   for (int i = 0; i < 1000 && stepper->time() != stop; ++i) {
     const double before = stepper->time();
     const std::string advice = stepper->advance(stop);
@@ -412,28 +372,26 @@ std::string advice_of(const System& system, double start, double stop, double st
 }
 
 TEST(Splitting, SaysWhyItCannotGoOn) {
-  const System broken(splitting_test::workload_body(), Frame::inertial(),
+  const System broken(workload_body(), Frame::inertial(),
                       {AnyPerturbation("fine", PointMassTorque{1.0, 0.1}),
-                       AnyPerturbation("broken", splitting_test::BreaksAt{1.0})});
+                       AnyPerturbation("broken", BreaksAt{1.0})});
   EXPECT_THAT(advice_of(broken, 0.0, 3.0, 0.1),
               testing::HasSubstr("term \"broken\" is not finite near t = "));
-  EXPECT_EQ(
-      advice_of(gravity(1.0), 1e9, 2e9, 1e-9),
-      "step 1e-09 is below the rounding of t = 1e+09: take a larger step or count time from a "
-      "nearer epoch");
+  EXPECT_EQ(advice_of(gravity(1.0), 1e9, 2e9, 1e-9),
+            "step 1e-09 is below the rounding of t = 1e+09: take a larger step or count time from "
+            "a nearer epoch");
   EXPECT_EQ(advice_of(gravity(1.0), 0.0, 1e12, 1e6),
             "step 1e+06 is 7500000 radians of rotation at t = 0: take a step of less than a turn");
 }
 
 // Another unit of mass, from grains to planets: the same bits.
 TEST(Splitting, AndVariationOfConstantsDoNotKnowUnits) {
-  const Vec3 I = splitting_test::workload_body().moments();
-  const RotorState s = splitting_test::workload_state();
+  const Vec3 I = workload_body().moments();
+  const RotorState s = workload_state();
   const auto run = [&](double unit, const auto& method) {
-    const System system(Body(unit * I.x, unit * I.y, unit * I.z),
-                        splitting_test::precessing_frame(),
+    const System system(Body(unit * I.x, unit * I.y, unit * I.z), precessing_frame(),
                         {AnyPerturbation("gravity gradient", PointMassTorque{1.0, 0.1})});
-    RotorState end = splitting_test::end_of(system, {s.q, unit * s.g}, 0.0, turns_10, method);
+    RotorState end = end_of(system, {s.q, unit * s.g}, 0.0, turns_10, method);
     end.g = (1.0 / unit) * end.g;
     return end;
   };
@@ -445,12 +403,38 @@ TEST(Splitting, AndVariationOfConstantsDoNotKnowUnits) {
 
 TEST(Splitting, CountsWhatItDoes) {
   const Splitting method{0.125, Scheme::order2};
-  const auto stepper = detail::make_stepper(
-      Problem{gravity(1.0), splitting_test::workload_state(), 0.0, 1.0, method, {}}, method);
+  const auto stepper =
+      detail::make_stepper(Problem{gravity(1.0), workload_state(), 0.0, 1.0, method, {}}, method);
   while (stepper->time() != 1.0) ASSERT_EQ(stepper->advance(1.0), "");
   EXPECT_EQ(stepper->statistics().steps, 8);
   EXPECT_EQ(stepper->statistics().evaluations, 9);  // the kick between two steps is made once
 }
 
+// What a step makes of one deviation is the step's derivative times that deviation: every column of
+// the one is the other, two derivations that share the kicks' duals alone.
+
+TEST(SplittingDeviation, IsAColumnOfTheTransition) {
+  const System system(Body(1.0, 1.7, 2.1), precessing_frame(),
+                      {AnyPerturbation("gravity", PointMassTorque{0.8, 0.2})});
+  const Vec3 moving{0.7, -1.1, 0.4}, rest{};
+  for (const auto& [scheme, g] : {std::pair{SplittingScheme::order2, moving},
+                                  {SplittingScheme::ABA864, moving},
+                                  {SplittingScheme::order2, rest},
+                                  {SplittingScheme::ABA864, rest}}) {
+    const detail::SplittingMap map(system, scheme);
+    const detail::SplittingState s =
+        map.start(0.4, {normalized(Quaternion{0.3, -0.4, 0.5, 0.6}), g});
+    const Matrix6 M = map.step_transition(s, 0.3);
+    for (int j = 0; j < 6; ++j) {
+      std::array<double, 6> x{};
+      x[static_cast<std::size_t>(j)] = 1.0;
+      const std::array<double, 6> y = map.step_deviation(s, x, 0.3).x;
+      for (int i = 0; i < 6; ++i)
+        EXPECT_NEAR(y[static_cast<std::size_t>(i)], M(i, j), budget::splitting_deviation)
+            << "entry " << i << ", " << j;
+    }
+  }
+}
+
 }  // namespace
-}  // namespace polhode
+}  // namespace polhode::splitting_test

@@ -12,6 +12,7 @@
 
 #include "dynamics/steppers.hpp"
 #include "polhode/dynamics/integrate.hpp"
+#include "polhode/free/free_rotation.hpp"
 #include "polhode/perturb/effect.hpp"
 
 namespace polhode::splitting_test {
@@ -133,6 +134,49 @@ RotorState end_of(const System& system, const RotorState& initial, double start,
     if (!advice.empty()) break;
   }
   return stepper->state();
+}
+
+// Time of ten turns of that body, and the method that others are compared with.
+constexpr double turns_10 = 2.0 * 3.141592653589793 * 10.0 / 9.9;
+constexpr Adaptive reference{1e-19, Precision::double_double};
+
+// Without a torque the methods for a run of this length end where the closed form does.
+void expect_free_rotation(const auto& methods, double allowed) {
+  const Vec3 moments[] = {{0.9, 1.0, 1.1}, {3.0, 1.0, 2.5}, {1.0, 1.0, 1.5},
+                          {1.5, 1.0, 1.0}, {1.0, 1.0, 1.0}, {1.0, 2.0, 2.9}};
+  const Vec3 momenta[] = {{4.5, 4.0, 8.25}, {0, 0, 3}, {0, -2, 1e-9}, {0, 0, 0}, {1e-9, 1, 2}};
+  for (const Vec3& I : moments)
+    for (const Vec3& g : momenta) {
+      const RotorState s{normalized(Quaternion{0.3, -0.4, 0.5, 0.6}), g};
+      const double time = norm(g) > 0.0 ? 20.0 * 3.141592653589793 / norm(g) : 1.0;
+      for (const Frame& frame : {Frame::inertial(), precessing_frame()}) {
+        const System system(Body(I.x, I.y, I.z), frame);
+        const RotorState exact = reference_state(
+            system, time, FreeRotation(system.body(), inertial_state(system, 0.0, s)).at(time));
+        for (const auto& method : methods(time))
+          EXPECT_LE(distance(end_of(system, s, 0.0, time, method), exact), allowed);
+      }
+    }
+}
+
+// Axisymmetric, a sphere, far from symmetric, across the separatrix and at rest; terms that are no
+// kicks, and that no lanes know.
+void expect_double_double_for_every_body(const auto& method, double allowed) {
+  const struct {
+    Vec3 moments, g;
+  } cases[] = {{{1.0, 1.0, 1.5}, {1.0, 0.5, 2.0}},   {{1.5, 1.0, 1.0}, {1.0, 0.5, 2.0}},
+               {{1.0, 1.0, 1.0}, {1.0, 0.5, 2.0}},   {{1.0, 2.0, 2.9}, {1.0, 0.5, 2.0}},
+               {{1.0, 2.0, 2.9}, {1e-3, 2.0, 1e-3}}, {{1.0, 2.0, 2.9}, {0.0, 0.0, 2.0}},
+               {{1.0, 2.0, 2.9}, {0.0, 0.0, 0.0}}};
+  for (const auto& c : cases) {
+    const System system(
+        Body(c.moments.x, c.moments.y, c.moments.z), precessing_frame(),
+        {AnyPerturbation("gravity gradient", PointMassTorque{1.0, 0.1, 0.2}),
+         AnyPerturbation("damping", Damping{0.01}), AnyPerturbation("turn", Spinner{0.3})});
+    const RotorState s{normalized(Quaternion{0.3, -0.4, 0.5, 0.6}), c.g};
+    const RotorState exact = end_of(system, s, 0.0, 15.0, reference);
+    EXPECT_LE(distance(end_of(system, s, 0.0, 15.0, method), exact), allowed);
+  }
 }
 
 }  // namespace polhode::splitting_test

@@ -2,7 +2,6 @@
 // Edges that are hard to see: dips between the samples of a step, NaN, zeros at the start, jumps
 // that the state decides where derivatives are asked for, a pericentre that is passed in no time.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>

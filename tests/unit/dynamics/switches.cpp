@@ -2,7 +2,6 @@
 // Torques that jump or have a kink where the state says: steps end there, the error is that of the
 // tolerance, and what is not endless is not refused.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>

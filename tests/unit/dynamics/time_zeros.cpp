@@ -3,7 +3,6 @@
 #include "polhode/dynamics/detail/time_zeros.hpp"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>

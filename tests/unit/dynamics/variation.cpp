@@ -12,11 +12,9 @@
 namespace polhode {
 namespace {
 
-using splitting_test::PointMassTorque;
+using namespace splitting_test;
 
-constexpr double turns_10 = 2.0 * std::numbers::pi * 10.0 / 9.9;
 constexpr VariationOfConstants sharp{1e-15};
-constexpr Adaptive reference{1e-19, Precision::double_double};
 
 System gravity(const Body& body, const Frame& frame = Frame::inertial()) {
   return System(body, frame, {AnyPerturbation("gravity gradient", PointMassTorque{1.0, 0.1})});
@@ -51,72 +49,35 @@ TEST(GaussTableau, GivesTheLastLegendreCoefficients) {
 }
 
 TEST(VariationOfConstants, IsFreeRotationWhereThereIsNoTorque) {
-  const Vec3 moments[] = {{0.9, 1.0, 1.1}, {3.0, 1.0, 2.5}, {1.0, 1.0, 1.5},
-                          {1.5, 1.0, 1.0}, {1.0, 1.0, 1.0}, {1.0, 2.0, 2.9}};
-  const Vec3 momenta[] = {{4.5, 4.0, 8.25}, {0, 0, 3}, {0, -2, 1e-9}, {0, 0, 0}, {1e-9, 1, 2}};
-  for (const Vec3& I : moments) {
-    const Body body(I.x, I.y, I.z);
-    for (const Vec3& g : momenta) {
-      const RotorState s{normalized(Quaternion{0.3, -0.4, 0.5, 0.6}), g};
-      const double time = norm(g) > 0.0 ? 20.0 * std::numbers::pi / norm(g) : 1.0;
-      for (const Frame& frame : {Frame::inertial(), splitting_test::precessing_frame()}) {
-        const System system(body, frame);
-        const RotorState exact = reference_state(
-            system, time, FreeRotation(body, inertial_state(system, 0.0, s)).at(time));
-        for (const double largest : {time / 97.3, 2.0 * time})
-          EXPECT_LE(
-              splitting_test::distance(splitting_test::end_of(system, s, 0.0, time,
-                                                              VariationOfConstants{1e-12, largest}),
-                                       exact),
-              budget::variation_free);
-      }
-    }
-  }
+  const auto methods = [](double time) {
+    return std::vector{VariationOfConstants{1e-12, time / 97.3},
+                       VariationOfConstants{1e-12, 2.0 * time}};
+  };
+  expect_free_rotation(methods, budget::variation_free);
 }
 
 TEST(VariationOfConstants, AndSplittingAgreeWithDoubleDoubleAfterTenOrbits) {
   const double stop = 20.0 * std::numbers::pi;
-  const System system = gravity(splitting_test::workload_body());
-  const RotorState s = splitting_test::workload_state();
-  const RotorState exact = splitting_test::end_of(system, s, 0.0, stop, reference);
-  EXPECT_LE(splitting_test::distance(splitting_test::end_of(system, s, 0.0, stop, sharp), exact),
-            budget::variation_ten_orbits);
+  const System system = gravity(workload_body());
+  const RotorState s = workload_state();
+  const RotorState exact = end_of(system, s, 0.0, stop, reference);
+  EXPECT_LE(distance(end_of(system, s, 0.0, stop, sharp), exact), budget::variation_ten_orbits);
   const Splitting splitting{0.01, SplittingScheme::order8};
-  EXPECT_LE(
-      splitting_test::distance(splitting_test::end_of(system, s, 0.0, stop, splitting), exact),
-      budget::splitting_ten_orbits);
+  EXPECT_LE(distance(end_of(system, s, 0.0, stop, splitting), exact), budget::splitting_ten_orbits);
 }
 
 TEST(VariationOfConstants, ErrsByLessForASmallerTolerance) {
-  const System system =
-      gravity(splitting_test::workload_body(), splitting_test::precessing_frame());
-  const RotorState s = splitting_test::workload_state();
-  const RotorState exact = splitting_test::end_of(system, s, 0.0, turns_10, reference);
+  const System system = gravity(workload_body(), precessing_frame());
+  const RotorState s = workload_state();
+  const RotorState exact = end_of(system, s, 0.0, turns_10, reference);
   for (const double tolerance : {1e-5, 1e-7, 1e-9, 1e-11}) {
-    const RotorState end =
-        splitting_test::end_of(system, s, 0.0, turns_10, VariationOfConstants{tolerance});
-    EXPECT_LE(splitting_test::distance(end, exact), budget::variation_per_tolerance * tolerance);
+    const RotorState end = end_of(system, s, 0.0, turns_10, VariationOfConstants{tolerance});
+    EXPECT_LE(distance(end, exact), budget::variation_per_tolerance * tolerance);
   }
 }
 
-// Axisymmetric, a sphere, far from symmetric, and across the separatrix; terms that are no kicks.
 TEST(VariationOfConstants, AgreesWithDoubleDoubleForEveryBody) {
-  const Frame frame = splitting_test::precessing_frame();
-  const struct {
-    Vec3 moments, g;
-  } cases[] = {{{1.0, 1.0, 1.5}, {1.0, 0.5, 2.0}},   {{1.5, 1.0, 1.0}, {1.0, 0.5, 2.0}},
-               {{1.0, 1.0, 1.0}, {1.0, 0.5, 2.0}},   {{1.0, 2.0, 2.9}, {1.0, 0.5, 2.0}},
-               {{1.0, 2.0, 2.9}, {1e-3, 2.0, 1e-3}}, {{1.0, 2.0, 2.9}, {0.0, 0.0, 2.0}}};
-  for (const auto& c : cases) {
-    const System system(Body(c.moments.x, c.moments.y, c.moments.z), frame,
-                        {AnyPerturbation("gravity gradient", PointMassTorque{1.0, 0.1, 0.2}),
-                         AnyPerturbation("damping", splitting_test::Damping{0.01}),
-                         AnyPerturbation("turn", splitting_test::Spinner{0.3})});
-    const RotorState s{normalized(Quaternion{0.3, -0.4, 0.5, 0.6}), c.g};
-    const RotorState exact = splitting_test::end_of(system, s, 0.0, 15.0, reference);
-    EXPECT_LE(splitting_test::distance(splitting_test::end_of(system, s, 0.0, 15.0, sharp), exact),
-              budget::variation_bodies);
-  }
+  expect_double_double_for_every_body(sharp, budget::variation_bodies);
 }
 
 // The energy over that of rotation about the middle axis with the same |g| changes its sign.
@@ -137,33 +98,26 @@ TEST(VariationOfConstants, CrossesTheSeparatrix) {
     now = next;
   }
   EXPECT_GT(crossings, 1);
-  EXPECT_LE(splitting_test::distance(stepper->state(),
-                                     splitting_test::end_of(system, s, 0.0, 30.0, reference)),
+  EXPECT_LE(distance(stepper->state(), end_of(system, s, 0.0, 30.0, reference)),
             budget::variation_separatrix);
 }
 
 TEST(VariationOfConstants, RunsBackToWhereItStartedAndIsTheSameInAMovingFrame) {
-  const System inertial = gravity(splitting_test::workload_body());
-  const System moving =
-      gravity(splitting_test::workload_body(), splitting_test::precessing_frame());
-  const RotorState s = splitting_test::workload_state();
-  const RotorState there = splitting_test::end_of(moving, s, 0.0, turns_10, sharp);
-  EXPECT_LE(
-      splitting_test::distance(splitting_test::end_of(moving, there, turns_10, 0.0, sharp), s),
-      budget::variation_free);
+  const System inertial = gravity(workload_body());
+  const System moving = gravity(workload_body(), precessing_frame());
+  const RotorState s = workload_state();
+  const RotorState there = end_of(moving, s, 0.0, turns_10, sharp);
+  EXPECT_LE(distance(end_of(moving, there, turns_10, 0.0, sharp), s), budget::variation_free);
   const double far = 10.0 * turns_10;
-  const RotorState farther = splitting_test::end_of(moving, s, 0.0, far, sharp);
-  EXPECT_LE(splitting_test::distance(splitting_test::end_of(moving, farther, far, 0.0, sharp), s),
-            budget::hundred_turns_back);
-  const RotorState same = splitting_test::end_of(inertial, s, 0.0, turns_10, sharp);
-  EXPECT_LE(splitting_test::distance(inertial_state(moving, turns_10, there), same),
-            budget::variation_free);
+  const RotorState farther = end_of(moving, s, 0.0, far, sharp);
+  EXPECT_LE(distance(end_of(moving, farther, far, 0.0, sharp), s), budget::hundred_turns_back);
+  const RotorState same = end_of(inertial, s, 0.0, turns_10, sharp);
+  EXPECT_LE(distance(inertial_state(moving, turns_10, there), same), budget::variation_free);
 }
 
 TEST(VariationOfConstants, DenseOutputIsAsGoodAsAStep) {
-  const System system =
-      gravity(splitting_test::workload_body(), splitting_test::precessing_frame());
-  const RotorState s = splitting_test::workload_state();
+  const System system = gravity(workload_body(), precessing_frame());
+  const RotorState s = workload_state();
   const auto stepper = detail::make_stepper(Problem{system, s, 0.0, 3.0, sharp, {}}, sharp);
   for (int i = 0; i < 6; ++i) {
     ASSERT_EQ(stepper->advance(3.0), "");
@@ -172,26 +126,24 @@ TEST(VariationOfConstants, DenseOutputIsAsGoodAsAStep) {
     EXPECT_EQ(dense->at(dense->t1()), stepper->state());
     for (const double part : {0.0, 0.37}) {
       const double t = dense->t0() + part * (dense->t1() - dense->t0());
-      EXPECT_LE(splitting_test::distance(dense->at(t),
-                                         splitting_test::end_of(system, s, 0.0, t, reference)),
+      EXPECT_LE(distance(dense->at(t), end_of(system, s, 0.0, t, reference)),
                 budget::variation_dense);
     }
   }
 }
 
 TEST(VariationOfConstants, StartsFromRest) {
-  const System system = gravity(splitting_test::workload_body());
+  const System system = gravity(workload_body());
   const RotorState s{normalized(Quaternion{0.3, -0.4, 0.5, 0.6}), {}};
-  EXPECT_LE(splitting_test::distance(splitting_test::end_of(system, s, 0.0, 5.0, sharp),
-                                     splitting_test::end_of(system, s, 0.0, 5.0, reference)),
+  EXPECT_LE(distance(end_of(system, s, 0.0, 5.0, sharp), end_of(system, s, 0.0, 5.0, reference)),
             budget::variation_bodies);
 }
 
 TEST(VariationOfConstants, SaysWhyItCannotGoOn) {
-  const System system(splitting_test::workload_body(), Frame::inertial(),
-                      {AnyPerturbation("broken", splitting_test::BreaksAt{1.0})});
-  const auto stepper = detail::make_stepper(
-      Problem{system, splitting_test::workload_state(), 0.0, 3.0, sharp, {}}, sharp);
+  const System system(workload_body(), Frame::inertial(),
+                      {AnyPerturbation("broken", BreaksAt{1.0})});
+  const auto stepper =
+      detail::make_stepper(Problem{system, workload_state(), 0.0, 3.0, sharp, {}}, sharp);
   std::string advice;
   while (stepper->time() != 3.0 && advice.empty()) advice = stepper->advance(3.0);
   EXPECT_NEAR(stepper->time(), 1.0, budget::variation_last_time);
@@ -200,11 +152,8 @@ TEST(VariationOfConstants, SaysWhyItCannotGoOn) {
 }
 
 TEST(VariationOfConstants, PassesOnWhatATermThrows) {
-  const System system(splitting_test::workload_body(), Frame::inertial(),
-                      {AnyPerturbation("throws", splitting_test::Throws{})});
-  const auto run = [&] {
-    splitting_test::end_of(system, splitting_test::workload_state(), 0.0, 1.0, sharp);
-  };
+  const System system(workload_body(), Frame::inertial(), {AnyPerturbation("throws", Throws{})});
+  const auto run = [&] { end_of(system, workload_state(), 0.0, 1.0, sharp); };
   EXPECT_THROW(run(), std::runtime_error);
 }
 

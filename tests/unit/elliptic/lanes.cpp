@@ -174,86 +174,62 @@ Arguments<T> drawn_arguments(oracle::Draw& draw, bool ordinary) {
   return a;
 }
 
-// f(u, s, c, n, modulus) of packs against that of their lanes.
+// An argument, its sine and cosine, a characteristic and a modulus.
+template <class T, class M>
+struct Asked {
+  T u, s, c, n;
+  M mod;
+};
+template <class T, class M>
+Asked(T, T, T, T, M) -> Asked<T, M>;
+
+// f of packs against that of their lanes.
 template <class T, class F>
 void expect_lanes_of_moduli(const F& f) {
   oracle::Draw draw(63, 0);
   for (int k = 0; k < packs; ++k) {
     const Arguments<T> a = drawn_arguments<T>(draw, k % 4 != 0);
     const BasicModulus<Pack<T>> mod = a.modulus();
-    const Pack<T> got = f(a.u, a.s, a.c, a.n, mod);
+    const Pack<T> got = f(Asked{a.u, a.s, a.c, a.n, mod});
     for (std::size_t i = 0; i < lanes; ++i) {
       SCOPED_TRACE(testing::Message() << "pack " << k << ", lane " << i);
-      expect_equal(got.lane[i], f(a.u.lane[i], a.s.lane[i], a.c.lane[i], a.n.lane[i], mod.lane(i)));
+      const Asked one{a.u.lane[i], a.s.lane[i], a.c.lane[i], a.n.lane[i], mod.lane(i)};
+      expect_equal(got.lane[i], f(one));
     }
     if (testing::Test::HasFailure()) return;
   }
 }
 
 TYPED_TEST(EllipticLanes, LegendreOfSineAndCosine) {
-  expect_lanes_of_moduli<TypeParam>([](const auto& /*u*/, const auto& s, const auto& c,
-                                       const auto& /*n*/,
-                                       const auto& mod) { return legendre_f(s, c, mod); });
-  expect_lanes_of_moduli<TypeParam>([](const auto& /*u*/, const auto& s, const auto& c,
-                                       const auto& /*n*/,
-                                       const auto& mod) { return legendre_e(s, c, mod); });
-  expect_lanes_of_moduli<TypeParam>([](const auto& /*u*/, const auto& s, const auto& c,
-                                       const auto& /*n*/,
-                                       const auto& mod) { return legendre_d(s, c, mod); });
-  expect_lanes_of_moduli<TypeParam>([](const auto& /*u*/, const auto& s, const auto& c,
-                                       const auto& /*n*/,
-                                       const auto& mod) { return legendre_b(s, c, mod); });
+  expect_lanes_of_moduli<TypeParam>([](const auto& a) { return legendre_f(a.s, a.c, a.mod); });
+  expect_lanes_of_moduli<TypeParam>([](const auto& a) { return legendre_e(a.s, a.c, a.mod); });
+  expect_lanes_of_moduli<TypeParam>([](const auto& a) { return legendre_d(a.s, a.c, a.mod); });
+  expect_lanes_of_moduli<TypeParam>([](const auto& a) { return legendre_b(a.s, a.c, a.mod); });
 }
 TYPED_TEST(EllipticLanes, LegendreOfAngle) {
-  expect_lanes_of_moduli<TypeParam>([](const auto& u, const auto& /*s*/, const auto& /*c*/,
-                                       const auto& /*n*/,
-                                       const auto& mod) { return legendre_f(u, mod); });
-  expect_lanes_of_moduli<TypeParam>([](const auto& u, const auto& /*s*/, const auto& /*c*/,
-                                       const auto& /*n*/,
-                                       const auto& mod) { return legendre_e(u, mod); });
-  expect_lanes_of_moduli<TypeParam>([](const auto& u, const auto& /*s*/, const auto& /*c*/,
-                                       const auto& /*n*/,
-                                       const auto& mod) { return legendre_d(u, mod); });
-  expect_lanes_of_moduli<TypeParam>([](const auto& u, const auto& /*s*/, const auto& /*c*/,
-                                       const auto& /*n*/,
-                                       const auto& mod) { return legendre_b(u, mod); });
+  expect_lanes_of_moduli<TypeParam>([](const auto& a) { return legendre_f(a.u, a.mod); });
+  expect_lanes_of_moduli<TypeParam>([](const auto& a) { return legendre_e(a.u, a.mod); });
+  expect_lanes_of_moduli<TypeParam>([](const auto& a) { return legendre_d(a.u, a.mod); });
+  expect_lanes_of_moduli<TypeParam>([](const auto& a) { return legendre_b(a.u, a.mod); });
 }
 TYPED_TEST(EllipticLanes, LegendrePi) {
-  expect_lanes_of_moduli<TypeParam>([](const auto& /*u*/, const auto& s, const auto& c,
-                                       const auto& n,
-                                       const auto& mod) { return legendre_pi(s, c, n, mod); });
-  expect_lanes_of_moduli<TypeParam>([](const auto& u, const auto& /*s*/, const auto& /*c*/,
-                                       const auto& n,
-                                       const auto& mod) { return legendre_pi(u, n, mod); });
-  expect_lanes_of_moduli<TypeParam>([](const auto& /*u*/, const auto& /*s*/, const auto& /*c*/,
-                                       const auto& n,
-                                       const auto& mod) { return complete_pi(n, mod); });
+  expect_lanes_of_moduli<TypeParam>(
+      [](const auto& a) { return legendre_pi(a.s, a.c, a.n, a.mod); });
+  expect_lanes_of_moduli<TypeParam>([](const auto& a) { return legendre_pi(a.u, a.n, a.mod); });
+  expect_lanes_of_moduli<TypeParam>([](const auto& a) { return complete_pi(a.n, a.mod); });
 }
 TYPED_TEST(EllipticLanes, Amplitude) {
-  expect_lanes_of_moduli<TypeParam>([](const auto& u, const auto& /*s*/, const auto& /*c*/,
-                                       const auto& /*n*/,
-                                       const auto& mod) { return amplitude(u, mod); });
+  expect_lanes_of_moduli<TypeParam>([](const auto& a) { return amplitude(a.u, a.mod); });
 }
 TYPED_TEST(EllipticLanes, Nome) {
-  expect_lanes_of_moduli<TypeParam>([](const auto& /*u*/, const auto& /*s*/, const auto& /*c*/,
-                                       const auto& /*n*/, const auto& mod) { return nome(mod); });
-  expect_lanes_of_moduli<TypeParam>([](const auto& /*u*/, const auto& /*s*/, const auto& /*c*/,
-                                       const auto& /*n*/,
-                                       const auto& mod) { return complementary_nome(mod); });
+  expect_lanes_of_moduli<TypeParam>([](const auto& a) { return nome(a.mod); });
+  expect_lanes_of_moduli<TypeParam>([](const auto& a) { return complementary_nome(a.mod); });
 }
 TYPED_TEST(EllipticLanes, HeumanAndZeta) {
-  expect_lanes_of_moduli<TypeParam>([](const auto& /*u*/, const auto& s, const auto& c,
-                                       const auto& /*n*/,
-                                       const auto& mod) { return heuman_lambda0(s, c, mod); });
-  expect_lanes_of_moduli<TypeParam>([](const auto& u, const auto& /*s*/, const auto& /*c*/,
-                                       const auto& /*n*/,
-                                       const auto& mod) { return heuman_lambda0(u, mod); });
-  expect_lanes_of_moduli<TypeParam>([](const auto& /*u*/, const auto& s, const auto& c,
-                                       const auto& /*n*/,
-                                       const auto& mod) { return jacobi_zeta(s, c, mod); });
-  expect_lanes_of_moduli<TypeParam>([](const auto& u, const auto& /*s*/, const auto& /*c*/,
-                                       const auto& /*n*/,
-                                       const auto& mod) { return jacobi_zeta(u, mod); });
+  expect_lanes_of_moduli<TypeParam>([](const auto& a) { return heuman_lambda0(a.s, a.c, a.mod); });
+  expect_lanes_of_moduli<TypeParam>([](const auto& a) { return heuman_lambda0(a.u, a.mod); });
+  expect_lanes_of_moduli<TypeParam>([](const auto& a) { return jacobi_zeta(a.s, a.c, a.mod); });
+  expect_lanes_of_moduli<TypeParam>([](const auto& a) { return jacobi_zeta(a.u, a.mod); });
 }
 
 // Moduli 0 and 1 and next to both, arguments up to many periods, 0 and NaN.

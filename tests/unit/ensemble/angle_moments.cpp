@@ -19,7 +19,6 @@
 namespace {
 
 using namespace polhode;
-using polhode::test::Worst;
 constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr double turn = 6.283185307179586;
 

@@ -131,8 +131,7 @@ TEST(Batches, BodiesThatFailAreNamedInOrder) {
     EXPECT_EQ(failed[2].index, 49'999u);
     EXPECT_NE(failed[0].reason.find("finite"), std::string::npos) << failed[0].reason;
     std::vector<SadovState> sadov(n);
-    const std::string message =
-        polhode::test::message_of([&] { to_sadov(body, states, sadov, threads); });
+    const std::string message = test::message_of([&] { to_sadov(body, states, sadov, threads); });
     EXPECT_NE(message.find("(state 17)"), std::string::npos) << message;
   }
 }

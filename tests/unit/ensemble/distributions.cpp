@@ -210,32 +210,29 @@ TEST(CounterRandom, NormalNumbersHaveTheirTailsAndMoments) {
 }
 
 TEST(Distributions, WhatIsNoneIsRefused) {
-  EXPECT_EQ(message_of([] { Uniform(2.0, 1.0); }), "Uniform: low 2 must be below high, which is 1");
-  EXPECT_EQ(message_of([] { Uniform(1.0, 1.0); }), "Uniform: low 1 must be below high, which is 1");
-  EXPECT_EQ(message_of([] { Uniform(0.0, infinity); }), "Uniform: high inf must be finite");
-  EXPECT_EQ(message_of([] { Uniform(-1.5e308, 1.5e308); }),
-            "Uniform: high - low inf must be finite");
-  EXPECT_EQ(message_of([] { LogUniform(0.0, 1.0); }), "LogUniform: low 0 must be positive");
-  EXPECT_EQ(message_of([] { LogUniform(3.0, 2.0); }),
-            "LogUniform: low 3 must be below high, which is 2");
-  EXPECT_EQ(message_of([] { LogUniform(1e-200, 1e200); }),
-            "LogUniform: high / low inf must be at most 1e300");
-  EXPECT_EQ(message_of([] { Normal(std::nan(""), 1.0); }), "Normal: mean nan must be finite");
-  EXPECT_EQ(message_of([] { Normal(0.0, -1.0); }), "Normal: sigma -1 must not be negative");
-  EXPECT_EQ(message_of([] { TruncatedNormal(0.0, -1.0, -1.0, 1.0); }),
-            "TruncatedNormal: sigma -1 must not be negative");
-  EXPECT_EQ(message_of([] { TruncatedNormal(0.0, 0.0, 1.0, 2.0); }),
-            "TruncatedNormal: low 1 must be at most the mean, where sigma is 0");
-  EXPECT_EQ(message_of([] { TruncatedNormal(0.0, 0.0, -2.0, -1.0); }),
-            "TruncatedNormal: high -1 must be at least the mean, where sigma is 0");
-  EXPECT_EQ(message_of([] { TruncatedNormal(0.0, 1.0, 1.0, -1.0); }),
-            "TruncatedNormal: low 1 must be below high, which is -1");
-  EXPECT_EQ(message_of([] { TruncatedNormal(0.0, 1.0, std::nan(""), 1.0); }),
-            "TruncatedNormal: low nan must be below high, which is 1");
-  EXPECT_EQ(message_of([] { TruncatedNormal(0.0, 2.0, 75.0, 80.0); }),
-            "TruncatedNormal: low 75 must be at most 37 sigma above the mean");
-  EXPECT_EQ(message_of([] { TruncatedNormal(0.0, 2.0, -80.0, -75.0); }),
-            "TruncatedNormal: high -75 must be at most 37 sigma below the mean");
+  EXPECT_MESSAGE(Uniform(2.0, 1.0), "Uniform: low 2 must be below high, which is 1");
+  EXPECT_MESSAGE(Uniform(1.0, 1.0), "Uniform: low 1 must be below high, which is 1");
+  EXPECT_MESSAGE(Uniform(0.0, infinity), "Uniform: high inf must be finite");
+  EXPECT_MESSAGE(Uniform(-1.5e308, 1.5e308), "Uniform: high - low inf must be finite");
+  EXPECT_MESSAGE(LogUniform(0.0, 1.0), "LogUniform: low 0 must be positive");
+  EXPECT_MESSAGE(LogUniform(3.0, 2.0), "LogUniform: low 3 must be below high, which is 2");
+  EXPECT_MESSAGE(LogUniform(1e-200, 1e200), "LogUniform: high / low inf must be at most 1e300");
+  EXPECT_MESSAGE(Normal(std::nan(""), 1.0), "Normal: mean nan must be finite");
+  EXPECT_MESSAGE(Normal(0.0, -1.0), "Normal: sigma -1 must not be negative");
+  EXPECT_MESSAGE(TruncatedNormal(0.0, -1.0, -1.0, 1.0),
+                 "TruncatedNormal: sigma -1 must not be negative");
+  EXPECT_MESSAGE(TruncatedNormal(0.0, 0.0, 1.0, 2.0),
+                 "TruncatedNormal: low 1 must be at most the mean, where sigma is 0");
+  EXPECT_MESSAGE(TruncatedNormal(0.0, 0.0, -2.0, -1.0),
+                 "TruncatedNormal: high -1 must be at least the mean, where sigma is 0");
+  EXPECT_MESSAGE(TruncatedNormal(0.0, 1.0, 1.0, -1.0),
+                 "TruncatedNormal: low 1 must be below high, which is -1");
+  EXPECT_MESSAGE(TruncatedNormal(0.0, 1.0, std::nan(""), 1.0),
+                 "TruncatedNormal: low nan must be below high, which is 1");
+  EXPECT_MESSAGE(TruncatedNormal(0.0, 2.0, 75.0, 80.0),
+                 "TruncatedNormal: low 75 must be at most 37 sigma above the mean");
+  EXPECT_MESSAGE(TruncatedNormal(0.0, 2.0, -80.0, -75.0),
+                 "TruncatedNormal: high -75 must be at most 37 sigma below the mean");
 }
 
 }  // namespace

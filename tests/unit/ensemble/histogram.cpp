@@ -59,27 +59,26 @@ TEST(Bins, HoldWhatIsBetweenTheirEdges) {
 }
 
 TEST(Bins, SayWhatTheyRefuse) {
-  EXPECT_EQ(message_of([] { Bins::linear(1.0, 1.0, 3); }),
-            "Bins::linear: got edges (1, 1); expected two finite ones, the lower first");
-  EXPECT_EQ(message_of([] { Bins::linear(0.0, 1.0, 0); }),
-            "Bins::linear: got 0 bins; expected 1 to 1000000");
-  EXPECT_EQ(message_of([] { Bins::linear(1.0, 1.0 + 4e-16, 9); }),
-            "Bins: edge 1 is 1 after 1; expected finite edges, each greater than the one before");
-  EXPECT_EQ(message_of([] {
-              Bins::of_edges({0.0, 2.0, nan});
-            }),
-            "Bins: edge 2 is nan after 2; expected finite edges, each greater than the one before");
-  EXPECT_EQ(message_of([] { Bins::of_edges({0.0}); }), "Bins: got 1 edges; expected 2 to 1000001");
-  EXPECT_EQ(message_of([] { Bins::logarithmic(1.0, 1.0, 2.0); }),
-            "Bins::logarithmic: got a relative error of 1; expected one between 0 and 1");
-  EXPECT_EQ(message_of([] { Bins::logarithmic(0.1, 0.0, 2.0); }),
-            "Bins::logarithmic: got numbers (0, 2); expected two positive finite ones, the smaller "
-            "first");
-  EXPECT_EQ(message_of([] { Bins::logarithmic(1e-6, 1e-9, 1e9); }),
-            "Bins::logarithmic: relative error 1e-06 from 1e-09 to 1e+09 takes 2.07e+07 bins; "
-            "expected at most 500000");
-  EXPECT_EQ(message_of([] { Bins::around(std::vector{nan}, 0.1, 3); }),
-            "Bins::around: got 1 numbers, none finite; expected one at least");
+  EXPECT_MESSAGE(Bins::linear(1.0, 1.0, 3),
+                 "Bins::linear: got edges (1, 1); expected two finite ones, the lower first");
+  EXPECT_MESSAGE(Bins::linear(0.0, 1.0, 0), "Bins::linear: got 0 bins; expected 1 to 1000000");
+  EXPECT_MESSAGE(
+      Bins::linear(1.0, 1.0 + 4e-16, 9),
+      "Bins: edge 1 is 1 after 1; expected finite edges, each greater than the one before");
+  EXPECT_MESSAGE(
+      Bins::of_edges({0.0, 2.0, nan}),
+      "Bins: edge 2 is nan after 2; expected finite edges, each greater than the one before");
+  EXPECT_MESSAGE(Bins::of_edges({0.0}), "Bins: got 1 edges; expected 2 to 1000001");
+  EXPECT_MESSAGE(Bins::logarithmic(1.0, 1.0, 2.0),
+                 "Bins::logarithmic: got a relative error of 1; expected one between 0 and 1");
+  EXPECT_MESSAGE(Bins::logarithmic(0.1, 0.0, 2.0),
+                 "Bins::logarithmic: got numbers (0, 2); expected two positive finite ones, the "
+                 "smaller first");
+  EXPECT_MESSAGE(Bins::logarithmic(1e-6, 1e-9, 1e9),
+                 "Bins::logarithmic: relative error 1e-06 from 1e-09 to 1e+09 takes 2.07e+07 bins; "
+                 "expected at most 500000");
+  EXPECT_MESSAGE(Bins::around(std::vector{nan}, 0.1, 3),
+                 "Bins::around: got 1 numbers, none finite; expected one at least");
   EXPECT_NE(message_of([] { Bins::around(std::vector{1.0}, -0.1, 3); }), "");
 }
 
@@ -147,13 +146,12 @@ TEST(Histogram2D, CountsPairs) {
 
 TEST(Histogram, SaysWhatItRefuses) {
   Histogram one(Bins::linear(0.0, 1.0, 2));
-  EXPECT_EQ(message_of([&] { (void)one.count(4); }),
-            "Histogram::count: got bin 4; expected 0 to 3");
-  EXPECT_EQ(message_of([&] { one.merge(Histogram(Bins::linear(0.0, 1.0, 3))); }),
-            "Histogram::merge: got other bins; expected the same edges");
+  EXPECT_MESSAGE(one.count(4), "Histogram::count: got bin 4; expected 0 to 3");
+  EXPECT_MESSAGE(one.merge(Histogram(Bins::linear(0.0, 1.0, 3))),
+                 "Histogram::merge: got other bins; expected the same edges");
   const Bins many = Bins::linear(0.0, 1.0, 20'000);
-  EXPECT_EQ(message_of([&] { Histogram2D(many, many); }),
-            "Histogram2D: got 20000 by 20000 bins; expected at most 100000000 cells");
+  EXPECT_MESSAGE(Histogram2D(many, many),
+                 "Histogram2D: got 20000 by 20000 bins; expected at most 100000000 cells");
 }
 
 }  // namespace

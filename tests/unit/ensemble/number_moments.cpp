@@ -19,7 +19,6 @@
 namespace {
 
 using namespace polhode;
-using polhode::test::message_of;
 using polhode::test::Worst;
 using Exact = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>,
                                             boost::multiprecision::et_off>;
@@ -142,17 +141,13 @@ TEST(NumberMoments, OfNoneAndOfOneAreNotNumbers) {
 }
 
 TEST(NumberMoments, SayWhatTheyRefuse) {
-  EXPECT_EQ(message_of([] { NumberMoments(0); }),
-            "NumberMoments: got 0 numbers a member; expected 1 to 1000");
+  EXPECT_MESSAGE(NumberMoments(0), "NumberMoments: got 0 numbers a member; expected 1 to 1000");
   NumberMoments two(2);
-  EXPECT_EQ(message_of([&] { two.add(5, Row{1.0}); }),
-            "NumberMoments::add: got 1 numbers of member 5; expected 2");
-  EXPECT_EQ(message_of([&] { two.merge(NumberMoments(3)); }),
-            "NumberMoments::merge: got moments of 3 numbers; expected of 2");
-  EXPECT_EQ(message_of([&] { (void)two.covariance(0, 2); }),
-            "NumberMoments::covariance: got number 2; expected 0 to 1");
-  EXPECT_EQ(message_of([&] { (void)two.mean(-1); }),
-            "NumberMoments::mean: got number -1; expected 0 to 1");
+  EXPECT_MESSAGE(two.add(5, Row{1.0}), "NumberMoments::add: got 1 numbers of member 5; expected 2");
+  EXPECT_MESSAGE(two.merge(NumberMoments(3)),
+                 "NumberMoments::merge: got moments of 3 numbers; expected of 2");
+  EXPECT_MESSAGE(two.covariance(0, 2), "NumberMoments::covariance: got number 2; expected 0 to 1");
+  EXPECT_MESSAGE(two.mean(-1), "NumberMoments::mean: got number -1; expected 0 to 1");
 }
 
 }  // namespace

@@ -3,12 +3,12 @@
 #include "polhode/ephemeris/date.hpp"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
 #include "budgets.hpp"
+#include "message_of.hpp"
 #include "polhode/error.hpp"
 
 namespace polhode {
@@ -50,13 +50,8 @@ TEST(Dates, ALeapSecondIsASecond) {
 }
 
 TEST(Dates, WhatIsNoTimeIsRefused) {
-  const auto error = [](TimeScale scale, const CalendarTime& t) -> std::string {
-    try {
-      calendar_date(scale, t);
-    } catch (const DomainError& refused) {
-      return refused.what();
-    }
-    return "no error";
+  const auto error = [](TimeScale scale, const CalendarTime& t) {
+    return test::message_of([&] { calendar_date(scale, t); });
   };
   EXPECT_THAT(error(UTC, {2015, 12, 31, 23, 59, 60.0}), HasSubstr("a 60th second a leap second"));
   EXPECT_THAT(error(TT, {2016, 12, 31, 23, 59, 60.0}), HasSubstr("must be one of the calendar"));
@@ -65,7 +60,7 @@ TEST(Dates, WhatIsNoTimeIsRefused) {
   EXPECT_THAT(error(UTC, {2020, 13, 1}), HasSubstr("calendar, its month 13 from 1 to 12"));
   EXPECT_THAT(error(UTC, {2023, 2, 29}), HasSubstr("calendar, its day 29 from 1 to 28"));
   EXPECT_THAT(error(UTC, {2024, 2, 8, 7, 60}), HasSubstr("calendar, its minute 60 from 0 to 59"));
-  EXPECT_EQ(error(UTC, {2016, 12, 31, 23, 59, 60.0}), "no error");
+  EXPECT_EQ(error(UTC, {2016, 12, 31, 23, 59, 60.0}), "");
   EXPECT_THROW(converted({TT, std::nan(""), 0.0}, UTC), DomainError);
   EXPECT_THROW(converted(calendar_date(UT1, {2000, 1, 1}), TT), DomainError);
 }

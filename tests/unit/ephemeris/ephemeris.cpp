@@ -5,7 +5,6 @@
 
 #include <erfa.h>
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>

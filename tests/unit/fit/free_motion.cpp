@@ -134,7 +134,7 @@ Errors errors_of(const SpinState& s, double t, bool products) {
   const Digits elapsed = Digits(t) - Digits(s.t0), h("1e-17");
   WideSpin exact = wide(s);
   advance(exact, elapsed, steps);
-  polhode::test::Worst<> values, derivatives;
+  test::Worst<> values, derivatives;
   Quaternion q{double(exact.q[0]), double(exact.q[1]), double(exact.q[2]), double(exact.q[3])};
   values.add(norm(attitude_residual(q, found.q)));
   for (int i = 0; i < 3; ++i) {
@@ -155,8 +155,8 @@ Errors errors_of(const SpinState& s, double t, bool products) {
       rate[int(i)] = double((above.w[i] - below.w[i]) / (2 * h));
     }
     // columns that are 0 at the epoch, or for steady spin
-    const double turns = polhode::test::larger(norm(turn), budget::fit_least_column),
-                 rates = polhode::test::larger(norm(rate), norm(s.w_F) * turns);
+    const double turns = test::larger(norm(turn), budget::fit_least_column),
+                 rates = test::larger(norm(rate), norm(s.w_F) * turns);
     derivatives.add(norm(found.turn[p] - turn) / turns);
     derivatives.add(norm(found.rate[p] - rate) / rates);
   }

@@ -56,10 +56,10 @@ TEST(LightFit, DerivativesAreThoseOfDifferencesInDoubleDouble) {
     for (std::size_t k = 0; k < n; ++k) {
       const auto above = wide_residuals(b, curve, k, h), below = wide_residuals(b, curve, k, -h);
       double largest = 0.0;
-      polhode::test::Worst<> worst;
+      test::Worst<> worst;
       for (std::size_t i = 0; i < count; ++i) {
         const double slope = static_cast<double>((above[i] - below[i]) / (DD(2.0) * h));
-        largest = polhode::test::larger(largest, std::abs(slope));
+        largest = test::larger(largest, std::abs(slope));
         worst.add(std::abs(jacobian[i * n + k] - slope));
       }
       EXPECT_LE(worst.value(), budget::light_derivatives * largest) << k;
@@ -143,7 +143,7 @@ TEST(LightSearch, HasTheBitsOfOneThreadWithMore) {
 TEST(LightFit, SaysWhatIsWrong) {
   LightFit fit{{night(in_long_axis_mode, 2.0, 9, 0.02, 1)}, in_long_axis_mode, {}, {}, 10};
   const auto message = [](const LightFit& bad) {
-    return polhode::test::message_of([&] { static_cast<void>(fit_light(bad)); });
+    return test::message_of([&] { static_cast<void>(fit_light(bad)); });
   };
   LightFit few = fit;
   few.curves[0].points.resize(8);
@@ -164,8 +164,7 @@ TEST(LightFit, SaysWhatIsWrong) {
   EXPECT_THROW(static_cast<void>(fit_light(bad)), DomainError);
   LightSearch search;
   search.curves = fit.curves;
-  EXPECT_EQ(polhode::test::message_of([&] { static_cast<void>(search_light(search)); }),
-            "search_light: no periods to start from; expected one pair");
+  EXPECT_MESSAGE(search_light(search), "search_light: no periods to start from; expected one pair");
 }
 
 }  // namespace

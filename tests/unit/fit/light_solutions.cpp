@@ -179,8 +179,8 @@ TEST(LightSearch, SaysWhatIsWrongWithAllUnknowns) {
   search.unknowns = {.moments = MomentSource::fit, .multiple = true};
   int begun = 0;
   search.between = [&] { ++begun; };
-  EXPECT_EQ(message_of([&] { static_cast<void>(search_light(search)); }),
-            "fit_light: 10 points for 11 unknowns and 1 factor; expected as many at least");
+  EXPECT_MESSAGE(search_light(search),
+                 "fit_light: 10 points for 11 unknowns and 1 factor; expected as many at least");
   EXPECT_EQ(begun, 0);
 }
 

@@ -4,18 +4,25 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <vector>
 
+#include "bright_night.hpp"
 #include "budgets.hpp"
 #include "message_of.hpp"
 #include "polhode/error.hpp"
 #include "polhode/fit/scan_advice.hpp"
+#include "polhode/fit/session_scan.hpp"
+#include "worst.hpp"
 
 namespace {
+
 using namespace polhode;
 using polhode::test::message_of;
 using ::testing::HasSubstr;
+using namespace polhode::test;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
@@ -76,6 +83,113 @@ TEST(ScanAdvice, KnowsTheDayOfOneSite) {
   ASSERT_FALSE(advice.aliases.empty());
   EXPECT_NEAR(advice.aliases[0].frequency, 1.0, budget::window_peak / 4.236);
   EXPECT_GT(advice.aliases[0].height, 0.7);
+}
+
+// Nights far apart: their scan night by night finds the periods to what the whole time base tells
+// apart.
+
+constexpr double first_night = 0.0, second_night = 27.3, third_night = 49.6;  // turns of precession
+
+// Three nights of four turns and 60 points each, with errors of 2 %.
+std::vector<LightCurve> nights(const EllipsoidModel& b, double P) {
+  const FreeRotation motion = motion_of(b);
+  const CounterRandom random(4, key_of("nights"));
+  std::vector<LightCurve> curves;
+  for (const double start : {first_night, second_night, third_night}) {
+    LightCurve curve{.name = "night", .is_calibrated = false, .points = {}};
+    const std::uint64_t own = curves.size();
+    for (std::size_t i = 0; i < 60; ++i) {
+      const double t = P * (start + 4.0 * (static_cast<double>(i) + random.uniform(own, i)) / 60.0);
+      const Vec3 sun{1.0, 0.2, 0.3}, observer{0.8, 0.6, 0.1};
+      const Quaternion back = conj(motion.at(t).q);
+      const double flux =
+          lommel_seeliger_brightness(b.shape, rotate(back, sun), rotate(back, observer));
+      curve.points.push_back(
+          {t, flux * (1.0 + 0.02 * random.normal(own, 1000 + 4 * i)), 0.02 * flux, sun, observer});
+    }
+    curves.push_back(curve);
+  }
+  return curves;
+}
+
+// How far f is from the nearest line of a tumbler, halves included.
+double off_lines(double f, double f_phi, double f_psi) {
+  double least = f;
+  for (int j = -4; j <= 4; ++j)
+    for (int k = -4; k <= 4; ++k)
+      least = smaller(least, std::abs(0.5 * (j * f_phi + k * f_psi) - f));
+  return least;
+}
+
+TEST(SessionScan, FindsThePeriodsOfNightsFarApart) {
+  const EllipsoidModel& b = in_long_axis_mode;
+  const FreeRotation motion = motion_of(b);
+  const double f_phi = motion.precession_rate_long() / (2.0 * pi<double>());
+  const double f_psi = 1.0 / motion.polhode_period();
+  const std::vector<LightCurve> curves = nights(b, 1.0 / f_phi);
+  SessionScanOptions options{.scan = {.order = 2, .threads = 2}, .windows = 8, .most = 3};
+  int calls = 0;
+  std::vector<double> parts;
+  options.scan.progress = [&](double part) { parts.push_back(part); };
+  const SessionScan scan = scan_sessions(curves, 0.5 * f_phi, 2.2 * f_phi, options);
+  EXPECT_TRUE(std::ranges::is_sorted(parts));
+  EXPECT_GT(parts.front(), 0.0);
+  EXPECT_NEAR(parts.back(), 1.0, budget::session_progress);
+  const SessionScanSize size = session_scan_size(curves, 0.5 * f_phi, 2.2 * f_phi, 2);
+  EXPECT_EQ(size.sessions, 3u);
+  EXPECT_EQ(size.coarse, static_cast<double>(scan.coarse.chi_square.size()));
+  EXPECT_NEAR(8.0 * size.fine / static_cast<double>(scan.pairs), 1.0, budget::session_progress);
+  // f1 and f2 exchanged are no window of their own
+  for (const ScanMinimum& m : scan.minima) EXPECT_LE(m.row, m.column);
+  EXPECT_EQ(scan.sessions, 3u);
+  ASSERT_FALSE(scan.minima.empty());
+  const double T = scan_advice(curves, 2).time_base;
+  const FourierFit& best = scan.minima.front().refined.fit;
+  EXPECT_LE(off_lines(best.f1, f_phi, f_psi) * T, budget::session_turns);
+  EXPECT_LE(off_lines(best.f2, f_phi, f_psi) * T, budget::session_turns);
+  EXPECT_LE(best.chi_square, budget::light_noise * static_cast<double>(best.degrees_of_freedom));
+  for (std::size_t i = 1; i < scan.minima.size(); ++i)
+    EXPECT_GE(scan.minima[i].refined.fit.chi_square, scan.minima[i - 1].refined.fit.chi_square);
+  // far fewer pairs than the grid of the whole time base has
+  const double all = (2.2 - 0.5) * f_phi / scan_advice(curves, 2).step;
+  EXPECT_LE(static_cast<double>(scan.pairs + 3 * scan.coarse.chi_square.size()), 0.3 * all * all);
+  // the same with one thread, and it can be stopped
+  options.scan.threads = 1;
+  options.scan.between = [&] {
+    if (++calls > 3) throw DomainError("stopped");
+  };
+  EXPECT_MESSAGE(scan_sessions(curves, 0.5 * f_phi, 2.2 * f_phi, options), "stopped");
+}
+
+TEST(SessionScan, SaysWhatIsWrong) {
+  std::vector<LightCurve> curves = nights(in_long_axis_mode, 1.0);
+  SessionScanOptions options{.scan = {.order = 2}, .windows = 0};
+  const auto refusal = [&] {
+    return message_of([&] { static_cast<void>(scan_sessions(curves, 0.5, 2.0, options)); });
+  };
+  EXPECT_EQ(refusal(), "scan_sessions: windows = 0 must be 1 or more");
+  options.windows = 1;
+  for (LightCurve& one : curves) one.points.resize(25);
+  EXPECT_EQ(refusal(),
+            "scan_sessions: no session has more than 25 points, the unknowns of a series of order "
+            "2");
+}
+
+TEST(ScanMinima, CanBeStopped) {
+  const std::vector<LightCurve> curves{night(in_long_axis_mode, 4.0, 60, 0.02, 1)};
+  const ScanPoints points(curves);
+  const double T = points.time_base();
+  const auto grid = FrequencyGrid::between(3.0 / T, 6.0 / T, 0.125 / T);
+  const Landscape landscape = scan_pairs(points, grid, grid, {.order = 2});
+  int calls = 0;
+  EXPECT_EQ(message_of([&] {
+              static_cast<void>(scan_minima(points, landscape, {.between = [&] {
+                                              ++calls;
+                                              throw DomainError("stop");
+                                            }}));
+            }),
+            "stop");
+  EXPECT_EQ(calls, 1);
 }
 
 }  // namespace

@@ -11,16 +11,15 @@
 #include <string>
 
 #include "budgets.hpp"
+#include "message_of.hpp"
 #include "oracle/random_draw.hpp"
 #include "oracle/wide_real.hpp"
-#include "polhode/error.hpp"
 #include "worst.hpp"
 
 namespace polhode::test {
 namespace {
 
-using oracle::Wide;
-using oracle::WideVec3;
+using namespace oracle;
 using WideMat3 = BasicMat3<Wide>;
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
@@ -94,7 +93,7 @@ Errors errors(const Frame& frame, const Attitude& attitude, const T& t) {
 void expect_frame(const Frame& frame, const Attitude& attitude, double longest) {
   WorstErrors worst, worst_wide;
   for (std::uint64_t i = 0; i < 60; ++i) {
-    oracle::Draw draw(601, i);
+    Draw draw(601, i);
     const double t = draw.sign() * draw.power_of_ten(-3.0, longest);
     worst.add(errors(frame, attitude, t));
     worst_wide.add(errors(frame, attitude, DoubleDouble::sum(t, t * 0x1p-60)));
@@ -130,7 +129,7 @@ TEST(Frame, PrecessingKeepsItsDigitsForABillionRadians) {
   const double rate = 1.7, epoch = -3.1;
   Worst worst;
   for (std::uint64_t i = 0; i < 200; ++i) {
-    oracle::Draw draw(602, i);
+    Draw draw(602, i);
     const double t = draw.sign() * draw.power_of_ten(6.0, 9.0);
     const auto attitude = [&](const Wide& time) {
       return about(wide(axis), Wide(rate) * (time - Wide(epoch)));
@@ -226,34 +225,16 @@ TEST(Frame, ExceptionsOfTheUserPassThrough) {
   EXPECT_THROW(frame.at(1.5), std::runtime_error);
 }
 
-template <class Function>
-std::string refusal(const Function& f) {
-  try {
-    f();
-  } catch (const DomainError& error) {
-    return error.what();
-  }
-  return "accepted";
-}
-
 TEST(Frame, RefusesBadInput) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(refusal([] {
-              Frame::precessing({0.0, 0.0, 0.0}, 1.0);
-            }),
-            "Frame::precessing: axis (0, 0, 0) must be finite and not zero");
-  EXPECT_EQ(refusal([&] {
-              Frame::precessing({0.0, nan, 1.0}, 1.0);
-            }),
-            "Frame::precessing: axis (0, nan, 1) must be finite and not zero");
-  EXPECT_EQ(refusal([&] {
-              Frame::precessing({0.0, 0.0, 1.0}, HUGE_VAL);
-            }),
-            "Frame::precessing: rate inf and epoch 0 must be finite");
-  EXPECT_EQ(refusal([&] {
-              Frame::precessing({0.0, 0.0, 1.0}, 1.0, nan);
-            }),
-            "Frame::precessing: rate 1 and epoch nan must be finite");
+  EXPECT_MESSAGE(Frame::precessing({0.0, 0.0, 0.0}, 1.0),
+                 "Frame::precessing: axis (0, 0, 0) must be finite and not zero");
+  EXPECT_MESSAGE(Frame::precessing({0.0, nan, 1.0}, 1.0),
+                 "Frame::precessing: axis (0, nan, 1) must be finite and not zero");
+  EXPECT_MESSAGE(Frame::precessing({0.0, 0.0, 1.0}, HUGE_VAL),
+                 "Frame::precessing: rate inf and epoch 0 must be finite");
+  EXPECT_MESSAGE(Frame::precessing({0.0, 0.0, 1.0}, 1.0, nan),
+                 "Frame::precessing: rate 1 and epoch nan must be finite");
 }
 
 }  // namespace

@@ -13,13 +13,9 @@
 namespace {
 
 using namespace free_test;
-using polhode::BasicQuaternion;
-using polhode::BasicVec3;
-using polhode::CayleyKleinSeries;
-using polhode::DoubleDouble;
+using namespace polhode;
 using polhode::detail::PolhodeCurve;
 namespace detail = polhode::detail;
-namespace budget = polhode::budget;
 
 template <class T>
 class CayleyKlein : public ::testing::Test {};
@@ -48,13 +44,13 @@ template <class T>
 BasicQuaternion<T> hyperbolic(const PolhodeCurve<T>& c, const T& u) {
   const CayleyKleinSeries<T> s = detail::hyperbolic_series(c);
   const T turn = T(2.0) * s.phase_per_u * u;
-  return normalized(polhode::rotation_z(turn) * hyperbolic_sum(s, T(s.chi_per_u * u), false));
+  return normalized(rotation_z(turn) * hyperbolic_sum(s, T(s.chi_per_u * u), false));
 }
 
 template <class T>
 double gap(const BasicQuaternion<T>& p, const BasicQuaternion<T>& q) {
   const BasicQuaternion<T> d = conj(p) * q;
-  return polhode::to_double(norm(BasicVec3<T>{d.x, d.y, d.z}));
+  return to_double(norm(BasicVec3<T>{d.x, d.y, d.z}));
 }
 
 // Around the border k'^2 = 0.01 both are to full accuracy.
@@ -67,7 +63,7 @@ TYPED_TEST(CayleyKlein, BothFormsAgreeAtTheirBorder) {
       for (double f = -1.0; f <= 1.0; f += 0.125) {
         const T u = T(f) * c.K;
         EXPECT_LE(gap(trigonometric(c, u), hyperbolic(c, u)),
-                  budget::cayley_klein_eps * polhode::epsilon<T>())
+                  budget::cayley_klein_eps * epsilon<T>())
             << kp2 << " " << f;
       }
     }
@@ -80,7 +76,7 @@ TEST(CayleyKleinForm, ChangesAtTheBorder) {
   EXPECT_TRUE(detail::cayley_klein_series(curve_with<double>(draw, 0.0099)).hyperbolic);
   for (const double kp2 : {0.9999999, 0.5, 0.02, 0.009, 1e-10}) {
     const PolhodeCurve<DoubleDouble> c = curve_with<DoubleDouble>(draw, kp2);
-    EXPECT_LE(detail::cayley_klein_series(c).terms, int(polhode::max_series_terms)) << kp2;
+    EXPECT_LE(detail::cayley_klein_series(c).terms, int(max_series_terms)) << kp2;
   }
 }
 
@@ -92,17 +88,16 @@ TYPED_TEST(CayleyKlein, ThirdRowIsJacobisMomentum) {
     for (std::uint64_t i = 0; i < 20; ++i) {
       Draw draw(53, i);
       const PolhodeCurve<T> c = curve_with<T>(draw, kp2);
-      const auto mod = polhode::BasicModulus<T>::from_pair(c.k2, c.kp2);
+      const auto mod = BasicModulus<T>::from_pair(c.k2, c.kp2);
       const bool is_hyperbolic = detail::cayley_klein_series(c).hyperbolic;
       for (double f = -1.0; f <= 1.0; f += 0.25) {
         const T u = T(f) * c.K;
         const BasicQuaternion<T> p = is_hyperbolic ? hyperbolic(c, u) : trigonometric(c, u);
-        const polhode::Jacobi<T> j = polhode::jacobi(u, mod);
+        const Jacobi<T> j = jacobi(u, mod);
         const BasicVec3<T> g{c.a1 * j.cn, c.a2 * j.sn, c.a3 * j.dn};
         const BasicVec3<T> third = rotate(conj(p), BasicVec3<T>{T(0.0), T(0.0), T(1.0)});
-        EXPECT_LE(polhode::to_double(norm(third - g)), budget::cayley_klein_eps *
-                                                           polhode::epsilon<T>() *
-                                                           (1.0 + std::abs(polhode::to_double(u))))
+        EXPECT_LE(to_double(norm(third - g)),
+                  budget::cayley_klein_eps * epsilon<T>() * (1.0 + std::abs(to_double(u))))
             << kp2 << " " << f;
       }
     }

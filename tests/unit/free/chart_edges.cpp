@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Flow-adapted charts at the ends of double range and as near to an axis as doubles come.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
 #include <string>
 
 #include "budgets.hpp"
+#include "message_of.hpp"
 #include "polhode/free/sadov.hpp"
 #include "polhode/free/serret.hpp"
 #include "polhode/free/tumbler.hpp"
@@ -17,11 +17,9 @@
 namespace {
 
 using namespace free_test;
-using polhode::Matrix6;
-using polhode::SadovState;
-using polhode::SerretState;
+using namespace polhode;
+using free_test::pi;
 using testing::HasSubstr;
-namespace budget = polhode::budget;
 
 const Quaternion attitude{0.5, -0.5, 0.1, 0.7};
 Vec3 times(double size, const Vec3& v) { return {size * v.x, size * v.y, size * v.z}; }
@@ -67,8 +65,7 @@ TEST(ChartEdges, SerretNeedsAnEnergyThatADoubleHolds) {
   e.G *= 1e-160;
   e.H *= 1e-160;
   e.T = e.T * 1e-160 * 1e-160;
-  EXPECT_THAT(message_of([&] { static_cast<void>(to_rotor(body, e, 0.0)); }),
-              HasSubstr("needs T within double range"));
+  EXPECT_REJECTED(to_rotor(body, e, 0.0), "needs T within double range");
   // other units of the same body hold it
   const Body small(1e-160, 1.7e-160, 2.1e-160);
   const RotorState s{attitude, times(1e-160, g)};
@@ -188,10 +185,8 @@ TEST(ChartEdges, NeedlesOfAnyRatioThatDoublesHold) {
       EXPECT_LE(difference(to_rotor(body, to_sadov(motion, 0.0)), s), budget::serret_edge);
     }
   }
-  EXPECT_THAT(message_of([] {
-                FreeRotation(Body(1e-280, 1.0, 1.0), {attitude, {0.3, -0.2, 0.7}});
-              }),
-              HasSubstr("must have a ratio of at least 2^-900"));
+  EXPECT_REJECTED(FreeRotation(Body(1e-280, 1.0, 1.0), {attitude, {0.3, -0.2, 0.7}}),
+                  "must have a ratio of at least 2^-900");
 }
 
 // A momentum component at the very end of double range, next to the middle axis of a small body.
@@ -227,7 +222,7 @@ TEST(ChartEdges, NeedleWithTheMomentumAcross) {
   for (const double t : {0.0, 0.4, 3.0, 50.0}) {
     const double c = std::cos(0.5 * t), sine = std::sin(0.5 * t) / norm(about);
     const Quaternion precession{c, sine * about.x, sine * about.y, sine * about.z};
-    const Quaternion expected = precession * normalized(attitude) * polhode::rotation_x(t);
+    const Quaternion expected = precession * normalized(attitude) * rotation_x(t);
     const RotorState r = motion.at(t);
     EXPECT_LE(difference(r, {expected,
                              {g1, 0.6 * std::cos(t) - 0.8 * std::sin(t),
@@ -275,10 +270,10 @@ TEST(ChartEdges, SerretOfNeedlesWithMomentsEqualButForRounding) {
     const std::string said = message_of([&] {
       if (!(difference(to_rotor(body, to_serret(motion, 0.0), 0.0), s) <=
             budget::serret_next_to_separatrix))
-        throw polhode::DomainError("another state");
+        throw DomainError("another state");
       ++held;
     });
-    EXPECT_THAT(said, AnyOf("no error", HasSubstr("must hold the distance from the separatrix")));
+    EXPECT_THAT(said, AnyOf("", HasSubstr("must hold the distance from the separatrix")));
   }
   EXPECT_GT(held, 0);
 }
@@ -310,7 +305,7 @@ TEST(ChartEdges, SerretOfASpinAboutTheMiddleAxisOfMomentsEqualButForRounding) {
       const FreeRotation motion(body, s, t);
       RotorState back{};
       const std::string said = message_of([&] { back = to_rotor(body, to_serret(motion, t), t); });
-      if (said == "no error") {
+      if (said == "") {
         ++held;
         EXPECT_LE(difference({back.q, times(1.0 / size, back.g)}, {s.q, times(1.0 / size, s.g)}),
                   budget::serret_next_to_separatrix)
@@ -327,7 +322,7 @@ TEST(ChartEdges, SerretOfASpinAboutTheMiddleAxisOfMomentsEqualButForRounding) {
 TEST(ChartEdges, SadovOfANeedleAcrossItsAxis) {
   for (const double g1 : {1e-130, -1e-130}) {
     const FreeRotation motion(Body(1e-50, 1.0, 1.0), {attitude, {g1, 0.8, 0.6}});
-    const polhode::SadovState s = to_sadov(motion, 0.0);
+    const SadovState s = to_sadov(motion, 0.0);
     EXPECT_GT(s.I_l, 0.0) << g1;
     EXPECT_EQ(s.lobe < 0, g1 < 0.0);
   }
@@ -336,15 +331,15 @@ TEST(ChartEdges, SadovOfANeedleAcrossItsAxis) {
 // |I_l| and |I_h| may be above I_g by a rounding or two, as sums of other programs are.
 TEST(ChartEdges, SadovTakesActionsThatARoundingPutsAboveTheThird) {
   const Body body(1.0, 1.7, 2.1);
-  const double above = 1.0 + 4.0 * polhode::epsilon<double>();
+  const double above = 1.0 + 4.0 * epsilon<double>();
   const FreeRotation spin(body, {attitude, {0.0, 0.0, 1.0}});
-  polhode::SadovState s = to_sadov(spin, 0.0);
+  SadovState s = to_sadov(spin, 0.0);
   s.I_l *= above;
   EXPECT_LE(difference(to_rotor(body, s), spin.at(0.0)), budget::free_invariants);
   s.I_h = s.I_g * above;
-  EXPECT_EQ(message_of([&] { static_cast<void>(to_rotor(body, s)); }), "no error");
-  s.I_h = s.I_g * (1.0 + 64.0 * polhode::epsilon<double>());
-  EXPECT_THAT(message_of([&] { static_cast<void>(to_rotor(body, s)); }), HasSubstr("|I_h| <= I_g"));
+  EXPECT_EQ(message_of([&] { static_cast<void>(to_rotor(body, s)); }), "");
+  s.I_h = s.I_g * (1.0 + 64.0 * epsilon<double>());
+  EXPECT_REJECTED(to_rotor(body, s), "|I_h| <= I_g");
 }
 
 // NaN in, NaN out: next to the separatrix, too.
@@ -383,7 +378,7 @@ TEST(ChartEdges, TumblersNextToTheMiddleAxisComeBack) {
       const FreeRotation motion(body, s);
       const auto seen = to_tumbler(motion, 0.0);
       RotorState back{};
-      ASSERT_EQ(message_of([&] { back = to_rotor(body, seen); }), "no error") << z;
+      ASSERT_EQ(message_of([&] { back = to_rotor(body, seen); }), "") << z;
       EXPECT_LE(difference(back, s), budget::free_state);
       EXPECT_LE(relative(back.g.z, g.z), budget::tumbler_edge) << z;
       EXPECT_LE(relative(FreeRotation(body, back).polhode_period(), motion.polhode_period()),

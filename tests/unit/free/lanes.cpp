@@ -6,10 +6,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <cstring>
 #include <random>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -17,17 +20,20 @@
 #include "oracle/free_accuracy.hpp"
 #include "oracle/free_edge_cases.hpp"
 #include "polhode/free/evaluate.hpp"
+#include "polhode/free/free_rotation.hpp"
 #include "polhode/free/prepare.hpp"
+#include "polhode/free/propagate.hpp"
+#include "polhode/free/sadov.hpp"
+#include "polhode/free/serret.hpp"
+#include "polhode/rotor/many_states.hpp"
 #include "unit/free/support.hpp"
 
 namespace {
 
+using namespace oracle;
 using namespace free_test;
-namespace budget = polhode::budget;
-using polhode::BasicFreeKernel;
-using polhode::BasicRotorState;
-using polhode::BasicVec3;
-using polhode::FreeKernel;
+using namespace polhode;
+using free_test::pi;
 using polhode::test::Lanes;
 
 template <std::size_t N>
@@ -67,7 +73,7 @@ BasicFreeKernel<Pack<N>> prepared(const Arc* arcs) {
     start.q.z.lane[i] = arcs[i].start.q.z;
     t0.lane[i] = arcs[i].t0;
   }
-  return polhode::prepare(moments, start, t0);
+  return prepare(moments, start, t0);
 }
 
 template <std::size_t N>
@@ -121,11 +127,11 @@ void expect_exact(const std::vector<Arc>& arcs, std::size_t sample) {
       const double turns = std::abs(arc.turns());
       const bool can_tell = std::abs(arc.t) < infinite && turns <= 1e20;
       if (!can_tell) continue;
-      oracle::FreeBody body(arc.moments, arc.start.q, arc.start.g);
+      FreeBody body(arc.moments, arc.start.q, arc.start.g);
       // Before the epoch the oracle counts from half a period, whose digits hide a time of 1e-40 of
       // it.
-      if (arc.t < arc.t0 && body.half_period() > oracle::Wide(1e40 * (arc.t0 - arc.t))) continue;
-      const oracle::FreeError e = oracle::error_at(body, lane_of(s, i), arc.t, arc.t0);
+      if (arc.t < arc.t0 && body.half_period() > Wide(1e40 * (arc.t0 - arc.t))) continue;
+      const FreeError e = error_at(body, lane_of(s, i), arc.t, arc.t0);
       const double allowed = budget::free_state + budget::free_phase * 2.0 * pi * turns;
       EXPECT_LE(e.angle, allowed) << arc.what << ", lane " << i << ", t = " << arc.t;
       EXPECT_LE(e.momentum, allowed) << arc.what << ", lane " << i << ", t = " << arc.t;
@@ -163,14 +169,13 @@ std::vector<Arc> drawn_bodies() {
 std::vector<Arc> edges() {
   std::vector<Arc> arcs;
   std::uint64_t stream = 0;
-  for (const oracle::CaseMaker maker :
-       {oracle::extreme_case, oracle::extreme_momentum_case, oracle::middle_spin_case,
-        oracle::full_moments_case, oracle::long_time_case}) {
+  for (const CaseMaker maker :
+       {extreme_case, extreme_momentum_case, middle_spin_case, full_moments_case, long_time_case}) {
     ++stream;
     for (std::size_t i = 0; i < 60; ++i) {
       Draw draw(73 + (stream << 32U), i);
       FreeCase c = maker(draw);
-      if (maker == oracle::long_time_case) set_time(c, 1e15);
+      if (maker == long_time_case) set_time(c, 1e15);
       arcs.push_back(arc_of(c));
     }
   }
@@ -203,28 +208,98 @@ std::vector<Arc> neighbours_of_every_edge() {
   return mixed(arcs, 4);
 }
 
-TEST(Lanes, HoldEveryRegimeAtAnyTime) {
-  const std::vector<Arc> arcs = regimes_at_any_time();
-  expect_scalar_bits(arcs);
-  expect_exact(arcs, 4);
+TEST(Lanes, HoldEveryRegimeAtAnyTimeDrawnBodiesAndTheEdges) {
+  const std::pair<std::vector<Arc>, std::size_t> cases[] = {{regimes_at_any_time(), 4},
+                                                            {drawn_bodies(), 1},
+                                                            {edges(), 1},
+                                                            {neighbours_of_every_edge(), 1}};
+  for (const auto& [arcs, step] : cases) {
+    expect_scalar_bits(arcs);
+    expect_exact(arcs, step);
+  }
 }
 
-TEST(Lanes, HoldDrawnBodies) {
-  const std::vector<Arc> arcs = drawn_bodies();
-  expect_scalar_bits(arcs);
-  expect_exact(arcs, 1);
+// What lanes compute has the same bits on every processor: checksums of results, which x86-64 and
+// AArch64 share. States and times are drawn without a function of the C library.
+
+constexpr std::size_t count = 1000;
+
+// FNV-1a of the numbers' bytes, the least significant first.
+template <class State>
+std::uint64_t checksum(const std::vector<State>& states) {
+  std::uint64_t hash = 0xcbf29ce484222325;
+  for (const State& s : states) {
+    std::uint64_t words[sizeof(State) / 8];
+    std::memcpy(words, &s, sizeof s);
+    for (const std::uint64_t word : words)
+      for (int k = 0; k < 64; k += 8) hash = (hash ^ (word >> k & 0xff)) * 0x100000001b3;
+  }
+  return hash;
 }
 
-TEST(Lanes, HoldTheEdges) {
-  const std::vector<Arc> arcs = edges();
-  expect_scalar_bits(arcs);
-  expect_exact(arcs, 1);
+struct Sample {
+  std::vector<RotorState> states;
+  std::vector<double> times;
+};
+const Sample& sample() {
+  static const Sample drawn = [] {
+    std::mt19937_64 engine(36);
+    const auto number = [&] { return std::ldexp(static_cast<double>(engine() >> 11U), -52) - 1.0; };
+    Sample s;
+    for (std::size_t i = 0; i < count; ++i) {
+      s.states.push_back(
+          {{number(), number(), number(), number()}, {number(), number(), number()}});
+      s.times.push_back(100.0 * number());
+    }
+    return s;
+  }();
+  return drawn;
 }
 
-TEST(Lanes, HoldNeighboursOfEveryEdge) {
-  const std::vector<Arc> arcs = neighbours_of_every_edge();
-  expect_scalar_bits(arcs);
-  expect_exact(arcs, 1);
+const Body body(1.0, 1.7, 2.1);
+
+TEST(LaneBits, OfFreeRotation) {
+  std::vector<RotorState> results(count);
+  EXPECT_TRUE(propagate({&body, 1}, sample().states, sample().times, 0.25, results).empty());
+  EXPECT_EQ(checksum(results), 0x3bb3858f028abc2du);
+  const FreeRotation motion(body, {{0.9, 0.1, -0.3, 0.2}, {0.2, 0.4, 0.89}});
+  motion.at(sample().times, results);
+  EXPECT_EQ(checksum(results), 0x7fdd8040d2bb1466u);
+  motion.at(TimeGrid{-3.5, 0.0625}, results, 10);
+  EXPECT_EQ(checksum(results), 0xfa302809a5fa327eu);
+}
+
+TEST(LaneBits, OfCanonicalCharts) {
+  std::vector<RotorState> results(count);
+  std::vector<AndoyerState> andoyer(count);
+  to_andoyer(sample().states, andoyer);
+  EXPECT_EQ(checksum(andoyer), 0xad21a44bd037ab9eu);
+  to_rotor(andoyer, results);
+  EXPECT_EQ(checksum(results), 0x5412885f1dae4e44u);
+  std::vector<EulerState> euler(count);
+  to_euler(sample().states, euler);
+  EXPECT_EQ(checksum(euler), 0x4cdcc98ee9f643e5u);
+  to_rotor(euler, results);
+  EXPECT_EQ(checksum(results), 0x7571d817d05f62c1u);
+  std::vector<PoincareState> poincare(count);
+  nearest_poincare(sample().states, poincare);
+  EXPECT_EQ(checksum(poincare), 0x2321d97f51ad1f42u);
+  to_rotor(poincare, results);
+  EXPECT_EQ(checksum(results), 0x88655792e8b3d4d4u);
+}
+
+TEST(LaneBits, OfFlowCharts) {
+  std::vector<RotorState> results(count);
+  std::vector<SadovState> sadov(count);
+  to_sadov(body, sample().states, sadov);
+  EXPECT_EQ(checksum(sadov), 0x91b7bebd41feb44eu);
+  to_rotor(body, sadov, results);
+  EXPECT_EQ(checksum(results), 0x54885447fd69fc66u);
+  std::vector<SerretState> serret(count);
+  to_serret(body, sample().states, sample().times, serret);
+  EXPECT_EQ(checksum(serret), 0x6c6085bcac35cbb0u);
+  to_rotor(body, serret, sample().times, results);
+  EXPECT_EQ(checksum(results), 0x004ad82905e8332cu);
 }
 
 }  // namespace

@@ -2,9 +2,10 @@
 // What every free rotation does: it starts where it should, keeps its invariants, composes in
 // time, and does not care how axes, units, time and quaternions were chosen.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include "budgets.hpp"
+#include "free/detail/evaluated_without_fma.hpp"
+#include "message_of.hpp"
 #include "polhode/rotor/attitude.hpp"
 #include "unit/free/support.hpp"
 
@@ -250,10 +251,7 @@ TEST(Motion, RefusesWhatIsNoState) {
               "FreeRotation: g (1, inf, 3) is not finite");
   EXPECT_THAT(message({{1, 0, 0, 0}, {1, 2, 3}}, not_a_number),
               "FreeRotation: t0 = nan is not finite");
-  EXPECT_THAT(message_of([&] {
-                FreeRotation::short_arc(body, {{}, {not_a_number, 0, 0}});
-              }),
-              HasSubstr("is not finite"));
+  EXPECT_REJECTED(FreeRotation::short_arc(body, {{}, {not_a_number, 0, 0}}), "is not finite");
 }
 
 // Prepared in double: as good for a few turns, and slowly worse.
@@ -269,6 +267,41 @@ TEST(Motion, ShortArcAgreesForAFewTurns) {
                 budget::free_state + budget::free_short_arc_eps * eps * sensitivity(motion, t))
           << turns << " " << description(c);
     }
+  }
+}
+
+// A state has the same bits whether or not the processor has FMA.
+
+bool two_paths_exist() { return polhode::supports(polhode::InstructionSet::avx2); }
+
+void expect_same_bits(const FreeRotation& m, double t, const std::string& what) {
+  EXPECT_EQ(bits(m.at(t)), bits(polhode::detail::evaluated_without_fma(m.kernel(), t)))
+      << what << ", t = " << t;
+}
+
+TEST(EvaluationPaths, AgreeForRandomBodiesAndTimes) {
+  if (!two_paths_exist()) GTEST_SKIP() << "this processor has one path only";
+  Draw draw(61, 0);
+  for (const FreeCase& c : drawn_cases(60, 300)) {
+    const FreeRotation m = motion_of(c);
+    expect_same_bits(m, c.t0, description(c));
+    expect_same_bits(m, c.t, description(c));
+    for (int k = 0; k < 20; ++k)
+      expect_same_bits(m, draw.sign() * draw.power_of_ten(-3.0, 12.0), description(c));
+    for (int k = 0; k < 5; ++k)
+      expect_same_bits(m, draw.sign() * draw.power_of_ten(12.0, 308.0), description(c));
+  }
+}
+
+TEST(EvaluationPaths, AgreeInEveryRegimeAtAnyTime) {
+  if (!two_paths_exist()) GTEST_SKIP() << "this processor has one path only";
+  Draw draw(62, 0);
+  for (const NamedMotion& n : motions()) {
+    const FreeRotation m = n.motion();
+    for (const double t : {0.0, 1e18, -1e100, 1e300, 1e308, -1e308, infinite, not_a_number})
+      expect_same_bits(m, t, n.name);
+    for (int k = 0; k < 200; ++k)
+      expect_same_bits(m, draw.sign() * draw.power_of_ten(-300, 308), n.name);
   }
 }
 

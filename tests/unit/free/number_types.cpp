@@ -18,17 +18,9 @@
 namespace {
 
 using namespace free_test;
-using oracle::FreeBody;
-using oracle::Wide;
-using oracle::WideQuaternion;
-using oracle::WideVec3;
-using polhode::BasicFreeKernel;
-using polhode::BasicQuaternion;
-using polhode::BasicRotorState;
-using polhode::BasicVec3;
-using polhode::DoubleDouble;
+using namespace oracle;
+using namespace polhode;
 using polhode::test::Worst;
-namespace budget = polhode::budget;
 
 // --- DoubleDouble ---
 
@@ -36,10 +28,10 @@ Wide wide(const DoubleDouble& x) { return Wide(x.hi) + Wide(x.lo); }
 
 double wide_error(const FreeCase& c) {
   const BasicFreeKernel<DoubleDouble> kernel =
-      polhode::prepare<DoubleDouble>(Body(c.moments.x, c.moments.y, c.moments.z), c.start, c.t0);
+      prepare<DoubleDouble>(Body(c.moments.x, c.moments.y, c.moments.z), c.start, c.t0);
   const BasicRotorState<DoubleDouble> s = evaluate(kernel, DoubleDouble(c.t));
   FreeBody body(c.moments, c.start.q, c.start.g);
-  const oracle::WideState exact = body.at(c.t, c.t0);
+  const WideState exact = body.at(c.t, c.t0);
   const WideQuaternion d =
       conj(exact.q) * WideQuaternion{wide(s.q.w), wide(s.q.x), wide(s.q.y), wide(s.q.z)};
   const WideVec3 dg = WideVec3{wide(s.g.x), wide(s.g.y), wide(s.g.z)} - exact.g;
@@ -50,9 +42,8 @@ double wide_error(const FreeCase& c) {
 
 TEST(NumberTypes, DoubleDoubleHasItsDigits) {
   std::uint64_t stream = 0;
-  for (const oracle::CaseMaker maker :
-       {oracle::random_case, oracle::near_axis_case, oracle::near_separatrix_case,
-        oracle::exact_separatrix_case, oracle::nearly_equal_case}) {
+  for (const CaseMaker maker : {random_case, near_axis_case, near_separatrix_case,
+                                exact_separatrix_case, nearly_equal_case}) {
     ++stream;
     Worst<> worst;
     for (std::size_t i = 0; i < 15; ++i) {
@@ -67,8 +58,7 @@ TEST(NumberTypes, DoubleDoubleHasItsDigits) {
 
 TEST(NumberTypes, DoubleDoubleKernelsRoundToTheState) {
   for (const NamedMotion& m : motions()) {
-    const BasicFreeKernel<DoubleDouble> kernel =
-        polhode::prepare<DoubleDouble>(m.body(), m.start());
+    const BasicFreeKernel<DoubleDouble> kernel = prepare<DoubleDouble>(m.body(), m.start());
     for (const double t : {0.0, 0.3, -12.5, 777.0}) {
       const BasicRotorState<DoubleDouble> s = evaluate(kernel, DoubleDouble(t));
       const RotorState rounded{{s.q.w.hi, s.q.x.hi, s.q.y.hi, s.q.z.hi},
@@ -96,7 +86,7 @@ BasicRotorState<Dual8> dual_state(const Point& p) {
   for (int j = 0; j < variables; ++j)
     d[static_cast<std::size_t>(j)] = Dual8::variable(p.x[static_cast<std::size_t>(j)], j);
   const BasicRotorState<Dual8> start{{p.q.w, p.q.x, p.q.y, p.q.z}, {d[3], d[4], d[5]}};
-  return evaluate(polhode::prepare(BasicVec3<Dual8>{d[0], d[1], d[2]}, start, d[6]), d[7]);
+  return evaluate(prepare(BasicVec3<Dual8>{d[0], d[1], d[2]}, start, d[6]), d[7]);
 }
 
 // The change of attitude in body axes, and of momentum, by one variable.
@@ -113,18 +103,18 @@ Column column_of(const BasicRotorState<Dual8>& s, std::size_t j) {
           {s.g.x.derivative[j], s.g.y.derivative[j], s.g.z.derivative[j]}};
 }
 
-oracle::WideState exact_state(const Point& p) {
+WideState exact_state(const Point& p) {
   FreeBody body(p.moments(), p.q, p.start().g);
   return body.at(p.x[7], p.x[6]);
 }
 
 // The central difference of two points h before and after; the attitude is that in between.
-Column central(Point p, const oracle::WideState& at, std::size_t j, double h) {
+Column central(Point p, const WideState& at, std::size_t j, double h) {
   const double x = p.x[j];
   p.x[j] = x + h;
-  const oracle::WideState after = exact_state(p);
+  const WideState after = exact_state(p);
   p.x[j] = x - h;
-  const oracle::WideState before = exact_state(p);
+  const WideState before = exact_state(p);
   const Wide two_h = 2 * Wide(h);
   const WideQuaternion a = conj(at.q) * after.q, b = conj(at.q) * before.q;
   const Wide f = 2 / two_h;
@@ -134,7 +124,7 @@ Column central(Point p, const oracle::WideState& at, std::size_t j, double h) {
 }
 
 // Two differences make one whose error is of the fourth order.
-Column extrapolated(const Point& p, const oracle::WideState& at, std::size_t j, double h) {
+Column extrapolated(const Point& p, const WideState& at, std::size_t j, double h) {
   const Column coarse = central(p, at, j, h), fine = central(p, at, j, 0.5 * h);
   const auto better = [](const WideVec3& c, const WideVec3& f) {
     const Wide third = Wide(1) / 3;
@@ -155,7 +145,7 @@ void expect_derivatives(const Point& p, double closest, const std::string& what,
   const BasicRotorState<Dual8> s = dual_state(p);
   const Vec3 g = p.start().g;
   const double G = norm(g);
-  const oracle::WideState at = exact_state(p);
+  const WideState at = exact_state(p);
   for (std::size_t j = 0; j < variables; ++j) {
     const Column exact = extrapolated(p, at, j, step_of(p, j, closest)), got = column_of(s, j);
     const WideVec3 turn = got.turn - exact.turn, momentum = got.momentum - exact.momentum;
@@ -170,7 +160,7 @@ void expect_derivatives(const Point& p, double closest, const std::string& what,
 TEST(NumberTypes, DualsGiveDerivativesByMomentsStateAndTime) {
   for (std::size_t i = 0; i < 8; ++i) {
     Draw draw(92, i);
-    const FreeCase c = oracle::long_time_case(draw);
+    const FreeCase c = long_time_case(draw);
     Point p;
     const Vec3& I = c.moments;
     const Vec3& g = c.start.g;

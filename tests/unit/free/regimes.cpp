@@ -12,8 +12,8 @@
 namespace {
 
 using namespace free_test;
-using polhode::DoubleDouble;
-namespace budget = polhode::budget;
+using namespace polhode;
+using free_test::pi;
 
 // Within a few roundings.
 void expect_same(double value, double expected, const char* what = "") {

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "message_of.hpp"
 #include "oracle/free_cases.hpp"
 #include "oracle/random_draw.hpp"
 #include "polhode/error.hpp"
@@ -21,13 +22,9 @@ namespace free_test {
 
 using oracle::Draw;
 using oracle::FreeCase;
-using polhode::Body;
-using polhode::FreeRotation;
-using polhode::Quaternion;
-using polhode::Regime;
-using polhode::RotorState;
-using polhode::Vec3;
+using namespace polhode;
 using polhode::test::larger;
+using polhode::test::message_of;
 using polhode::test::smaller;
 
 inline constexpr double eps = std::numeric_limits<double>::epsilon();
@@ -157,16 +154,6 @@ inline std::vector<Turn> proper_turns() {
     }
   } while (std::next_permutation(axis.begin(), axis.end()));
   return turns;
-}
-
-template <class F>
-std::string message_of(F f) {
-  try {
-    f();
-  } catch (const polhode::DomainError& e) {
-    return e.what();
-  }
-  return "no error";
 }
 
 }  // namespace free_test

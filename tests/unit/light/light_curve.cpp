@@ -23,7 +23,6 @@ namespace polhode {
 namespace {
 
 using Wide = boost::multiprecision::cpp_bin_float_50;
-using test::message_of;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double inf = std::numeric_limits<double>::infinity();
@@ -117,10 +116,9 @@ TEST(LightCurveChecks, VectorsAreMissedWhereTheyAreNeeded) {
   EXPECT_EQ(refusal_of_changed(without_sun, true),
             "light curve 1 (night 1): point 2: there is no vector to the Sun; expected one, in the "
             "file or from an orbit");
-  EXPECT_EQ(
-      refusal_of_changed(without_observer, true),
-      "light curve 1 (night 1): point 3: there is no vector to the observer; expected one, in "
-      "the file or from an orbit");
+  EXPECT_EQ(refusal_of_changed(without_observer, true),
+            "light curve 1 (night 1): point 3: there is no vector to the observer; expected one, "
+            "in the file or from an orbit");
 }
 
 TEST(LightCurveChecks, AnObservationBelongsToOneSession) {
@@ -172,10 +170,10 @@ TEST(Magnitudes, RelativeSessionsHaveTheMeanOne) {
   EXPECT_EQ(with_relative_sigma(curve, 0.05).points[0].sigma, 0.05 * mean_flux(curve));
   EXPECT_TRUE(std::isnan(mean_flux({})));
   for (LightPoint& p : curve.points) p.flux = -7.0;
-  EXPECT_EQ(message_of([&] { normalised(curve); }),
-            "normalised: light curve night 1: its mean flux is -7; expected one above 0");
-  EXPECT_EQ(message_of([] { with_relative_sigma(sound(), 0.0); }),
-            "with_relative_sigma: fraction 0; expected one above 0");
+  EXPECT_MESSAGE(normalised(curve),
+                 "normalised: light curve night 1: its mean flux is -7; expected one above 0");
+  EXPECT_MESSAGE(with_relative_sigma(sound(), 0.0),
+                 "with_relative_sigma: fraction 0; expected one above 0");
 }
 
 TEST(AspectOf, IsThatOfTheTriangle) {
@@ -215,12 +213,12 @@ TEST(AspectOf, FluxesAtUnitDistances) {
   const LightCurve unit = at_unit_distances(curve, 2.0);
   EXPECT_NEAR(unit.points[0].flux, 0.9 * 6.25, budget::light_flux);
   EXPECT_NEAR(unit.points[0].sigma, 0.01 * 6.25, budget::light_flux);
-  EXPECT_EQ(message_of([&] { at_unit_distances(curve, 0.0); }),
-            "at_unit_distances: unit 0; expected a length above 0");
+  EXPECT_MESSAGE(at_unit_distances(curve, 0.0),
+                 "at_unit_distances: unit 0; expected a length above 0");
   curve.points[0].to_sun = {};
-  EXPECT_EQ(message_of([&] { at_unit_distances(curve, 1.0); }),
-            "at_unit_distances: light curve night 1: point 1 has no distances; expected vectors to "
-            "the Sun and to the observer");
+  EXPECT_MESSAGE(at_unit_distances(curve, 1.0),
+                 "at_unit_distances: light curve night 1: point 1 has no distances; expected "
+                 "vectors to the Sun and to the observer");
 }
 
 // Along straight lines the light time is a root of a quadratic equation, solved here in 50 digits.
@@ -282,15 +280,14 @@ TEST(LightTimes, TimesAtTheBodyByTheDistanceOfEachPoint) {
   EXPECT_EQ(at_body_after(sound(), 0.5).points[2].t, 3.5);
   LightCurve without = sound();
   without.points[1].to_observer = {};
-  EXPECT_EQ(message_of([&] { at_body(without, 1.0); }),
-            "light curve night 1: point 2: there is no vector to the observer; expected one, or a "
-            "light time");
-  EXPECT_EQ(message_of([] { at_body(sound(), 0.0); }),
-            "light time: speed of light 0; expected one above 0");
-  EXPECT_EQ(message_of([] { at_body_after(sound(), nan); }),
-            "at_body_after: light time nan; expected a finite time, 0 or more");
-  EXPECT_EQ(message_of([] { at_body_after(sound(), -0.5); }),
-            "at_body_after: light time -0.5; expected a finite time, 0 or more");
+  EXPECT_MESSAGE(at_body(without, 1.0),
+                 "light curve night 1: point 2: there is no vector to the observer; expected one, "
+                 "or a light time");
+  EXPECT_MESSAGE(at_body(sound(), 0.0), "light time: speed of light 0; expected one above 0");
+  EXPECT_MESSAGE(at_body_after(sound(), nan),
+                 "at_body_after: light time nan; expected a finite time, 0 or more");
+  EXPECT_MESSAGE(at_body_after(sound(), -0.5),
+                 "at_body_after: light time -0.5; expected a finite time, 0 or more");
   EXPECT_EQ(at_body_after(sound(), 0.0), sound());
 }
 
@@ -298,23 +295,22 @@ TEST(LightCurveMessages, OneWithoutANameHasNone) {
   LightCurve curve = sound();
   curve.name.clear();
   for (LightPoint& p : curve.points) p = {p.t, -1.0, p.sigma, {}, {}};
-  EXPECT_EQ(message_of([&] { normalised(curve); }),
-            "normalised: light curve: its mean flux is -1; expected one above 0");
-  EXPECT_EQ(message_of([&] { at_unit_distances(curve, 1.0); }),
-            "at_unit_distances: light curve: point 1 has no distances; expected vectors to the Sun "
-            "and to the observer");
-  EXPECT_EQ(message_of([&] { at_body(curve, 1.0); }),
-            "light curve: point 1: there is no vector to the observer; expected one, or a light "
-            "time");
+  EXPECT_MESSAGE(normalised(curve),
+                 "normalised: light curve: its mean flux is -1; expected one above 0");
+  EXPECT_MESSAGE(at_unit_distances(curve, 1.0),
+                 "at_unit_distances: light curve: point 1 has no distances; expected vectors to "
+                 "the Sun and to the observer");
+  EXPECT_MESSAGE(
+      at_body(curve, 1.0),
+      "light curve: point 1: there is no vector to the observer; expected one, or a light time");
 }
 
 TEST(LightTimes, ABodyFasterThanLightHasNone) {
   const Line body{{10.0, 0.0, 0.0}, {-3.0, 0.0, 0.0}}, observer{};
   const auto sun = [](double) { return Vec3{}; };
-  EXPECT_EQ(
-      message_of([&] { with_vectors(sound(), LightTime::at_observer, body, observer, sun, 1.0); }),
-      "light curve night 1: point 1: its light time does not converge; expected finite positions "
-      "of bodies that are slower than light");
+  EXPECT_MESSAGE(with_vectors(sound(), LightTime::at_observer, body, observer, sun, 1.0),
+                 "light curve night 1: point 1: its light time does not converge; expected finite "
+                 "positions of bodies that are slower than light");
 }
 
 }  // namespace

@@ -20,7 +20,6 @@ using oracle::Draw;
 using test::floor;
 using test::globe;
 using test::joined;
-using test::Worst;
 
 constexpr double pi_ = 3.141592653589793;
 

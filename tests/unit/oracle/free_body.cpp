@@ -11,17 +11,14 @@
 #include "budgets.hpp"
 #include "oracle/direct_flow.hpp"
 #include "oracle/free_cases.hpp"
+#include "oracle/free_edge_cases.hpp"
+#include "worst.hpp"
 
 namespace {
 
-using oracle::FreeBody;
-using oracle::FreeCase;
-using oracle::Motion;
-using oracle::Wide;
-using oracle::WideQuaternion;
-using oracle::WideState;
-using oracle::WideVec3;
+using namespace oracle;
 namespace budget = polhode::budget;
+using polhode::test::Worst;
 
 double length(const WideVec3& v) { return static_cast<double>(Wide(sqrt(dot(v, v)))); }
 
@@ -43,13 +40,12 @@ WideQuaternion turned(const WideVec3& axis_rate, const Wide& t) {
 // Cases of every kind; near the middle axis of the small angles nothing else can follow the oracle.
 std::vector<FreeCase> assorted_cases(std::size_t of_each) {
   constexpr std::uint64_t seed = 20240201;
-  const oracle::CaseMaker makers[] = {oracle::random_case,           oracle::near_axis_case,
-                                      oracle::nearly_equal_case,     oracle::near_separatrix_case,
-                                      oracle::exact_separatrix_case, oracle::small_angle_case};
+  const CaseMaker makers[] = {random_case,          near_axis_case,        nearly_equal_case,
+                              near_separatrix_case, exact_separatrix_case, small_angle_case};
   std::vector<FreeCase> cases;
   for (const auto& maker : makers) {
     for (std::size_t i = 0; i < of_each; ++i) {
-      oracle::Draw draw(seed, cases.size());
+      Draw draw(seed, cases.size());
       cases.push_back(maker(draw));
     }
   }
@@ -97,7 +93,7 @@ TEST(OracleFreeBody, AgreesWithTheDirectIntegration) {
   for (const FreeCase& c : assorted_cases(3)) {
     SCOPED_TRACE(description(c));
     FreeBody body(c.moments, c.start.q, c.start.g);
-    const oracle::DirectFlow flow(c.moments);
+    const DirectFlow flow(c.moments);
     for (const double count : {0.7, -3.3}) {
       const Wide t = turns(c, count);
       expect_same(body.at(t), flow.after(body.initial(), t), budget::oracle_agreement);
@@ -109,7 +105,7 @@ TEST(OracleFreeBody, AgreesWithTheDirectIntegration) {
 TEST(OracleFreeBody, JumpsByHalfPeriods) {
   for (const polhode::Vec3& g : {polhode::Vec3{0.7, 0.5, 0.3}, polhode::Vec3{0.1, -0.5, -0.9}}) {
     FreeBody body({1.0, 2.0, 2.5}, {0.3, -0.5, 0.25, 2.0}, g);
-    const oracle::DirectFlow flow({1.0, 2.0, 2.5});
+    const DirectFlow flow({1.0, 2.0, 2.5});
     for (const double halves : {-3.5, -1.0, 1.0, 2.0, 5.25}) {
       const Wide t = Wide(halves) * body.half_period();
       expect_same(body.at(t), flow.after(body.initial(), t), budget::oracle_agreement);
@@ -200,5 +196,36 @@ TEST(OracleFreeBody, FollowsTheSeparatrixToItsEnds) {
   }
   EXPECT_TRUE(body.at(1e9, 0.0).g.y * body.at(-1e9, 0.0).g.y < 0);
 }
+
+// The digits of the oracle suffice past the edges: shorter steps of a higher order give the same
+// state, far below the rounding of what is judged.
+
+double difference(const FreeCase& c) {
+  FreeBody usual(c.moments, c.start.q, c.start.g);
+  FreeBody finer(c.moments, c.start.q, c.start.g, {.order = 88, .log10_tolerance = -72.0});
+  const WideState a = usual.at(c.t, c.t0), b = finer.at(c.t, c.t0);
+  const WideVec3 dg = a.g - b.g;
+  const WideQuaternion dq = conj(a.q) * b.q;
+  const Wide turn = dq.x * dq.x + dq.y * dq.y + dq.z * dq.z;
+  return static_cast<double>(Wide(sqrt(turn) + sqrt(dot(dg, dg)) / usual.momentum()));
+}
+
+void expect_digits(CaseMaker maker, double turns) {
+  Worst worst;
+  for (std::uint64_t i = 0; i < 4; ++i) {
+    Draw draw(31, i);
+    FreeCase c = maker(draw);
+    if (turns > 0.0) set_time(c, turns);
+    worst.add(difference(c), description(c));
+  }
+  EXPECT_LE(worst.value(), polhode::budget::oracle_edges) << worst.where();
+}
+
+TEST(OracleEdges, MiddleSpin) { expect_digits(middle_spin_case, 0.0); }
+TEST(OracleEdges, SeparatrixOfFullMoments) { expect_digits(full_moments_case, 0.0); }
+TEST(OracleEdges, SeparatrixAfterABillionTurns) { expect_digits(close_separatrix_case, 1e9); }
+TEST(OracleEdges, Momenta) { expect_digits(extreme_momentum_case, 0.0); }
+TEST(OracleEdges, HugeTimes) { expect_digits(long_time_case, 1e25); }
+TEST(OracleEdges, HugeTimesNextToTheSeparatrix) { expect_digits(full_moments_case, 1e20); }
 
 }  // namespace

@@ -11,13 +11,7 @@
 
 namespace {
 
-using oracle::FreeBody;
-using oracle::FreeTransition;
-using oracle::Wide;
-using oracle::WideMatrix6;
-using oracle::WideQuaternion;
-using oracle::WideState;
-using oracle::WideVec3;
+using namespace oracle;
 using polhode::test::larger;
 namespace budget = polhode::budget;
 
@@ -78,7 +72,7 @@ WideState displaced(const WideState& s, int direction, const Wide& step) {
 }
 
 // Central differences of the direct integration.
-WideMatrix6 by_differences(const FreeBody& body, const oracle::DirectFlow& flow, const Wide& t) {
+WideMatrix6 by_differences(const FreeBody& body, const DirectFlow& flow, const Wide& t) {
   const Wide step("1e-25");
   WideMatrix6 phi;
   for (int j = 0; j < 6; ++j) {
@@ -101,7 +95,7 @@ TEST(OracleFreeTransition, AgreesWithDifferencesOfTheFlow) {
     SCOPED_TRACE(m.name);
     FreeBody body(m.moments, {0.5, 0.5, -0.125, 0.75}, m.g);
     const WideMatrix6 phi = FreeTransition(body).at(m.t);
-    const WideMatrix6 differences = by_differences(body, oracle::DirectFlow(m.moments), m.t);
+    const WideMatrix6 differences = by_differences(body, DirectFlow(m.moments), m.t);
     EXPECT_LE(largest(difference(phi, differences)), budget::oracle_differences * largest(phi));
   }
 }

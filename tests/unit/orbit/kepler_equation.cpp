@@ -15,8 +15,7 @@
 namespace polhode::test {
 namespace {
 
-using oracle::Wide;
-using oracle::WideConic;
+using namespace oracle;
 
 Wide wide(double x) { return x; }
 Wide wide(const DoubleDouble& x) { return Wide(x.hi) + Wide(x.lo); }
@@ -30,7 +29,7 @@ template <Real T>
 void measure(const T& M, double e, WorstErrors& worst) {
   const auto eccentricity = BasicEccentricity<T>::of(T(e));
   const BasicKeplerAnomaly<T> got = eccentric_anomaly(M, eccentricity);
-  const Wide m = wide(M), x = oracle::kepler_root(m, e);
+  const Wide m = wide(M), x = kepler_root(m, e);
   const bool ellipse = e < 1.0;
   const Wide s = ellipse ? sin(x) : sinh(x), half = ellipse ? sin(x / 2) : sinh(x / 2);
   const Wide slope = ellipse ? Wide(1 - e * cos(x)) : Wide(e * cosh(x) - 1);
@@ -46,7 +45,7 @@ template <Real T>
 WorstErrors over_grid(bool ellipse, int cases, double smallest, double largest) {
   WorstErrors worst;
   for (int i = 0; i < cases; ++i) {
-    oracle::Draw draw(401, static_cast<std::uint64_t>(i));
+    Draw draw(401, static_cast<std::uint64_t>(i));
     const std::vector<double> gaps{
         draw.uniform(0.0, 1.0), draw.power_of_ten(-16.0, 0.0), ellipse ? 0x1p-53 : 0x1p-52,
         ellipse ? 1.0 - draw.power_of_ten(-20.0, 0.0) : draw.power_of_ten(0.0, 10.0)};
@@ -93,12 +92,12 @@ TEST(KeplerEquation, ExtremeMeanAnomalies) {
 }
 
 TEST(KeplerEquation, ManyTurns) {
-  oracle::Draw draw(402, 0);
+  Draw draw(402, 0);
   for (int i = 0; i < 300; ++i) {
     const double M = draw.sign() * draw.power_of_ten(0.6, 15.0), e = draw.uniform(0.0, 0.999);
-    const Wide turn = 2 * oracle::wide_pi();
+    const Wide turn = 2 * wide_pi();
     const Wide turns = round(Wide(M) / turn) * turn, m = Wide(M) - turns;
-    const Wide x = (m < 0 ? -1 : 1) * oracle::kepler_root(abs(m), e);
+    const Wide x = (m < 0 ? -1 : 1) * kepler_root(abs(m), e);
     const KeplerAnomaly got = eccentric_anomaly(M, Eccentricity::of(e));
     const double cost = static_cast<double>(abs(m) / (1 - e * cos(x)));  // of a rounding of m
     const double eps = epsilon<double>();
@@ -126,7 +125,7 @@ TEST(KeplerEquation, OddInMeanAnomalyAndExactAtZero) {
 // Any ordinary arguments give ordinary numbers: no loop that may not end, no overflow.
 TEST(KeplerEquation, NeverFails) {
   for (int i = 0; i < 20000; ++i) {
-    oracle::Draw draw(403, static_cast<std::uint64_t>(i));
+    Draw draw(403, static_cast<std::uint64_t>(i));
     const double M = draw.sign() * draw.power_of_ten(-323.0, 308.2);
     const double gap = draw.power_of_ten(-16.2, 0.0);
     const double far = draw.power_of_ten(0.0, 300.0);
@@ -145,7 +144,7 @@ TEST(KeplerEquation, NeverFails) {
 // e rounds to 1, and its complement says how far from it: an ellipse, E - sin E = M to 1e-20.
 TEST(KeplerEquation, EccentricityThatRoundsToOneIsAnEllipse) {
   for (const double M : {1e-6, 0.3, 1.0, 3.0}) {
-    const Wide E = oracle::kepler_root(M, 1 - Wide("1e-20"));
+    const Wide E = kepler_root(M, 1 - Wide("1e-20"));
     const auto error = [&](const KeplerAnomaly& x) {
       return static_cast<double>(abs(Wide(x.anomaly) - E) / E) / epsilon<double>();
     };

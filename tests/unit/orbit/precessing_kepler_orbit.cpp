@@ -5,19 +5,21 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "budgets.hpp"
 #include "oracle/kepler.hpp"
 #include "oracle/random_draw.hpp"
 #include "polhode/error.hpp"
+#include "polhode/orbit/kepler_orbit.hpp"
+#include "polhode/orbit/mean_ellipse.hpp"
+#include "polhode/orbit/turned_kepler_orbit.hpp"
 #include "worst.hpp"
 
 namespace polhode::test {
 namespace {
 
-using oracle::Wide;
-using oracle::WideConic;
-using oracle::WideVec3;
+using namespace oracle;
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
@@ -34,7 +36,7 @@ WideVec3 reference(const KeplerElements& k, const SecularRates& r, const Wide& t
 }
 
 double distance(const Vec3& got, const WideVec3& want) {
-  const WideVec3 d = oracle::widened(got) - want;
+  const WideVec3 d = widened(got) - want;
   return static_cast<double>(sqrt(dot(d, d)));
 }
 
@@ -44,7 +46,7 @@ struct Drawn {
   double t;
 };
 Drawn drawn(std::uint64_t index, double longest) {
-  oracle::Draw draw(421, index);
+  Draw draw(421, index);
   const double e = draw.uniform(0.0, 0.95);
   const KeplerElements k{1.5,
                          1.0 - e,
@@ -61,7 +63,7 @@ Drawn drawn(std::uint64_t index, double longest) {
 // With a tilt and an eccentricity that change: the latter to another ellipse within |t - epoch|.
 Drawn tilting(std::uint64_t index, double longest) {
   Drawn d = drawn(index, longest);
-  oracle::Draw draw(422, index);
+  Draw draw(422, index);
   const double end = draw.uniform(0.0, 0.9);
   d.rates.inclination = 0.1 * draw.normal();
   d.rates.eccentricity = (end - d.elements.eccentricity) / (d.t - d.elements.epoch);
@@ -211,6 +213,71 @@ TEST(PrecessingKeplerOrbit, RefusesWhatIsNoOrbit) {
   EXPECT_TRUE(refused([&] { (void)j2_rates(good, nan, 1.0); }));
   EXPECT_TRUE(refused([&] { (void)j2_rates(good, 1e-3, 0.0); }));
   EXPECT_FALSE(refused([&] { PrecessingKeplerOrbit(hyperbola, {0.1, 0.0, 0.0}); }));
+}
+
+const KeplerElements elements{1.5, 0.8, 0.2, 0.7, 0.3, -0.4, 0.5, 1.0};
+const PrecessingKeplerOrbit inner(elements, {-0.01, 0.02, 0.003});
+
+// The pole of the equator has the ecliptic latitude 90 degrees less the obliquity, longitude 90.
+TEST(TurnedKeplerOrbit, TheEquatorialPoleLiesWhereTheSkyHasIt) {
+  const KeplerElements in_equator{1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+  const auto orbit = TurnedKeplerOrbit::from_equator({in_equator, {}});
+  const double obliquity = 84381.448 / 3600.0 * std::numbers::pi / 180.0;
+  const double tol = budget::table_orbit_kepler;
+  const Vec3 pole = cross(orbit.position(0.0), orbit.velocity(0.0));
+  EXPECT_NEAR(pole.x, 0.0, tol);
+  EXPECT_NEAR(pole.y, std::sin(obliquity), tol);
+  EXPECT_NEAR(pole.z, std::cos(obliquity), tol);
+}
+
+TEST(TurnedKeplerOrbit, OneUndoesTheOther) {
+  const TurnedKeplerOrbit there = TurnedKeplerOrbit::from_equator(inner);
+  EXPECT_EQ(there.angle(), -TurnedKeplerOrbit::from_ecliptic(inner).angle());
+  const double c = std::cos(there.angle()), s = std::sin(there.angle());
+  for (const double t : {-3.0, 0.0, 17.0}) {
+    const Vec3 x = there.position(t), back{x.x, c * x.y - s * x.z, s * x.y + c * x.z};
+    EXPECT_LT(norm(back - inner.position(t)), budget::table_orbit_kepler);
+  }
+  EXPECT_EQ(there.gm(), elements.gm);
+}
+
+TEST(TurnedKeplerOrbit, EveryNumberTypeSeesOneOrbit) {
+  const TurnedKeplerOrbit orbit(inner, 0.3);
+  const Vec3 x = orbit.position(2.0), v = orbit.velocity(2.0);
+  const auto d = orbit.position(Dual<double, 1>::variable(2.0, 0));
+  const BasicVec3<DoubleDouble> wide = orbit.position(DoubleDouble(2.0));
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(d[i].value, x[i]);
+    EXPECT_EQ(d[i].derivative[0], v[i]);
+    EXPECT_NEAR(to_double(wide[i]), x[i], budget::table_orbit_kepler);
+  }
+}
+
+TEST(TurnedKeplerOrbit, RefusesAnAngleThatIsNone) {
+  EXPECT_THROW(TurnedKeplerOrbit(inner, std::numeric_limits<double>::infinity()), DomainError);
+}
+
+// A point of an ellipse by its mean anomaly against the orbit that moves there.
+
+TEST(MeanEllipse, IsWhereTheOrbitIs) {
+  test::Worst worst;
+  for (const double e : {0.0, 0.017, 0.5, 0.97})
+    for (const double pericentre : {0.0, 0.3, -2.0})
+      for (const double M : {0.0, 0.7, 3.0, -1.1}) {
+        const KeplerOrbit orbit({.gm = 1.0,
+                                 .pericentre = 1.5 * (1.0 - e),
+                                 .eccentricity = e,
+                                 .argument = pericentre,
+                                 .mean_anomaly = M});
+        worst.add(norm(on_ellipse(1.5, e, M, pericentre) - orbit.position(0.0)) /
+                  (1.5 * (1.0 - e)));
+      }
+  EXPECT_LT(worst.value(), budget::mean_ellipse);
+}
+
+TEST(MeanEllipse, IsNaNWhereThereIsNone) {
+  for (const double e : {-0.1, 1.0, std::nan("")})
+    EXPECT_TRUE(std::isnan(on_ellipse(1.0, e, 0.5, 0.0).x)) << e;
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include "polhode/orbit/table_orbit.hpp"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
@@ -11,6 +10,7 @@
 #include <random>
 
 #include "budgets.hpp"
+#include "message_of.hpp"
 #include "polhode/error.hpp"
 #include "polhode/orbit/any_orbit.hpp"
 #include "polhode/orbit/kepler_orbit.hpp"
@@ -188,13 +188,8 @@ TEST(TableOrbit, InAnOverhangTheEndsGoOn) {
 }
 
 TEST(TableOrbit, WhatIsNoTableIsRefused) {
-  const auto error = [](PositionTable table, int order = 0, double overhang = 0.0) -> std::string {
-    try {
-      TableOrbit orbit(std::move(table), order, overhang);
-    } catch (const DomainError& refused) {
-      return refused.what();
-    }
-    return "no error";
+  const auto error = [](PositionTable table, int order = 0, double overhang = 0.0) {
+    return test::message_of([&] { TableOrbit orbit(std::move(table), order, overhang); });
   };
   const auto rows = [](std::vector<double> times) {
     return sampled(times, wave, wave_slope, false);

@@ -3,7 +3,6 @@
 #include "polhode/output/output_format.hpp"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -147,15 +146,15 @@ TEST_F(OutputFormatTest, WhatItRefusesStandsAtItsPlaceInTheFile) {
   const auto refused = [&](const std::string& more) {
     return message_of([&] { scenario("[output.json-lines]\n" + more + "\n"); });
   };
-  EXPECT_EQ(refused("prefix = \"far-too-long\""),
-            "f.toml:6:10: output.json-lines.prefix: got \"far-too-long\"; expected up to 8 "
-            "characters");
+  EXPECT_EQ(
+      refused("prefix = \"far-too-long\""),
+      "f.toml:6:10: output.json-lines.prefix: got \"far-too-long\"; expected up to 8 characters");
   EXPECT_EQ(refused("shift = -1"),
             "f.toml:5:1: output.json-lines: expected a shift that is not negative");
   EXPECT_THAT(refused("prefx = \"a\""), HasSubstr("did you mean prefix?"));
   EXPECT_THAT(refused("shift = \"1 kg\""), HasSubstr("output.json-lines.shift"));
-  EXPECT_THAT(message_of([] { scenario_from_text("[output.json-lines]\n", "f.toml"); }),
-              HasSubstr("output.json-lines: unknown key"));
+  EXPECT_REJECTED(scenario_from_text("[output.json-lines]\n", "f.toml"),
+                  "output.json-lines: unknown key");
 }
 
 TEST_F(OutputFormatTest, ItIsCitedWhereAFileHasItsTable) {
@@ -183,7 +182,7 @@ TEST_F(OutputFormatTest, ItGoesOnWhereItWasKilled) {
     EXPECT_THROW(run(of, outputs, std::move(how)), RunInterrupted);
     for (const std::string& output : outputs)
       std::ofstream(output + ".part", std::ios::app | std::ios::binary) << "0.5, 1\n{\"t\": 3";
-    EXPECT_THAT(message_of([&] { run(of, outputs); }), HasSubstr("an unfinished run is there"));
+    EXPECT_REJECTED(run(of, outputs), "an unfinished run is there");
 
     ScenarioRun rest(of, {outputs}, {.begin = RunBegin::resume});
     EXPECT_TRUE(rest.continues());
@@ -222,8 +221,7 @@ TEST_F(OutputFormatTest, ARunThatLacksWhatItNeedsIsRefused) {
             path("a.jsonl") + ": JSON Lines has dates; expected epoch in [state]");
   EXPECT_EQ(refused({.dates = true}, epoch + "UT1\"\n"),
             path("a.jsonl") +
-                ": the epoch is in UT1, which does not run evenly; expected UTC, TAI, "
-                "TT or TDB");
+                ": the epoch is in UT1, which does not run evenly; expected UTC, TAI, TT or TDB");
   EXPECT_EQ(refused({}, "output.columns = [\"q\"]\n"),
             path("a.jsonl") + ": expected \"omega\" among the columns of [output]");
   EXPECT_EQ(refused({.dates = true}, epoch + "TDB\"\n"), "");
@@ -240,29 +238,29 @@ TEST_F(OutputFormatTest, DatesThatDoNotRiseAreRefused) {
       "schema = 1\nbody.moments = [1, 2, 2.5]\ntime.at = [0.0, 2.0, 1.0]\n"
       "state.attitude-rate = { quaternion = [1, 0, 0, 0], omega_body = [0.3, 0.2, 1] }\n",
       "f.toml", default_kinds().with(std::move(format)));
-  EXPECT_EQ(message_of([&] { run(of, {path("a.jsonl")}); }),
-            path("a.jsonl") + ": the dates of JSON Lines rise; expected times in [time] that rise");
+  EXPECT_MESSAGE(
+      run(of, {path("a.jsonl")}),
+      path("a.jsonl") + ": the dates of JSON Lines rise; expected times in [time] that rise");
 }
 
 TEST_F(OutputFormatTest, MessagesNameTheFormatsThatThereAre) {
   const OutputFormats these({*formats_.named("csv"), *formats_.named("hdf5"),
                              *formats_.named("aem"), *formats_.named("json-lines")});
   EXPECT_EQ(paths_in_words(these), "PATH.csv, PATH.h5, PATH.aem or PATH.jsonl");
-  EXPECT_EQ(message_of([&] { these.of_output(path("a.xlsx")); }),
-            path("a.xlsx") +
-                ": the extension says what to write; expected .csv, .h5, .aem or .jsonl, or - for "
-                "CSV to standard output");
-  EXPECT_EQ(message_of([&] { these.of_output(path("")); }),
-            path("") +
-                ": is a folder; expected a file to write, PATH.csv, PATH.h5, PATH.aem or "
-                "PATH.jsonl");
+  EXPECT_MESSAGE(these.of_output(path("a.xlsx")),
+                 path("a.xlsx") +
+                     ": the extension says what to write; expected .csv, .h5, .aem or .jsonl, or - "
+                     "for CSV to standard output");
+  EXPECT_MESSAGE(
+      these.of_output(path("")),
+      path("") +
+          ": is a folder; expected a file to write, PATH.csv, PATH.h5, PATH.aem or PATH.jsonl");
   EXPECT_EQ(formats_.of_output("-").name, "csv");
   EXPECT_EQ(formats_.of_output("/dev/null").name, "csv");
   EXPECT_EQ(formats_.named("json-lines")->extension, ".jsonl");
   EXPECT_EQ(formats_.named("jsonl"), nullptr);
   const OutputFormats files({*formats_.named("hdf5"), *formats_.named("aem")});
-  EXPECT_EQ(message_of([&] { files.of_output("-"); }),
-            "-: the extension says what to write; expected .h5 or .aem");
+  EXPECT_MESSAGE(files.of_output("-"), "-: the extension says what to write; expected .h5 or .aem");
 }
 
 TEST_F(OutputFormatTest, NamesAndExtensionsAreThereOnce) {
@@ -276,14 +274,8 @@ TEST_F(OutputFormatTest, NamesAndExtensionsAreThereOnce) {
   EXPECT_THAT(refused("columns", ".ab"), HasSubstr("got the name"));
   for (const char* extension : {"ab", ".", "", ".a b", ".part", ".checkpoint"})
     EXPECT_THAT(refused("ab", extension), HasSubstr("got the extension")) << extension;
-  EXPECT_THAT(message_of([&] {
-                formats_.with({"ab", ".ab", "", open_json});
-              }),
-              HasSubstr("expected a text"));
-  EXPECT_THAT(message_of([&] {
-                formats_.with({"ab", ".ab", "A format.", {}});
-              }),
-              HasSubstr("a function open"));
+  EXPECT_REJECTED(formats_.with({"ab", ".ab", "", open_json}), "expected a text");
+  EXPECT_REJECTED(formats_.with({"ab", ".ab", "A format.", {}}), "a function open");
 }
 
 // The list that it came from keeps what it had.
@@ -305,12 +297,11 @@ TEST_F(OutputFormatTest, RowsAreReadBackAsTheyWereWritten) {
     sink->finish();
     EXPECT_EQ(first_rows(formats_, paths, groups, 2), rows) << name;
     EXPECT_THAT(first_rows(formats_, paths, groups, 1), ElementsAre(0.0, -0.0, 5e-324)) << name;
-    EXPECT_THAT(message_of([&] { first_rows(formats_, paths, groups, 3); }),
-                HasSubstr("expected 3 rows"));
+    EXPECT_REJECTED(first_rows(formats_, paths, groups, 3), "expected 3 rows");
   }
   EXPECT_FALSE(can_read_rows(formats_, std::vector{path("a.aem"), path("a.jsonl")}));
-  EXPECT_THAT(message_of([&] { first_rows(formats_, std::vector{path("a.jsonl")}, groups, 1); }),
-              HasSubstr("got none that is read back; expected PATH.csv"));
+  EXPECT_REJECTED(first_rows(formats_, std::vector{path("a.jsonl")}, groups, 1),
+                  "got none that is read back; expected PATH.csv");
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "message_of.hpp"
 #include "oracle/random_draw.hpp"
 #include "oracle/wide_real.hpp"
 #include "polhode/error.hpp"
@@ -17,19 +18,8 @@ using oracle::Wide;
 using oracle::WideQuaternion;
 using oracle::WideState;
 using oracle::WideVec3;
-using polhode::BasicEffect;
-using polhode::BasicRotorState;
-using polhode::BasicSetting;
-using polhode::BasicVec3;
-using polhode::Body;
-using polhode::DoubleDouble;
-using polhode::Effect;
-using polhode::Quaternion;
-using polhode::Real;
-using polhode::RotorState;
-using polhode::Setting;
-using polhode::Tangent;
-using polhode::Vec3;
+using namespace polhode;
+using polhode::test::message_of;
 
 inline constexpr double eps = 0x1p-52;
 
@@ -105,16 +95,6 @@ BasicEffect<Wide> effect_by_differences(const Term& term, const BasicSetting<Wid
     e.v[i] = (energy(0, h) - energy(0, -h)) / (2 * h);
   }
   return e;
-}
-
-template <class Function>
-std::string refusal(const Function& f) {
-  try {
-    f();
-  } catch (const polhode::DomainError& error) {
-    return error.what();
-  }
-  return "accepted";
 }
 
 }  // namespace perturb_test

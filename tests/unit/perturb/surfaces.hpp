@@ -9,8 +9,7 @@
 
 namespace perturb_test {
 
-using polhode::Surface;
-using polhode::SurfaceFacet;
+using namespace polhode;
 
 inline Surface drawn_surface(std::uint64_t seed, int count) {
   Draw draw(seed, 0);

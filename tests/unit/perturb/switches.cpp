@@ -24,7 +24,6 @@ namespace perturb_test {
 namespace {
 
 using namespace polhode;
-namespace budget = polhode::budget;
 
 TEST(ShadowBorders, AreWhereTheLightChanges) {
   const Shadow cylinder = Shadow::cylinder(1.0), cone = Shadow::cone(1.0, 3.0);

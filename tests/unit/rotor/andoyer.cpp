@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "budgets.hpp"
-#include "polhode/error.hpp"
+#include "message_of.hpp"
 #include "polhode/math/double_double.hpp"
 #include "polhode/rotor/euler.hpp"
 #include "property/chart_support.hpp"
@@ -16,11 +16,7 @@
 namespace {
 
 using namespace polhode;
-using chart_test::angle_difference;
-using chart_test::attitude_difference;
-using chart_test::hub_difference;
-using chart_test::inclined_state;
-using chart_test::Sampler;
+using namespace chart_test;
 using polhode::test::smaller;
 constexpr double inf = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -32,12 +28,7 @@ bool in_range(const AndoyerState& a) {
   return ok(a.l) && ok(a.g) && ok(a.h) && std::abs(a.L) <= a.G && std::abs(a.H) <= a.G;
 }
 std::string message_of(const AndoyerState& a) {
-  try {
-    andoyer_state(a.l, a.g, a.h, a.L, a.G, a.H);
-  } catch (const DomainError& error) {
-    return error.what();
-  }
-  return "no error";
+  return test::message_of([&] { andoyer_state(a.l, a.g, a.h, a.L, a.G, a.H); });
 }
 Mat3 R1(double a) {
   return {{{1, 0, 0}, {0, std::cos(a), std::sin(a)}, {0, -std::sin(a), std::cos(a)}}};
@@ -191,8 +182,8 @@ TEST(Andoyer, RegularSumLosesNothing) {
   Sampler sample(7);
   for (const double d : {1e-2, 1e-6, 1e-10, 1e-14, 1e-18}) {
     for (int k = 0; k < 500; ++k) {
-      const chart_test::Inclined c{d * sample.uniform(0.5, 1.5), sample.coin(),
-                                   d * sample.uniform(0.5, 1.5), sample.coin()};
+      const Inclined c{d * sample.uniform(0.5, 1.5), sample.coin(), d * sample.uniform(0.5, 1.5),
+                       sample.coin()};
       const double l = sample.angle(), g = sample.angle(), h = sample.angle();
       const AndoyerState a = to_andoyer(inclined_state(c, l, g, h));
       const double sJ = c.J_flip ? -1.0 : 1.0, sI = c.I_flip ? -1.0 : 1.0;
@@ -232,7 +223,7 @@ TEST(Andoyer, MomentaBeyondGAreClampedOrRefused) {
             "andoyer_state: G = -1 must not be negative");
   EXPECT_EQ(message_of({0.1, inf, 0.3, 0.0, 1.0, 0.0}),
             "andoyer_state: (0.1, inf, 0.3, 0, 1, 0) must be finite");
-  EXPECT_EQ(message_of({0.1, 0.2, 0.3, 0.0, 0.0, 0.0}), "no error");
+  EXPECT_EQ(message_of({0.1, 0.2, 0.3, 0.0, 0.0, 0.0}), "");
   EXPECT_EQ(to_rotor(AndoyerState{0.1, 0.2, 0.3, 1.5, 1.0, -2.0}),
             to_rotor(AndoyerState{0.1, 0.2, 0.3, 1.0, 1.0, -1.0}));
 }

@@ -2,11 +2,11 @@
 #include "polhode/rotor/attitude.hpp"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <limits>
 
 #include "budgets.hpp"
+#include "message_of.hpp"
 #include "polhode/error.hpp"
 #include "property/chart_support.hpp"
 
@@ -17,16 +17,6 @@ using chart_test::attitude_difference;
 using chart_test::Sampler;
 constexpr double inf = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-template <class F>
-std::string message_of(F f) {
-  try {
-    f();
-  } catch (const DomainError& e) {
-    return e.what();
-  }
-  return "no error";
-}
 
 // R of [SA (2)], written out.
 Mat3 printed_matrix(const EulerAngles& e) {
@@ -72,31 +62,19 @@ TEST(Attitude, MatrixWithSevenDigitsIsARotation) {
 }
 
 TEST(Attitude, ErrorsNameValueAndRequirement) {
-  EXPECT_EQ(message_of([] {
-              attitude(Mat3{{{1, 0, 0}, {0, 1, 0}, {0, 0, -1}}});
-            }),
-            "attitude: matrix with determinant -1 must be a proper rotation");
-  EXPECT_EQ(message_of([] {
-              attitude(Mat3{{{2, 0, 0}, {0, 1, 0}, {0, 0, 1}}});
-            }),
-            "attitude: matrix with R R^T off the identity by 3 must be orthogonal to 1e-06");
-  EXPECT_EQ(message_of([] {
-              attitude(Mat3{{{1, 0, 0}, {0, nan, 0}, {0, 0, 1}}});
-            }),
-            "attitude: matrix row (0, nan, 0) must be finite");
-  EXPECT_EQ(message_of([] { unit_quaternion(0, 0, -0.0, 0); }),
-            "unit_quaternion: (0, 0, 0, 0) must not be zero");
-  EXPECT_EQ(message_of([] { unit_quaternion(1, inf, 0, 0); }),
-            "unit_quaternion: (1, inf, 0, 0) must be finite");
+  EXPECT_MESSAGE(attitude(Mat3{{{1, 0, 0}, {0, 1, 0}, {0, 0, -1}}}),
+                 "attitude: matrix with determinant -1 must be a proper rotation");
+  EXPECT_MESSAGE(attitude(Mat3{{{2, 0, 0}, {0, 1, 0}, {0, 0, 1}}}),
+                 "attitude: matrix with R R^T off the identity by 3 must be orthogonal to 1e-06");
+  EXPECT_MESSAGE(attitude(Mat3{{{1, 0, 0}, {0, nan, 0}, {0, 0, 1}}}),
+                 "attitude: matrix row (0, nan, 0) must be finite");
+  EXPECT_MESSAGE(unit_quaternion(0, 0, -0.0, 0), "unit_quaternion: (0, 0, 0, 0) must not be zero");
+  EXPECT_MESSAGE(unit_quaternion(1, inf, 0, 0), "unit_quaternion: (1, inf, 0, 0) must be finite");
   const Body body(1, 2, 2.5);
-  EXPECT_EQ(message_of([&] {
-              rotor_state(body, {}, {0, nan, 1});
-            }),
-            "rotor_state: omega_B (0, nan, 1) must be finite");
-  EXPECT_EQ(message_of([&] {
-              rotor_state_inertial(body, {}, {0, 1, -inf});
-            }),
-            "rotor_state_inertial: omega_I (0, 1, -inf) must be finite");
+  EXPECT_MESSAGE(rotor_state(body, {}, {0, nan, 1}),
+                 "rotor_state: omega_B (0, nan, 1) must be finite");
+  EXPECT_MESSAGE(rotor_state_inertial(body, {}, {0, 1, -inf}),
+                 "rotor_state_inertial: omega_I (0, 1, -inf) must be finite");
   EXPECT_THROW(rotor_state(body, {0, 0, 0, 0}, {0, 0, 1}), DomainError);
 }
 

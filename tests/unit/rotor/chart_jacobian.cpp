@@ -15,7 +15,6 @@
 namespace {
 
 using namespace polhode;
-namespace budget = polhode::budget;
 constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr int near_exponent = 100;  // double-double holds every quotient of this distance
 constexpr double singular = 0x1p50, regular = 0x1p-50;
@@ -91,8 +90,8 @@ TEST(ChartJacobian, NextToAPoleOfTheta) {
 // theta of either sign: the same divisor but for its sign.
 TEST(ChartJacobian, NextToAPoleOfThetaOnEitherSide) {
   for (const double theta : {0x1p-990, 0x1p-1000, 0x1p-1015}) {
-    const polhode::EulerState s{0.3, theta, 0.7, 0.4, 0.2, 0.4};
-    polhode::EulerState other = s;
+    const EulerState s{0.3, theta, 0.7, 0.4, 0.2, 0.4};
+    EulerState other = s;
     other.theta = -theta;
     const Matrix6 B = chart_jacobian(s), C = chart_jacobian(other);
     for (int i = 0; i < 2; ++i) {

@@ -2,7 +2,6 @@
 // A state that the library does not know, a gyrostat, through the loop and the files of every run:
 // stopped anywhere and continued, the files have the same bytes.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <fstream>
 #include <memory>

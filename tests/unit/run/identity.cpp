@@ -2,12 +2,15 @@
 // What a checkpoint must agree in: a run does not go on with another method than it began with,
 // though its file names none and the default is another one now.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <string>
 
+#include "run/detail/attitude_errors.hpp"
 #include "run/detail/checkpoint.hpp"
+#include "scenario_text.hpp"
 
 namespace polhode {
 namespace {
@@ -18,10 +21,9 @@ using testing::HasSubstr;
 
 Identity identity_of_torque() {
   const Scenario scenario = scenario_from_text(
-      "schema = 1\n[body]\nmoments = [1, 2, 2.5]\n[state.attitude-rate]\n"
-      "quaternion = [1, 0, 0, 0]\nomega_body = [0.1, 0.2, 0.3]\n"
-      "[[perturbation]]\nkind = \"constant-torque\"\ntorque = [0.01, 0, 0]\n"
-      "[time]\nstop = 10\ncount = 11\n",
+      test::scenario_text("[[perturbation]]\nkind = \"constant-torque\"\ntorque = [0.01, 0, 0]\n"
+                          "[time]\nstop = 10\ncount = 11\n",
+                          {.rate = "omega_body = [0.1, 0.2, 0.3]\n"}),
       "f.toml");
   return detail::identity_of(scenario, {{"f.csv"}, {}, {"q"}});
 }
@@ -49,6 +51,34 @@ TEST(IdentityOfRuns, SaysWhatAnOlderCheckpointDidNotKeep) {
   EXPECT_EQ(difference(theirs, ours),
             "method was not kept, is \"collocation, tolerance 1e-12 (chosen: the file names no "
             "method)\"");
+}
+
+// Errors of an attitude about the axes, of covariances that are rounded or not known.
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+Mat3 diagonal(double x, double y, double z) {
+  Mat3 c;
+  c(0, 0) = x;
+  c(1, 1) = y;
+  c(2, 2) = z;
+  return c;
+}
+
+TEST(AttitudeErrors, AVarianceThatIsRoundedBelowZeroIsZero) {
+  const Mat3 c = diagonal(0.25, -1e-20, nan);
+  EXPECT_EQ(detail::error_about(c, 0), 0.5);
+  EXPECT_EQ(detail::error_about(c, 1), 0.0);
+  EXPECT_TRUE(std::isnan(detail::error_about(c, 2)));
+}
+
+TEST(AttitudeErrors, AnErrorThatIsNotKnownIsOpenAboutAnyAxis) {
+  EXPECT_FALSE(detail::is_open(diagonal(1.0, 0.5, -1e-20)));
+  for (const double open : {1.5, nan, std::numeric_limits<double>::infinity()}) {
+    EXPECT_TRUE(detail::is_open(diagonal(open, 0.5, 0.5))) << open;
+    EXPECT_TRUE(detail::is_open(diagonal(0.5, open, 0.5))) << open;
+    EXPECT_TRUE(detail::is_open(diagonal(0.5, 0.5, open))) << open;
+  }
 }
 
 }  // namespace

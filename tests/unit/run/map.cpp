@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Maps: every cell is the scenario that a file with its numbers would be; rows survive a kill.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <bit>
@@ -13,6 +12,7 @@
 #include <utility>
 
 #include "budgets.hpp"
+#include "message_of.hpp"
 #include "polhode/analysis/chaos_indicator.hpp"
 #include "polhode/analysis/section.hpp"
 #include "polhode/error.hpp"
@@ -532,13 +532,8 @@ TEST_F(MapRuns, RefuseWhatIsOfAnother) {
   const ScenarioMap map(section, "m.toml");
   EXPECT_THROW(run(map, RunBegin::anew, 9), MapInterrupted);
   const std::string kept = text_of(checkpoint()), part = text_of(path_ + ".part");
-  const auto refusal_of = [&](const ScenarioMap& other) -> std::string {
-    try {
-      run(other, RunBegin::resume);
-    } catch (const DomainError& error) {
-      return error.what();
-    }
-    return "";
+  const auto refusal_of = [&](const ScenarioMap& other) {
+    return test::message_of([&] { run(other, RunBegin::resume); });
   };
   std::string text = section;
   text.replace(text.find("count = 13"), 10, "count = 14");

@@ -4,18 +4,14 @@
 
 #include <string>
 
+#include "message_of.hpp"
 #include "polhode/error.hpp"
 #include "polhode/run/map.hpp"
 
 namespace polhode::test {
 
 inline std::string refusal(const std::string& text) {
-  try {
-    const ScenarioMap map(text, "m.toml");
-  } catch (const ScenarioError& error) {
-    return error.what();
-  }
-  return "";
+  return message_of<ScenarioError>([&] { const ScenarioMap map(text, "m.toml"); });
 }
 
 }  // namespace polhode::test

@@ -2,14 +2,12 @@
 // Maps over the spin axes of planets. Oracles: the scenario with the numbers of the cell, run by
 // itself, and the closed form of the precession on an orbit that stays.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
 #include "budgets.hpp"
 #include "polhode/dynamics/integrate_model.hpp"
-#include "polhode/error.hpp"
 #include "polhode/run/map.hpp"
 #include "temp_folder.hpp"
 #include "unit/run/map_refusal.hpp"

@@ -1,20 +1,27 @@
 // SPDX-License-Identifier: MIT
 // A scenario's run reports how far it has come, and can be stopped from outside.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <memory>
+#include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "budgets.hpp"
+#include "polhode/run/detail/run_state.hpp"
 #include "polhode/run/run.hpp"
+#include "scenario_text.hpp"
 #include "worst.hpp"
 
 namespace polhode {
 namespace {
 
 using polhode::test::smaller;
+using testing::Contains;
+using testing::HasSubstr;
+using testing::Not;
 
 struct Interrupt {};
 
@@ -34,12 +41,9 @@ class CountingSink final : public Sink {
 };
 
 Scenario scenario(const std::string& rest) {
-  return scenario_from_text(
-      "schema = 1\n[body]\nmoments = [1, 2, 2.5]\n[state.attitude-rate]\n"
-      "quaternion = [0.5, 0.5, 0.5, 0.5]\nomega_body = [0.1, 0.2, 1]\n"
-      "[output]\ncolumns = [\"q\"]\n" +
-          rest,
-      "f.toml");
+  return scenario_from_text(test::scenario_text("[output]\ncolumns = [\"q\"]\n" + rest,
+                                                {.quaternion = "[0.5, 0.5, 0.5, 0.5]"}),
+                            "f.toml");
 }
 
 RunReport run_into(const Scenario& s, Counted& counted, const Progress& progress) {
@@ -84,6 +88,119 @@ TEST(ScenarioProgress, TheWayToTheFirstRowIsToldToo) {
            [&](double t) { earliest = smaller(earliest, t); });
   EXPECT_LT(earliest, 10.0);
   EXPECT_TRUE(counted.finished);
+}
+
+// A run goes to `stop`, also where that is no whole number of steps behind the first row.
+
+class Kept final : public Sink {
+ public:
+  explicit Kept(std::vector<double>& numbers) : numbers_(numbers) {}
+  void push(std::span<const double> block) override {
+    numbers_.insert(numbers_.end(), block.begin(), block.end());
+  }
+  void finish() override {}
+
+ private:
+  std::vector<double>& numbers_;
+};
+
+// A steady spin: qw is zero at t = pi, and qz at 2 pi.
+Scenario scenario(const std::string& time, const std::string& rest) {
+  return scenario_from_text(
+      test::scenario_text("[output]\ncolumns = [\"q\"]\n[time]\n" + time + rest,
+                          {.rate = "omega_body = [0, 0, 1]\n"}),
+      "f.toml");
+}
+const std::string half = "[[event]]\nname = \"half\"\ncolumn = \"qw\"\nvalue = 0\n";
+const std::string methods[] = {"", "[method]\nkind = \"collocation\"\n",
+                               "[method]\nkind = \"adaptive\"\n",
+                               "[method]\nkind = \"splitting\"\nstep = 0.4\n",
+                               "[frame.precessing]\naxis = [0, 0, 1]\nrate = 0\n"};
+
+struct Ran {
+  std::vector<double> numbers;
+  RunReport report;
+  std::vector<detail::RunState> states;
+};
+Ran ran(const Scenario& s, const detail::RunState* from = nullptr) {
+  Ran all;
+  std::vector<std::unique_ptr<Sink>> sinks;
+  sinks.push_back(std::make_unique<Kept>(all.numbers));
+  detail::RunControl control;
+  control.due = [](double) { return true; };
+  control.keep = [&](const detail::RunState& state) { all.states.push_back(state); };
+  control.from = from;
+  all.report = detail::run_rows(s, sinks, control);
+  return all;
+}
+
+TEST(ToStop, EventsBehindTheLastRowAreMet) {
+  for (const std::string& method : methods) {
+    const Ran whole = ran(scenario("stop = 3\nstep = 1\n", method + half));
+    EXPECT_TRUE(whole.report.events.empty()) << method;
+    const Ran run = ran(scenario("stop = 3.9\nstep = 1\n", method + half));
+    EXPECT_EQ(run.numbers, whole.numbers) << method;
+    EXPECT_EQ(run.report.outcome.t, 3.9) << method;
+    ASSERT_EQ(run.report.events.size(), 1U) << method;
+    EXPECT_NEAR(run.report.events[0].t, std::numbers::pi, budget::event_time_of_line) << method;
+    if (run.report.end) {
+      EXPECT_EQ(run.report.end->t, 3.9);
+    }
+    // backwards, and without any row but the first
+    for (const char* const time : {"stop = -3.9\nstep = -1\n", "stop = -3.9\nstep = -5\n"})
+      EXPECT_EQ(ran(scenario(time, method + half)).report.events.size(), 1U) << method << time;
+  }
+}
+
+TEST(ToStop, AnEventBehindTheLastRowStopsTheRun) {
+  for (const std::string& method : methods) {
+    const Ran run = ran(scenario("stop = 3.9\nstep = 1\n", method + half + "stops = true\n"));
+    EXPECT_EQ(run.report.outcome.status, Outcome::Status::stopped_by_event) << method;
+    ASSERT_EQ(run.numbers.size() % 5, 0U);
+    EXPECT_EQ(run.numbers.size() / 5, 5U) << method;  // rows at 0, 1, 2, 3 and the event
+    EXPECT_EQ(run.numbers[20], run.report.outcome.t) << method;
+  }
+}
+
+// From every state that a run offers, behind the last row too.
+TEST(ToStop, AContinuedRunIsTheStraightOne) {
+  for (const std::string& method : methods) {
+    const Scenario s = scenario("stop = 7\nstep = 4\n", method + half);
+    const Ran straight = ran(s);
+    ASSERT_EQ(straight.report.events.size(), 1U) << method;
+    for (const detail::RunState& state : straight.states) {
+      const Ran rest = ran(s, &state);
+      const std::size_t before = static_cast<std::size_t>(state.pushed) * 5;
+      EXPECT_EQ(before + rest.numbers.size(), straight.numbers.size()) << method << state.t;
+      EXPECT_TRUE(std::equal(rest.numbers.begin(), rest.numbers.end(),
+                             straight.numbers.end() - static_cast<int>(rest.numbers.size())));
+      EXPECT_EQ(rest.report.outcome.t, 7.0);
+      EXPECT_EQ(rest.report.end, straight.report.end) << method << state.t;
+    }
+  }
+}
+
+// An ephemeris is tabulated over the run, behind the last row too.
+TEST(ToStop, OrbitsCoverTheWholeRun) {
+  const Ran run = ran(scenario_from_text(
+      test::scenario_text(
+          "[orbit.moon]\nkind = \"ephemeris\"\ntarget = \"moon\"\n"
+          "centre = \"earth\"\n[[perturbation]]\nkind = \"gravity-gradient\"\norbit = \"moon\"\n"
+          "[time]\nstop = 3.9\nstep = 1\n",
+          {.units = "[units]\ntime = \"d\"\nlength = \"km\"\nmoment = \"kg m2\"\n",
+           .state = "[state]\nepoch = \"2013-01-05T00:00:00 UTC\"\naxes = \"equator-J2000\"\n",
+           .rate = "omega_body = [0, 0, 1]\n"}),
+      "f.toml"));
+  EXPECT_TRUE(run.report.outcome.ok()) << run.report.outcome.advice;
+  EXPECT_EQ(run.numbers.size() % 4, 0U);
+}
+
+TEST(ToStop, ANoteSaysWhereTheRowsEnd) {
+  EXPECT_THAT(provenance(scenario("stop = 3.9\nstep = 1\n", "")).notes,
+              Contains(HasSubstr("t = 3 s, lies before stop = 3.9 s")));
+  for (const char* const time : {"stop = 3\nstep = 1\n", "stop = 3.9\ncount = 3\n", "at = [1, 3]\n",
+                                 "stop = 0.3\nstep = 0.1\n", "stop = 2.1\nstep = 0.7\n"})
+    EXPECT_THAT(provenance(scenario(time, "")).notes, Not(Contains(HasSubstr("lies before stop"))));
 }
 
 }  // namespace

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Defaults that change the physics are required or shown.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <cmath>
 #include <string>
 
 #include "polhode/run/summary.hpp"
 #include "polhode/scenario/scenario.hpp"
+#include "scenario_text.hpp"
 #include "temp_folder.hpp"
 
 namespace polhode {
@@ -17,11 +17,11 @@ using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-const std::string head =
-    "schema = 1\n[units]\nmoment = \"kg m2\"\nlength = \"km\"\n[body]\nmoments = [1, 2, 2.5]\n"
-    "[state]\nepoch = \"2013-05-07T10:57:14.5 UTC\"\naxes = \"equator-J2000\"\n"
-    "[state.attitude-rate]\nquaternion = [1, 0, 0, 0]\nomega_body = [0, 0, 0.1]\n"
-    "[orbit.o]\ngm = 398600.4\nsemi_major_axis = 7000\n";
+const std::string head = test::scenario_text(
+    "[orbit.o]\ngm = 398600.4\nsemi_major_axis = 7000\n",
+    {.units = "[units]\nmoment = \"kg m2\"\nlength = \"km\"\n",
+     .state = "[state]\nepoch = \"2013-05-07T10:57:14.5 UTC\"\naxes = \"equator-J2000\"\n",
+     .rate = "omega_body = [0, 0, 0.1]\n"});
 const std::string plate = "[[surface]]\nposition = [0, 0, 0]\nnormal = [0, 0, 1]\narea = 1e-6\n";
 const std::string dipole =
     "[[perturbation]]\nkind = \"residual-dipole\"\norbit = \"o\"\n"

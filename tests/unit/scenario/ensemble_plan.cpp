@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // [ensemble]: what a file asks for is what is drawn, in the units of the file.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "budgets.hpp"
+#include "message_of.hpp"
 #include "polhode/ensemble/distributions.hpp"
 #include "polhode/scenario/scenario.hpp"
 
@@ -26,12 +26,7 @@ EnsemblePlan plan_of(const std::string& ensemble) {
   return *scenario_from_text(body + "[ensemble]\n" + ensemble, "e.toml").ensemble;
 }
 std::string refusal_of(const std::string& ensemble) {
-  try {
-    static_cast<void>(plan_of(ensemble));
-  } catch (const ScenarioError& error) {
-    return error.what();
-  }
-  return "";
+  return test::message_of<ScenarioError>([&] { static_cast<void>(plan_of(ensemble)); });
 }
 std::string vary(const std::string& keys) { return "\n[[ensemble.vary]]\n" + keys; }
 const std::string w = "state.attitude-rate.omega_body";
@@ -107,12 +102,11 @@ TEST(EnsemblePlan, WrapsWhatHasRows) {
   std::string text = body;
   text.erase(text.find("time = {"));
   const std::string one = vary("kind = \"uniform\"\nkey = \"" + w + "[0]\"\nlow = 0\nhigh = 1");
-  try {
-    static_cast<void>(scenario_from_text(text + "[ensemble]\nsize = 3" + one, "e.toml"));
-    FAIL();
-  } catch (const ScenarioError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("ensemble: expected a table [time] as well"));
-  }
+  EXPECT_THAT(
+      test::message_of<ScenarioError>([&] {
+        static_cast<void>(scenario_from_text(text + "[ensemble]\nsize = 3" + one, "e.toml"));
+      }),
+      HasSubstr("ensemble: expected a table [time] as well"));
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A kind of experiment that a program adds to the rotation: a gyrostat, from a file to rows.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <fstream>
 #include <memory>
@@ -146,20 +145,20 @@ TEST_F(ExperimentKinds, WhatIsWrongStandsAtItsPlace) {
               HasSubstr("map: kind: got \"gyrostat\"; expected \"rotation\" or \"obliquity\""));
   EXPECT_THAT(error(head + body + rows + "[body]\nmoments = [1, 2, 2]\n"),
               HasSubstr("body: a key of kind \"rotation\""));
-  EXPECT_THAT(message_of([&] { read(head + body + rows, default_kinds()); }),
-              HasSubstr("kind: got \"gyrostat\"; expected \"rotation\""));
+  EXPECT_REJECTED(read(head + body + rows, default_kinds()),
+                  "kind: got \"gyrostat\"; expected \"rotation\"");
 }
 
 // What is asked of a rotor is refused, not answered for another state.
 TEST_F(ExperimentKinds, ItIsNoRotor) {
   const Scenario scenario = read(head + body + rows);
   const std::string refused = "kind: got \"gyrostat\"; expected \"rotation\"";
-  EXPECT_EQ(message_of([&] { static_cast<void>(scenario.rotation()); }), refused);
-  EXPECT_EQ(message_of([&] { free_rotation(scenario); }), refused);
-  EXPECT_EQ(message_of([&] { rotor_system(scenario); }), refused);
-  EXPECT_EQ(message_of([&] { initial_state(scenario); }), refused);
-  EXPECT_EQ(message_of([&] { problem(scenario.experiment); }), refused);
-  EXPECT_EQ(message_of([&] { row_layout(scenario); }), refused);
+  EXPECT_MESSAGE(scenario.rotation(), refused);
+  EXPECT_MESSAGE(free_rotation(scenario), refused);
+  EXPECT_MESSAGE(rotor_system(scenario), refused);
+  EXPECT_MESSAGE(initial_state(scenario), refused);
+  EXPECT_MESSAGE(problem(scenario.experiment), refused);
+  EXPECT_MESSAGE(row_layout(scenario), refused);
 }
 
 TEST_F(ExperimentKinds, NamesOfTablesAreTaken) {
@@ -174,8 +173,9 @@ TEST_F(ExperimentKinds, NamesOfTablesAreTaken) {
             "Kinds: experiment \"andoyer\" is the name of a chart; expected another name");
   EXPECT_EQ(error("tide"),
             "Kinds: experiment \"tide\" is the name of a perturbation; expected another name");
-  EXPECT_EQ(message_of([] { default_kinds().with(gyrostat()).with(gyrostat()); }),
-            "Kinds: experiment \"gyrostat\" is the name of another table; expected another name");
+  EXPECT_MESSAGE(
+      default_kinds().with(gyrostat()).with(gyrostat()),
+      "Kinds: experiment \"gyrostat\" is the name of another table; expected another name");
 }
 
 TEST_F(ExperimentKinds, OneWithoutAModelDoesNotRun) {
@@ -184,8 +184,8 @@ TEST_F(ExperimentKinds, OneWithoutAModelDoesNotRun) {
     return CustomExperiment{.kind = "gyrostat", .rows = at.rows(), .columns = {}};
   };
   const Scenario scenario = read(head + body + rows, default_kinds().with(empty));
-  EXPECT_THAT(message_of([&] { polhode::run(scenario, {}); }),
-              HasSubstr("without a model; expected one that custom_experiment has made"));
+  EXPECT_REJECTED(run(scenario, {}),
+                  "without a model; expected one that custom_experiment has made");
 }
 
 }  // namespace

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // [[perturbation]] of kind "kane-damper": its keys, its columns, and what it refuses.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <string>
 
 #include "budgets.hpp"
+#include "message_of.hpp"
 #include "polhode/dynamics/integrate.hpp"
 #include "polhode/run/citations.hpp"
 #include "polhode/run/run.hpp"
@@ -29,12 +29,7 @@ Scenario read(const std::string& rest, const std::string& of_body = body) {
 }
 
 std::string error_of(const std::string& rest) {
-  try {
-    read(rest);
-  } catch (const ScenarioError& error) {
-    return error.what();
-  }
-  return "no error";
+  return test::message_of<ScenarioError>([&] { read(rest); });
 }
 
 // The rows of a run, and what it reports.
@@ -109,11 +104,9 @@ TEST(ScenarioKaneDamper, RefusesWhatHasNoPlaceForIt) {
   EXPECT_THAT(error_of(damper + damper),
               HasSubstr("perturbation[1].kind: got \"kane-damper\"; expected at most one "
                         "perturbation of this kind"));
-  EXPECT_THAT(
-      error_of(damper + "[method]\nkind = \"splitting\"\nstep = 0.1\n"),
-      HasSubstr(
-          "method.kind: got \"splitting\"; expected \"adaptive\" or \"collocation\", since a Kane "
-          "damper has a state of its own"));
+  EXPECT_THAT(error_of(damper + "[method]\nkind = \"splitting\"\nstep = 0.1\n"),
+              HasSubstr("method.kind: got \"splitting\"; expected \"adaptive\" or \"collocation\", "
+                        "since a Kane damper has a state of its own"));
   EXPECT_THAT(error_of(damper + "[method]\nkind = \"variation-of-constants\"\n"),
               HasSubstr("expected \"adaptive\" or \"collocation\""));
   EXPECT_THAT(error_of("[[perturbation]]\nkind = \"kane-damper\"\nsphere_moment = 0.6\n"

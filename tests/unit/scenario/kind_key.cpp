@@ -3,7 +3,6 @@
 #include "polhode/scenario/kind_key.hpp"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <optional>

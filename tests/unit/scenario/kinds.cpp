@@ -3,7 +3,6 @@
 #include "polhode/scenario/kinds.hpp"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <any>
 #include <memory>
@@ -11,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "message_of.hpp"
 #include "polhode/perturb/constant_torque.hpp"
 #include "polhode/run/citations.hpp"
 #include "polhode/run/map.hpp"
@@ -65,12 +65,7 @@ kind = "push"
 )";
 
 std::string error_of(const std::string& text, const Kinds& kinds) {
-  try {
-    scenario_from_text(text, "f.toml", kinds);
-  } catch (const ScenarioError& error) {
-    return error.what();
-  }
-  return {};
+  return test::message_of<ScenarioError>([&] { scenario_from_text(text, "f.toml", kinds); });
 }
 
 Vec3 torque(const Scenario& scenario) {
@@ -98,8 +93,8 @@ TEST(Kinds, WhatItsKeysRefuseStandsAtTheirPlace) {
   EXPECT_THAT(error_of(file + "radius = 1\nsense = \"forwrad\"\n", kinds),
               HasSubstr("expected \"forward\" or \"backward\"; did you mean \"forward\"?"));
   EXPECT_THAT(error_of(file + "radius = 1\nk2 = 1\n", kinds),
-              HasSubstr("perturbation[0].k2: a key of kind \"tide\"; expected with kind = "
-                        "\"push\" only kind, radius, axis, sense or strong"));
+              HasSubstr("perturbation[0].k2: a key of kind \"tide\"; expected with kind = \"push\" "
+                        "only kind, radius, axis, sense or strong"));
   EXPECT_THAT(error_of(file + "radius = 1\n", default_kinds()),
               HasSubstr("perturbation[0].kind: got \"push\"; expected \"gravity-gradient\", "));
 }
@@ -113,21 +108,21 @@ TEST(Kinds, AKeyThatIsLeftOutIsRefusedAtItsTable) {
   const Kinds kinds = default_kinds().with(choosy);
   std::string text = file;
   text.replace(text.find("push"), 4, "choosy");
-  EXPECT_EQ(error_of(text + "radius = 1\n", kinds),
-            "f.toml:5:1: perturbation[0].axis: got nothing; expected an axis of a body that is "
-            "round");
-  EXPECT_EQ(error_of(text + "radius = 1\naxis = [1, 0, 0]\n", kinds),
-            "f.toml:8:8: perturbation[0].axis: got [1, 0, 0]; expected an axis of a body that is "
-            "round");
+  EXPECT_EQ(
+      error_of(text + "radius = 1\n", kinds),
+      "f.toml:5:1: perturbation[0].axis: got nothing; expected an axis of a body that is round");
+  EXPECT_EQ(
+      error_of(text + "radius = 1\naxis = [1, 0, 0]\n", kinds),
+      "f.toml:8:8: perturbation[0].axis: got [1, 0, 0]; expected an axis of a body that is round");
   choosy.name = "lost";
   choosy.made = [](const TermContext& at) -> MadeTerms {
     at.gm("gm", "orbit");
     return std::vector<AnyPerturbation>{};
   };
   text.replace(text.find("choosy"), 6, "lost");
-  EXPECT_EQ(error_of(text + "radius = 1\n", kinds.with(choosy)),
-            "f.toml:5:1: perturbation[0].orbit: got nothing; expected the name of a table "
-            "[orbit.NAME]");
+  EXPECT_EQ(
+      error_of(text + "radius = 1\n", kinds.with(choosy)),
+      "f.toml:5:1: perturbation[0].orbit: got nothing; expected the name of a table [orbit.NAME]");
 }
 
 // Two kinds may have keys of one name that differ; each reads its own.
@@ -259,13 +254,8 @@ count = 2
 }
 
 TEST(Kinds, ANameIsPlainAndNotTaken) {
-  const auto error = [](std::string_view name) -> std::string {
-    try {
-      default_kinds().with(push(name));
-    } catch (const DomainError& e) {
-      return e.what();
-    }
-    return {};
+  const auto error = [](std::string_view name) {
+    return test::message_of([&] { default_kinds().with(push(name)); });
   };
   EXPECT_EQ(error("push"), "");
   EXPECT_EQ(error("tide"), "Kinds: perturbation \"tide\" is there; expected another name");
@@ -274,12 +264,7 @@ TEST(Kinds, ANameIsPlainAndNotTaken) {
 }
 
 std::string error_of(const PerturbationKind& kind) {
-  try {
-    default_kinds().with(kind);
-  } catch (const DomainError& e) {
-    return e.what();
-  }
-  return {};
+  return test::message_of([&] { default_kinds().with(kind); });
 }
 
 // What is wrong with a kind is said when it is added, not as an error of a user's file.
@@ -303,9 +288,8 @@ TEST(Kinds, AKindThatIsNotSoundIsRefusedWhenItIsAdded) {
   EXPECT_EQ(with_fallback("2 km"), l + ": what stands for it, 2 km: not TOML");
   EXPECT_EQ(with_fallback("2\ny = 3"),
             l + ": what stands for it, 2\\x0ay = 3: more than one value");
-  EXPECT_EQ(with_fallback("true"),
-            l + ": what stands for it, true: got true; expected a length: a number (of m), \"1 "
-                "m\" or { value = 1, unit = \"m\" }");
+  EXPECT_EQ(with_fallback("true"), l + ": what stands for it, true: got true; expected a length: a "
+                                       "number (of m), \"1 m\" or { value = 1, unit = \"m\" }");
   Key shown = length;
   shown.example = "\"2 kg\"";
   EXPECT_THAT(with_key(shown), HasSubstr(l + ": its example \"2 kg\": got \"2 kg\"; expected"));
@@ -339,12 +323,7 @@ TEST(Kinds, OptionsOfAFormatAreSound) {
                         [](const SinkRequest&) { return std::unique_ptr<Sink>(); });
     format.keys = options;
     if (are_read) format.options = [](const OptionValues&) { return std::any(); };
-    try {
-      default_kinds().with(format);
-    } catch (const DomainError& e) {
-      return e.what();
-    }
-    return {};
+    return test::message_of([&] { default_kinds().with(format); });
   };
   constexpr OptionKey digits = integer_option("digits", "6|9", "Digits.").otherwise("6"),
                       many = integer_option("digits", "6|9", "Digits.").otherwise("8"),

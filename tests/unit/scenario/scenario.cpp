@@ -2,7 +2,6 @@
 #include "polhode/scenario/scenario.hpp"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +11,8 @@
 #include <variant>
 
 #include "budgets.hpp"
+#include "message_of.hpp"
+#include "scenario_text.hpp"
 #include "worst.hpp"
 
 namespace polhode {
@@ -26,12 +27,7 @@ const std::string head = "schema = 1\n[body]\nmoments = [1, 2, 2.5]\n";
 const std::string andoyer = "[state.andoyer]\nl = 1\ng = 2\nh = 3\nL = 0.5\nG = 1\nH = 0.1\n";
 
 std::string error_of(const std::string& text) {
-  try {
-    scenario_from_text(text, "f.toml");
-  } catch (const ScenarioError& error) {
-    return error.what();
-  }
-  return "no error";
+  return test::message_of<ScenarioError>([&] { scenario_from_text(text, "f.toml"); });
 }
 
 TEST(Scenario, KeepsWhatTheFileSays) {
@@ -101,9 +97,8 @@ TEST(Scenario, RootsOfMomentaHaveUnits) {
     return "[state.poincare-pi-0]\nsigma = 1\nQ1 = " + Q1 +
            "\nQ2 = 0.1\nG = 1\nP1 = 0.2\nP2 = 0.3\n";
   };
-  const std::string body = "[body]\nmoments = [1, 2, 2.5]\n";
   const auto read = [&](const std::string& Q1) {
-    return scenario_from_text("schema = 1\n" + units + body + text(Q1), "f.toml");
+    return scenario_from_text("schema = 1\n" + units + head.substr(11) + text(Q1), "f.toml");
   };
   const auto Q1 = [](const Scenario& s) {
     return std::get<ChartState>(s.rotation().state).numbers[1];
@@ -127,11 +122,11 @@ TEST(Scenario, DefaultsAreThoseOfTheSchema) {
 }
 
 TEST(Scenario, RatesOfTheBodyGiveTheMomentum) {
-  const std::string text =
-      "schema = 1\n[units]\nangle = \"deg\"\n[body]\nmoments = [1, 2, 2.5]\n"
-      "[state.attitude-rate]\nquaternion = [1, 0, 0, 0]\n";
-  for (const char* rate : {"omega_body", "omega_inertial"}) {
-    const Scenario s = scenario_from_text(text + rate + " = [180, 0, \"1 rad/s\"]\n", "f.toml");
+  for (const std::string rate : {"omega_body", "omega_inertial"}) {
+    const Scenario s =
+        scenario_from_text(test::scenario_text("", {.units = "[units]\nangle = \"deg\"\n",
+                                                    .rate = rate + " = [180, 0, \"1 rad/s\"]\n"}),
+                           "f.toml");
     const RotorState r = initial_state(s);
     EXPECT_NEAR(r.g.x, std::numbers::pi, budget::io_state);
     EXPECT_NEAR(r.g.z, 2.5, budget::io_state);
@@ -179,8 +174,7 @@ TEST(Scenario, SignsOfTheElementsAreRead) {
 // same motion as the principal moments with the omega in principal axes.
 TEST(Scenario, ATensorGivesItsOwnBodyAxes) {
   const std::string state = "[state.attitude-rate]\nquaternion = [0.5, 0.5, 0.5, 0.5]\n";
-  const Scenario diagonal = scenario_from_text(
-      "schema = 1\n[body]\nmoments = [1, 2, 2.5]\n" + state + "omega_body = [1, 2, 3]\n", "a");
+  const Scenario diagonal = scenario_from_text(head + state + "omega_body = [1, 2, 3]\n", "a");
   const Scenario full =
       scenario_from_text("schema = 1\n[body]\ntensor = [[1, 0, 0], [0, 2, 0], [0, 0, 2.5]]\n" +
                              state + "omega_body = [1, 2, 3]\n",
@@ -196,10 +190,8 @@ TEST(Scenario, ColumnAxesTurnNothingElse) {
   const std::string rest =
       "[state.attitude-rate]\nquaternion = [0.5, 0.5, 0.5, 0.5]\nomega_body = [1, 2, 3]\n"
       "[[perturbation]]\nkind = \"constant-torque\"\ntorque = [0.1, 0.2, 0.3]\n";
-  const std::string moments = "schema = 1\n[body]\nmoments = [1, 2, 2.5]\n";
-  const Scenario plain = scenario_from_text(moments + rest, "a");
-  const Scenario turned =
-      scenario_from_text(moments + "column_axes = [0.6, 0, 0, 0.8]\n" + rest, "b");
+  const Scenario plain = scenario_from_text(head + rest, "a");
+  const Scenario turned = scenario_from_text(head + "column_axes = [0.6, 0, 0, 0.8]\n" + rest, "b");
   EXPECT_EQ(turned.rotation().body.q_FB(), (Quaternion{0.6, 0.0, 0.0, 0.8}));
   EXPECT_EQ(initial_state(turned).q, initial_state(plain).q);
   EXPECT_EQ(initial_state(turned).g, initial_state(plain).g);
@@ -228,16 +220,26 @@ TEST(Scenario, AMisspeltKeyIsNotMissingToo) {
       "shape, density, scale or column_axes");
 }
 
-TEST(Scenario, WhatTheLibraryRefusesHasItsPlace) {
-  EXPECT_THAT(error_of("schema = 1\n[body]\nmoments = [1, 1, 3]\n" + andoyer),
-              StartsWith("f.toml:3:11: body.moments: got [1, 1, 3]; Body: moments"));
-  EXPECT_THAT(error_of(head + "[state.andoyer]\nl = 1\ng = 2\nh = 3\nL = 1.5\nG = 1\nH = 0.1\n"),
-              StartsWith("f.toml:8:5: state.andoyer.L: got 1.5; "));
-  EXPECT_THAT(error_of(head + "[state.attitude-rate]\nquaternion = [0, 0, 0, 0]\n"
-                              "omega_body = [1, 2, 3]\n"),
-              StartsWith("f.toml:5:14: state.attitude-rate.quaternion: got [0, 0, 0, 0]; "));
-  EXPECT_THAT(error_of(head + andoyer + "[time]\nstop = 1\nstep = -1\n"),
-              StartsWith("f.toml:13:8: time.step: got -1; "));
+TEST(Scenario, WhatCannotBeSaysWhyAndWhere) {
+  const test::Rejected rows[] = {
+      {"schema = 1\n[body]\nmoments = [1, 1, 3]\n" + andoyer,
+       "f.toml:3:11: body.moments: got [1, 1, 3]; Body: moments"},
+      {head + "[state.andoyer]\nl = 1\ng = 2\nh = 3\nL = 1.5\nG = 1\nH = 0.1\n",
+       "f.toml:8:5: state.andoyer.L: got 1.5; "},
+      {head + "[state.attitude-rate]\nquaternion = [0, 0, 0, 0]\nomega_body = [1, 2, 3]\n",
+       "f.toml:5:14: state.attitude-rate.quaternion: got [0, 0, 0, 0]; "},
+      {head + andoyer + "[time]\nstop = 1\nstep = -1\n", "f.toml:13:8: time.step: got -1; "},
+      {head + andoyer + "[time]\nstop = \"1e308 yr\"\nstep = 1\n",
+       "f.toml:12:8: time.stop: got \"1e308 yr\"; expected a time"},
+      {head + "[state.andoyer]\nl = 1e11\ng = 2\nh = 3\nL = 0\nG = 1\nH = 0\n",
+       "f.toml:5:5: state.andoyer.l: got 1e+11; expected an angle"},
+      {head, "state: got nothing; expected a table"},
+      {head + "[state]\naxes = \"inertial\"\n",
+       "state: got none of them; expected exactly one of tumbler, attitude-rate"},
+      {head + andoyer + "[state.euler]\nphi = 1\ntheta = 1\npsi = 1\nPhi = 1\nTheta = 1\nPsi = 1\n",
+       "state: got euler, andoyer; expected exactly one of"},
+  };
+  test::expect_rejected(error_of, rows);
 }
 
 TEST(Scenario, TumblersThatCannotBeSayWhy) {
@@ -248,8 +250,8 @@ TEST(Scenario, TumblersThatCannotBeSayWhy) {
         periods + "pole = { longitude = 250, latitude = -75 }\n" + rest);
   };
   const std::string apophis = "precession_period = 30.56\nrotation_period = 263\n";
-  EXPECT_EQ(error(apophis, ""), "no error");
-  EXPECT_EQ(error(apophis, "psi0 = 10\n"), "no error");
+  EXPECT_EQ(error(apophis, ""), "");
+  EXPECT_EQ(error(apophis, "psi0 = 10\n"), "");
   EXPECT_THAT(error(apophis, "psi0 = 80\n"),
               StartsWith("f.toml:12:8: state.tumbler.psi0: got 80; expected at most psi_max = "));
   EXPECT_THAT(error("precession_period = 30.56\nrotation_period = 2\n", ""),
@@ -291,20 +293,13 @@ TEST(Scenario, NotANumberIsRefusedEverywhere) {
         << bad;
 }
 
-TEST(Scenario, UnitsTakeNoNumberOutOfRange) {
-  EXPECT_THAT(error_of(head + andoyer + "[time]\nstop = \"1e308 yr\"\nstep = 1\n"),
-              StartsWith("f.toml:12:8: time.stop: got \"1e308 yr\"; expected a time"));
-  EXPECT_THAT(error_of(head + "[state.andoyer]\nl = 1e11\ng = 2\nh = 3\nL = 0\nG = 1\nH = 0\n"),
-              HasSubstr("f.toml:5:5: state.andoyer.l: got 1e+11; expected an angle"));
-}
-
 TEST(Scenario, ArraysMayHaveOneUnit) {
   const auto error = [&](const std::string& rate) {
     return error_of(
         head + "[state.attitude-rate]\nquaternion = [1, 0, 0, 0]\nomega_body = " + rate + "\n");
   };
-  EXPECT_EQ(error("{ value = [1, 2, 3], unit = \"rpm\" }"), "no error");
-  EXPECT_EQ(error("[1, \"2 rpm\", { value = 3, unit = \"deg/h\" }]"), "no error");
+  EXPECT_EQ(error("{ value = [1, 2, 3], unit = \"rpm\" }"), "");
+  EXPECT_EQ(error("[1, \"2 rpm\", { value = 3, unit = \"deg/h\" }]"), "");
   EXPECT_THAT(error("{ value = [1, 2, \"3\"], unit = \"rpm\" }"),
               StartsWith("f.toml:6:31: state.attitude-rate.omega_body: got \"3\"; expected"));
   EXPECT_THAT(error("{ value = [1, 2, nan], unit = \"rpm\" }"),
@@ -317,15 +312,6 @@ TEST(Scenario, ArraysMayHaveOneUnit) {
   EXPECT_THAT(error("{ value = [1, 2, 3] }"), StartsWith("f.toml:6:14: "));
 }
 
-TEST(Scenario, ExactlyOneChart) {
-  EXPECT_THAT(error_of(head), HasSubstr("state: got nothing; expected a table"));
-  EXPECT_THAT(error_of(head + "[state]\naxes = \"inertial\"\n"),
-              HasSubstr("state: got none of them; expected exactly one of tumbler, attitude-rate"));
-  EXPECT_THAT(error_of(head + andoyer +
-                       "[state.euler]\nphi = 1\ntheta = 1\npsi = 1\nPhi = 1\nTheta = 1\nPsi = 1\n"),
-              HasSubstr("state: got euler, andoyer; expected exactly one of"));
-}
-
 TEST(Scenario, EpochsAreRealDates) {
   const auto error = [&](const std::string& epoch) {
     return error_of(head + "[state]\nepoch = \"" + epoch + "\"\n" + andoyer);
@@ -333,7 +319,7 @@ TEST(Scenario, EpochsAreRealDates) {
   for (const char* good :
        {"2013-01-05T00:00:00 UTC", "2013-01-05 TT", "2012-02-29T23:59:59.999 TDB",
         "2016-12-31T23:59:60 UTC", "2013-01-05 18:30 UT1", "JD 2456297.5 TAI", "JD -1.5e3 TT"})
-    EXPECT_EQ(error(good), "no error") << good;
+    EXPECT_EQ(error(good), "") << good;
   for (const char* bad : {"2013-02-29 UTC", "2013-13-01 UTC", "2013-1-5 UTC", "2013-01-05",
                           "2013-01-05 EST", "2013-01-05T24:00:00 UTC", "2013-01-05T23:59:60 TT",
                           "2013-01-05T1 UTC", "2013-01-05T12:00:00. UTC", "2013-01-05X12:00:00 UTC",
@@ -367,9 +353,9 @@ TEST(Scenario, QuotesAndCommentsMayHoldAnything) {
         "title = \"\\\"\xc3\xa9\"\n", "title = \"\"\n", "title = ''\n",
         "title = \"\"\"\xc3\xa9 \"\" \\\" \"\"\"\"\"\n", "title = '''\xc3\xa9 '' \\ '''''\n",
         "title = \"\"\"\"\"\"\n"})
-    EXPECT_EQ(error(good), "no error") << good;
+    EXPECT_EQ(error(good), "") << good;
   EXPECT_EQ(error("title = \"" + std::string(300, '.') + "\"\n# " + std::string(300, '.') + "\n"),
-            "no error");
+            "");
   for (const char* bad : {"\xc3\xa9 = 1\n", "title = \xc3\xa9\n", "title = \"\" \xc3\xa9\n",
                           "title = \"a\\\"\" \xc3\xa9\n", "a = +'\xc3\xa9'\n",
                           "title = \"a\"'\xc3\xa9'\n", "title = ''' '''''\xc3\xa9\n"})
@@ -421,12 +407,8 @@ TEST(Scenario, MessagesArePrintable) {
 }
 
 TEST(Scenario, NamesOfAnyFileStayOneLine) {
-  try {
-    scenario_from_text("", "a\nb\x1b.toml");
-    FAIL();
-  } catch (const ScenarioError& error) {
-    EXPECT_THAT(error.what(), StartsWith("a\\x0ab\\x1b.toml:1:1: "));
-  }
+  EXPECT_THAT(test::message_of<ScenarioError>([&] { scenario_from_text("", "a\nb\x1b.toml"); }),
+              StartsWith("a\\x0ab\\x1b.toml:1:1: "));
 }
 
 }  // namespace

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // [body] shape, and what is said of shapes.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <string>
 
 #include "budgets.hpp"
+#include "message_of.hpp"
 #include "polhode/perturb/atmospheric_drag.hpp"
 #include "polhode/perturb/solar_pressure.hpp"
 #include "polhode/run/shape_report.hpp"
@@ -28,12 +28,7 @@ std::string scenario_text(const std::string& body) {
 }
 
 std::string refusal(const std::string& text, const std::string& name) {
-  try {
-    scenario_from_text(text, name);
-  } catch (const ScenarioError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return test::message_of<ScenarioError>([&] { scenario_from_text(text, name); });
 }
 
 TEST(ScenarioShape, GivesTheTensor) {

@@ -5,7 +5,6 @@
 #include "polhode/secular/gravity_gradient_theory.hpp"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
@@ -309,33 +308,25 @@ TEST(GravityGradientTheory, Refuses) {
   const Quaternion upright{std::cos(0.5 * tilt), sine * u.x, sine * u.y, sine * u.z};
   EXPECT_THAT(refused(short_axis, {to_inertial * upright, g_B}, gm),
               HasSubstr("the momentum is along the normal of the orbit"));
-  EXPECT_THAT(message_of([&] {
-                GravityGradientTheory(short_axis, gm, KeplerOrbit({1.0, 1.0, 1.5}), s0, 0.0);
-              }),
-              HasSubstr("the eccentricity 1.5 must be below 1"));
-  EXPECT_THAT(message_of([&] { GravityGradientTheory(short_axis, gm, orbit_of(0.91), s0, 0.0); }),
-              HasSubstr("the eccentricity 0.91 must be at most 0.9"));
+  EXPECT_REJECTED(GravityGradientTheory(short_axis, gm, KeplerOrbit({1.0, 1.0, 1.5}), s0, 0.0),
+                  "the eccentricity 1.5 must be below 1");
+  EXPECT_REJECTED(GravityGradientTheory(short_axis, gm, orbit_of(0.91), s0, 0.0),
+                  "the eccentricity 0.91 must be at most 0.9");
   const GravityGradientTheory theory(short_axis, gm, orbit, s0, 0.0);
-  EXPECT_THAT(message_of([&] {
-                theory.mean(0.0, spinning({1, 0.1, 0.1}));
-              }),
-              HasSubstr("in another mode"));
+  EXPECT_REJECTED(theory.mean(0.0, spinning({1, 0.1, 0.1})), "in another mode");
 }
 
 TEST(GravityGradientTheory, RefusesWhatIsFarOrNoTime) {
   const RotorState s0 = start(short_axis);
   const GravityGradientTheory theory(short_axis, 0.05 * n * n, orbit_of(0.1), s0, 0.0);
   const MeanRotation m = theory.mean(0.0, s0);
-  EXPECT_THAT(message_of([&] {
-                theory.mean(0.0, RotorState{s0.q, 1.4 * s0.g});
-              }),
-              HasSubstr("and the theory is made for"));
+  EXPECT_REJECTED(theory.mean(0.0, RotorState{s0.q, 1.4 * s0.g}), "and the theory is made for");
   MeanRotation other = m;
   other.I_h = 0.99 * m.I_g;
-  EXPECT_THAT(message_of([&] { theory.osculating(0.0, other); }), HasSubstr("I_h / I_g = 0.99"));
+  EXPECT_REJECTED(theory.osculating(0.0, other), "I_h / I_g = 0.99");
   other = m;
   other.I_l = m.I_g;
-  EXPECT_THAT(message_of([&] { theory.osculating(0.0, other); }), HasSubstr("I_l / I_g = 1,"));
+  EXPECT_REJECTED(theory.osculating(0.0, other), "I_l / I_g = 1,");
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
   const std::vector<double> with_nan = {1.0, nan, -2.0}, with_infinity = {infinity};
@@ -359,10 +350,9 @@ TEST(GravityGradientTheory, NamesAResonance) {
   });
   EXPECT_THAT(message, HasSubstr("a resonance: phi_g - M turns at the rate"));
   EXPECT_THAT(message, HasSubstr("the torque holds what is slower than"));
-  EXPECT_THAT(message_of([&] {
-                GravityGradientTheory(axisymmetric, 1e-9 * n_g * n_g, orbit_of(0.1, n_g), s0, 0.0);
-              }),
-              HasSubstr("a resonance: phi_g"));
+  EXPECT_REJECTED(
+      GravityGradientTheory(axisymmetric, 1e-9 * n_g * n_g, orbit_of(0.1, n_g), s0, 0.0),
+      "a resonance: phi_g");
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include "polhode/secular/nutation.hpp"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>

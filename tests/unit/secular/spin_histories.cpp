@@ -4,7 +4,6 @@
 #include "polhode/secular/spin_histories.hpp"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <bit>
 #include <cmath>

@@ -4,7 +4,6 @@
 #include "polhode/secular/transform_size.hpp"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -158,10 +157,9 @@ TEST(TransformSize, RefusesBeforeItStarts) {
   EXPECT_THAT(
       message_of([&] {
         LieTransform<double>(
-            {series_from_text<double>(
-                 many,
-                 "A + 1.1*B + 1.3*C + k*(A + B + C)^2*(1 + cos(a) + cos(b) + cos(c) "
-                 "+ cos(a - b) + cos(b - c))"),
+            {series_from_text<double>(many,
+                                      "A + 1.1*B + 1.3*C + k*(A + B + C)^2*(1 + cos(a) + cos(b) + "
+                                      "cos(c) + cos(a - b) + cos(b - c))"),
              up_to(30),
              {"a", "b", "c"}});
       }),
@@ -172,8 +170,7 @@ TEST(TransformSize, RefusesBeforeItStarts) {
   const auto f = power(
       series_from_text<Rational>(problem.hamiltonian.symbols(), "G + G^2*cos(g) + G^3*sin(2*g)"),
       6);
-  EXPECT_THAT(message_of([&] { transform.in_mean(f); }),
-              HasSubstr("LieTransform: a map to order 12 may have"));
+  EXPECT_REJECTED(transform.in_mean(f), "LieTransform: a map to order 12 may have");
   EXPECT_EQ(message_of([&] { transform.short_period("g"); }), "");
 }
 

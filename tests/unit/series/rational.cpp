@@ -3,7 +3,6 @@
 #include "polhode/series/rational.hpp"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
@@ -108,13 +107,12 @@ TEST(Rational, IsRoundedOnce) {
 }
 
 TEST(Rational, Refuses) {
-  EXPECT_THAT(message_of([] { return Rational(1, 0); }), HasSubstr("denominator 0"));
-  EXPECT_THAT(message_of([] { return Rational(1) / Rational(0); }), HasSubstr("division by 0"));
+  EXPECT_REJECTED(Rational(1, 0), "denominator 0");
+  EXPECT_REJECTED(Rational(1) / Rational(0), "division by 0");
   for (const char* const text : {"", "-", "1/", "/2", "1/-2", "x", "1e", "1e--2", "1e+-2", "1.2.3",
                                  " 1", ".", "1e9999", "--1", "+1"})
-    EXPECT_THAT(message_of([&] { return Rational::from_text(text); }), HasSubstr("Rational: '"))
-        << text;
-  EXPECT_THAT(message_of([] { return Rational::from_text("1/0"); }), HasSubstr("denominator of 0"));
+    EXPECT_REJECTED(Rational::from_text(text), "Rational: '") << text;
+  EXPECT_REJECTED(Rational::from_text("1/0"), "denominator of 0");
   const Rational long_one = Rational::from_text("1e4000");
   EXPECT_THAT(message_of([&] {
                 Rational x = long_one;

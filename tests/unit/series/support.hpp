@@ -16,13 +16,7 @@
 
 namespace series_test {
 
-using polhode::Rational;
-using polhode::Series;
-using polhode::Symbols;
-using polhode::Term;
-using polhode::TermKey;
-using polhode::Trigonometric;
-using polhode::Truncation;
+using namespace polhode;
 
 using Exact = Series<Rational>;
 

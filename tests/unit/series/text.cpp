@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Series written and read back, expressions, and LaTeX.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include "message_of.hpp"
 #include "polhode/series/series_text.hpp"
@@ -10,8 +9,7 @@
 namespace series_test {
 namespace {
 
-using polhode::series_from_csv;
-using polhode::series_from_text;
+using namespace polhode;
 using polhode::test::message_of;
 using testing::HasSubstr;
 

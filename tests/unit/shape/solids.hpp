@@ -12,9 +12,7 @@
 
 namespace shape_test {
 
-using polhode::FacetShape;
-using polhode::Mat3;
-using polhode::Vec3;
+using namespace polhode;
 
 // Half edges a, b, c about the origin.
 inline FacetShape box(double a, double b, double c) {

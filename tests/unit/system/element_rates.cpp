@@ -4,7 +4,6 @@
 #include "polhode/system/element_rates.hpp"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
@@ -13,9 +12,9 @@
 #include <vector>
 
 #include "budgets.hpp"
+#include "message_of.hpp"
 #include "polhode/dynamics/integrate.hpp"
 #include "polhode/dynamics/integrate_model.hpp"
-#include "polhode/error.hpp"
 #include "polhode/perturb/user_terms.hpp"
 #include "polhode/system/canonical_rates.hpp"
 #include "polhode/system/osculation.hpp"
@@ -25,7 +24,6 @@ namespace {
 
 using namespace polhode;
 using polhode::test::Worst;
-using testing::HasSubstr;
 
 const Body body(3, 4, 6);
 const RotorState start{normalized(Quaternion{0.5, -0.7, 0.3, 0.4}), {1.2, -0.7, 2.1}};
@@ -223,21 +221,11 @@ TEST(ElementRates, AMotionInElementsIsThatInQuaternionAndMomentum) {
   }
 }
 
-template <class F>
-std::string message_of(F f) {
-  try {
-    f();
-  } catch (const DomainError& e) {
-    return e.what();
-  }
-  return "no error";
-}
-
 TEST(ElementRates, SingularitiesAndGaugesWithoutAnAnswerAreRejected) {
   const System system = precessing_system();
   const RotorState about_axis{start.q, {0.0, 0.0, 2.0}};
-  EXPECT_THAT(message_of([&] { element_rates(system, 0.0, to_andoyer(about_axis)); }),
-              HasSubstr("a singularity of Andoyer's variables"));
+  EXPECT_REJECTED(element_rates(system, 0.0, to_andoyer(about_axis)),
+                  "a singularity of Andoyer's variables");
   // I Phi = -gamma: gamma + I Phi is 0 whatever the elements are
   const Gauge none([](const Gauge::Elements& C, const Tangent&) {
     using std::cos;
@@ -247,8 +235,7 @@ TEST(ElementRates, SingularitiesAndGaugesWithoutAnAnswerAreRejected) {
     return BasicVec3<Tangent>{Tangent(-1.0 / 3) * across * sin(C[0]),
                               Tangent(-1.0 / 4) * across * cos(C[0]), Tangent(-1.0 / 6) * C[3]};
   });
-  EXPECT_THAT(message_of([&] { element_rates(system, 0.0, to_andoyer(start), none); }),
-              HasSubstr("singular"));
+  EXPECT_REJECTED(element_rates(system, 0.0, to_andoyer(start), none), "singular");
 }
 
 }  // namespace

@@ -12,7 +12,7 @@
 #include <string>
 
 #include "budgets.hpp"
-#include "polhode/error.hpp"
+#include "message_of.hpp"
 #include "polhode/perturb/user_terms.hpp"
 #include "polhode/system/axes.hpp"
 #include "polhode/system/modified_andoyer.hpp"
@@ -20,6 +20,7 @@
 namespace {
 
 using namespace polhode;
+using polhode::test::message_of;
 
 const Body body(3, 4, 6);
 const RotorState state{normalized(Quaternion{0.5, -0.7, 0.3, 0.4}), {1.2, -0.7, 2.1}};
@@ -27,16 +28,6 @@ const RotorState state{normalized(Quaternion{0.5, -0.7, 0.3, 0.4}), {1.2, -0.7, 
 template <class F>
 System with_energy(F H) {
   return System(body, Frame::inertial(), {AnyPerturbation("term", HamiltonianTerm(H))});
-}
-
-template <class F>
-std::string message_of(F f) {
-  try {
-    f();
-  } catch (const DomainError& e) {
-    return e.what();
-  }
-  return "no error";
 }
 
 TEST(OsculatingState, OfAFrameIsTheMomentumOfTheRelativeRate) {
@@ -93,17 +84,15 @@ TEST(OsculatingState, NoCanonicalMomentum) {
     return T(x * x * x / T(3.0) + x - T(0.5) * x * x) / T(3.0);
   });
   const RotorState still{state.q, {}};
-  EXPECT_NE(message_of([&] { canonical_state(none, 0.0, still); }).find("no canonical momentum"),
-            std::string::npos);
+  EXPECT_REJECTED(canonical_state(none, 0.0, still), "no canonical momentum");
   // v cancels the free rate whatever g is: 1 + I dv/dg = 0
   const System frozen = with_energy([]<class T>(const T&, const BasicRotorState<T>& s) {
     const BasicVec3<T>& g = s.g;
     return T(-(g.x * g.x / T(6.0) + g.y * g.y / T(8.0) + g.z * g.z / T(12.0)));
   });
-  EXPECT_NE(message_of([&] { canonical_state(frozen, 0.0, state); }).find("canonical_state"),
-            std::string::npos);
+  EXPECT_REJECTED(canonical_state(frozen, 0.0, state), "canonical_state");
   const System strong(body, Frame::inertial(), {AnyPerturbation("strong", StrongOnDouble{})});
-  EXPECT_NE(message_of([&] { canonical_state(strong, 0.0, state); }), "no error");
+  EXPECT_NE(message_of([&] { canonical_state(strong, 0.0, state); }), "");
 }
 
 TEST(OsculatingState, NaNInNaNOut) {

@@ -2,7 +2,6 @@
 #include "polhode/tables/convert.hpp"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>

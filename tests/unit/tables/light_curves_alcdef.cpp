@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Light curves in ALCDEF: what the file declares, and what is said of what is wrong.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <cmath>
 #include <string>
@@ -137,8 +136,9 @@ TEST(LightCurvesOfAlcdef, MagnitudesBecomeFluxes) {
   const LightPoint& calibrated = file.sessions[1].curve.points[1];
   EXPECT_NEAR(calibrated.flux / std::pow(10.0, -5.44), 1.0, budget::light_flux);
   EXPECT_EQ(file.sessions[1].zero_magnitude, 0.0);
-  EXPECT_EQ(message_of([&] { require_sound(file); }),
-            "x.txt:36: light curve 1, point 4 (JD 2451425.657000): error 0; expected one above 0");
+  EXPECT_MESSAGE(
+      require_sound(file),
+      "x.txt:36: light curve 1, point 4 (JD 2451425.657000): error 0; expected one above 0");
 }
 
 TEST(LightCurvesOfAlcdef, WhatIsNotDeclaredIsNotGuessed) {
@@ -162,13 +162,11 @@ TEST(LightCurvesOfAlcdef, ASessionMayEndWithoutSayingSo) {
 }
 
 TEST(LightCurvesOfAlcdef, OneLineSaysWhatIsWrongAndWhere) {
-  EXPECT_EQ(message_of([] { alcdef_from_text("\n", "x.txt"); }),
-            "x.txt:1: has no session; expected STARTMETADATA");
-  EXPECT_EQ(message_of([] {
-              alcdef_from_text(two_sessions, "x.txt", Date{TimeScale::UT1, 2451425.5, 0.0});
-            }),
-            "x.txt: times of light curves in UT1; expected UTC, TAI, TT or TDB, as UT1 - UTC is "
-            "observed");
+  EXPECT_MESSAGE(alcdef_from_text("\n", "x.txt"),
+                 "x.txt:1: has no session; expected STARTMETADATA");
+  EXPECT_MESSAGE(alcdef_from_text(two_sessions, "x.txt", Date{TimeScale::UT1, 2451425.5, 0.0}),
+                 "x.txt: times of light curves in UT1; expected UTC, TAI, TT or TDB, as UT1 - UTC "
+                 "is observed");
   EXPECT_EQ(alcdef_refusal("STARTMETADATA\n", "JD,MAG\n"),
             "x.txt:1: got \"JD,MAG\"; expected STARTMETADATA");
   EXPECT_EQ(alcdef_refusal("STARTMETADATA\n", ""),
@@ -202,15 +200,15 @@ TEST(LightCurvesOfAlcdef, OneLineSaysWhatIsWrongAndWhere) {
             "x.txt:34: got \"JD\"; expected DATA=..., ENDDATA or STARTMETADATA");
   EXPECT_EQ(
       alcdef_refusal("\n\nSTARTMETADATA\nOBJECTNUMBER=999", "\nSTARTMETADATA\nOBJECTNUMBER=5"),
-      "x.txt:49: OBJECTNUMBER: got \"5\"; expected 999, as in the session of line 1: one "
-      "object a file");
+      "x.txt:49: OBJECTNUMBER: got \"5\"; expected 999, as in the session of line 1: one object a "
+      "file");
   EXPECT_EQ(alcdef_refusal("ENDDATA\n\n", "ENDDATA\nmore\n"),
             "x.txt:38: got \"more\"; expected STARTMETADATA");
   const std::size_t rows = two_sessions.find("DATA=2451426.65");
-  EXPECT_EQ(message_of([&] { alcdef_from_text(two_sessions.substr(0, rows), "x.txt"); }),
-            "x.txt:50: the session of line 39 has no points; expected DATA=...");
-  EXPECT_EQ(message_of([&] { alcdef_from_text(two_sessions.substr(0, 100), "x.txt"); }),
-            "x.txt:6: the file ends before ENDMETADATA");
+  EXPECT_MESSAGE(alcdef_from_text(two_sessions.substr(0, rows), "x.txt"),
+                 "x.txt:50: the session of line 39 has no points; expected DATA=...");
+  EXPECT_MESSAGE(alcdef_from_text(two_sessions.substr(0, 100), "x.txt"),
+                 "x.txt:6: the file ends before ENDMETADATA");
 }
 
 TEST(LightCurvesOfAlcdef, CalibratedSessionsNeedOneScale) {
@@ -220,10 +218,9 @@ TEST(LightCurvesOfAlcdef, CalibratedSessionsNeedOneScale) {
   const auto said = [](const std::string& text) {
     return message_of([&] { require_sound(alcdef_from_text(text, "x.txt")); });
   };
-  EXPECT_EQ(
-      said(both),
-      "x.txt:38: calibrated fluxes in the band \"V\" have no scale in common with \"R\" of the "
-      "session of line 1; expected one band, or relative sessions");
+  EXPECT_EQ(said(both),
+            "x.txt:38: calibrated fluxes in the band \"V\" have no scale in common with \"R\" of "
+            "the session of line 1; expected one band, or relative sessions");
   both = changed_text(both, "MAGBAND=R", "MAGBAND=V");
   EXPECT_EQ(said(both),
             "x.txt:38: calibrated fluxes at unit distances, those of the session of line 1 are at "
@@ -268,9 +265,9 @@ TEST(LightCurvesOfAlcdef, DistancesThatAreKnownMustBeTheSame) {
   file.file = "x.txt";
   file.sessions = {session(1, Distances::unknown, 1.0), session(11, Distances::unit, 2.0),
                    session(21, Distances::unknown, 3.0), session(31, Distances::of_the_time, 4.0)};
-  EXPECT_EQ(message_of([&] { require_sound(file); }),
-            "x.txt:31: calibrated fluxes at the distances of the time, those of the session of "
-            "line 11 are at unit distances; expected the same");
+  EXPECT_MESSAGE(require_sound(file),
+                 "x.txt:31: calibrated fluxes at the distances of the time, those of the session "
+                 "of line 11 are at unit distances; expected the same");
   file.sessions.pop_back();
   EXPECT_EQ(message_of([&] { require_sound(file); }), "");
 }
@@ -306,13 +303,13 @@ TEST(LightCurvesOfAlcdef, WhatIsWrittenIsReadBack) {
       EXPECT_EQ(file.sessions[0].curve.name, "2016-12-31 23:00:00");
     }
   curves[0].points[1].flux = 0.0;
-  EXPECT_EQ(message_of([&] { alcdef_text(curves, epoch, {}); }),
-            "alcdef_text: light curve 1: point 2: expected a finite time and a flux above 0, which "
-            "has a magnitude");
-  EXPECT_EQ(message_of([&] { alcdef_text({}, epoch, {}); }),
-            "alcdef_text: there are no light curves; expected one or more");
-  EXPECT_EQ(message_of([&] { alcdef_text(std::vector<LightCurve>(1), epoch, {}); }),
-            "alcdef_text: light curve 1 has no points; expected one or more");
+  EXPECT_MESSAGE(alcdef_text(curves, epoch, {}),
+                 "alcdef_text: light curve 1: point 2: expected a finite time and a flux above 0, "
+                 "which has a magnitude");
+  EXPECT_MESSAGE(alcdef_text({}, epoch, {}),
+                 "alcdef_text: there are no light curves; expected one or more");
+  EXPECT_MESSAGE(alcdef_text(std::vector<LightCurve>(1), epoch, {}),
+                 "alcdef_text: light curve 1 has no points; expected one or more");
 }
 
 }  // namespace

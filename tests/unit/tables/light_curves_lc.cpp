@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Light curves in DAMIT's lc: read, written, and what is said of what is wrong.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <cmath>
 #include <string>
@@ -66,8 +65,7 @@ TEST(LightCurvesOfDamit, AreReadWithWhatTheFormatDeclares) {
   EXPECT_EQ(p.to_sun, (Vec3{1.25, -0.2, 0.01}));
   EXPECT_EQ(p.to_observer, (Vec3{0.35, -0.15, 0.02}));
   EXPECT_EQ(second.curve.points[0].t, 5.0 * 86400.0);
-  EXPECT_THAT(message_of([&] { require_sound(file); }),
-              HasSubstr("x.lc:2: light curve 1 has no errors"));
+  EXPECT_REJECTED(require_sound(file), "x.lc:2: light curve 1 has no errors");
 }
 
 TEST(LightCurvesOfDamit, LinesThatAreLeftOutAreNotChecked) {
@@ -121,10 +119,9 @@ TEST(LightCurvesOfDamit, OneLineSaysWhatIsWrongAndWhere) {
   EXPECT_EQ(lc_refusal("3 0", "4 0"),
             "x.lc:7: got 2 fields; expected 8 in point 4 of 4 of light curve 1 of 2: Julian date, "
             "flux, x y z from the body to the Sun, x y z to the Earth");
-  EXPECT_EQ(
-      lc_refusal("3 0", "2 0"),
-      "x.lc:5: got 8 fields; expected two to begin light curve 2 of 2: how many points, and 0 "
-      "(relative) or 1 (calibrated)");
+  EXPECT_EQ(lc_refusal("3 0", "2 0"),
+            "x.lc:5: got 8 fields; expected two to begin light curve 2 of 2: how many points, and "
+            "0 (relative) or 1 (calibrated)");
   EXPECT_EQ(lc_refusal("3 0", "0 0"),
             "x.lc:2: got \"0\"; expected the number of points of light curve 1 of 2, 1 or more");
   EXPECT_EQ(
@@ -143,11 +140,11 @@ TEST(LightCurvesOfDamit, OneLineSaysWhatIsWrongAndWhere) {
             "x.lc:4: the vector to the Sun is 0; expected one in au");
   EXPECT_EQ(lc_refusal("1 1\r\n", "COMMENT\n"),
             "x.lc:7: got \"COMMENT\"; expected light curve 2 of 2");
-  EXPECT_EQ(message_of([] { lc_from_text(two_nights, "x.lc", TimeScale::UT1); }),
-            "x.lc: times of light curves in UT1; expected UTC, TAI, TT or TDB, as UT1 - UTC is "
-            "observed");
-  EXPECT_EQ(message_of([] { read_lc("/nonexistent/a.lc", TimeScale::TDB); }),
-            "/nonexistent/a.lc: cannot be read: No such file or directory");
+  EXPECT_MESSAGE(
+      lc_from_text(two_nights, "x.lc", TimeScale::UT1),
+      "x.lc: times of light curves in UT1; expected UTC, TAI, TT or TDB, as UT1 - UTC is observed");
+  EXPECT_MESSAGE(read_lc("/nonexistent/a.lc", TimeScale::TDB),
+                 "/nonexistent/a.lc: cannot be read: No such file or directory");
 }
 
 TEST(LightCurvesOfDamit, PointsOutOfOrderAreNamedByTheirLines) {
@@ -186,17 +183,16 @@ TEST_F(LcFiles, OfDamitAreWrittenAsTheyWereRead) {
 TEST_F(LcFiles, OfDamitHoldVectorsAndFiniteNumbers) {
   std::vector<LightCurve> curves{{"a", false, {{0.0, 1.0, 0.1, {1.0, 0.0, 0.0}, {}}}}};
   const Date epoch{};
-  EXPECT_EQ(message_of([&] { write_lc(path("a.lc"), curves, epoch); }),
-            "lc_text: light curve 1: point 1: expected its vectors to the Sun and to the observer, "
-            "in au");
+  EXPECT_MESSAGE(write_lc(path("a.lc"), curves, epoch),
+                 "lc_text: light curve 1: point 1: expected its vectors to the Sun and to the "
+                 "observer, in au");
   curves[0].points[0].t = std::nan("");
-  EXPECT_EQ(message_of([&] { write_lc(path("a.lc"), curves, epoch); }),
-            "lc_text: light curve 1: point 1: its time or flux is not finite");
+  EXPECT_MESSAGE(write_lc(path("a.lc"), curves, epoch),
+                 "lc_text: light curve 1: point 1: its time or flux is not finite");
   EXPECT_FALSE(std::filesystem::exists(path("a.lc")));
-  EXPECT_EQ(message_of([&] { lc_text({}, epoch); }),
-            "lc_text: there are no light curves; expected one or more");
-  EXPECT_EQ(message_of([&] { lc_text(std::vector<LightCurve>(1), epoch); }),
-            "lc_text: light curve 1 has no points; expected one or more");
+  EXPECT_MESSAGE(lc_text({}, epoch), "lc_text: there are no light curves; expected one or more");
+  EXPECT_MESSAGE(lc_text(std::vector<LightCurve>(1), epoch),
+                 "lc_text: light curve 1 has no points; expected one or more");
   curves[0].points[0] = {-1e-9, 1.0, 0.1, {1.0, 0.0, 0.0}, {1.0, 0.0, 0.0}};
   EXPECT_EQ(lc_text(curves, epoch), "1\n1 0\n2451545.0 1 1 0 0 1 0 0\n");  // rounded up
 }
