@@ -74,7 +74,7 @@ struct Branch {
   BasicVec3<DD> k;  // momentum along the primed axes
 };
 
-// The place of a root on the lobe of these signs; none if the momentum is on another one.
+// The place of a root on the lobe of these signs; nullopt if the momentum is on another lobe.
 std::optional<Branch> branch_of(const AttitudeProblem& p, const detail::PrimedSense& sense,
                                 const DD& angle) {
   const detail::AxisOrder to_primed = detail::primed_axes(sense.long_axis, sense.s1, sense.s3);
@@ -87,7 +87,7 @@ std::optional<Branch> branch_of(const AttitudeProblem& p, const detail::PrimedSe
   return Branch{angle, u, k};
 }
 
-// g0 of a branch whose u is `u` after whole periods.
+// g0 of a branch; `u` is its argument with whole periods added.
 DD node_at_start(const AttitudeProblem& p, const detail::PrimedSense& sense, const Branch& b,
                  const DD& u) {
   const DD half(0.5), one(1.0);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "charts/states.hpp"
+#include "interface/object_slots.hpp"
 #include "polhode/rotor/andoyer.hpp"
 #include "polhode/rotor/body.hpp"
 #include "polhode/rotor/euler.hpp"
@@ -281,7 +282,8 @@ kinetic_energy, angular_velocity and inertial_momentum take it, so that an energ
 any chart:
 
 >>> tilt = polhode.HamiltonianTerm(lambda t, s: 0.1 * polhode.to_andoyer(s).H ** 2)
-)")
+)",
+      nb::type_slots(object_slots<DualState, &DualState::fields>()))
       .def_ro("chart", &DualState::chart, "The name of its class: \"RotorState\".")
       .def(
           "__getattr__",
