@@ -49,7 +49,7 @@ OF_CLASS = {
     "SadovState": polhode.to_sadov(BODY, STATE),
     "KinoshitaState": polhode.to_kinoshita(BODY, STATE),
     "SadovParameters": polhode.SadovParameters(1.0, 0.5),
-    "EulerAngles": polhode.EulerAngles(0.3, 1.0, 0.2),
+    "EulerAngles": polhode.euler_angles(STATE.q),
     "FukushimaIshizakiState": polhode.to_fukushima_ishizaki(
         polhode.FreeRotation(BODY, STATE), 0.0
     ),
@@ -170,6 +170,9 @@ OF_CALL = {
     "RotorState.__init__": {"g": VECTOR},
     "SatelliteState.__init__": {"r": VECTOR, "p": VECTOR},
     "elements_of_state(SatelliteSystem)": {"chart": "delaunay"},
+    "elements_of_state": {"chart": "fukushima-ishizaki", "t0": 0.3},
+    "serret_branches": {"G": 1.0, "H": 0.3, "T": 0.35},
+    "sadov_parameters": {"G": 1.0, "T": 0.35},
     **{
         f"element_{name}(SatelliteSystem)": {
             "elements": [0.1, 0.2, 0.3, 1.0, 0.9, 0.5], "chart": "delaunay"

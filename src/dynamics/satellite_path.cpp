@@ -28,9 +28,10 @@ struct SatelliteMotion {
   Values rates(const DoubleDouble& t, const Values& y) const {
     return values<double>(satellite_rates(system, to_double(t), state(y)));
   }
-  double error_size(const Values& error, const Values& y, const Values&) const {
-    const SatelliteState e = state(error), s = state(y);
-    return std::max(norm(e.r) / norm(s.r), norm(e.p) / norm(s.p));
+  // With the increment, since a satellite may be released at rest.
+  double error_size(const Values& error, const Values& y, const Values& increment) const {
+    const SatelliteState e = state(error), s = state(y), d = state(increment);
+    return std::max(norm(e.r) / (norm(s.r) + norm(d.r)), norm(e.p) / (norm(s.p) + norm(d.p)));
   }
 };
 

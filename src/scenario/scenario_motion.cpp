@@ -277,9 +277,30 @@ void add_frame(Rotation& rotation, const KindContext& at) {
   }
 }
 
+namespace {
+
+// A table of rates may end before the run does.
+void check_frame(const Rotation& rotation, const Values& values, const std::string& name) {
+  if (!rotation.time || rotation.frame.is_inertial()) return;
+  const SaveAt& rows = *rotation.time;
+  for (const double t : {0.0, rows[0], rows[rows.size() - 1], rows.end()}) {
+    if (!std::isnan(rotation.frame.at(t).q_IS.w)) continue;
+    std::string path = "frame";
+    for (const char* key : {"frame.precessing.times", "frame.precessing.file"})
+      if (has(values, key)) path = key;
+    refuse(values, path, name,
+           "expected a frame that is known for all of the run and at t = 0; nothing is known of it "
+           "at t = " +
+               number_text(t));
+  }
+}
+
+}  // namespace
+
 void check_motion(const Rotation& rotation, const OutputPlan& output, const Values& values,
                   const std::string& name) {
   check_times(rotation, values, name);
+  check_frame(rotation, values, name);
   check_step(rotation, values, name);
   check_damper(rotation, output, values, name);
   check_columns(output, values, name);

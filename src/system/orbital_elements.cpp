@@ -148,9 +148,11 @@ Matrix6 inverse_jacobian(OrbitalSet set, double gm, const OrbitalElements& C) {
       turned(i, k + 3) = -s.r[k].derivative[static_cast<std::size_t>(i)];
     }
   const Matrix6 inverse = poisson_brackets(set, gm, C) * turned;
+  constexpr double rounding = 4.0 * std::numeric_limits<double>::epsilon();  // of sin(pi)
+  const bool is_level = std::fabs(ellipse_of(set, gm, C).sin_i) < rounding;
   for (const auto& row : inverse.a)
     for (const double x : row)
-      if (!std::isfinite(x))
+      if (is_level || !std::isfinite(x))
         throw DomainError("element_rates: the rates of " + text_of(C) +
                           " do not exist: a singularity of " + name_of(set) +
                           " (e = 0, or i is 0 or pi); integrate the state (r, p) instead");

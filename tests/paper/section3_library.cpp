@@ -219,6 +219,14 @@ TEST(PaperAndoyer, LibraryNodeRates) {
   EXPECT_LT(rates.size(), budget::paper_library);
 }
 
+// Derivatives of S at fixed attitude lose digits there: the sine between the third axis of the
+// frame and the plane of g and omega, times that between g and omega.
+bool is_near_caustic(const Body& body, const RotorState& s) {
+  const Vec3 w = angular_velocity(body, s);
+  const Vec3 s3 = rotate(conj(s.q), Vec3{0.0, 0.0, 1.0});
+  return std::abs(dot(s3, cross(s.g, w))) < 0.1 * norm(s.g) * norm(w);
+}
+
 // S and its derivatives along a motion.
 GeneratingFunction generated(const FreeRotation& motion, double t) {
   return generating_function(motion.body(), euler_angles(motion.at(t).q), to_serret(motion, t), t);
@@ -262,21 +270,25 @@ TEST(PaperSerret, LibrarySeparationOfTheGeneratingFunction) {
 // constant -t0
 TEST(PaperSerret, LibraryGeneratingFunctionAlongTheMotion) {
   Gap growth, elapsed_gap;
+  int count = 0;
   for (const AndoyerCase& e : branches(3)) {
     const Body body = body_of(e.I);
     const RotorState start = hub_state(e);
     const FreeRotation motion(body, start);
     const double t = 0.5;
     const GeneratingFunction f = generated(motion, 0.0);
-    const GeneratingFunction later = generated(motion, t);
-    if (std::abs(later.minus_t0 - f.minus_t0) > 1e-6) continue;  // another branch
+    const GeneratingFunction later =  // on the branch of f
+        generating_function(body, euler_angles(motion.at(t).q), to_serret(motion, 0.0), t);
+    if (is_near_caustic(body, start) || is_near_caustic(body, motion.at(t))) continue;
     elapsed_gap.add(Mp(later.minus_t0), Mp(f.minus_t0));
+    ++count;
     const EulerRates q = to_euler_rates(body, start);
     const Mp action_rate =
         Mp(f.Phi) * q.phi_dot + Mp(f.Theta) * q.theta_dot + Mp(f.Psi) * q.psi_dot;
     const Mp slope = (Mp(later.S) - Mp(f.S)) / Mp(t);
     growth.add(Mp(kinetic_energy(body, start)) + slope - action_rate, Mp(0));
   }
+  EXPECT_GT(count, 10);
   EXPECT_LT(growth.size(), budget::paper_generating);
   EXPECT_LT(elapsed_gap.size(), budget::paper_generating);
 }

@@ -6,8 +6,8 @@
 //             with dg/dt = g x a. Along axes in space u = a x g: body and momentum rotate together
 //             [SA (107), (118): a moving frame has a = -mu].
 // Units       a in rad per time.
-// Domain      a(t): any function of time, generic or on double, that returns a vector. Splitting
-//             evaluates it at the time of its step.
+// Domain      a(t): any function of time, generic or on double, that returns a vector. Runs in
+//             double-double need a generic one. Splitting evaluates it at the time of its step.
 // Accuracy    a few roundings; the flow is exact for a constant a.
 // Errors      what the function throws passes through.
 // Cost        the function and one rotation.
@@ -24,6 +24,12 @@
 namespace polhode {
 inline namespace v0 {
 
+// A function of time on T.
+template <class F, class T>
+concept RateOn = requires(const F& a, const T& t) {
+  { a(t) } -> std::same_as<BasicVec3<T>>;
+};
+
 template <class F>
 class MomentumTerm {
  public:
@@ -31,10 +37,12 @@ class MomentumTerm {
   explicit MomentumTerm(F a, std::optional<SpaceAxes> axes = {}) : a_(std::move(a)), axes_(axes) {}
 
   template <Real T>
+    requires(RateOn<F, T> || derivative_order<T> > 0)
   T energy(const BasicSetting<T>& at) const {
     return dot(in_body(at), at.s.g);
   }
   template <Real T>
+    requires(RateOn<F, T> || derivative_order<T> > 0)
   BasicEffect<T> effect(const BasicSetting<T>& at) const {
     const BasicVec3<T> v = in_body(at);
     return {v, axes_ ? cross(v, at.s.g) : BasicVec3<T>{}};
@@ -51,11 +59,9 @@ class MomentumTerm {
   template <Real T>
   BasicVec3<T> along(const BasicSetting<T>& at) const {
     BasicVec3<T> a;
-    if constexpr (requires(const F& f, const T& t) {
-                    { f(t) } -> std::same_as<BasicVec3<T>>;
-                  }) {
+    if constexpr (RateOn<F, T>) {
       a = a_(at.t);
-    } else {
+    } else {  // no variable moves the time
       const Vec3 x = a_(to_double(at.t));
       a = {T(x.x), T(x.y), T(x.z)};
     }

@@ -404,7 +404,8 @@ Examples
         return mapped(states, [&](const KinoshitaState& s) { return to_rotor(body, s); });
       },
       "body"_a, "state"_a,
-      "The hub state of Kinoshita's variables. ValueError for actions outside the region.");
+      "The quaternion-momentum state of Kinoshita's variables. ValueError for actions outside the "
+      "region.");
   m.def(
       "chart_jacobian",
       [](const Body& body, const Batch<KinoshitaState>& states) {
@@ -457,7 +458,8 @@ True
           return to_rotor(body, s, at);
         });
       },
-      "body"_a, "state"_a, "t"_a, "The hub state at time t of Fukushima and Ishizaki's elements.");
+      "body"_a, "state"_a, "t"_a,
+      "The quaternion-momentum state at time t of Fukushima and Ishizaki's elements.");
   m.def(
       "chart_jacobian",
       [](const Body& body, const Batch<FukushimaIshizakiState>& states, ArrayLike t) {

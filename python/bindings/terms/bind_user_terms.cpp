@@ -319,10 +319,22 @@ class PythonRate {
   explicit PythonRate(const Vec3& constant) : constant_(constant) {}
   explicit PythonRate(SharedFunction function) : constant_{}, function_(std::move(function)) {}
 
-  Vec3 operator()(double t) const {
-    if (function_ == nullptr) return constant_;
+  // No variable moves the time: it is a float, except where that would round it.
+  template <Real T>
+  BasicVec3<T> operator()(const T& t) const {
+    if (function_ == nullptr) return {T(constant_.x), T(constant_.y), T(constant_.z)};
     const WithGil acquired;
-    return function_->three_numbers((*function_)(t), "3 numbers, the rate a");
+    if constexpr (std::same_as<T, DoubleDouble>) {
+      const nb::object returned = (*function_)(to_python(t));
+      BasicVec3<T> a;
+      bool is_good = nb::hasattr(returned, "__len__") && nb::len(returned) == 3;
+      for (int k = 0; k < 3 && is_good; ++k) is_good = from_python(returned[k], a[k]);
+      if (!is_good) function_->refuse(returned, "3 numbers, the rate a: floats or Duals");
+      return a;
+    } else {
+      const Vec3 a = function_->three_numbers((*function_)(to_double(t)), "3 numbers, the rate a");
+      return {T(a.x), T(a.y), T(a.z)};
+    }
   }
 
  private:

@@ -82,6 +82,7 @@ TEST(Splitting, TakesTermsLinearInTheMomentum) {
   for (const Frame& frame : {Frame::inertial(), splitting_test::precessing_frame()})
     for (const std::vector<AnyPerturbation>& all : terms) {
       EXPECT_TRUE(all[0].supports_flow());
+      EXPECT_EQ(all[0].supports_any_real(), all[0].name() != "wheel");  // a function on double
       const System system(splitting_test::workload_body(), frame, all);
       const RotorState exact =
           splitting_test::end_of(system, s, 0.0, 5.0, Collocation{.tolerance = 1e-14});

@@ -166,8 +166,7 @@ TEST(GeneratingFunction, JacobiEquation) {
       }
       if (!(q.theta > 0.05 && q.theta < 3.09)) continue;
       GeneratingFunction f{};
-      if (!message_of([&] { f = generating_function(c.body, q, x, t); }).starts_with("no error"))
-        continue;
+      if (!message_of([&] { f = generating_function(c.body, q, x, t); }).empty()) continue;
       gap.add(std::abs(f.minus_T + energy(c.body, q, f)) / x.T);
       ++count;
     }
@@ -277,13 +276,12 @@ TEST(GeneratingFunction, RejectsWhatHasNoMotion) {
     for (const std::string& part : parts)
       EXPECT_NE(text.find(part), std::string::npos) << text << "\n  lacks " << part;
   };
-  EXPECT_EQ(refusal(body, q, with(c, &SerretState::T, 0.11)), "no error");
+  EXPECT_EQ(refusal(body, q, with(c, &SerretState::T, 0.11)), "");
   expect(refusal(body, q, with(c, &SerretState::T, 0.2)), {"0.2", "T in [G^2/2I3, G^2/2I1]"});
   expect(refusal(body, q, with(c, &SerretState::T, 1.0 / 12.0)), {"inside (G^2/2I3, G^2/2I1)"});
   expect(refusal(body, q, with(c, &SerretState::H, 1.5)), {"1.5", "|H| <= G"});
   expect(refusal(body, q, with(c, &SerretState::H, -1.0)), {"H = -1", "|H| < G"});
-  expect(refusal(body, with(q, &EulerAngles::theta, 0.0), c),
-         {"theta = 0", "(0, std::numbers::pi)"});
+  expect(refusal(body, with(q, &EulerAngles::theta, 0.0), c), {"theta = 0", "(0, pi)"});
   expect(refusal(body, with(q, &EulerAngles::theta, 3.141592653589793), c), {"theta = 3.14"});
   expect(refusal(body, with(q, &EulerAngles::theta, -0.2), c), {"theta = -0.2"});
   expect(refusal(body, with(q, &EulerAngles::psi, not_a_number), c), {"psi", "finite"});
@@ -291,10 +289,10 @@ TEST(GeneratingFunction, RejectsWhatHasNoMotion) {
   // b3 near the plane across a momentum along the frame's axis: T is that of a near spin about it
   expect(refusal(body, {0.3, 0.05, 0.2}, with(c, &SerretState::H, 0.999)),
          {"T = 0.1 must be in [0.08", "to have (phi, theta, psi) = (0.3, 0.05, 0.2)"});
-  EXPECT_EQ(message_of([&] {
-              serret_branches(body, {0.3, 0.05, 0.2}, 1.0, 0.999, 0.1, 0.0);
-            }),
-            refusal(body, {0.3, 0.05, 0.2}, with(c, &SerretState::H, 0.999)));
+  expect(message_of([&] {
+           serret_branches(body, {0.3, 0.05, 0.2}, 1.0, 0.999, 0.1, 0.0);
+         }),
+         {"serret_branches: T = 0.1 must be in [0.08", "to have (phi, theta, psi)"});
   // both motions through this attitude circulate the other way
   const EulerAngles tilted{1.58, 2.86, 0.52};
   const std::vector<SerretState> through = serret_branches(body, tilted, 1.0, 0.9, 0.09, 0.0);

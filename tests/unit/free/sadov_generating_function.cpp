@@ -156,9 +156,7 @@ TEST(SadovGeneratingFunction, ContinuousAlongAMotion) {
       s.phi_g += n.n_g * t;
       SadovGeneratingFunction f{};
       // at the end of a libration l may be beyond it by rounding
-      if (!message_of([&] {
-             f = sadov_generating_function(m.body(), a.l, a.g, a.h, s);
-           }).starts_with("no error"))
+      if (!message_of([&] { f = sadov_generating_function(m.body(), a.l, a.g, a.h, s); }).empty())
         continue;
       const double expected = s.I_l * s.phi_l + s.I_g * s.phi_g + s.I_h * s.phi_h;
       gap.add(std::abs(f.W - expected) / (s.I_g * (1.0 + std::abs(s.phi_g))));
@@ -183,15 +181,15 @@ TEST(SadovGeneratingFunction, RejectsWhatHasNoMotion) {
   const auto expect = [](const std::string& text, std::string_view part) {
     EXPECT_NE(text.find(part), std::string::npos) << text << "\n  lacks " << part;
   };
-  EXPECT_EQ(refusal(0.4, s), "no error");
-  EXPECT_EQ(refusal(1.5, l), "no error");
+  EXPECT_EQ(refusal(0.4, s), "");
+  EXPECT_EQ(refusal(1.5, l), "");
   expect(refusal(0.4, with(s, &SadovState::I_l, 1.2)), "|I_l| <= I_g");
   expect(refusal(0.4, with(s, &SadovState::I_h, 1.2)), "|I_h| <= I_g");
   expect(refusal(0.4, with(s, &SadovState::I_l, 0.2)), "is not in the short-axis region");
   expect(refusal(0.4, with(s, &SadovState::I_l, 1.0)), "|I_l| < I_g");
   expect(refusal(0.4, with(l, &SadovState::I_l, 0.0)), "I_l > 0");
   expect(refusal(0.1, l), "l = 0.1 must be within");
-  expect(refusal(-1.5, l), "of std::numbers::pi/2");
+  expect(refusal(-1.5, l), "of pi/2");
   expect(refusal(not_a_number, s), "finite");
   const auto bad = [](auto f) { return message_of(f); };
   expect(bad([&] { sadov_parameters(body, 1.0, 0.3); }), "T = 0.3 of G = 1 must be in");

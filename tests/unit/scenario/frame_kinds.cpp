@@ -141,9 +141,11 @@ TEST(FrameKinds, WhatIsNoRateIsRejected) {
         Row{"rate_formula = \"cos()\"", "expected a number at \")\""},
         Row{"rate_formula = \"1e200*1e200*t\"", "expected finite numbers"},
         Row{"times = [0, 1, 2]\nrates = [1, 2]", "expected 3 numbers, as many as times has"},
-        Row{"times = [0, 2, 1, 3]\nrates = [1, 2, 3, 4]", "times must rise"},
+        Row{"times = [0, 2, 1, 3]\nrates = [1, 2, 3, 4]", "row 2: time 1 must be after 2"},
         Row{"times = [1, 2, 3, 4]\nrates = [1, 2, 3, 4]",
             "expected a time that the table of rates covers"},
+        Row{"times = [0, 1, 2, 3]\nrates = [1, 2, 3, 4]",
+            "expected a frame that is known for all of the run and at t = 0; nothing is known"},
         Row{"rate = 1\ncolumns = [\"1\", \"2\"]", "expected a key file as well"},
         Row{"rate = 1\nrate_formula = \"1\"", "expected exactly one of"},
         Row{"rates = [1, 2]", "expected"}})

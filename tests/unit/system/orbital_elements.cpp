@@ -183,6 +183,14 @@ TEST(OrbitalElements, AMotionInElementsIsThatOfPositionAndMomentum) {
             budget::orbital_motion);
 }
 
+TEST(OrbitalElements, ASatelliteMayBeReleasedAtRest) {
+  const SatelliteSystem system(gm);
+  const auto path = satellite_path(system, {{1.0, 0.0, 0.0}, {}}, 0.0, 0.5);
+  ASSERT_TRUE(path.outcome().ok()) << path.outcome().advice;
+  const SatelliteState end = path.at(0.5);
+  EXPECT_NEAR(0.5 * dot(end.p, end.p) - gm / norm(end.r), -gm, budget::orbital_motion);
+}
+
 TEST(OrbitalElements, EnergyIsConstantAlongAPath) {
   const SatelliteSystem system = oblate_planet();
   const BasicTrajectory<SatelliteState> path = satellite_path(system, start, 0.0, 50.0);
@@ -200,6 +208,7 @@ TEST(OrbitalElements, SingularitiesAndUnboundOrbitsAreRejected) {
   for (const Row& row :
        {Row{keplerian, {1.0, 0.0, 0.5, 0.1, 0.2, 0.3}, "a singularity of Keplerian elements"},
         Row{keplerian, {1.0, 0.1, 0.0, 0.1, 0.2, 0.3}, "a singularity of Keplerian elements"},
+        Row{keplerian, {1.0, 0.1, pi, 0.1, 0.2, 0.3}, "a singularity of Keplerian elements"},
         Row{delaunay, {0.1, 0.2, 0.3, 1.0, 1.0, 0.5}, "a singularity of Delaunay's elements"},
         Row{keplerian, {1.0, 1.2, 0.5, 0.1, 0.2, 0.3}, "not a bound orbit"},
         Row{keplerian, {-1.0, 0.2, 0.5, 0.1, 0.2, 0.3}, "not a bound orbit"},
