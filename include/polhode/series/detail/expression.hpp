@@ -144,7 +144,8 @@ class Expression {
         if (inner.size() > 1 || (inner.size() == 1 && inner.terms()[0].key != zero_key(symbols_)))
           lexer_.refuse("a root of a function of " + functions_of() +
                         " before it, without angles and other variables");
-        if (inner.is_zero() || !(to_double(inner.terms()[0].c) > 0.0))
+        if (inner.is_zero() || is_rounded_zero(inner.terms()[0].c) ||
+            !(to_double(inner.terms()[0].c) > 0.0))
           lexer_.refuse("a root of a function that is positive at " + symbols_.values_text() +
                         " before it");
         Series<T> found = constant<T>(symbols_, sqrt(inner.terms()[0].c));
@@ -158,6 +159,19 @@ class Expression {
         "momenta in it");
   }
 
+  // Whether c is 0 at the values, but for the rounding of sums such as G^2 - L^2.
+  bool is_rounded_zero(const T& c) const {
+    constexpr double rounding = 1e-14;
+    double scale = 0.0;
+    for (std::size_t i = 1; i < T::size; ++i) {
+      double size = std::abs(to_double(c.at(i)));
+      for (std::size_t v = 0; v < symbols_.values().size(); ++v)
+        size *= std::pow(std::abs(symbols_.values()[v]), T::exponents(i)[v]);
+      scale += size;
+    }
+    const double value = std::abs(to_double(c));
+    return value == 0.0 || value < rounding * scale;
+  }
   // "L, G".
   std::string functions_of() const {
     std::string names;
@@ -223,7 +237,7 @@ class Expression {
                                : "a divisor of one term without an angle before it; quotients by "
                                  "sums need symbols with values of the momenta in them");
     if constexpr (VariableCoefficient<T>) {
-      if (to_double(a.terms()[0].c) == 0.0)
+      if (is_rounded_zero(a.terms()[0].c))
         lexer_.refuse("a divisor that is not 0 at " + symbols_.values_text() + " before it");
       Series<T> found = inverse(a);
       require_finite(found);
