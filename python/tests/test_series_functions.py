@@ -180,10 +180,13 @@ def test_theories_of_order_n_leave_a_remainder_of_order_n_plus_1(theory, method)
                         atol=budgets.series_function_theory_slope)
 
 
-def test_rates_of_elements_are_those_of_the_series():
+@pytest.mark.parametrize("theory, frame", [
+    (precessing_frame, polhode.Frame.precessing([1, 0, 0], 0.1)), (gravity_gradient, None)])
+def test_rates_of_elements_are_those_of_the_series(theory, frame):
     eps = 0.1
-    h, _, _ = precessing_frame(eps)
-    system = polhode.System(polhode.Body(A, A, C), polhode.Frame.precessing([1, 0, 0], eps))
+    h, _, term = theory(eps)
+    body = polhode.Body(A, A, C)
+    system = polhode.System(body, frame) if frame else polhode.System(body, terms=[term])
     found = polhode.element_rates(system, 0.0, polhode.AndoyerState(**START), "canonical")
     at = {**START, "eps": eps, "s": 0.0}
     expected = [h.derivative(p)(**at) for p in "LGH"] + [-h.derivative(q)(**at) for q in "lgh"]
