@@ -126,7 +126,8 @@ def _expected(annotations: Iterable[str], names: dict[str, Any]) -> str:
     words: list[str] = []
     for annotation in annotations:
         for kind in _alternatives(annotation):
-            if kind in ("typing.Any", "DualState"):  # the latter only functions are called with
+            # a DualState only reaches functions that polhode calls
+            if kind in ("typing.Any", "DualState"):
                 continue
             if (word := _word(kind, names)) not in words:
                 words.append(word)

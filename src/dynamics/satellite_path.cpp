@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <concepts>
 #include <string_view>
 
 #include "polhode/dynamics/integrate_model.hpp"
@@ -37,8 +38,10 @@ struct SatelliteMotion {
 
 BasicTrajectory<SatelliteState> satellite_path(const SatelliteSystem& system,
                                                const SatelliteState& state, double start,
-                                               double stop, const Method& method) {
-  return integrate(BasicProblem<SatelliteMotion>{{system}, state, start, stop, method});
+                                               double stop, const Method& method,
+                                               const Progress& progress) {
+  return integrate(BasicProblem<SatelliteMotion>{{system}, state, start, stop, method}, Keep{},
+                   progress);
 }
 
 }  // namespace v0

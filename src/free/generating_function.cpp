@@ -33,22 +33,23 @@ struct AttitudeProblem {
   double energy_ratio;  // 2T at momentum 1
 };
 
-void require_interior(const SerretState& c, const EulerAngles& q,
+// `function` is the one that was called, for messages.
+void require_interior(const std::string& function, const SerretState& c, const EulerAngles& q,
                       const detail::PolhodeCurve<DD>& curve) {
   const double angles[] = {q.phi, q.theta, q.psi};
   for (const double x : angles)
     if (!std::isfinite(x))
-      throw DomainError("generating_function: (phi, theta, psi) = " +
+      throw DomainError(function + ": (phi, theta, psi) = " +
                         detail::tuple_text({q.phi, q.theta, q.psi}) + " must be finite");
   if (!(q.theta > 0.0 && q.theta < pi<double>()))
-    throw DomainError("generating_function: theta = " + detail::number_text(q.theta) +
+    throw DomainError(function + ": theta = " + detail::number_text(q.theta) +
                       " must be in (0, pi): elsewhere the Euler angles are no coordinates");
   if (!(std::abs(c.H) < c.G))
-    throw DomainError("generating_function: H = " + detail::number_text(c.H) +
+    throw DomainError(function + ": H = " + detail::number_text(c.H) +
                       " of G = " + detail::number_text(c.G) +
                       " must have |H| < G: h is not defined at I = 0, pi");
   if (curve.steady || !(curve.DC > DD(0.0)))
-    throw DomainError("generating_function: T = " + detail::number_text(c.T) +
+    throw DomainError(function + ": T = " + detail::number_text(c.T) +
                       " of G = " + detail::number_text(c.G) +
                       " must be inside (G^2/2I3, G^2/2I1): a steady rotation has no u");
 }
@@ -73,7 +74,7 @@ struct Branch {
   BasicVec3<DD> k;  // momentum along the primed axes
 };
 
-// The place of a root on the lobe of these signs; none if the momentum is on another one.
+// The place of a root on the lobe of these signs; nullopt if the momentum is on another lobe.
 std::optional<Branch> branch_of(const AttitudeProblem& p, const detail::PrimedSense& sense,
                                 const DD& angle) {
   const detail::AxisOrder to_primed = detail::primed_axes(sense.long_axis, sense.s1, sense.s3);
@@ -86,7 +87,7 @@ std::optional<Branch> branch_of(const AttitudeProblem& p, const detail::PrimedSe
   return Branch{angle, u, k};
 }
 
-// g0 of a branch whose u is `u` after whole periods.
+// g0 of a branch; `u` is its argument with whole periods added.
 DD node_at_start(const AttitudeProblem& p, const detail::PrimedSense& sense, const Branch& b,
                  const DD& u) {
   const DD half(0.5), one(1.0);
@@ -128,12 +129,13 @@ Branch nearest_branch(const AttitudeProblem& p, const detail::PrimedSense& sense
   return *best;
 }
 
-void require_motion(const AttitudeProblem& p, const EulerAngles& q, const SerretState& c) {
+void require_motion(const std::string& function, const AttitudeProblem& p, const EulerAngles& q,
+                    const SerretState& c) {
   if (!p.roots.angles.empty()) return;
   const auto energy = [&](double twice_ratio) {
     return detail::number_text(c.T * (twice_ratio / p.energy_ratio));
   };
-  throw DomainError("generating_function: T = " + detail::number_text(c.T) + " must be in [" +
+  throw DomainError(function + ": T = " + detail::number_text(c.T) + " must be in [" +
                     energy(p.roots.least) + ", " + energy(p.roots.greatest) +
                     "] for a motion with G = " + detail::number_text(c.G) +
                     ", H = " + detail::number_text(c.H) +
@@ -149,13 +151,13 @@ GeneratingFunction generating_function(const Body& body, const EulerAngles& q, c
   const auto [scaled, now] = detail::in_units(units, c, t);
   const BasicSerretState<DD> s = detail::widened(scaled);
   const detail::PolhodeCurve<DD> curve = detail::curve_of(body, s);
-  require_interior(c, q, curve);
+  require_interior("generating_function", c, q, curve);
   if (!std::isfinite(t)) {
     const double none = std::numeric_limits<double>::quiet_NaN();
     return {none, none, none, none, none, none, none, none};
   }
   const AttitudeProblem p = attitude_problem(body, q, s, curve);
-  require_motion(p, q, c);
+  require_motion("generating_function", p, q, c);
   const detail::PrimedSense sense = detail::primed_sense(curve.long_axis, c.sign_g1, c.sign_g3);
   const DD rate = curve.n * s.G, near = rate * (DD(now) - s.t0);
   const Branch b = nearest_branch(p, sense, near);
@@ -187,9 +189,9 @@ std::vector<SerretState> serret_branches(const Body& body, const EulerAngles& q,
   const auto [scaled, now] = detail::in_units(units, c, t);
   const BasicSerretState<DD> s = detail::widened(scaled);
   const detail::PolhodeCurve<DD> curve = detail::curve_of(body, s);
-  require_interior(c, q, curve);
+  require_interior("serret_branches", c, q, curve);
   const AttitudeProblem p = attitude_problem(body, q, s, curve);
-  require_motion(p, q, c);
+  require_motion("serret_branches", p, q, c);
   std::vector<SerretState> all;
   for (const DD& angle : p.roots.angles)
     for (const double s3 : {1.0, -1.0})

@@ -7,6 +7,7 @@
 
 #include "free/detail/mean_frame.hpp"
 #include "free/detail/sadov_actions.hpp"
+#include "free/detail/serret_elements.hpp"
 #include "math/number_text.hpp"
 #include "polhode/elliptic/agm.hpp"
 #include "polhode/elliptic/carlson.hpp"
@@ -20,7 +21,7 @@ namespace {
 
 using DD = DoubleDouble;
 
-// The polhode of the actions at I_g = 1, and how its primed axes lie.
+// The polhode of the actions at I_g = 1, and the sense of its primed axes.
 struct ActionCurve {
   detail::PolhodeCurve<DD> curve;
   detail::PrimedSense sense;
@@ -46,7 +47,7 @@ ActionCurve action_curve(const Body& body, const SadovState& s) {
   return a;
 }
 
-// Argument of the place on the polhode with Andoyer's angle l, next to `near`.
+// The argument u, nearest to `near`, of the place on the polhode with Andoyer's angle l.
 DD argument_of(const ActionCurve& a, double given, const DD& near) {
   const detail::PolhodeCurve<DD>& c = a.curve;
   const auto [sine, cosine] = sincos(DD(given));
@@ -56,10 +57,7 @@ DD argument_of(const ActionCurve& a, double given, const DD& near) {
   const DD zero(0.0), one(1.0), half_period = DD(2.0) * c.K, period = DD(4.0) * c.K;
   const auto next = [&](const DD& u) { return u + period * std::rint(((near - u) / period).hi); };
   if (!a.sense.long_axis) {
-    const DD across = abs(k.x) / c.a1, along = k.y / c.a2;
-    const DD r2 = across * across + along * along;
-    const DD c2 = across * across / r2, s2 = along * along / r2;
-    const DD u = along / sqrt(r2) * carlson_rf(c2, c2 + c.kp2 * s2, one);
+    const DD u = detail::place_on(c, {abs(k.x), k.y, zero});
     if (!(k.x < zero)) return next(u);
     return next((k.y < zero ? -half_period : half_period) - u);
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What gauges of rotational and orbital elements share: the convective term of a user's function,
-// and the linear system that it makes of the rates.
+// Shared by the gauges of rotational and orbital elements: the convective term of a user's
+// function, and the linear system of the rates to which it leads.
 //
 // The unperturbed motion through the present position q has the momentum gamma = y - I Phi(C, t),
 // with y the momentum of the true velocity and I the inertia by which velocities are multiplied.
@@ -11,7 +11,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <optional>
 #include <string>
 
 #include "math/number_text.hpp"
@@ -85,7 +84,7 @@ class GaugeMatrix {
                     "less on the elements, or the canonical or osculating gauge");
 }
 
-// dC/dt of elements z: the rates of the unperturbed motion, and those by what is added to it,
+// dC/dt of elements z: the rates of the unperturbed motion, and those caused by additions to it,
 // `velocity` to dq/dt and `force` to dy/dt.
 inline ElementNumbers gauge_rates(const Gauge& gauge, const Vec3& I, const ElementNumbers& z,
                                   const Convection& phi, const Matrix6& inverse,
@@ -116,7 +115,12 @@ Vec3 unperturbed_momentum(const Gauge& gauge, double t, const Vec3& I, const Vec
     const ElementNumbers z = numbers_of(gamma);
     const Convection phi = convection_of(gauge, z, t);
     const Vec3 missing = y - gamma - by_inertia(I, phi.value);
-    if (!(norm(missing) < last)) return gamma;  // as near as rounding lets it come
+    if (!(norm(missing) < last)) {
+      const double size = norm(y) + norm(gamma);
+      // as near as rounding lets it come; a step that went astray is no solution
+      if (std::isnan(norm(missing)) || last <= 1e-8 * size) return gamma;
+      break;
+    }
     last = norm(missing);
     const GaugeMatrix S(I, phi, inverse_of(gamma));
     if (S.is_singular()) singular_gauge("elements_of_state", z);

@@ -2,9 +2,10 @@
 // Equations of motion of Delaunay's and Kepler's elements in any gauge.
 #include "polhode/system/orbital_elements.hpp"
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
-#include <numbers>
 #include <string>
 
 #include "math/number_text.hpp"
@@ -21,7 +22,6 @@ namespace {
 
 using detail::Convection;
 using detail::convection_of;
-using detail::tangent;
 using std::sqrt;
 
 constexpr Vec3 unit_inertia{1.0, 1.0, 1.0};
@@ -34,7 +34,8 @@ const char* name_of(OrbitalSet set) {
 }
 [[noreturn]] void not_bound(const char* function, const std::string& got) {
   throw DomainError(std::string(function) + ": got " + got +
-                    ", not a bound orbit; expected 0 <= e < 1, or integrate the state (r, p)");
+                    ", not a bound orbit; expected 0 <= e < 1 (L > 0, 0 < G <= L, |H| <= G of "
+                    "Delaunay's set), or integrate the state (r, p)");
 }
 
 // A Kepler orbit as both sets describe it.
@@ -93,7 +94,10 @@ BasicSatelliteState<T> kepler_state(double gm, const Ellipse<T>& orbit) {
 SatelliteState unperturbed_state(OrbitalSet set, double gm, const OrbitalElements& C,
                                  const char* function) {
   const Ellipse<double> orbit = ellipse_of(set, gm, C);
-  if (!is_bound(orbit)) not_bound(function, std::string(name_of(set)) + " " + text_of(C));
+  // L and G below zero would give the ellipse of those above
+  const bool is_set = set == OrbitalSet::keplerian || C[3] > 0.0;
+  if (!is_set || !is_bound(orbit))
+    not_bound(function, std::string(name_of(set)) + " " + text_of(C));
   return kepler_state(gm, orbit);
 }
 
@@ -110,8 +114,8 @@ OrbitalElements elements_of_orbit(OrbitalSet set, double gm, const Vec3& r, cons
   return {k.mean_anomaly, k.argument, k.node, sqrt(gm * a), G, momentum.z};
 }
 
-// Poisson brackets {C_i, C_j} of the elements: 1 of Delaunay's pairs; those of Lagrange's planetary
-// equations for Keplerian elements.
+// Poisson brackets {C_i, C_j}: 1 for Delaunay's pairs, those of Lagrange's planetary equations for
+// Keplerian elements.
 Matrix6 poisson_brackets(OrbitalSet set, double gm, const OrbitalElements& C) {
   Matrix6 P;
   const auto put = [&P](int i, int j, double bracket) {
@@ -177,7 +181,7 @@ Vec3 convection_slope(const SatelliteSystem& system, double t, const SatelliteSt
   return {to_double(slope.x), to_double(slope.y), to_double(slope.z)};
 }
 
-// p of p + v(t, r, p) = dr/dt, by Newton's method.
+// Solves p + v(t, r, p) = dr/dt for p by Newton's method.
 Vec3 canonical_momentum(const SatelliteSystem& system, double t, const Vec3& r,
                         const Vec3& velocity) {
   constexpr double rounding = 8.0 * std::numeric_limits<double>::epsilon();
@@ -187,6 +191,7 @@ Vec3 canonical_momentum(const SatelliteSystem& system, double t, const Vec3& r,
     const Vec3 v = convection(system, t, s);
     const Vec3 missing = velocity - s.p - v;
     const double size = norm(velocity) + norm(s.p) + norm(v);
+    if (std::isnan(size)) return missing;
     if (norm(missing) <= rounding * size && !(norm(missing) < last)) return s.p;
     if (norm(missing) == 0.0) return s.p;
     last = norm(missing);
@@ -240,7 +245,7 @@ OrbitalElements element_rates(OrbitalSet set, const SatelliteSystem& system, dou
   const Matrix6 inverse = inverse_jacobian(set, system.gm(), elements);
   const SatelliteState state = element_state(set, system, t, elements, gauge);
   const SatelliteState added = perturbation_rates(system, t, state);
-  // not those of (p, -gm r/r^3), which cancel but for the mean motion
+  // not the rates of (p, -gm r/r^3), which cancel but for the mean motion
   OrbitalElements mean_motion{};
   const double a = ellipse_of(set, system.gm(), elements).a;
   mean_motion[set == OrbitalSet::delaunay ? 0 : 5] = sqrt(system.gm() / a) / a;

@@ -219,6 +219,11 @@ TEST(PaperAndoyer, LibraryNodeRates) {
   EXPECT_LT(rates.size(), budget::paper_library);
 }
 
+// S and its derivatives along a motion.
+GeneratingFunction generated(const FreeRotation& motion, double t) {
+  return generating_function(motion.body(), euler_angles(motion.at(t).q), to_serret(motion, t), t);
+}
+
 // [SA (45), (46), (47), (48)] S - T t - Phi phi is a line integral of Theta dtheta + Psi dpsi, here
 // along the free motion at a fixed t; it jumps by a multiple of the action after a period
 TEST(PaperSerret, LibrarySeparationOfTheGeneratingFunction) {
@@ -228,11 +233,11 @@ TEST(PaperSerret, LibrarySeparationOfTheGeneratingFunction) {
     const Body body = body_of(e.I);
     const double t = 0.3, later = 0.8, angle = 0.4, span = 0.2;
     const FreeRotation motion(body, start, t);
-    const GeneratingFunction f = generating_function(motion, t);
-    const GeneratingFunction delayed = generating_function(FreeRotation(body, start, later), later);
+    const GeneratingFunction f = generated(motion, t);
+    const GeneratingFunction delayed = generated(FreeRotation(body, start, later), later);
     by_time.add(Mp(delayed.S) - Mp(f.S), Mp(f.minus_T) * (Mp(later) - Mp(t)));
     const RotorState about_s3{rotation_z(angle) * start.q, start.g};
-    const GeneratingFunction rotated = generating_function(FreeRotation(body, about_s3, t), t);
+    const GeneratingFunction rotated = generated(FreeRotation(body, about_s3, t), t);
     by_node.add(turned((Mp(rotated.S) - Mp(f.S)) / Mp(f.Phi) - Mp(angle)) * Mp(f.Phi), Mp(0));
     const auto integrand = [&](const Mp& x) {
       const RotorState at = motion.at(static_cast<double>(x));
@@ -241,7 +246,7 @@ TEST(PaperSerret, LibrarySeparationOfTheGeneratingFunction) {
       return Mp(p.Theta) * q.theta_dot + Mp(p.Psi) * q.psi_dot;
     };
     const RotorState moved = motion.at(t + span);
-    const GeneratingFunction end = generating_function(FreeRotation(body, moved, t), t);
+    const GeneratingFunction end = generated(FreeRotation(body, moved, t), t);
     const Mp passed = Mp(end.minus_t0) - Mp(f.minus_t0);
     if (magnitude(passed - Mp(span)) > Mp("1e-6")) continue;
     const Mp phi = turned(Mp(to_euler(moved).phi) - Mp(to_euler(start).phi));
@@ -262,8 +267,8 @@ TEST(PaperSerret, LibraryGeneratingFunctionAlongTheMotion) {
     const RotorState start = hub_state(e);
     const FreeRotation motion(body, start);
     const double t = 0.5;
-    const GeneratingFunction f = generating_function(motion, 0.0);
-    const GeneratingFunction later = generating_function(motion, t);
+    const GeneratingFunction f = generated(motion, 0.0);
+    const GeneratingFunction later = generated(motion, t);
     if (std::abs(later.minus_t0 - f.minus_t0) > 1e-6) continue;  // another branch
     elapsed_gap.add(Mp(later.minus_t0), Mp(f.minus_t0));
     const EulerRates q = to_euler_rates(body, start);

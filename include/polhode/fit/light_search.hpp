@@ -80,8 +80,8 @@ struct LightSearch {
   int threads = 1;
   // Called before each start and each fit, in any of the threads; what it throws ends the search.
   std::function<void()> between = {};
-  // Called with the part of the work that is done, in one thread at a time, at the end with 1. The
-  // number of further fits is estimated from the solutions found so far, so the part may fall.
+  // Called with the part of the work that is done, in one thread at a time; the last call has 1.
+  // The number of further fits is estimated from the solutions found so far, so the part may fall.
   std::function<void(double part)> progress = {};
 };
 

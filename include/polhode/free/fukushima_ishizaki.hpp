@@ -8,14 +8,15 @@
 //             (system/modified_andoyer.hpp); here the epoch belongs to the value.
 // Corrections the definition is uncertain. Fukushima and Ishizaki, Celest. Mech. Dyn. Astron. 59,
 //             149 (1994), take initial values of "a modification of the Andoyer canonical
-//             variables", and the paper calls these "Andoyer-type variables". Their text was not at
-//             hand, so that the modification is not known here: these are Andoyer's own variables.
+//             variables", and the paper calls these "Andoyer-type variables". Their text was not
+//             available, so that the modification is not known here: these are Andoyer's own
+//             variables.
 // Units       angles in radians, (-pi, pi]; momenta in those of the angular momentum; t0 a time.
 // Domain      any body and state; the axes are the body's own, not sorted. Singular where Andoyer's
 //             variables at the epoch are (rotor/andoyer.hpp).
 // Accuracy    budgets named_sets_* in tests/budgets.hpp, away from Andoyer's poles. chart_jacobian
 //             grows like t - t0, and like exp(n (t - t0)) on the separatrix.
-// Errors      DomainError, as FreeRotation and andoyer_state; for an epoch that is not finite.
+// Errors      DomainError as FreeRotation and andoyer_state, and for an epoch that is not finite.
 // Cost        tens of microseconds.
 #pragma once
 

@@ -11,22 +11,23 @@
 // Corrections the integral starts at l = pi/2 (long-axis mode: the sign of g1 times pi/2), where u
 //             = 0; from elsewhere the set is not canonical: docs/theory/errata.md.
 // Branches    S is multivalued. Up to four motions with the same G, H, T and lobe pass through an
-//             attitude, and every turn of h, g0 and every period of t0 adds a constant to S. The
-//             branch is that of a near motion: c holds G, H, T, the lobe and the base point as its
-//             signs, and its g0, h, t0 are any real numbers. Taken is the motion whose momentum at
-//             time t is nearest, in body axes, to that of c, then t0, g0 and h nearest to those of
-//             c. Along the motion c, q(t) for any t, S is continuous: S = (t - 2 t0) T + H h + G g0
-//             with constant elements; each branch is smooth in (q, G, H, T, t) between caustics.
-// Units       S an action, momentum; angles radians.
+//             attitude, and every revolution of h, g0 and every period of t0 adds a constant to S.
+//             The branch is that of a near motion c: its G, H, T are arguments of S, its signs give
+//             the lobe and the base point, and its g0, h, t0 are any real numbers. The result
+//             belongs to the motion whose momentum at time t is nearest, in body axes, to that of
+//             c, and its t0, g0 and h are the values nearest to those of c. Along the motion c,
+//             q(t) for any t, S is continuous: S = (t - 2 t0) T + H h + G g0 with constant
+//             elements; each branch is smooth in (q, G, H, T, t) between caustics.
+// Units       S is an action, in the units of momentum; angles in radians; t and t0 times.
 // Domain      0 < theta < pi, |H| < G, T inside (G^2/2I3, G^2/2I1), any body but a sphere; the
 //             separatrix included. On a caustic, where g, omega and the third axis of the frame lie
 //             in a plane, two branches meet: S is continuous there, its second derivatives are not
 //             finite, and beyond it no motion passes through q.
-// Accuracy    budgets generating_* in tests/budgets.hpp. Near a caustic the derivatives lose
-//             what a double holds of the arguments, up to the root of eps; S itself does not.
-// Errors      DomainError for what is outside the domain, with the range of T that the attitude has
-//             where no motion passes through it; elements that to_rotor rejects. NaN or infinite
-//             time in, NaN out.
+// Accuracy    budgets generating_* in tests/budgets.hpp. Near a caustic the rounding of the
+//             arguments costs the derivatives up to sqrt(eps); S itself keeps its accuracy.
+// Errors      DomainError outside the domain, and for elements that to_rotor rejects. If no motion
+//             passes through the attitude, the message has the range of T that it allows. NaN or
+//             infinite time in, NaN out; serret_branches needs a finite time.
 // Cost        about a hundred microseconds.
 #pragma once
 

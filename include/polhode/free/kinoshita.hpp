@@ -8,10 +8,10 @@
 //             short-axis mode Andoyer's l and g minus their periodic parts, and Andoyer's variables
 //             themselves for an axisymmetric body.
 // Corrections the definition is partly uncertain. The text of Kinoshita, Publ. Astron. Soc. Japan
-//             24, 423 (1972), was not at hand. The paper calls the set very similar to Sadov's,
+//             24, 423 (1972), was not available. The paper calls the set very similar to Sadov's,
 //             with Heuman's function, and the actions follow from that. The origin of l is chosen
-//             here so that the set becomes Andoyer's at I1 = I2. Origin and signs of the long-axis
-//             mode are not compared with the original.
+//             here so that the set becomes Andoyer's at I1 = I2. The origin and the signs of the
+//             long-axis mode have not been compared with the original.
 // Units       angles in radians, (-pi, pi]; actions in those of the angular momentum.
 // Domain      that of sadov.hpp, region and lobe as there.
 // Accuracy    that of sadov.hpp and one rounding of l; budgets named_sets_* in tests/budgets.hpp.

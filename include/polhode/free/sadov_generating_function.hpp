@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The generating functions W and V of section 5, that turn Andoyer's variables into Sadov's, and
+// The generating functions W and V of section 5 that turn Andoyer's variables into Sadov's, and
 // the quadratures that they are made of.
 //
 // Equations   W(l, g, h; I_l, I_g, I_h) = I_g g + I_h h + V(l; I_l, I_g), V = int L dl from pi/2
@@ -11,11 +11,11 @@
 //             "phiSadov"]; for lambda > 1 K(1/lambda)/lambda stands for K, and so F and Pi.
 // Corrections [SA "transf. eqs"], [SA "quad L dl"]: docs/theory/errata.md.
 // Branches    W is multivalued: the branch is that of s, whose I_l, I_g, I_h, region and lobe are
-//             arguments and whose angles are any real numbers. phi_l, phi_g, phi_h next to those of
-//             s are returned, and W with g and h in the same turn. In long-axis mode two momenta,
-//             L and -L, have the same l: taken is the one whose phi_l is nearer. Along a motion
-//             whose unwrapped angles s has, W is continuous.
-// Units       W, V actions, as the momenta; angles radians.
+//             arguments and whose angles are any real numbers. The result has the phi_l, phi_g,
+//             phi_h nearest to those of s, and W with g and h in the same revolution. In long-axis
+//             mode two momenta, L and -L, have the same l; the result is the one with the nearer
+//             phi_l. Along a motion whose unwrapped angles s has, W is continuous.
+// Units       W and V are actions, in the units of momentum; angles in radians.
 // Domain      l, g, h: any; in the long-axis region l within the libration about lobe times pi/2.
 //             Refers to the body axes sorted by moment. Actions inside their region, |I_l| < I_g
 //             (long-axis: I_l > 0), off the separatrix; a sphere: V = I_l (l - pi/2). At the end of
@@ -25,8 +25,8 @@
 // Accuracy    budgets generating_* in tests/budgets.hpp. sadov_quadratures evaluates the
 //             paper's formulas in double: where their terms cancel (kappa or lambda far from 1)
 //             they lose digits that sadov_generating_function keeps.
-// Errors      DomainError for what is outside the domain.
-// Cost        about a hundred microseconds; quadratures a few.
+// Errors      DomainError outside the domain.
+// Cost        about a hundred microseconds; a few for the quadratures.
 #pragma once
 
 #include "polhode/free/sadov.hpp"

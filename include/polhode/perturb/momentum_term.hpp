@@ -2,12 +2,12 @@
 // MomentumTerm: an energy that is linear in the angular momentum, H' = a . g, such as that of a
 // moving frame or of a rotor of constant speed; its own motion is a rotation.
 //
-// Equations   v = dH'/dg = a. Along body axes u = 0, and the term alone turns the body by a h with
-//             dg/dt = g x a; along axes in space u = a x g, and body and momentum turn together
+// Equations   v = dH'/dg = a. Along body axes u = 0: by itself the term rotates the body by a h,
+//             with dg/dt = g x a. Along axes in space u = a x g: body and momentum rotate together
 //             [SA (107), (118): a moving frame has a = -mu].
-// Units       rad per time.
+// Units       a in rad per time.
 // Domain      a(t): any function of time, generic or on double, that returns a vector. Splitting
-//             takes it at the time of its step.
+//             evaluates it at the time of its step.
 // Accuracy    a few roundings; the flow is exact for a constant a.
 // Errors      what the function throws passes through.
 // Cost        the function and one rotation.
@@ -27,7 +27,7 @@ inline namespace v0 {
 template <class F>
 class MomentumTerm {
  public:
-  // `axes` of a; none: body axes.
+  // `axes` are those of a; without them, body axes.
   explicit MomentumTerm(F a, std::optional<SpaceAxes> axes = {}) : a_(std::move(a)), axes_(axes) {}
 
   template <Real T>

@@ -62,8 +62,8 @@ struct TableValues {
   std::string given;
   std::string defaults;
 };
-// Of [body], [state.NAME], [planet], [orbit.NAME], [frame.NAME], [[perturbation]], [[surface]],
-// [[observation]] and the table named as the kind of the scenario, in this order.
+// The values of [body], [state.NAME], [planet], [orbit.NAME], [frame.NAME], [[perturbation]],
+// [[surface]], [[observation]] and the table named as the kind of the scenario, in this order.
 std::vector<TableValues> model_values(const Scenario& scenario);
 // What a user should know of the file, though it can be run: each "FILE:LINE:COLUMN: KEY: ...".
 std::vector<std::string> warnings(const Scenario& scenario);

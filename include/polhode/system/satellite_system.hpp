@@ -6,14 +6,17 @@
 //             dr/dt = p + dH'/dp - mu x r and dp/dt = -gm r/r^3 - dH'/dr - mu x p
 //             [SA (101) and the footnote on (108)]. If H' does not depend on p, the momentum p is
 //             the velocity relative to inertial axes, in components along S.
-// Units       any consistent set: gm in length^3 / time^2; momenta are per unit mass.
+// Units       any consistent set: gm in length^3 / time^2; mu in rad per time. Momentum and energy
+//             are per unit mass, so that p is a velocity.
 // Domain      r not 0. H' is a generic callable on any number type:
 //             auto H(const auto& t, const BasicSatelliteState<T>& s).
 // Accuracy    a few roundings; derivatives of H' are by dual numbers.
-// Errors      DomainError for a gm that is not positive and finite. What H' throws passes through.
+// Errors      DomainError for a gm that is not positive and finite. What H' throws passes through;
+//             NaN in, NaN out.
 // Cost        H' with six derivatives.
 #pragma once
 
+#include <concepts>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -124,7 +127,7 @@ template <Real T>
 BasicSatelliteState<T> perturbation_rates(const SatelliteSystem& system, const T& t,
                                           const BasicSatelliteState<T>& s);
 
-// The Hamiltonian, constant if nothing depends on time.
+// The Hamiltonian per unit mass, constant if nothing depends on time.
 double energy(const SatelliteSystem& system, double t, const SatelliteState& s);
 
 }  // namespace v0

@@ -97,8 +97,8 @@ constexpr Chart<KinoshitaState, 8> kinoshita_chart{
     R"(Kinoshita's action-angle variables (1972): angles l, g, h (rad), actions L, G, H.
 
 The averages of Andoyer's variables, and these themselves for an axisymmetric body; l = phi_l +
-pi/2, g = phi_g, h = phi_h of Sadov's set. region and lobe as in SadovState. The original was not at
-hand: the origin of l is a convention. [SA section 5])",
+pi/2, g = phi_g, h = phi_h of Sadov's set. region and lobe as in SadovState. The original paper was
+not available, so the origin of l is a convention. [SA section 5])",
     {{{"l", "Angle of the motion in the body, rad.", offsetof(KinoshitaState, l)},
       {"g", "Angle of the precession about the angular momentum, rad.",
        offsetof(KinoshitaState, g)},
@@ -118,7 +118,7 @@ constexpr Chart<FukushimaIshizakiState, 7> fukushima_ishizaki_chart{
     R"(Fukushima and Ishizaki's elements (1994): Andoyer's variables at an epoch t0.
 
 l0, g0, h (rad), L0, G, H (momenta): constants of free rotation. The original takes initial values
-of a modification of Andoyer's variables, which was not at hand: these are Andoyer's own. [SA
+of a modification of Andoyer's variables; it was not available, so these are Andoyer's own. [SA
 (96)-(99)])",
     {{{"l0", "Andoyer's l at the epoch, rad.", offsetof(FukushimaIshizakiState, l0)},
       {"g0", "Andoyer's g at the epoch, rad.", offsetof(FukushimaIshizakiState, g0)},
@@ -165,7 +165,7 @@ body : Body
 angles : EulerAngles
     The attitude q, of any shape; 0 < theta < pi.
 state : SerretState
-    G, H, T are the arguments of S. The rest says the branch: the signs, and g0, h, t0 (any real
+    G, H, T are the arguments of S. The rest chooses the branch: the signs, and g0, h, t0 (any real
     numbers) of a near motion. The result has the momenta nearest to those of that motion at t, and
     g0, h, t0 nearest to its own. Along the motion S is continuous.
 t : array_like
@@ -272,8 +272,8 @@ l, g, h : array_like
     Andoyer's angles of the body axes sorted by moment, rad. In the long-axis region l must be
     within the libration.
 state : SadovState
-    The actions are arguments of W. The rest says the branch: region and lobe, and near values of
-    the angles (any real numbers).
+    The actions are arguments of W. The rest chooses the branch: region and lobe, and near values
+    of the angles (any real numbers).
 
 Returns
 -------

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "charts/states.hpp"
+#include "interface/object_slots.hpp"
 #include "polhode/rotor/andoyer.hpp"
 #include "polhode/rotor/body.hpp"
 #include "polhode/rotor/euler.hpp"
@@ -17,7 +18,7 @@ namespace polhode::python {
 
 namespace {
 
-// The numbers of a vector field; empty where the value is no sequence of that length.
+// The numbers of a vector field; empty if the value is no sequence of that length.
 std::vector<nb::object> items_of_vector(nb::handle value, std::size_t size) {
   std::vector<nb::object> items;
   if (!nb::hasattr(value, "__len__") || nb::len(value) != size) return items;
@@ -27,7 +28,7 @@ std::vector<nb::object> items_of_vector(nb::handle value, std::size_t size) {
 std::size_t size_of_field(const Field& field) {
   return field.kind == Kind::vector ? 3 : field.kind == Kind::quaternion ? 4 : 1;
 }
-// A Dual, also as the only item of an object array.
+// Whether it is a Dual, also as the only item of an object array.
 bool is_dual_number(nb::handle value) {
   if (nb::isinstance<PythonDual>(value)) return true;
   const nb::object item = item_of(value);
@@ -281,7 +282,8 @@ kinetic_energy, angular_velocity and inertial_momentum take it, so that an energ
 any chart:
 
 >>> tilt = polhode.HamiltonianTerm(lambda t, s: 0.1 * polhode.to_andoyer(s).H ** 2)
-)")
+)",
+      nb::type_slots(object_slots<DualState, &DualState::fields>()))
       .def_ro("chart", &DualState::chart, "The name of its class: \"RotorState\".")
       .def(
           "__getattr__",

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A state whose numbers are Duals: what chart classes make of Duals, and what conversions between
-// charts make of such states, so that a perturbation can be written in any chart.
+// A state whose numbers are Duals. Chart classes make one of Duals, and conversions between charts
+// take and return such states, so that a perturbation can be written in any chart.
 #pragma once
 
 #include <span>
@@ -26,8 +26,8 @@ DualState dual_rotor(const BasicQuaternion<T>& q, const BasicVec3<T>& g) {
   return s;
 }
 
-// Of the arguments of a chart class: null where none of them is a Dual. TypeError where they are no
-// numbers.
+// The state of the arguments of a chart class; null if none of them is a Dual. TypeError if a
+// vector among them has another length.
 nb::object dual_state_of(const char* chart, std::span<const Field> fields, const nb::args& args,
                          const nb::kwargs& named);
 

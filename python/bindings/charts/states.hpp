@@ -174,18 +174,25 @@ nb::class_<Batch<S>> bind_states(nb::module_& m, const Chart<S, N>& chart) {
   detail::def_init<S, N, R>(c, chart, std::make_index_sequence<R>{},
                             std::make_index_sequence<N - R>{});
   if (chart.takes_duals) {
-    c.def_static(
-        "__new__", [table](nb::handle type, const nb::args& args, const nb::kwargs& named) {
-          nb::object made = dual_state_of(table->name, table->fields, args, named);
-          if (made.is_valid()) return made;
-          made = nb::inst_alloc(type);
-          // nanobind calls only the __new__ of its own classes; Python calls both, of their
-          // subclasses
-          const bool unpickles = args.size() == 1 && PyBytes_Check(nb::handle(args[0]).ptr()) != 0;
-          if (type.is(nb::type<Batch<S>>()) && !unpickles)
-            type.attr("__init__")(made, *args, **named);
-          return made;
-        });
+    c.def_static("__new__", [table](nb::handle type, const nb::args& args,
+                                    const nb::kwargs& named) {
+      nb::object made = dual_state_of(table->name, table->fields, args, named);
+      if (made.is_valid()) return made;
+      const nb::handle own = nb::type<Batch<S>>();
+      if (PyType_Check(type.ptr()) == 0 ||
+          PyType_IsSubtype(reinterpret_cast<PyTypeObject*>(type.ptr()),
+                           reinterpret_cast<PyTypeObject*>(own.ptr())) == 0)
+        throw nb::type_error(
+            (std::string(table->name) + ".__new__: expected the class or one derived from it")
+                .c_str());
+      made = nb::inst_alloc(type);
+      // For its own classes nanobind calls only __new__; for their subclasses Python calls
+      // __init__ as well.
+      const bool unpickles = args.size() == 1 && PyBytes_Check(nb::handle(args[0]).ptr()) != 0 &&
+                             nb::len(nb::handle(args[0])) == 0;  // of __getnewargs__
+      if (type.is(own) && !unpickles) type.attr("__init__")(made, *args, **named);
+      return made;
+    });
     c.def("__getnewargs__", [](Self) { return nb::make_tuple(nb::bytes("", 0)); });
   }
   bool all_real = true;

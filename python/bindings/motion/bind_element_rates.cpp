@@ -162,7 +162,7 @@ void bind_element_rates(nb::module_& m) {
         if (chart == "sadov") return of_state<SadovState>(system, t, states, of);
         if (chart == "fukushima-ishizaki")
           return of_state(system, t, states, of,
-                          FukushimaIshizakiState{0.0, 0.0, 0.0, 0.0, 0.0, 0.0, t0.value_or(0.0)});
+                          FukushimaIshizakiState{0, 0, 0, 0, 0, 0, t0.value_or(0.0)});
         throw nb::value_error(
             ("elements_of_state: got the chart \"" + chart +
              R"("; expected "andoyer", "fukushima-ishizaki", "serret" or "sadov")")

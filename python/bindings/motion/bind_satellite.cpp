@@ -12,6 +12,7 @@
 #include "interface/gil.hpp"
 #include "interface/object_slots.hpp"
 #include "interface/recipe.hpp"
+#include "interface/signals.hpp"
 #include "motion/dynamics_values.hpp"
 #include "motion/frame_value.hpp"
 #include "motion/system_functions.hpp"
@@ -234,9 +235,13 @@ void bind_motion(nb::module_& m) {
          Typed<"Adaptive | Collocation | None"> method) {
         if (!state.shape().empty())
           throw nb::value_error("satellite_path: state: expected one state");
-        Path path = satellite_path(
-            system, state[0], start, stop,
-            method.is_none() ? Method(default_path_method) : method_of(method, "satellite_path"));
+        const Method chosen =
+            method.is_none() ? Method(default_path_method) : method_of(method, "satellite_path");
+        const Progress look = signal_check();
+        Path path = [&] {
+          const WithoutGil released;
+          return satellite_path(system, state[0], start, stop, chosen, look);
+        }();
         warn_of(path.outcome(), "satellite_path");
         return path;
       },
@@ -256,7 +261,7 @@ SatellitePath, whose at(t) is the state at any time of the run.
 
 Warns
 -----
-RuntimeWarning where the run fails, as at the centre of the planet.)");
+RuntimeWarning if the run fails, for example at the centre of the planet.)");
 }
 
 constexpr const char* rates_doc =

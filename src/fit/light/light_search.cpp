@@ -127,7 +127,7 @@ using detail::more_short_iterations;
 using detail::starts_of_round;
 using detail::times;
 
-// A fit that is not at its end goes on with so many times the iterations.
+// Factor of the iterations with which an unfinished fit goes on.
 constexpr int more_search_iterations = 4;
 
 // Where a fit begins, and for which pair of periods.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The part of a search of light curves that is done, by estimates of the work that is left.
+// Progress of a search of light curves, by estimates of the work that is left.
 //
 // The unit of work is one iteration of a fit. How many solutions a search finds decides how many
-// further rounds and fits follow, so the part that is done may fall when many of them turn up.
+// further rounds and fits follow, so the reported part may fall when many solutions are found.
 #pragma once
 
 #include <algorithm>
@@ -26,7 +26,7 @@ class SearchProgress {
  public:
   explicit SearchProgress(const LightSearch& search) : search_(search) {}
 
-  // What the search still has before it.
+  // The remaining steps of the search.
   std::size_t further_models = 0;
   std::size_t open_pairs = 1;  // of the present or next round
   int round = 0;

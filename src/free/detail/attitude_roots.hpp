@@ -7,12 +7,12 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
 
 #include "polhode/math/double_double.hpp"
+#include "polhode/math/real.hpp"
 #include "polhode/math/vector.hpp"
 #include "polhode/rotor/attitude.hpp"
 
@@ -43,7 +43,7 @@ struct EnergyAlongCircle {
   MomentumCircle circle;
   BasicVec3<DoubleDouble> moments;  // in body axes
   DoubleDouble e;
-  // e - e_mean + c1 cos a + s1 sin a + c2 cos 2a + s2 sin 2a, in double
+  // mean - e + c1 cos a + s1 sin a + c2 cos 2a + s2 sin 2a, in double; the mean is not kept
   double c1 = 0.0, s1 = 0.0, c2 = 0.0, s2 = 0.0;
 
   EnergyAlongCircle(const MomentumCircle& on, const BasicVec3<DoubleDouble>& I,
@@ -72,7 +72,8 @@ struct EnergyAlongCircle {
   double third_bound() const { return std::hypot(c1, s1) + 8.0 * std::hypot(c2, s2); }
 };
 
-// Zeros of the slope within w of m: halved until a bound shows that there is none, or one.
+// Finds the zeros of the slope within w of m. The interval is halved until a bound shows that it
+// has none, or one.
 inline void add_turning_points(const EnergyAlongCircle& f, double m, double w,
                                std::vector<double>& found) {
   const double third = f.third_bound(), d1 = std::abs(f.slope(m)), d2 = std::abs(f.curvature(m));
@@ -116,11 +117,11 @@ struct AttitudeRoots {
   double least, greatest;            // 2T over the circle
 };
 
-// Of two roots that meet, or that rounding has moved past each other, one is found at least.
+// Where two roots meet, or rounding has moved them past each other, at least one of them is found.
 inline AttitudeRoots attitude_roots(const EnergyAlongCircle& f) {
-  constexpr double pi = 3.141592653589793;
   std::vector<double> turning;
-  for (int i = 0; i < 8; ++i) add_turning_points(f, pi * (0.25 * i - 0.875), 0.125 * pi, turning);
+  for (int i = 0; i < 8; ++i)
+    add_turning_points(f, pi<double>() * (0.25 * i - 0.875), 0.125 * pi<double>(), turning);
   std::sort(turning.begin(), turning.end());
   AttitudeRoots roots{{}, (f.value(0.0) + f.e).hi, (f.value(0.0) + f.e).hi};
   const std::size_t n = turning.size();

@@ -91,8 +91,8 @@ class Surfaces {
   }
 
  private:
-  static constexpr double search_part = 0.4;  // of the work on a mesh, about
-  static constexpr double images_of_one = 3.0;
+  static constexpr double search_part = 0.4;    // of the work on a mesh, about
+  static constexpr double images_of_one = 3.0;  // fits, about
 
   struct Kept {
     SurfaceFound found;
@@ -129,7 +129,7 @@ class Surfaces {
     return starts;
   }
 
-  // The images of those that are kept are fitted last (`has_images`).
+  // `has_images`: the images of the kept solutions are still to be fitted after these.
   template <class Made, class Take>
   void fit(std::size_t count, bool has_images, const Made& made, const Take& take) {
     double fits = 0.0;
@@ -144,7 +144,7 @@ class Surfaces {
           fits += static_cast<double>(all.size());
           fits_done_ += static_cast<double>(all.size());
           const double done = static_cast<double>(k + 1), all_of_them = static_cast<double>(count);
-          tell_progress((all_of_them - done) * fits / done +
+          tell_progress((all_of_them - done) * std::max(fits, 1.0) / done +
                         (has_images ? images_of_one * static_cast<double>(count_within()) : 0.0));
         });
   }
@@ -278,7 +278,7 @@ class Surfaces {
   LightReport& report_;
   SurfaceFits fits_;
   std::vector<Kept> kept_;
-  double fits_done_ = 0.0;  // of those that are counted as progress
+  double fits_done_ = 0.0;
 };
 
 }  // namespace

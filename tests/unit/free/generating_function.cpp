@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
@@ -228,7 +229,7 @@ TEST(GeneratingFunction, TurnsAndPeriodsOfTheBranch) {
   const FreeRotation motion(body, {{0.6, -0.3, 0.7, 0.2}, {0.3, 0.2, 1.0}});
   const SerretState c = to_serret(motion, 0.0);
   const EulerAngles q = angles(motion.at(0.9));
-  const double turn = 2.0 * pi, period = motion.polhode_period();
+  const double turn = 2.0 * std::numbers::pi, period = motion.polhode_period();
   SerretState d = c;
   d.g0 += 3.0 * turn;
   d.h -= 2.0 * turn;
@@ -281,7 +282,8 @@ TEST(GeneratingFunction, RejectsWhatHasNoMotion) {
   expect(refusal(body, q, with(c, &SerretState::T, 1.0 / 12.0)), {"inside (G^2/2I3, G^2/2I1)"});
   expect(refusal(body, q, with(c, &SerretState::H, 1.5)), {"1.5", "|H| <= G"});
   expect(refusal(body, q, with(c, &SerretState::H, -1.0)), {"H = -1", "|H| < G"});
-  expect(refusal(body, with(q, &EulerAngles::theta, 0.0), c), {"theta = 0", "(0, pi)"});
+  expect(refusal(body, with(q, &EulerAngles::theta, 0.0), c),
+         {"theta = 0", "(0, std::numbers::pi)"});
   expect(refusal(body, with(q, &EulerAngles::theta, 3.141592653589793), c), {"theta = 3.14"});
   expect(refusal(body, with(q, &EulerAngles::theta, -0.2), c), {"theta = -0.2"});
   expect(refusal(body, with(q, &EulerAngles::psi, not_a_number), c), {"psi", "finite"});

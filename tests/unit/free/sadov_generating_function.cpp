@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <numbers>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -41,7 +42,7 @@ std::vector<FreeRotation> action_motions() {
   return all;
 }
 
-double difference_of(double a, double b) { return std::remainder(a - b, 2.0 * pi); }
+double difference_of(double a, double b) { return std::remainder(a - b, 2.0 * std::numbers::pi); }
 
 // [SA "transf. eqs"] the derivatives that are returned are the variables of the motion
 TEST(SadovGeneratingFunction, DerivativesAreTheVariables) {
@@ -109,7 +110,9 @@ TEST(SadovGeneratingFunction, QuadraturesOfThePaper) {
       const bool is_long = s.region == SadovRegion::long_axis;
       if (is_long && a.L < 0.05 * a.G) continue;  // the branch L > 0
       SadovState near = s;
-      if (!is_long) near.phi_l = a.l - 0.5 * pi;  // l, not modulo 2 pi, says the turn
+      if (!is_long)
+        near.phi_l =
+            a.l - 0.5 * std::numbers::pi;  // l, not modulo 2 std::numbers::pi, says the turn
       const SadovGeneratingFunction f = sadov_generating_function(m.body(), a.l, a.g, a.h, near);
       const SadovQuadratures q = sadov_quadratures(p, s.I_g, a.l);
       const double sign = !is_long && s.I_l < 0.0 ? -1.0 : 1.0;
@@ -119,7 +122,7 @@ TEST(SadovGeneratingFunction, QuadraturesOfThePaper) {
         gap.add(std::abs(x));
       ++count;
     }
-    const SadovQuadratures q = sadov_quadratures(p, 1.0, 0.5 * pi + 0.1);
+    const SadovQuadratures q = sadov_quadratures(p, 1.0, 0.5 * std::numbers::pi + 0.1);
     const double by_lambda = slope_of(
         [&](double d) {
           return sadov_quadratures({p.kappa, p.lambda + d}, 1.0, 1.6).I_l;
@@ -129,7 +132,7 @@ TEST(SadovGeneratingFunction, QuadraturesOfThePaper) {
     EXPECT_NEAR(q.dlambda_dI_l * q.dI_l_dlambda, 1.0, budget::generating_quadrature);
     const double integral = slope_of(
         [&](double d) {
-          return sadov_quadratures({p.kappa, p.lambda + d}, 1.0, 0.5 * pi + 0.1).L_dl;
+          return sadov_quadratures({p.kappa, p.lambda + d}, 1.0, 0.5 * std::numbers::pi + 0.1).L_dl;
         },
         1e-3);
     EXPECT_NEAR(q.dL_dlambda_dl, integral, budget::generating_gradient);
@@ -188,7 +191,7 @@ TEST(SadovGeneratingFunction, RejectsWhatHasNoMotion) {
   expect(refusal(0.4, with(s, &SadovState::I_l, 1.0)), "|I_l| < I_g");
   expect(refusal(0.4, with(l, &SadovState::I_l, 0.0)), "I_l > 0");
   expect(refusal(0.1, l), "l = 0.1 must be within");
-  expect(refusal(-1.5, l), "of pi/2");
+  expect(refusal(-1.5, l), "of std::numbers::pi/2");
   expect(refusal(not_a_number, s), "finite");
   const auto bad = [](auto f) { return message_of(f); };
   expect(bad([&] { sadov_parameters(body, 1.0, 0.3); }), "T = 0.3 of G = 1 must be in");

@@ -138,6 +138,8 @@ TEST(FrameKinds, WhatIsNoRateIsRejected) {
         Row{"rate_formula = \"2*t^0.5\"", "expected a whole power from 1 to 20"},
         Row{"rate_formula = \"cos(2*t\"", "expected +, - or )"},
         Row{"rate_formula = \"1 2\"", "expected +, - or *"},
+        Row{"rate_formula = \"cos()\"", "expected a number at \")\""},
+        Row{"rate_formula = \"1e200*1e200*t\"", "expected finite numbers"},
         Row{"times = [0, 1, 2]\nrates = [1, 2]", "expected 3 numbers, as many as times has"},
         Row{"times = [0, 2, 1, 3]\nrates = [1, 2, 3, 4]", "times must rise"},
         Row{"times = [1, 2, 3, 4]\nrates = [1, 2, 3, 4]",

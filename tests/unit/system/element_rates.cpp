@@ -123,7 +123,7 @@ void expect_rates(const C& like) {
 // [SA (102), (104)]
 TEST(ElementRates, AreThoseAlongAMotionInEverySetAndGauge) {
   expect_rates(AndoyerState{});
-  expect_rates(FukushimaIshizakiState{.t0 = -0.3});
+  expect_rates(FukushimaIshizakiState{0, 0, 0, 0, 0, 0, -0.3});
   expect_rates(SerretState{});
   expect_rates(SadovState{});
 }
@@ -148,7 +148,7 @@ void expect_maps(const C& like) {
 // [SA (106), (109), (111)]
 TEST(ElementRates, MapsThereAndBackInEverySetAndGauge) {
   expect_maps(AndoyerState{});
-  expect_maps(FukushimaIshizakiState{.t0 = -0.3});
+  expect_maps(FukushimaIshizakiState{0, 0, 0, 0, 0, 0, -0.3});
   expect_maps(SerretState{});
   expect_maps(SadovState{});
 }

@@ -203,7 +203,8 @@ TEST(OrbitalElements, SingularitiesAndUnboundOrbitsAreRejected) {
         Row{delaunay, {0.1, 0.2, 0.3, 1.0, 1.0, 0.5}, "a singularity of Delaunay's elements"},
         Row{keplerian, {1.0, 1.2, 0.5, 0.1, 0.2, 0.3}, "not a bound orbit"},
         Row{keplerian, {-1.0, 0.2, 0.5, 0.1, 0.2, 0.3}, "not a bound orbit"},
-        Row{delaunay, {0.1, 0.2, 0.3, 1.0, 0.9, 0.95}, "not a bound orbit"}})
+        Row{delaunay, {0.1, 0.2, 0.3, 1.0, 0.9, 0.95}, "not a bound orbit"},
+        Row{delaunay, {0.1, 0.2, 0.3, -1.0, -0.9, -0.5}, "not a bound orbit"}})
     EXPECT_THAT(message_of([&] { element_rates(row.set, system, 0.0, row.elements); }),
                 HasSubstr(row.message));
   EXPECT_THAT(message_of([&] {

@@ -96,7 +96,7 @@ constexpr std::array precessing_keys = {
         .otherwise("0"),
 };
 
-// Of the mean longitude, which on a plane that stays is that of the direction to the body.
+// The rate of the mean longitude, which on a plane that stays is that of the direction to the body.
 double mean_rate(const ScenarioOrbit& orbit, const FrameContext& at) {
   const KeplerElements* elements = kepler_elements(orbit);
   if (elements == nullptr || !(elements->eccentricity < 1.0))
@@ -108,7 +108,7 @@ double mean_rate(const ScenarioOrbit& orbit, const FrameContext& at) {
   return n + rates.mean_anomaly + rates.argument + rates.node;
 }
 
-// Turned about the axis by an angle that depends on time.
+// A frame rotated about the axis by an angle that depends on time.
 template <class Angle>
 Frame turning_frame(const Vec3& axis, Angle angle) {
   const double size = norm(axis);

@@ -45,7 +45,7 @@ class Reader {
     at_ += static_cast<std::size_t>(end - first);
     return x;
   }
-  // -1, 1, or 0 where there is none.
+  // -1 or 1; 0 if there is none.
   double sign() { return takes("-") ? -1.0 : takes("+") ? 1.0 : 0.0; }
 
   [[noreturn]] void fail(const std::string& expected) {
@@ -64,7 +64,7 @@ class Reader {
   std::size_t at_ = 0;
 };
 
-// Factors of which at most one is t, with its power, or a sine or cosine of a line.
+// A product of numbers and at most one of: a power of t, a sine or a cosine of a*t + b.
 struct FormulaTerm {
   double factor = 1.0;
   int power = 0;
@@ -72,10 +72,10 @@ struct FormulaTerm {
   double frequency = 0.0, phase = 0.0;
 };
 
-// a*t + b, in any order.
+// Reads a*t + b, in any order, and the bracket that closes it.
 void read_line(Reader& in, FormulaTerm& term) {
   bool first = true;
-  while (!in.takes(")")) {
+  while (first || !in.takes(")")) {
     double factor = in.sign();
     if (factor == 0.0) {
       if (!first) in.fail("+, - or )");
@@ -126,6 +126,8 @@ RateFormula::RateFormula(std::string_view text) {
     first = false;
     do read_factor(in, term);
     while (in.takes("*"));
+    if (!std::isfinite(term.factor) || !std::isfinite(term.frequency) || !std::isfinite(term.phase))
+      in.fail("finite numbers before the end of the term");
     if (term.has_wave && term.frequency != 0.0) {
       const double phase = term.is_sine ? term.phase - 0.5 * std::numbers::pi : term.phase;
       waves_.push_back({term.factor, term.frequency, phase});

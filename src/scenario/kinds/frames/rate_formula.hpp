@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A rate as a sum of powers of t, sines and cosines, "5e-3 + 1e-5*t - 2e-4*cos(0.3*t + 1)", and the
-// angle that it makes from t = 0 on.
+// A rate as a sum of powers of t, sines and cosines, "5e-3 + 1e-5*t - 2e-4*cos(0.3*t + 1)", and its
+// integral, the angle from t = 0.
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@ namespace detail {
 
 class RateFormula {
  public:
-  // DomainError that says what is wrong, and where.
+  // DomainError with what is expected, and where.
   explicit RateFormula(std::string_view text);
 
   // The same with t in units of `time` and the rate in units of `rate`.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A table of rates, and the angle that they make: the integral of the polynomials of a TableOrbit.
+// A table of rates and the angle that is their integral: that of the polynomials of a TableOrbit.
 #pragma once
 
 #include <algorithm>
