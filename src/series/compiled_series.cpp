@@ -24,6 +24,8 @@ CompiledSeries::CompiledSeries(const Series<double>& series) {
   const Symbols& symbols = series.symbols();
   variables_.resize(symbols.variables().size());
   angles_.resize(symbols.angles().size());
+  for (std::size_t i = 0; i < symbols.values().size(); ++i)
+    variables_[i].origin = symbols.values()[i];
   for (const Term<double>& term : series.terms()) {
     for (std::size_t i = 0; i < variables_.size(); ++i) {
       const int n = exponent(symbols, term.key, static_cast<int>(i));
@@ -91,7 +93,7 @@ void CompiledSeries::fill_powers(const double* points, double* scratch) const {
       return scratch + lanes * (range.start + static_cast<std::size_t>(n - range.least));
     };
     for (std::size_t p = 0; p < lanes; ++p) {
-      const double x = points[p * dimension() + i];
+      const double x = points[p * dimension() + i] - range.origin;
       row(0)[p] = 1.0;
       for (int n = 1; n <= range.largest; ++n) row(n)[p] = row(n - 1)[p] * x;
       if (range.least == 0) continue;

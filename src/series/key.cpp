@@ -3,13 +3,16 @@
 #include "polhode/series/key.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <set>
 #include <string>
 #include <utility>
 
 #include "polhode/error.hpp"
+#include "polhode/series/coefficient.hpp"
 #include "polhode/series/detail/canonical_terms.hpp"
+#include "polhode/series/detail/term_text.hpp"
 #include "polhode/series/detail/words.hpp"
 #include "polhode/series/symbols.hpp"
 
@@ -49,9 +52,37 @@ void require_names(const char* what, const Names& names, std::set<std::string>& 
   }
 }
 
+// In the order of the variables.
+std::vector<double> checked_values(const Names& variables, const std::vector<ConjugatePair>& pairs,
+                                   const std::vector<std::pair<std::string, double>>& given) {
+  std::vector<double> values(given.size());
+  std::set<std::string> seen;
+  for (const auto& [name, value] : given) {
+    const int i = place(variables, name);
+    if (i < 0)
+      throw DomainError("Symbols: values: " + detail::quoted(name) + " is no variable; there are " +
+                        listed("variables", variables));
+    if (!seen.insert(name).second)
+      throw DomainError("Symbols: values: " + name + " is there twice");
+    if (!std::isfinite(value))
+      throw DomainError("Symbols: values: " + name + " = " + CoefficientText<double>::text(value) +
+                        "; expected a finite number");
+    if (std::any_of(pairs.begin(), pairs.end(),
+                    [&](const ConjugatePair& pair) { return pair.coordinate == name; }))
+      throw DomainError("Symbols: values: " + name +
+                        " is a coordinate; expected momenta and parameters");
+    if (i >= static_cast<int>(given.size()))
+      throw DomainError("Symbols: values: " + name + " comes after variables without a value in " +
+                        listed("variables", variables) + "; put those with a value first");
+    values[static_cast<std::size_t>(i)] = value;
+  }
+  return values;
+}
+
 }  // namespace
 
-Symbols::Symbols(Names variables, Names angles, std::vector<ConjugatePair> pairs) {
+Symbols::Symbols(Names variables, Names angles, std::vector<ConjugatePair> pairs,
+                 const std::vector<std::pair<std::string, double>>& values) {
   std::set<std::string> seen;
   require_names("variables", variables, seen);
   require_names("angles", angles, seen);
@@ -67,10 +98,12 @@ Symbols::Symbols(Names variables, Names angles, std::vector<ConjugatePair> pairs
       if (!paired.insert(name).second)
         throw DomainError("Symbols: " + name + " is in two pairs, or twice in one");
   }
+  std::vector<double> chosen = checked_values(variables, pairs, values);
   const PackedFields exponents(static_cast<int>(variables.size()));
   const PackedFields multipliers(static_cast<int>(angles.size()));
-  table_ = std::make_shared<const Table>(
-      Table{std::move(variables), std::move(angles), std::move(pairs), exponents, multipliers});
+  table_ =
+      std::make_shared<const Table>(Table{std::move(variables), std::move(angles), std::move(pairs),
+                                          std::move(chosen), exponents, multipliers});
 }
 
 bool Symbols::has_variable(std::string_view name) const { return place(variables(), name) >= 0; }
@@ -92,6 +125,14 @@ int Symbols::angle(std::string_view name) const {
 
 std::string Symbols::names() const {
   return listed("variables", variables()) + "; " + listed("angles", angles());
+}
+
+std::string Symbols::values_text() const {
+  std::string text;
+  for (std::size_t i = 0; i < values().size(); ++i)
+    text +=
+        (i == 0 ? "" : ", ") + variables()[i] + " = " + CoefficientText<double>::text(values()[i]);
+  return text;
 }
 
 namespace {
@@ -150,7 +191,7 @@ std::string text(const Symbols& symbols, const TermKey& key) {
     const int n = exponent(symbols, key, i);
     if (n == 0) continue;
     if (!product.empty()) product += '*';
-    product += symbols.variables()[static_cast<std::size_t>(i)];
+    product += detail::base_text(symbols, i);
     if (n != 1) product += '^' + std::to_string(n);
   }
   std::string angle;
@@ -171,7 +212,27 @@ std::string text(const Symbols& symbols, const TermKey& key) {
 
 namespace detail {
 
+std::string displacement_text(const std::string& name, double value) {
+  if (value == 0.0) return name;
+  return "(" + name + (value < 0.0 ? " + " : " - ") +
+         CoefficientText<double>::text(std::abs(value)) + ")";
+}
+
+std::string base_text(const Symbols& symbols, int variable) {
+  const auto i = static_cast<std::size_t>(variable);
+  const std::string& name = symbols.variables()[i];
+  return i < symbols.values().size() ? displacement_text(name, symbols.values()[i]) : name;
+}
+
 void require_same(const Symbols& a, const Symbols& b) {
+  if (!(a == b) && !(a.values() == b.values())) {
+    const auto described = [](const Symbols& s) {
+      return s.values().empty() ? s.names() + " without values"
+                                : s.names() + " at " + s.values_text();
+    };
+    throw DomainError("Series: two sets of symbols, " + described(a) + " and " + described(b) +
+                      "; both series need the same, with the same values");
+  }
   if (!(a == b))
     throw DomainError("Series: two sets of symbols, " + a.names() + " and " + b.names() +
                       "; both series need the same, with the same pairs");

@@ -24,7 +24,11 @@ Orders::Orders(const Symbols& symbols, const Truncation& keep) : fields_(symbols
     if (weight < 0 || weight > largest_weight)
       throw DomainError("Truncation: the weight " + std::to_string(weight) + " of " + name +
                         " is out of [0, " + std::to_string(largest_weight) + "]");
-    weights_.emplace_back(symbols.variable(name), weight);
+    const int variable = symbols.variable(name);
+    if (weight != 0 && variable < static_cast<int>(symbols.values().size()))
+      throw DomainError("Truncation: " + name +
+                        " has a value, and coefficients are functions of it: it has no order");
+    weights_.emplace_back(variable, weight);
   }
 }
 

@@ -106,10 +106,10 @@ int integer(std::size_t line, std::string_view cell) {
   return n;
 }
 
-CsvRow row_of(const Symbols& symbols, std::size_t line, std::string_view text) {
+CsvRow row_of(const Symbols& symbols, std::size_t line, std::string_view text, bool has_known) {
   const std::vector<std::string_view> found = cells(text);
   const std::size_t variables = symbols.variables().size(), angles = symbols.angles().size();
-  if (found.size() != 2 + variables + angles)
+  if (found.size() != 2 + variables + angles + (has_known ? 1 : 0))
     refuse_row(line, text, "has another number of columns than the header");
   if (found[1] != "cos" && found[1] != "sin") refuse_row(line, found[1], "is neither cos nor sin");
   std::vector<std::pair<std::string, int>> powers, multiples;
@@ -118,7 +118,8 @@ CsvRow row_of(const Symbols& symbols, std::size_t line, std::string_view text) {
   for (std::size_t i = 0; i < angles; ++i)
     multiples.emplace_back(symbols.angles()[i], integer(line, found[2 + variables + i]));
   const Trigonometric function = found[1] == "cos" ? Trigonometric::cosine : Trigonometric::sine;
-  return {line, found[0], packed(symbols, powers, multiples, function)};
+  return {line, found[0], packed(symbols, powers, multiples, function),
+          has_known ? found.back() : std::string_view()};
 }
 
 }  // namespace
@@ -127,11 +128,11 @@ void refuse_row(std::size_t line, std::string_view value, const char* why) {
   throw DomainError("series: line " + std::to_string(line) + ": " + quoted(value) + " " + why);
 }
 
-std::string csv_header(const Symbols& symbols) {
+std::string csv_header(const Symbols& symbols, bool has_known) {
   std::string header = "coefficient,function";
-  for (const std::string& name : symbols.variables()) header += "," + name + "^";
+  for (int i = 0; i < symbols.exponents().count(); ++i) header += "," + base_text(symbols, i) + "^";
   for (const std::string& name : symbols.angles()) header += "," + name;
-  return header + "\n";
+  return header + (has_known ? ",known\n" : "\n");
 }
 
 std::string csv_row(const Symbols& symbols, const TermKey& key) {
@@ -143,9 +144,9 @@ std::string csv_row(const Symbols& symbols, const TermKey& key) {
   return row + "\n";
 }
 
-std::vector<CsvRow> csv_rows(const Symbols& symbols, std::string_view table) {
+std::vector<CsvRow> csv_rows(const Symbols& symbols, std::string_view table, bool has_known) {
   std::vector<CsvRow> rows;
-  std::string header = csv_header(symbols);
+  std::string header = csv_header(symbols, has_known);
   header.pop_back();
   for (std::size_t line = 1; line == 1 || !table.empty(); ++line) {
     const std::size_t end = table.find('\n');
@@ -155,7 +156,7 @@ std::vector<CsvRow> csv_rows(const Symbols& symbols, std::string_view table) {
     if (line == 1) {
       if (text != header) refuse_row(line, text, ("is not the header " + header).c_str());
     } else if (!text.empty()) {
-      rows.push_back(row_of(symbols, line, text));
+      rows.push_back(row_of(symbols, line, text, has_known));
     }
   }
   return rows;
@@ -189,6 +190,12 @@ std::string latex_name(std::string_view name) {
   return out;
 }
 
+std::string latex_base(const Symbols& symbols, int variable) {
+  const auto i = static_cast<std::size_t>(variable);
+  const std::string name = latex_name(symbols.variables()[i]);
+  return i < symbols.values().size() ? displacement_text(name, symbols.values()[i]) : name;
+}
+
 }  // namespace
 
 void add_term(std::string& sum, std::string coefficient, const std::string& product,
@@ -214,7 +221,7 @@ std::string latex(const Symbols& symbols, const TermKey& key) {
   for (int i = 0; i < symbols.exponents().count(); ++i) {
     const int n = exponent(symbols, key, i);
     if (n == 0) continue;
-    const std::string name = latex_name(symbols.variables()[static_cast<std::size_t>(i)]);
+    const std::string name = latex_base(symbols, i);
     if (n == 1)
       add(product, " ", name);
     else if (name.find('\'') == std::string::npos)

@@ -3,7 +3,8 @@
 //
 // Equations   a^n by products of a or of 1/a, cos and sin of k phi by turning on by phi, each
 //             once a point; then one product of cosines and sines a combination of angles, one
-//             product of powers a monomial, and one product a term.
+//             product of powers a monomial, and one product a term. Points have the variables
+//             themselves; powers of those with a value (symbols.hpp) are taken of displacements.
 // Units       those of the symbols; angles in radians.
 // Domain      finite points; a = 0 with a negative exponent gives an infinity or NaN.
 // Accuracy    rounding: of sum |C a^n| times some (|n| + |k| + number of symbols) eps, and eps
@@ -39,6 +40,7 @@ class CompiledSeries {
   struct Range {
     int least = 0, largest = 0;
     std::size_t start = 0;
+    double origin = 0.0;  // of powers
   };
   // A product of table entries: factors_[first] up to factors_[last].
   struct Product {

@@ -88,6 +88,16 @@ class Series {
   std::vector<Term<T>> terms_;
 };
 
+// How many variables, the first ones, coefficients are functions of: those with a value, if any has
+// one.
+template <Coefficient T>
+int variables_of_coefficients(const Symbols& symbols) {
+  if constexpr (VariableCoefficient<T>)
+    return symbols.values().empty() ? T::variable_count : static_cast<int>(symbols.values().size());
+  else
+    return 0;
+}
+
 // c.
 template <Coefficient T>
 Series<T> constant(const Symbols& symbols, T c) {

@@ -7,7 +7,9 @@
 // Units       those of the symbols.
 // Domain      text that is read may be any expression: sums, products, quotients by one term
 //             without an angle, integer powers, parentheses, cos and sin of sums of integer
-//             multiples of angles. The text of a series is one of them.
+//             multiples of angles. The text of a series is one of them. With coefficients that
+//             are functions, and symbols with values (taylor_coefficient.hpp), also quotients
+//             by any function of the variables with a value, and sqrt of one.
 // Accuracy    what is written is read back as the same series, NaN and infinities apart, in double
 //             and Rational; other types to their max_digits10.
 // Errors      DomainError of one line: the column, or the row, and what was expected there.

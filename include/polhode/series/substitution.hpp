@@ -35,7 +35,7 @@ Series<T> substituted(const Series<T>& a, std::string_view name, const Series<T>
   detail::require_same(symbols, s.symbols());
   const int variable = symbols.variable(name);
   if constexpr (VariableCoefficient<T>)
-    if (variable < T::variable_count)
+    if (variable < variables_of_coefficients<T>(symbols))
       throw DomainError("substituted: " + std::string(name) +
                         " is a variable of the coefficients too; it can be displaced alone");
   std::map<int, std::vector<Term<T>>> by_exponent;

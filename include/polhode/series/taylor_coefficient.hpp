@@ -5,8 +5,9 @@
 // Equations   c(x) = sum of c_m x^m, |m| <= degree, x the displacement from the values chosen.
 //             Quotients and roots are power series in what is left without the constant term.
 // Units       those of the function.
-// Domain      the first `count` variables of the symbols, in their order. A power of such a
-//             variable in a key is one of its displacement. Division and roots need a constant term
+// Domain      the first `count` variables of the symbols, in their order, or as many of them as
+//             have values (symbols.hpp). A power of such a variable in a key is one of its
+//             displacement. Division and roots need a constant term
 //             that is not zero, or positive; they converge where x is small against the distance of
 //             the nearest zero.
 // Accuracy    exact in Rational up to known(); else the roundings of T. A polynomial that nothing
@@ -23,10 +24,12 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "polhode/error.hpp"
 #include "polhode/math/real.hpp"
+#include "polhode/series/coefficient.hpp"
 #include "polhode/series/detail/taylor_layout.hpp"
 
 namespace polhode {
@@ -42,6 +45,7 @@ class TaylorCoefficient {
   using Number = T;
   using Exponents = std::array<int, static_cast<std::size_t>(count)>;
   static constexpr int variable_count = count;
+  static constexpr int highest_degree = degree;
   static constexpr std::size_t size = Layout::size;
 
   TaylorCoefficient() : TaylorCoefficient(0) {}
@@ -58,8 +62,15 @@ class TaylorCoefficient {
     return a;
   }
 
+  // The displacement of a variable from its value.
+  static TaylorCoefficient displacement(int place) { return variable(place, T(0)); }
+
   // The degree up to which all is known.
   int known() const { return known_ < degree ? known_ : degree; }
+  // A polynomial that nothing was cut off from.
+  bool is_exact() const { return known_ == exact; }
+  // Without what is beyond a degree, which is then not known.
+  TaylorCoefficient known_to(int most) const { return within(*this, most); }
   const T& constant() const { return c_[0]; }
   // Of the monomial with that place, in ascending degree; and its exponents.
   const T& at(std::size_t i) const { return c_[i]; }
@@ -71,8 +82,9 @@ class TaylorCoefficient {
     d.known_ = known_ == exact ? exact : known_ - 1;
     if (d.known_ < 0)
       throw DomainError(
-          "TaylorCoefficient: nothing is known of a derivative after so many; a higher degree has "
-          "more");
+          "TaylorCoefficient: nothing is known of this derivative: a polynomial of degree " +
+          std::to_string(degree) + " has no more than " + std::to_string(degree) +
+          " derivatives of a root or a quotient");
     const auto& raised = layout.raised[static_cast<std::size_t>(place)];
     for (std::size_t i = 0; i < Layout::size_to(degree - 1) && layout.order[i] <= d.known_; ++i) {
       const T& c = c_[raised[i]];
@@ -188,6 +200,13 @@ class TaylorCoefficient {
 
   std::array<T, size> c_;
   int known_ = exact;
+};
+
+template <class T, int count, int degree>
+struct CoefficientText<TaylorCoefficient<T, count, degree>> {
+  static TaylorCoefficient<T, count, degree> from_text(std::string_view text) {
+    return TaylorCoefficient<T, count, degree>(CoefficientText<T>::from_text(text));
+  }
 };
 
 template <class T, int count, int degree>

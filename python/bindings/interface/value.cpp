@@ -17,6 +17,17 @@ nb::tuple remade(nb::handle self, nb::handle arguments, const char* method) {
   return nb::make_tuple(call, nb::make_tuple(type));
 }
 
+Py_hash_t hash_of(const nb::tuple& arguments) {
+  nb::list hashable;
+  for (const nb::handle x : arguments) {
+    if (PyDict_Check(x.ptr()))
+      hashable.append(nb::module_::import_("builtins").attr("frozenset")(x.attr("items")()));
+    else
+      hashable.append(x);
+  }
+  return static_cast<Py_hash_t>(nb::hash(nb::tuple(hashable)));
+}
+
 void declare_fields(nb::handle type, const nb::tuple& names) {
   type.attr("__match_args__") = names;
   const nb::object plain =

@@ -110,6 +110,9 @@ ValueField<Get, Default> field(const char* name, Get get, const char* text, Defa
   return {name, get, text, otherwise};
 }
 
+// Of a tuple of arguments, dictionaries among them by their items.
+Py_hash_t hash_of(const nb::tuple& arguments);
+
 // Equality, hash, copies and pickles by arguments(value), the tuple that its constructor takes, or
 // its class method of this name.
 template <class C, class Arguments>
@@ -117,7 +120,7 @@ void def_value(nb::class_<C>& c, Arguments arguments, const char* method = "") {
   c.def(
        "__eq__", [arguments](const C& a, const C& b) { return arguments(a).equal(arguments(b)); },
        nb::is_operator(), "other"_a)
-      .def("__hash__", [arguments](const C& v) { return nb::hash(arguments(v)); })
+      .def("__hash__", [arguments](const C& v) { return hash_of(arguments(v)); })
       .def("__copy__", [](const C& v) { return v; })
       .def(
           "__deepcopy__", [](const C& v, nb::handle) { return v; }, "memo"_a)

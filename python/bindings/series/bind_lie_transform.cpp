@@ -22,7 +22,7 @@ struct PythonTransform {
   Operands clocks;
   double least_divisor;
   LieMethod method;
-  std::variant<Shared<Rational>, Shared<double>> transform;
+  std::variant<Shared<Rational>, Shared<double>, Shared<MomentumFunction>> transform;
 };
 
 template <class T>
@@ -40,10 +40,8 @@ PythonTransform transform_of(const PythonSeries& hamiltonian, const Truncation& 
                              double least_divisor, LieMethod method) {
   PythonTransform out{hamiltonian, keep, angles, resonances, clocks, least_divisor, method, {}};
   const WithoutGil released;
-  if (hamiltonian.is_exact() && are_exact(hamiltonian.symbols(), clocks))
-    out.transform = solved<Rational>(out);
-  else
-    out.transform = solved<double>(out);
+  with_numbers_of(hamiltonian, are_exact(hamiltonian.symbols(), clocks),
+                  [&]<class T>() { out.transform = solved<T>(out); });
   return out;
 }
 
@@ -54,7 +52,8 @@ PythonSeries of(const PythonTransform& t, F f) {
   return std::visit([&](const auto& shared) { return PythonSeries{f(*shared)}; }, t.transform);
 }
 template <class T>
-Series<T> alike(const LieTransform<T>&, const PythonSeries& f) {
+Series<T> alike(const LieTransform<T>& lie, const PythonSeries& f) {
+  polhode::detail::require_same(f.symbols(), lie.mean_hamiltonian().symbols());
   return as<T>(f);
 }
 
@@ -107,7 +106,9 @@ void bind_lie_transform(nb::module_& m) {
 
 H = sum of H_n, n the order in the small parameters. Hori: K = exp(L_S) H with L_S f = {f, S};
 Deprit: his triangle. Order by order K_n is what has none of the angles, and the rest is the flow
-of H_0 on the generator. Exact if the Hamiltonian and the clocks are.
+of H_0 on the generator. Exact if the Hamiltonian and the clocks are. The rate of each combination
+of angles is one term, or any function of the momenta if the symbols have values of them; results
+then hold near these values.
 
 Parameters
 ----------

@@ -5,6 +5,7 @@
 #include "interface/value.hpp"
 #include "polhode/secular/transform_size.hpp"
 #include "polhode/series/derivative.hpp"
+#include "polhode/series/expanded.hpp"
 #include "polhode/series/series_text.hpp"
 #include "polhode/series/substitution.hpp"
 #include "series/series_value.hpp"
@@ -26,6 +27,10 @@ PythonSeries made(const PythonSeries& a, F f) {
 template <class F>
 auto of_both(const PythonSeries& a, const PythonSeries& b, F f) {
   const WithoutGil released;
+  if (a.has_functions() || b.has_functions()) {
+    polhode::detail::require_same(a.symbols(), b.symbols());
+    return f(std::get<2>(a.s), std::get<2>(b.s));
+  }
   if (a.is_exact() && b.is_exact()) return f(std::get<0>(a.s), std::get<0>(b.s));
   return f(a.doubles(), b.doubles());
 }
@@ -54,11 +59,13 @@ PythonTerm term_of(const Symbols& symbols, const Term<T>& term) {
 }
 std::vector<PythonTerm> terms_of(const PythonSeries& a) {
   std::vector<PythonTerm> terms;
-  std::visit(
-      [&](const auto& s) {
-        for (const auto& term : s.terms()) terms.push_back(term_of(s.symbols(), term));
-      },
-      a.s);
+  const auto add = [&](const auto& s) {
+    for (const auto& term : s.terms()) terms.push_back(term_of(s.symbols(), term));
+  };
+  if (a.is_exact())
+    add(std::get<0>(a.s));
+  else
+    add(a.doubles());
   return terms;
 }
 
@@ -87,17 +94,21 @@ Series<T> series_of_terms(const Symbols& symbols, const std::vector<PythonTerm>&
 PythonSeries of_terms(const Symbols& symbols, const std::vector<PythonTerm>& terms) {
   const bool exact = std::all_of(terms.begin(), terms.end(),
                                  [](const auto& term) { return term.coefficient.index() == 0; });
+  if (!symbols.values().empty())
+    return {collected<MomentumFunction>(series_of_terms<double>(symbols, terms))};
   if (exact) return {series_of_terms<Rational>(symbols, terms)};
   return {series_of_terms<double>(symbols, terms)};
 }
 
 PythonSeries read(const Symbols& symbols, const std::string& text, bool exact) {
   const WithoutGil released;
+  if (!symbols.values().empty()) return {series_from_text<MomentumFunction>(symbols, text)};
   if (exact) return {series_from_text<Rational>(symbols, text)};
   return {series_from_text<double>(symbols, text)};
 }
 PythonSeries of_csv(const Symbols& symbols, const std::string& table, bool exact) {
   const WithoutGil released;
+  if (!symbols.values().empty()) return {series_from_csv<MomentumFunction>(symbols, table)};
   if (exact) return {series_from_csv<Rational>(symbols, table)};
   return {series_from_csv<double>(symbols, table)};
 }
@@ -111,31 +122,36 @@ std::string csv_of(const PythonSeries& a) {
   return std::visit([](const auto& s) { return csv(s); }, a.s);
 }
 std::size_t size_of(const PythonSeries& a) {
-  return std::visit([](const auto& s) { return s.size(); }, a.s);
+  return a.has_functions() ? a.doubles().size()
+                           : std::visit([](const auto& s) { return s.size(); }, a.s);
+}
+// None for series whose coefficients are numbers.
+std::optional<int> known_degree_of(const PythonSeries& a) {
+  if (!a.has_functions()) return std::nullopt;
+  int least = MomentumFunction::highest_degree;
+  for (const auto& term : std::get<2>(a.s).terms()) least = std::min(least, term.c.known());
+  return least;
 }
 
 PythonSeries quotient(const PythonSeries& a, const PythonSeries& b) {
   return made(a, b, [](const auto& x, const auto& y) { return product(x, inverse(y)); });
 }
 PythonSeries integral_of(const PythonSeries& a, const Operands& rates, double least) {
-  const bool exact = a.is_exact() && are_exact(a.symbols(), rates);
-  const PythonSeries f = exact ? a : PythonSeries{a.doubles()};
-  return made(f, [&](const auto& s) {
-    using T = typename std::decay_t<decltype(s)>::Number;
-    return integral(s, rates_of<T>(s.symbols(), rates), least);
+  return with_numbers_of(a, are_exact(a.symbols(), rates), [&]<class T>() {
+    const Series<T> f = as<T>(a);
+    const std::vector<AngleRate<T>> all = rates_of<T>(a.symbols(), rates);
+    const WithoutGil released;
+    return PythonSeries{integral(f, all, least)};
   });
 }
 TransformSize transform_size_of(const PythonSeries& h, const Truncation& keep,
                                 const Operands& clocks) {
-  const auto of = [&](const auto& hamiltonian) {
-    using T = typename std::decay_t<decltype(hamiltonian)>::Number;
-    Elimination<T> problem{hamiltonian, keep, {}};
-    problem.clocks = rates_of<T>(hamiltonian.symbols(), clocks);
+  return with_numbers_of(h, are_exact(h.symbols(), clocks), [&]<class T>() {
+    Elimination<T> problem{as<T>(h), keep, {}};
+    problem.clocks = rates_of<T>(h.symbols(), clocks);
     const WithoutGil released;
     return transform_size(problem);
-  };
-  if (h.is_exact() && are_exact(h.symbols(), clocks)) return of(std::get<0>(h.s));
-  return of(h.doubles());
+  });
 }
 PythonSeries with_angles(const PythonSeries& a, const std::map<std::string, Counts>& sums) {
   std::vector<AngleSum> all;
@@ -151,30 +167,53 @@ void bind_symbols(nb::module_& m) {
     for (const ConjugatePair& pair : s.pairs()) all.emplace_back(pair.coordinate, pair.momentum);
     return all;
   };
+  using Values = std::map<std::string, double>;
+  const auto values = [](const S& s) {
+    Values all;
+    for (std::size_t i = 0; i < s.values().size(); ++i) all[s.variables()[i]] = s.values()[i];
+    return all;
+  };
   const auto made = [](const std::vector<std::string>& variables,
-                       const std::vector<std::string>& angles, const Pairs& all) {
+                       const std::vector<std::string>& angles, const Pairs& all,
+                       const Values& chosen) {
+    if (chosen.size() > static_cast<std::size_t>(MomentumFunction::variable_count))
+      throw DomainError("Symbols: values: " + std::to_string(chosen.size()) +
+                        " variables; expected at most " +
+                        std::to_string(MomentumFunction::variable_count));
     std::vector<ConjugatePair> conjugate;
     for (const auto& [q, p] : all) conjugate.push_back({q, p});
-    return S(variables, angles, std::move(conjugate));
+    return S(variables, angles, std::move(conjugate), {chosen.begin(), chosen.end()});
   };
-  bind_made_value<S>(m, "Symbols", R"(The names that series are written in.
+  bind_made_value<S>(
+      m, "Symbols", R"doc(The names that series are written in.
 
 Parameters
 ----------
 variables : what has exponents: momenta, parameters, coordinates that are no angles.
 angles : what stands in cosines and sines, rad.
 pairs : (coordinate, momentum) of each degree of freedom: dq/dt = dH/dp, dp/dt = -dH/dq.
+values : of up to three momenta or parameters, the first of `variables`. Coefficients of series are
+    then functions of them, sqrt(G^2 - L^2) or 1/(G + L): Taylor polynomials of degree 6 about
+    these values, in floats. Results hold near the values.
+
+Examples
+--------
+>>> names = Symbols(["L", "G", "k"], ["l", "g"], [("l", "L"), ("g", "G")],
+...                 values={"L": 0.6, "G": 1.0})
+>>> round(Series(names, "k*sqrt(G^2 - L^2)*sin(l)")(L=0.61, G=1.0, k=1.0, l=0.5), 9)
+0.379897474
 
 Up to 12 variables and 12 angles. A name is a letter or _ and then letters, digits, _ or ', and not
 cos or sin. Exponents and multipliers are integers below 2^14 in size for up to 3 variables or
-angles, 2^10 for 5, 2^5 for 9, 2^3 for 12. ValueError for names that break this.)",
-                     made,
-                     field(
-                         "variables", [](const S& s) { return s.variables(); }, "Their names."),
-                     field(
-                         "angles", [](const S& s) { return s.angles(); }, "Their names.",
-                         std::vector<std::string>()),
-                     field("pairs", pairs, "(coordinate, momentum) each.", Pairs()));
+angles, 2^10 for 5, 2^5 for 9, 2^3 for 12. ValueError for names that break this.)doc",
+      made,
+      field(
+          "variables", [](const S& s) { return s.variables(); }, "Their names."),
+      field(
+          "angles", [](const S& s) { return s.angles(); }, "Their names.",
+          std::vector<std::string>()),
+      field("pairs", pairs, "(coordinate, momentum) each.", Pairs()),
+      field("values", values, "Of the first variables, to expand about.", Values()).but_quiet());
 
   using T = Truncation;
   bind_made_value<T>(
@@ -396,20 +435,34 @@ void def_texts(nb::class_<PythonSeries>& c) {
 
 void bind_series_class(nb::module_& m) {
   using S = PythonSeries;
-  nb::class_<S> c(m, "Series", R"(A Poisson series: sum of C a1^n1 ... am^nm cos|sin(k.phi).
+  nb::class_<S> c(m, "Series", R"doc(A Poisson series: sum of C a1^n1 ... am^nm cos|sin(k.phi).
 
 Coefficients are fractions (exact) or floats. A number in a sum or product is a constant: ints and
-Fractions keep a series exact, a float or a series of floats makes floats of it.
+Fractions keep a series exact, a float or a series of floats makes floats of it. If the symbols have
+values, coefficients are functions of the variables with a value, kept as Taylor polynomials.
 
 Parameters
 ----------
 symbols : Symbols.
 text : an expression: sums, products, quotients by one term without an angle, powers such as G^-2,
-    parentheses, cos and sin of sums of integer multiples of angles.
-exact : False for floats. Else 0.1 is the fraction 1/10.
+    parentheses, cos and sin of sums of integer multiples of angles. With values of momenta in the
+    symbols also sqrt of a function of these momenta and quotients by one.
+exact : False for floats. Else 0.1 is the fraction 1/10. Ignored if the symbols have values.
+
+Examples
+--------
+>>> names = Symbols(["L", "G"], ["l"], [("l", "L")], values={"L": 0.6, "G": 1.0})
+>>> sin_J = Series(names, "sqrt(1 - L^2/G^2)")
+>>> round(sin_J(L=0.61, G=1.02), 9)
+0.801466841
+>>> sin_J.known_degree, sin_J.derivative("L").known_degree
+(6, 5)
+
+Text, LaTeX, terms and tables of series with such coefficients are in powers of displacements:
+(L - 0.6)^2.
 
 ValueError with the column and what was expected there; for exponents and multipliers out of range;
-for two series with different symbols.)");
+for two series with different symbols.)doc");
   c.def(
        "__init__",
        [](S* self, const Symbols& symbols, const std::string& text, bool exact) {
@@ -423,9 +476,13 @@ for two series with different symbols.)");
       .def_prop_ro(
           "symbols", [](const S& a) { return a.symbols(); }, "The names it is written in.")
       .def_prop_ro("exact", &S::is_exact, "Whether coefficients are fractions.")
+      .def_prop_ro("known_degree", known_degree_of,
+                   "The degree in the displacements from symbols.values to which all coefficients "
+                   "are known: 6, less 1 for each derivative of a root or quotient. None for "
+                   "coefficients that are numbers.")
       .def_prop_ro("terms", terms_of, "Its terms, sorted; iteration gives the same.")
       .def(
-          "to_doubles", [](const S& a) { return S{a.doubles()}; },
+          "to_doubles", [](const S& a) { return a.has_functions() ? a : S{a.doubles()}; },
           "The same with the nearest floats as coefficients.");
   def_arithmetic(c);
   def_products(c);

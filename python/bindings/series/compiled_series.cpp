@@ -13,20 +13,17 @@ namespace {
 // A series made flat, and which of its symbols, the variables first, are in a term of it.
 class PythonCompiled {
  public:
-  explicit PythonCompiled(const PythonSeries& a) : symbols_(a.symbols()), flat_(a.doubles()) {
+  explicit PythonCompiled(const PythonSeries& a) : PythonCompiled(a.doubles()) {}
+  explicit PythonCompiled(const Series<double>& a) : symbols_(a.symbols()), flat_(a) {
     names_ = symbols_.variables();
     names_.insert(names_.end(), symbols_.angles().begin(), symbols_.angles().end());
     is_used_.resize(names_.size());
     const auto variables = static_cast<int>(symbols_.variables().size());
-    std::visit(
-        [&](const auto& s) {
-          for (const auto& term : s.terms())
-            for (int i = 0; i < static_cast<int>(names_.size()); ++i)
-              if ((i < variables ? exponent(symbols_, term.key, i)
-                                 : multiplier(symbols_, term.key, i - variables)) != 0)
-                is_used_[static_cast<std::size_t>(i)] = 1;
-        },
-        a.s);
+    for (const auto& term : a.terms())
+      for (int i = 0; i < static_cast<int>(names_.size()); ++i)
+        if ((i < variables ? exponent(symbols_, term.key, i)
+                           : multiplier(symbols_, term.key, i - variables)) != 0)
+          is_used_[static_cast<std::size_t>(i)] = 1;
   }
   const Symbols& symbols() const { return symbols_; }
   std::size_t size() const { return flat_.size(); }

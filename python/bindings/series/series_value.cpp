@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "polhode/error.hpp"
+#include "polhode/series/expanded.hpp"
 
 namespace polhode::python {
 
@@ -33,7 +34,8 @@ const Symbols& PythonSeries::symbols() const {
 }
 
 Series<double> PythonSeries::doubles() const {
-  return std::visit([](const auto& a) { return to_doubles(a); }, s);
+  if (has_functions()) return expanded(std::get<2>(s));
+  return is_exact() ? to_doubles(std::get<0>(s)) : std::get<1>(s);
 }
 
 double finite(double coefficient) {
@@ -48,8 +50,11 @@ double finite(double coefficient) {
 
 PythonSeries series_of(const Symbols& symbols, const Operand& x) {
   if (const auto* series = std::get_if<PythonSeries>(&x)) return *series;
-  if (const auto* exact = std::get_if<Rational>(&x)) return {constant(symbols, *exact)};
-  return {constant(symbols, finite(std::get<double>(x)))};
+  const auto* const exact = std::get_if<Rational>(&x);
+  if (symbols.values().empty() && exact) return {constant(symbols, *exact)};
+  const double number = finite(exact ? to_double(*exact) : std::get<double>(x));
+  if (symbols.values().empty()) return {constant(symbols, number)};
+  return {constant(symbols, MomentumFunction(number))};
 }
 
 template <>
@@ -63,6 +68,13 @@ Series<Rational> as(const PythonSeries& a) {
         "Series: a series with float coefficients meets a transform that is exact; make the "
         "transform of hamiltonian.to_doubles()");
   return std::get<0>(a.s);
+}
+template <>
+Series<MomentumFunction> as(const PythonSeries& a) {
+  if (!a.has_functions())
+    throw DomainError("Series: the symbols " + a.symbols().names() +
+                      " without values meet symbols with values; both series need the same");
+  return std::get<2>(a.s);
 }
 
 }  // namespace polhode::python

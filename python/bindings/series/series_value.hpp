@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Series of Python, whose coefficients are rationals or doubles, and fractions.Fraction for
-// Rational.
+// Series of Python, whose coefficients are rationals, doubles or functions of momenta, and
+// fractions.Fraction for Rational.
 #pragma once
 
 #include <map>
@@ -13,6 +13,7 @@
 #include "interface/arrays.hpp"
 #include "polhode/series/linear_flow.hpp"
 #include "polhode/series/series.hpp"
+#include "polhode/series/taylor_coefficient.hpp"
 #include "polhode/series/truncation.hpp"
 
 namespace polhode::python {
@@ -42,11 +43,16 @@ struct type_caster<polhode::Rational> {
 
 namespace polhode::python {
 
+// Of symbols with values. Three momenta; 84 numbers a coefficient.
+using MomentumFunction = TaylorCoefficient<double, 3, 6>;
+
 struct PythonSeries {
-  std::variant<Series<Rational>, Series<double>> s;
+  std::variant<Series<Rational>, Series<double>, Series<MomentumFunction>> s;
 
   bool is_exact() const { return s.index() == 0; }
+  bool has_functions() const { return s.index() == 2; }
   const Symbols& symbols() const;
+  // With functions, in powers of displacements.
   Series<double> doubles() const;
 };
 
@@ -136,12 +142,22 @@ template <>
 Series<double> as(const PythonSeries& a);
 template <>
 Series<Rational> as(const PythonSeries& a);
+template <>
+Series<MomentumFunction> as(const PythonSeries& a);
 
 // Its value where each symbol has the number or array of its name.
 FloatArray value_of(const PythonSeries& a, const nb::kwargs& at);
 void bind_compiled_series(nb::module_& m);
 // Bound with the Lie transforms.
 void bind_mean_rotation(nb::module_& m);
+
+// f.operator()<T>(), T the coefficients of what is made of a and, if it is exact, others that are.
+template <class F>
+auto with_numbers_of(const PythonSeries& a, bool others_exact, F f) {
+  if (a.has_functions()) return f.template operator()<MomentumFunction>();
+  if (a.is_exact() && others_exact) return f.template operator()<Rational>();
+  return f.template operator()<double>();
+}
 
 inline bool are_exact(const Symbols& symbols, const Operands& all) {
   for (const auto& [name, x] : all)

@@ -135,5 +135,36 @@ TEST(TaylorCoefficient, ExpandedIsASeriesInDisplacements) {
             wanted + cosine(symbols, Rational(1), {{"k", 2}, {"L", 1}, {"G", 1}}, {{"l", 1}}));
 }
 
+Symbols at_values() {
+  return Symbols({"L", "G", "k"}, {"l", "g"}, {{"l", "L"}, {"g", "G"}}, {{"G", 1.25}, {"L", 0.75}});
+}
+
+// Powers of L and G in text are functions of them; only two of three variables are used.
+TEST(TaylorCoefficient, ValuesOfSymbolsMakeFunctionsOfText) {
+  using Three = polhode::TaylorCoefficient<Rational, 3, 5>;
+  const Symbols symbols = at_values();
+  const Three l = Three::variable(0, Rational(3, 4)), g = Three::variable(1, Rational(5, 4));
+  const auto read = [&](const char* text) { return series_from_text<Three>(symbols, text); };
+  EXPECT_EQ(read("k*(G + L)^2*cos(l)/(1 - G*L)"),
+            cosine(symbols, (g + l) * (g + l) / (Three(1) - g * l), {{"k", 1}}, {{"l", 1}}));
+  EXPECT_EQ(derivative(read("k^2*L"), "k"), read("2*k*L"));
+  EXPECT_EQ(expanded(derivative(read("k^2/L"), "L")), expanded(read("-k^2/L^2"), 4));
+  EXPECT_EQ(text(read("G^2*k*sin(g)")),
+            "25/16*k*sin(g) + 5/2*(G - 1.25)*k*sin(g) + (G - 1.25)^2*k*sin(g)");
+  const auto f = derivative(read("k/(G - L) + L^2*sin(g)"), "L");
+  EXPECT_EQ(series_from_text<Three>(symbols, text(f)), f);
+  const auto same = polhode::series_from_csv<Three>(symbols, csv(f));
+  EXPECT_EQ(same, f);
+  EXPECT_EQ(csv(same), csv(f));
+  EXPECT_EQ(polhode::collected<Three>(expanded(f)), f);
+  EXPECT_REJECTED(read("sqrt(G)"), "column 1: 'sqrt'; expected");
+  EXPECT_REJECTED(read("1/(3*G - 5*L)"), "a divisor that is not 0 at L = 0.75, G = 1.25 before it");
+  using One = polhode::TaylorCoefficient<double, 1, 5>;
+  EXPECT_REJECTED(series_from_text<One>(symbols, "G"),
+                  "2 variables have values, L = 0.75, G = 1.25; coefficients of this type take 1");
+  EXPECT_REJECTED(series_from_text<double>(symbols, "G"), "coefficients of this type take 0");
+  EXPECT_REJECTED(read("G") + series_from_text<Three>(rotor(), "k"), "without values");
+}
+
 }  // namespace
 }  // namespace series_test

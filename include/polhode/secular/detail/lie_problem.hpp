@@ -30,7 +30,7 @@ Parts<T> checked_parts(const Elimination<T>& problem) {
   require_bound("slowest", problem.slowest);
   if constexpr (VariableCoefficient<T>)
     for (const auto& [name, weight] : problem.keep.weights)
-      if (weight != 0 && symbols.variable(name) < T::variable_count)
+      if (weight != 0 && symbols.variable(name) < variables_of_coefficients<T>(symbols))
         throw DomainError("LieTransform: the small parameter " + name +
                           " is a variable of the coefficients, which have no order");
   Parts<T> h = parts(problem.hamiltonian, problem.keep);
@@ -60,9 +60,7 @@ LieKeys lie_keys(const Elimination<T>& problem, const Parts<T>& h) {
   Keys rates(problem.hamiltonian.symbols());
   for (const AngleRate<T>& one : angle_rates(h[0], problem.clocks))
     if (!derivative(problem.hamiltonian, one.angle).is_zero()) rates += keys_of(one.rate);
-  int of_coefficients = 0;
-  if constexpr (VariableCoefficient<T>) of_coefficients = T::variable_count;
-  return LieKeys(keys_of(h), rates, of_coefficients);
+  return LieKeys(keys_of(h), rates, variables_of_coefficients<T>(problem.hamiltonian.symbols()));
 }
 
 // Of a transform that ends at each order.

@@ -17,12 +17,15 @@ struct CsvRow {
   std::size_t line;
   std::string_view coefficient;
   TermKey key;
+  std::string_view known;  // empty without that column
 };
 
-std::string csv_header(const Symbols& symbols);
+// Coefficients that are functions have a last column: the degree to which one is known.
+std::string csv_header(const Symbols& symbols, bool has_known = false);
 // What follows the coefficient, up to the end of the line.
 std::string csv_row(const Symbols& symbols, const TermKey& key);
-std::vector<CsvRow> csv_rows(const Symbols& symbols, std::string_view table);
+std::vector<CsvRow> csv_rows(const Symbols& symbols, std::string_view table,
+                             bool has_known = false);
 [[noreturn]] void refuse_row(std::size_t line, std::string_view value, const char* why);
 
 }  // namespace detail

@@ -4,9 +4,11 @@
 //   product = factor {("*" | "/") factor}
 //   factor = atom ["^" integer]
 //   atom = number | variable | ("cos" | "sin") "(" angles ")" | "(" sum ")"
+//        | "sqrt" "(" sum ")"
 //   angles = ["-"] multiple {("+" | "-") multiple}
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdlib>
 #include <string>
@@ -22,13 +24,28 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
+namespace roots {
+using std::sqrt;
+template <class N>
+concept HasRoot = requires(const N& x) { sqrt(x); };
+}  // namespace roots
+// A function of variables, of numbers that have roots: rationals have none.
+template <class T>
+concept HasRoot = VariableCoefficient<T> && roots::HasRoot<typename T::Number>;
+
 template <class T>
 class Expression {
  public:
   Expression(const Symbols& symbols, std::string_view text)
       : symbols_(symbols),
         lexer_(text),
-        pairs_left_(pairs_of_text + pairs_of_character * text.size()) {}
+        pairs_left_(pairs_of_text + pairs_of_character * text.size()) {
+    const std::size_t values = symbols.values().size();
+    if (values > static_cast<std::size_t>(most_values))
+      throw DomainError("series: " + std::to_string(values) + " variables have values, " +
+                        symbols.values_text() + "; coefficients of this type take " +
+                        std::to_string(most_values));
+  }
 
   Series<T> series() {
     Series<T> whole = sum();
@@ -37,6 +54,10 @@ class Expression {
   }
 
  private:
+  static constexpr int most_values = [] {
+    if constexpr (VariableCoefficient<T>) return T::variable_count;
+    return 0;
+  }();
   static constexpr int most_depth = 100;
   static constexpr int most_power = 1000;  // of what is no monomial
   // Pairs of terms that text may ask for: a second at most, and more for long text.
@@ -95,12 +116,75 @@ class Expression {
     if (lexer_.takes("cos")) return wave(Trigonometric::cosine);
     if (lexer_.takes("sin")) return wave(Trigonometric::sine);
     const std::string name(lexer_.word());
+    if (name == "sqrt" && !symbols_.has_variable(name) && !symbols_.has_angle(name)) return root();
     if (symbols_.has_angle(name))
       lexer_.refuse("a variable: an angle stands in cos(...) or sin(...) alone");
     if (!symbols_.has_variable(name))
       lexer_.refuse("a number, cos, sin, a parenthesis or a variable of: " + symbols_.names());
     lexer_.advance();
+    if constexpr (VariableCoefficient<T>)
+      if (const auto i = static_cast<std::size_t>(symbols_.variable(name));
+          i < symbols_.values().size())
+        return constant<T>(symbols_,
+                           T::variable(static_cast<int>(i), number_of(symbols_.values()[i])));
     return monomial<T>(symbols_, T(1), {{name, 1}});
+  }
+
+  // By its text, so that rationals are those of its digits.
+  static auto number_of(double value) {
+    return CoefficientText<typename T::Number>::from_text(CoefficientText<double>::text(value));
+  }
+
+  Series<T> root() {
+    if constexpr (HasRoot<T>) {
+      if (!symbols_.values().empty()) {
+        lexer_.advance();
+        lexer_.expect("(");
+        const Series<T> inner = sum();
+        if (inner.size() > 1 || (inner.size() == 1 && inner.terms()[0].key != zero_key(symbols_)))
+          lexer_.refuse("a root of a function of " + functions_of() +
+                        " before it, without angles and other variables");
+        if (inner.is_zero() || is_rounded_zero(inner.terms()[0].c) ||
+            !(to_double(inner.terms()[0].c) > 0.0))
+          lexer_.refuse("a root of a function that is positive at " + symbols_.values_text() +
+                        " before it");
+        Series<T> found = constant<T>(symbols_, sqrt(inner.terms()[0].c));
+        require_finite(found);
+        lexer_.expect(")");
+        return found;
+      }
+    }
+    lexer_.refuse(
+        "a number, cos, sin, a parenthesis or a variable: a root needs symbols with values of the "
+        "momenta in it");
+  }
+
+  // Whether c is 0 at the values, but for the rounding of sums such as G^2 - L^2.
+  bool is_rounded_zero(const T& c) const {
+    constexpr double rounding = 1e-14;
+    double scale = 0.0;
+    for (std::size_t i = 1; i < T::size; ++i) {
+      double size = std::abs(to_double(c.at(i)));
+      for (std::size_t v = 0; v < symbols_.values().size(); ++v)
+        size *= std::pow(std::abs(symbols_.values()[v]), T::exponents(i)[v]);
+      scale += size;
+    }
+    const double value = std::abs(to_double(c));
+    return value == 0.0 || value < rounding * scale;
+  }
+  // "L, G".
+  std::string functions_of() const {
+    std::string names;
+    for (std::size_t i = 0; i < symbols_.values().size(); ++i)
+      names += (i == 0 ? "" : ", ") + symbols_.variables()[i];
+    return names;
+  }
+  void require_finite(const Series<T>& a) const {
+    for (const Term<T>& term : a.terms())
+      for (std::size_t i = 0; i < T::size; ++i)
+        if (!std::isfinite(to_double(term.c.at(i))))
+          lexer_.refuse("a function whose Taylor polynomial is finite at " +
+                        symbols_.values_text() + " before it");
   }
 
   Series<T> wave(Trigonometric function) {
@@ -146,7 +230,19 @@ class Expression {
     return a.size() == 1 && a.terms()[0].key.multipliers == symbols_.multipliers().zero();
   }
   Series<T> inverted(const Series<T>& a) const {
-    if (!is_monomial(a)) lexer_.refuse("a divisor of one term without an angle before it");
+    const bool has_values = !symbols_.values().empty();
+    if (!is_monomial(a))
+      lexer_.refuse(has_values ? "a divisor without an angle before it: a function of " +
+                                     functions_of() + ", times powers of other variables"
+                               : "a divisor of one term without an angle before it; quotients by "
+                                 "sums need symbols with values of the momenta in them");
+    if constexpr (VariableCoefficient<T>) {
+      if (is_rounded_zero(a.terms()[0].c))
+        lexer_.refuse("a divisor that is not 0 at " + symbols_.values_text() + " before it");
+      Series<T> found = inverse(a);
+      require_finite(found);
+      return found;
+    }
     return inverse(a);
   }
 

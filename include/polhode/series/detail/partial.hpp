@@ -18,7 +18,8 @@ Series<T> by_variable(const Series<T>& a, int variable) {
   for (const Term<T>& term : a.terms()) {
     const int n = fields.at(term.key.exponents, variable);
     if constexpr (VariableCoefficient<T>)
-      if (variable < T::variable_count) terms.push_back({term.key, term.c.derivative(variable)});
+      if (variable < variables_of_coefficients<T>(a.symbols()))
+        terms.push_back({term.key, term.c.derivative(variable)});
     if (n == 0) continue;
     terms.push_back(
         {{fields.with(term.key.exponents, variable, -1), term.key.multipliers}, T(n) * term.c});

@@ -10,6 +10,11 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
+// "(G - 1)", or "G" if the value is 0.
+std::string displacement_text(const std::string& name, double value);
+// The name of a variable, or its displacement if it has a value.
+std::string base_text(const Symbols& symbols, int variable);
+
 // Adds coefficient * product to the text of a sum; a coefficient of 1 goes where it can.
 void add_term(std::string& sum, std::string coefficient, const std::string& product,
               const char* times);
