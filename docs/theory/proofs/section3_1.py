@@ -53,13 +53,8 @@ section.definition("(40)", "S_t dt + S_q dq + S_P dP = p dq + Q dP - (H - H*) dt
                    "The total differential of S(q, P, t).")
 
 
-@section.equation("(41)", "p = S_q, Q = S_P, H + S_t = H*")
-def eq_41():
-    """Compare the coefficients of dq, dP and dt in (40)."""
-    S_q, S_P, S_t, dq, dP, dt, K = symbols("S_q S_P S_t dq dP dt K")
-    equal(S_q * dq + S_P * dP + S_t * dt, S_q * dq + S_P * dP - (K - (K + S_t)) * dt)
-
-
+section.definition("(41)", "p = S_q, Q = S_P, H + S_t = H*",
+                   "The coefficients of dq, dP and dt in (40).")
 section.definition("(42)", "H(q, S_q, t) + S_t = H*(S_P, P, t)", "Jacobi's equation: (41).")
 
 # (33) to (35)
@@ -77,11 +72,8 @@ def eq_43():
     equal(hamiltonian.subs(momenta_of_plane), energy.subs(L, G * cos(J)))
 
 
-@section.equation("(44)", "H + dS/dt - S_q qdot = 0")
-def eq_44():
-    """dS/dt = S_t + S_q qdot, since P is constant; so this is (42) with H* = 0."""
-    S_q, S_t, q_rate, K = symbols("S_q S_t qd K")
-    equal(K + (S_t + S_q * q_rate) - S_q * q_rate, K + S_t)
+section.definition("(44)", "H + dS/dt - S_q qdot = 0",
+                   "(42) with H* = 0: P is constant, so that dS/dt = S_t + S_q qdot.")
 
 
 @section.equation("(45)", "S = A1 t + A2 phi + int S_theta dtheta + int S_psi dpsi + C")
