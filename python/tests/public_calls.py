@@ -49,7 +49,8 @@ OF_CLASS = {
     "SadovState": polhode.to_sadov(BODY, STATE),
     "KinoshitaState": polhode.to_kinoshita(BODY, STATE),
     "SadovParameters": polhode.SadovParameters(1.0, 0.5),
-    "EulerAngles": polhode.euler_angles(STATE.q),
+    # where the motion of STATE is at t = 0.5
+    "EulerAngles": polhode.euler_angles(polhode.FreeRotation(BODY, STATE).at(0.5).q),
     "FukushimaIshizakiState": polhode.to_fukushima_ishizaki(
         polhode.FreeRotation(BODY, STATE), 0.0
     ),
@@ -171,7 +172,9 @@ OF_CALL = {
     "SatelliteState.__init__": {"r": VECTOR, "p": VECTOR},
     "elements_of_state(SatelliteSystem)": {"chart": "delaunay"},
     "elements_of_state": {"chart": "fukushima-ishizaki", "t0": 0.3},
-    "serret_branches": {"G": 1.0, "H": 0.3, "T": 0.35},
+    "serret_branches": {
+        name: getattr(polhode.to_serret(BODY, STATE), name) for name in ("G", "H", "T")
+    },
     "sadov_parameters": {"G": 1.0, "T": 0.35},
     **{
         f"element_{name}(SatelliteSystem)": {

@@ -96,6 +96,10 @@ herr_t truncate(H5FD_t* file, hid_t, hbool_t) {
 
 H5FD_class_t driver_class() {
   H5FD_class_t c{};
+#ifdef H5FD_CLASS_VERSION  // from HDF5 1.14 on
+  c.version = H5FD_CLASS_VERSION;
+  c.value = 511;  // 256 to 511 are of no registered driver
+#endif
   c.name = "polhode";
   c.maxaddr = haddr_t{1} << 62;
   c.fc_degree = H5F_CLOSE_WEAK;

@@ -152,7 +152,7 @@ def test_andoyer_needs_only_what_a_question_needs(info):
     body = "schema = 1\n[body]\nmoments = [1, 2, 2.5]\n[state.andoyer]\nL = 0.8\nG = 1.0\n"
     short = info(body)
     full = info(body + "l = 0\ng = 0\nh = 0\nH = 1.0\n")
-    assert short.pop("state_andoyer_defaults") == "g = 0, h = 0, l = 0"
+    assert short.pop("state_andoyer_defaults") == "g = 0, h = 0, l = 0, H = G"
     assert short == full
     assert_allclose(short["pole"]["value"][1], math.pi / 2, rtol=budgets.observer_columns)
 
