@@ -36,6 +36,8 @@ def by_hand(t, s):
     lambda s: to_andoyer(to_rotor(AndoyerState(*(getattr(to_andoyer(s), x) for x in "lghLGH")))),
     lambda s: to_andoyer(to_rotor(BODY, polhode.to_euler_rates(BODY, s))),
     lambda s: to_andoyer(polhode.RotorState(s.q, s.g)),
+    lambda s: to_andoyer(to_rotor(BODY, polhode.to_sadov(BODY, s))),
+    lambda s: to_andoyer(to_rotor(BODY, polhode.to_serret(BODY, s, 0.3), 0.3)),
 ])
 def test_an_energy_in_any_chart(convert):
     system = of_charts(convert)
@@ -66,6 +68,24 @@ def test_canonical_sets_in_one_line():
     rates = polhode.equations_of_motion(lambda z: to_rotor(AndoyerState(*z)), system, 0.0, z)
     assert_allclose(rates, polhode.element_rates(system, 0.0, AndoyerState(*z)),
                     atol=budgets.element_maps)
+
+
+def test_serrets_and_sadovs_elements():
+    """First derivatives in double by the Jacobian of the set."""
+    energy = polhode.HamiltonianTerm(lambda t, s: 0.1 * polhode.to_serret(BODY, s).T)
+    w = polhode.angular_velocity(BODY, STATE)
+    assert_allclose(polhode.effect(polhode.System(BODY, terms=[energy]), 0.0, STATE).v, 0.1 * w,
+                    atol=budgets.element_maps)
+    system = polhode.System(BODY, polhode.Frame.precessing([0.6, 0, 0.8], 0.05))
+    sadov = polhode.to_sadov(BODY, STATE)
+    names = ("phi_l", "phi_g", "phi_h", "I_l", "I_g", "I_h")
+    z = [getattr(sadov, name) for name in names]
+    last = {"region": sadov.region, "lobe": sadov.lobe}
+    rates = polhode.equations_of_motion(
+        lambda z: to_rotor(BODY, polhode.SadovState(*z, **last)), system, 0.0, z)
+    assert_allclose(rates, polhode.element_rates(system, 0.0, sadov), atol=budgets.dual_jacobian)
+    with pytest.raises(TypeError, match="first derivatives in double only"):
+        polhode.canonical_state(polhode.System(BODY, terms=[energy]), 0.0, STATE)
 
 
 def test_functions_of_dual_states():

@@ -79,7 +79,8 @@ sign_g1 and sign_g3 are the signs of the momentum along the axes of least and gr
       sign_field("sign_g3",
                  "Sign of the momentum along the axis of greatest moment at t0: 1 or -1.",
                  offsetof(SerretState, sign_g3))}},
-    checked};
+    checked,
+    true};
 
 constexpr Chart<SadovState, 8> sadov_chart{
     "SadovState",
@@ -99,7 +100,8 @@ the sign of the momentum along the long axis. [SA "actions", "phiSadov"])",
                               static_cast<int>(SadovRegion::short_axis)),
       sign_field("lobe", "Sign of the momentum along that axis: 1 or -1.",
                  offsetof(SadovState, lobe))}},
-    checked};
+    checked,
+    true};
 
 constexpr Chart<TumblerState, 8> tumbler_chart{
     "TumblerState",

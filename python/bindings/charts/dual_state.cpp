@@ -9,8 +9,12 @@
 
 #include "charts/states.hpp"
 #include "interface/object_slots.hpp"
+#include "polhode/free/sadov.hpp"
+#include "polhode/free/serret.hpp"
+#include "polhode/math/matrix6.hpp"
 #include "polhode/rotor/andoyer.hpp"
 #include "polhode/rotor/body.hpp"
+#include "polhode/rotor/chart_jacobian.hpp"
 #include "polhode/rotor/euler.hpp"
 #include "polhode/rotor/poincare.hpp"
 
@@ -119,6 +123,144 @@ nb::object state_of(const char* chart,
   return nb::cast(std::move(s));
 }
 
+// Serret's and Sadov's elements have formulas in double: their first derivatives are those of the
+// Jacobian of the set.
+template <class D>
+inline constexpr bool is_first_order = false;
+template <int N>
+inline constexpr bool is_first_order<Dual<double, N>> = true;
+
+template <class F>
+nb::object on_first_order(const DualState& s, const char* set, const F& f) {
+  return std::visit(
+      [&](const auto& kind) -> nb::object {
+        using D = std::decay_t<decltype(kind)>;
+        if constexpr (is_first_order<D>) {
+          return f(kind);
+        } else {
+          throw nb::type_error((std::string(set) +
+                                ": has first derivatives in double only; expected no double-double "
+                                "run and no second derivatives, or another chart")
+                                   .c_str());
+        }
+      },
+      kind_of(s));
+}
+
+// The state s with the derivatives that C has, by B = d(theta_B, g_B)/dC.
+template <class D>
+nb::object rotor_along(const RotorState& s, const Matrix6& B, const std::array<D, 6>& C) {
+  BasicQuaternion<D> q{s.q.w, s.q.x, s.q.y, s.q.z};
+  BasicVec3<D> g{s.g.x, s.g.y, s.g.z};
+  for (std::size_t n = 0; n < D::size; ++n) {
+    std::array<double, 6> by{};
+    for (std::size_t k = 0; k < 6; ++k) by[k] = C[k].derivative[n];
+    const std::array<double, 6> x = B * by;
+    const Quaternion dq = s.q * Quaternion{0.0, 0.5 * x[0], 0.5 * x[1], 0.5 * x[2]};
+    q.w.derivative[n] = dq.w;
+    q.x.derivative[n] = dq.x;
+    q.y.derivative[n] = dq.y;
+    q.z.derivative[n] = dq.z;
+    for (int k = 0; k < 3; ++k) g[k].derivative[n] = x[static_cast<std::size_t>(k) + 3];
+  }
+  return nb::cast(dual_rotor(q, g));
+}
+// Elements C of the state r, by B^-1.
+template <class D>
+std::array<D, 6> elements_along(const BasicRotorState<D>& r, const Matrix6& inverse,
+                                const std::array<double, 6>& C) {
+  std::array<D, 6> elements;
+  for (std::size_t k = 0; k < 6; ++k) elements[k] = D(C[k]);
+  const Quaternion back = conj(Quaternion{r.q.w.value, r.q.x.value, r.q.y.value, r.q.z.value});
+  for (std::size_t n = 0; n < D::size; ++n) {
+    const Quaternion turn = back * Quaternion{r.q.w.derivative[n], r.q.x.derivative[n],
+                                              r.q.y.derivative[n], r.q.z.derivative[n]};
+    const std::array<double, 6> x =
+        inverse * std::array<double, 6>{2.0 * turn.x,        2.0 * turn.y,
+                                        2.0 * turn.z,        r.g.x.derivative[n],
+                                        r.g.y.derivative[n], r.g.z.derivative[n]};
+    for (std::size_t k = 0; k < 6; ++k) elements[k].derivative[n] = x[k];
+  }
+  return elements;
+}
+template <class D>
+RotorState value_of(const BasicRotorState<D>& r) {
+  return {{r.q.w.value, r.q.x.value, r.q.y.value, r.q.z.value},
+          {r.g.x.value, r.g.y.value, r.g.z.value}};
+}
+
+int whole_of(const DualState& s, const char* field) {
+  return nb::cast<int>(nb::object(s.fields[field]));
+}
+
+nb::object rotor_of_serret(const Body& body, const DualState& s, double t) {
+  return on_first_order(s, "SerretState", [&]<class D>(const D&) {
+    const auto x = [&](const char* field) { return number_of<D>(s, field); };
+    const std::array<D, 6> C{x("g0"), x("h"), -x("t0"), x("G"), x("H"), x("T")};
+    const SerretState c{C[0].value,
+                        C[1].value,
+                        -C[2].value,
+                        C[3].value,
+                        C[4].value,
+                        C[5].value,
+                        whole_of(s, "sign_g1"),
+                        whole_of(s, "sign_g3")};
+    return rotor_along(to_rotor(body, c, t), chart_jacobian(body, c, t), C);
+  });
+}
+nb::object rotor_of_sadov(const Body& body, const DualState& s) {
+  return on_first_order(s, "SadovState", [&]<class D>(const D&) {
+    const auto x = [&](const char* field) { return number_of<D>(s, field); };
+    const std::array<D, 6> C{x("phi_l"), x("phi_g"), x("phi_h"), x("I_l"), x("I_g"), x("I_h")};
+    const SadovState c{C[0].value,
+                       C[1].value,
+                       C[2].value,
+                       C[3].value,
+                       C[4].value,
+                       C[5].value,
+                       choice<SadovRegion>(s.fields["region"], "region"),
+                       whole_of(s, "lobe")};
+    return rotor_along(to_rotor(body, c), chart_jacobian(body, c), C);
+  });
+}
+
+nb::object serret_of(const Body& body, const DualState& s, double t) {
+  return on_first_order(s, "SerretState", [&]<class D>(const D&) {
+    const BasicRotorState<D> r = rotor_of<D>(s);
+    const RotorState state = value_of(r);
+    const SerretState c = to_serret(FreeRotation(body, state, t), t);
+    const std::array<D, 6> C =
+        elements_along(r, inverse_chart_jacobian(chart_jacobian(body, c, t), state.g),
+                       {c.g0, c.h, -c.t0, c.G, c.H, c.T});
+    return state_of("SerretState", {{"g0", to_python(C[0])},
+                                    {"h", to_python(C[1])},
+                                    {"t0", to_python(-C[2])},
+                                    {"G", to_python(C[3])},
+                                    {"H", to_python(C[4])},
+                                    {"T", to_python(C[5])},
+                                    {"sign_g1", nb::int_(c.sign_g1)},
+                                    {"sign_g3", nb::int_(c.sign_g3)}});
+  });
+}
+nb::object sadov_of(const Body& body, const DualState& s) {
+  return on_first_order(s, "SadovState", [&]<class D>(const D&) {
+    const BasicRotorState<D> r = rotor_of<D>(s);
+    const RotorState state = value_of(r);
+    const SadovState c = to_sadov(body, state);
+    const std::array<D, 6> C =
+        elements_along(r, inverse_chart_jacobian(chart_jacobian(body, c), state.g),
+                       {c.phi_l, c.phi_g, c.phi_h, c.I_l, c.I_g, c.I_h});
+    return state_of("SadovState", {{"phi_l", to_python(C[0])},
+                                   {"phi_g", to_python(C[1])},
+                                   {"phi_h", to_python(C[2])},
+                                   {"I_l", to_python(C[3])},
+                                   {"I_g", to_python(C[4])},
+                                   {"I_h", to_python(C[5])},
+                                   {"region", nb::cast(c.region)},
+                                   {"lobe", nb::int_(c.lobe)}});
+  });
+}
+
 void bind_dual_conversions(nb::module_& m) {
   m.def(
       "to_rotor",
@@ -128,7 +270,9 @@ void bind_dual_conversions(nb::module_& m) {
       "state"_a, "The RotorState of Duals of such a state in any chart.");
   m.def(
       "to_rotor",
-      [](const Body& body, const DualState& s) {
+      [](const Body& body, const DualState& s, double t) -> nb::object {
+        if (s.chart == "SerretState") return rotor_of_serret(body, s, t);
+        if (s.chart == "SadovState") return rotor_of_sadov(body, s);
         return std::visit(
             [&](const auto& kind) {
               using D = std::decay_t<decltype(kind)>;
@@ -136,11 +280,19 @@ void bind_dual_conversions(nb::module_& m) {
               const BasicRotorState<D> r =
                   to_rotor(body, BasicEulerRates<D>{x("phi"), x("theta"), x("psi"), x("phi_dot"),
                                                     x("theta_dot"), x("psi_dot")});
-              return dual_rotor(r.q, r.g);
+              return nb::cast(dual_rotor(r.q, r.g));
             },
             kind_of(s));
       },
-      "body"_a, "state"_a, "The RotorState of EulerRates of Duals.");
+      "body"_a, "state"_a, "t"_a = 0.0,
+      "The RotorState of EulerRates, of a SadovState or at time t of a SerretState of Duals.");
+  m.def(
+      "to_serret",
+      [](const Body& body, const DualState& s, double t) { return serret_of(body, s, t); },
+      "body"_a, "state"_a, "t"_a = 0.0, "Serret's elements of a state of Duals at time t.");
+  m.def(
+      "to_sadov", [](const Body& body, const DualState& s) { return sadov_of(body, s); }, "body"_a,
+      "state"_a, "Sadov's variables of a state of Duals.");
   m.def(
       "to_andoyer",
       [](const DualState& s) {
@@ -277,7 +429,7 @@ void bind_dual_state(nb::module_& m) {
       R"(A state of Duals: what a chart class makes of Duals, and what functions are called with.
 
 It has the fields of its class: q (4,) and g (3,) of a RotorState, l, g, h, L, G, H of an
-AndoyerState; vectors are object arrays. to_rotor, to_andoyer, to_euler, to_poincare,
+AndoyerState; vectors are object arrays. to_rotor, to_andoyer, to_euler, to_poincare, to_serret, to_sadov,
 kinetic_energy, angular_velocity and inertial_momentum take it, so that an energy can be written in
 any chart:
 
