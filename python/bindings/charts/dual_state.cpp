@@ -429,9 +429,9 @@ void bind_dual_state(nb::module_& m) {
       R"(A state of Duals: what a chart class makes of Duals, and what functions are called with.
 
 It has the fields of its class: q (4,) and g (3,) of a RotorState, l, g, h, L, G, H of an
-AndoyerState; vectors are object arrays. to_rotor, to_andoyer, to_euler, to_poincare, to_serret, to_sadov,
-kinetic_energy, angular_velocity and inertial_momentum take it, so that an energy can be written in
-any chart:
+AndoyerState; vectors are object arrays. to_rotor, to_andoyer, to_euler, to_poincare, to_serret,
+to_sadov, kinetic_energy, angular_velocity and inertial_momentum take it, so that an energy can be
+written in any chart:
 
 >>> tilt = polhode.HamiltonianTerm(lambda t, s: 0.1 * polhode.to_andoyer(s).H ** 2)
 )",
