@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -27,11 +28,12 @@ constexpr std::size_t rows_beside = 4;
 // The middle one of the intervals of `times` from `first` to `last`, at most rows_beside; 0 of
 // none.
 double usual_interval(std::span<const double> times, std::size_t first, std::size_t last) {
-  std::array<double, rows_beside> intervals{};
+  std::array<double, rows_beside> intervals;
+  intervals.fill(std::numeric_limits<double>::infinity());  // of those beyond, sorted to the end
   const std::size_t count = last - first;
   for (std::size_t k = 0; k < count; ++k) intervals[k] = times[first + k + 1] - times[first + k];
-  std::sort(intervals.begin(), intervals.begin() + static_cast<std::ptrdiff_t>(count));
-  return intervals[count / 2];
+  std::sort(intervals.begin(), intervals.end());
+  return count == 0 ? 0.0 : intervals[count / 2];
 }
 
 void require_rows(const std::vector<double>& times, std::span<const OrbitElements> rows) {
