@@ -46,12 +46,13 @@ def wheel(root, build, tmp_path_factory):
     is compiled twice by the same command."""
     folder = tmp_path_factory.mktemp("wheel")
     lend_objects(build, root / "build/wheel")
-    joined = "POLHODE_JOINED:BOOL=ON" in (build / "CMakeCache.txt").read_text(encoding="utf-8")
+    cache = (build / "CMakeCache.txt").read_text(encoding="utf-8")
+    options = ["--config-settings=cmake.define." + name + ("=ON" if name + ":BOOL=ON" in cache else
+                                                           "=OFF")
+               for name in ("POLHODE_WERROR", "POLHODE_JOINED")]
     done = subprocess.run(
         [sys.executable, "-m", "pip", "wheel", "--no-deps", "--no-build-isolation", "--wheel-dir",
-         folder, "--config-settings=cmake.define.POLHODE_WERROR=ON",
-         f"--config-settings=cmake.define.POLHODE_JOINED={'ON' if joined else 'OFF'}",
-         f"--config-settings=build-dir={root}/build/wheel", root],
+         folder, *options, f"--config-settings=build-dir={root}/build/wheel", root],
         env=dict(os.environ, CXX="c++"), text=True,
         stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
     assert done.returncode == 0, done.stdout
