@@ -25,7 +25,7 @@ DIGITS = 50
 # Largest gap of two sides that agree, least gap of a misprint, at 50 digits.
 CLOSE = mpmath.mpf(10) ** -30
 FAR = mpmath.mpf("0.01")
-# Where random states are drawn: moments of a triaxial body, momenta with |L|, |H| < G.
+# Random states are drawn from these ranges: moments of a triaxial body, momenta with |L|, |H| < G.
 RANGES = {"I1": (1, 1.2), "I2": (1.5, 1.8), "I3": (2.1, 2.4), "G": (2, 3), "lambda": (0.2, 0.8)}
 ELSEWHERE = (0.3, 1.4)
 TURN = (-3, 3)

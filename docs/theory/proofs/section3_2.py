@@ -68,7 +68,7 @@ def eq_Rnew():
     equal(five * five.T * b3, Matrix([0, 0, 1]))
 
 
-# What the brackets of v1, v2, v3 hold
+# The expressions inside the brackets of v1, v2, v3
 along_j1 = cos(l) * cos(g) - sin(l) * cos(J) * sin(g)
 along_j2 = -sin(l) * cos(g) - cos(l) * cos(J) * sin(g)
 across1 = cos(l) * sin(g) + sin(l) * cos(J) * cos(g)

@@ -43,7 +43,7 @@ class Symbols {
   const std::vector<std::string>& variables() const { return table_->variables; }
   const std::vector<std::string>& angles() const { return table_->angles; }
   const std::vector<ConjugatePair>& pairs() const { return table_->pairs; }
-  // Of the first variables, in their order.
+  // The values of the first variables, in order.
   const std::vector<double>& values() const { return table_->values; }
   const PackedFields& exponents() const { return table_->exponents; }
   const PackedFields& multipliers() const { return table_->multipliers; }

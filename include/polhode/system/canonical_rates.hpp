@@ -44,7 +44,7 @@ using CanonicalRates = std::array<double, 6>;
 // Hamilton's equations, if every term has an energy [SA (101), "eqHam"].
 CanonicalRates canonical_rates(const CanonicalChart& chart, const System& system, double t,
                                const RotorState& s);
-// What the terms and the frame add to them [SA (118)].
+// The part of these rates that the terms and the frame cause [SA (118)].
 CanonicalRates perturbation_rates(const CanonicalChart& chart, const System& system, double t,
                                   const RotorState& s);
 

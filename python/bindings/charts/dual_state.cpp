@@ -32,7 +32,7 @@ std::vector<nb::object> items_of_vector(nb::handle value, std::size_t size) {
 std::size_t size_of_field(const Field& field) {
   return field.kind == Kind::vector ? 3 : field.kind == Kind::quaternion ? 4 : 1;
 }
-// Whether it is a Dual, also as the only item of an object array.
+// True for a Dual, and for an object array whose only item is a Dual.
 bool is_dual_number(nb::handle value) {
   if (nb::isinstance<PythonDual>(value)) return true;
   const nb::object item = item_of(value);

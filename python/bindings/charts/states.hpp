@@ -56,7 +56,7 @@ struct Chart {
   std::array<Field, N> fields;
   // The state as it is kept, or DomainError.
   S (*checked)(const S&);
-  // Whether it takes Duals: it then makes a DualState.
+  // True when Duals may be passed; the result is then a DualState.
   bool takes_duals = false;
 };
 

@@ -110,7 +110,7 @@ ValueField<Get, Default> field(const char* name, Get get, const char* text, Defa
   return {name, get, text, otherwise};
 }
 
-// Of a tuple of arguments, dictionaries among them by their items.
+// The hash of a tuple of arguments. A dictionary in it is hashed by its items.
 Py_hash_t hash_of(const nb::tuple& arguments);
 
 // Equality, hash, copies and pickles by arguments(value), the tuple that its constructor takes, or

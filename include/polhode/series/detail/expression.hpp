@@ -159,7 +159,7 @@ class Expression {
         "momenta in it");
   }
 
-  // Whether c is 0 at the values, but for the rounding of sums such as G^2 - L^2.
+  // True when c is 0 at the given values, up to the rounding of sums such as G^2 - L^2.
   bool is_rounded_zero(const T& c) const {
     constexpr double rounding = 1e-14;
     double scale = 0.0;
