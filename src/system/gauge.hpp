@@ -14,9 +14,9 @@
 #include <string>
 
 #include "math/number_text.hpp"
-#include "math/solve_columns.hpp"
 #include "polhode/error.hpp"
 #include "polhode/math/matrix6.hpp"
+#include "polhode/math/vector.hpp"
 #include "polhode/system/element_rates.hpp"
 
 namespace polhode {
@@ -29,6 +29,21 @@ inline Vec3 by_inertia(const Vec3& I, const Vec3& x) { return {I.x * x.x, I.y * 
 
 inline ElementNumbers tangent(const Vec3& position, const Vec3& momentum) {
   return {position.x, position.y, position.z, momentum.x, momentum.y, momentum.z};
+}
+
+inline double determinant(const std::array<Vec3, 3>& columns) {
+  return dot(columns[0], cross(columns[1], columns[2]));
+}
+
+// x with x_0 columns[0] + x_1 columns[1] + x_2 columns[2] = right, by Cramer's rule.
+template <Real T>
+BasicVec3<T> solve_columns(const std::array<Vec3, 3>& columns, const BasicVec3<T>& right) {
+  const auto& [a, b, c] = columns;
+  const double det = determinant(columns);
+  const auto along = [&](const Vec3& normal) {
+    return (right.x * T(normal.x) + right.y * T(normal.y) + right.z * T(normal.z)) / T(det);
+  };
+  return {along(cross(b, c)), along(cross(c, a)), along(cross(a, b))};
 }
 
 // Phi with its derivatives; 0 for the osculating gauge.

@@ -9,10 +9,10 @@
 #include <optional>
 
 #include "math/number_text.hpp"
-#include "math/solve_columns.hpp"
 #include "polhode/error.hpp"
 #include "polhode/math/double_double.hpp"
 #include "polhode/math/dual.hpp"
+#include "system/gauge.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -46,7 +46,7 @@ Residual residual(const System& system, const Setting& at, const Vec3& mu_B, con
   const DualVec v = terms_rate(system, at);
   const Vec3& I = system.body().moments();
   const Vec3 w = value_of(v) - mu_B;
-  const Vec3 lag{I.x * w.x, I.y * w.y, I.z * w.z};
+  const Vec3 lag = detail::by_inertia(I, w);
   Residual r{(at.s.g - g_osc) + lag, {}, norm(at.s.g) + norm(lag) + norm(g_osc)};
   for (int j = 0; j < 3; ++j) {
     const auto k = static_cast<std::size_t>(j) + 3;
