@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What Python's garbage collector must know of a class that holds Python objects.
+// Classes that hold Python objects: what the garbage collector must know, and the methods by which
+// they are compared, copied and shown.
 #pragma once
 
 #include "bindings.hpp"
@@ -31,6 +32,25 @@ PyType_Slot* object_slots() {
       {Py_tp_clear, reinterpret_cast<void*>(clear_objects<C, objects...>)},
       {0, nullptr}};
   return slots;
+}
+
+// Equality, hash, pickles and text of a class that holds Python objects. arguments(value) is the
+// tuple that its constructor takes. A copy is the object itself.
+template <class C, class Arguments, class Text>
+void def_object(nb::class_<C>& c, Arguments arguments, Text text) {
+  c.def(
+       "__eq__",
+       [arguments](const C& a, nb::handle b) -> Typed<"bool"> {
+         if (!nb::isinstance<C>(b)) return nb::borrow(Py_NotImplemented);
+         return nb::bool_(arguments(a).equal(arguments(nb::cast<const C&>(b))));
+       },
+       nb::is_operator(), "other"_a)
+      .def("__hash__", [arguments](const C& v) { return nb::hash(arguments(v)); })
+      .def("__repr__", [text](const C& v) { return text(v); })
+      .def("__copy__", [](nb::handle_t<C> v) { return nb::object(nb::borrow(v)); })
+      .def("__reduce__", [arguments](nb::handle_t<C> self) {
+        return nb::make_tuple(nb::handle(self.type()), arguments(nb::cast<const C&>(self)));
+      });
 }
 
 }  // namespace polhode::python

@@ -125,10 +125,7 @@ struct PythonSatelliteSystem : SatelliteSystem {
 
 void make_satellite_system(PythonSatelliteSystem* self, double gm, Typed<"Frame | None"> frame,
                            Typed<"collections.abc.Iterable[OrbitalPerturbation]"> terms) {
-  nb::object of = frame.is_none() ? nb::type<PythonFrame>().attr("inertial")() : nb::borrow(frame);
-  if (!nb::isinstance<PythonFrame>(of))
-    throw nb::type_error(
-        ("SatelliteSystem: frame: got " + class_name(frame) + "; expected a Frame").c_str());
+  nb::object of = frame_or_inertial(frame, "SatelliteSystem");
   nb::tuple all = nb::tuple(terms);
   std::vector<OrbitalPerturbation> values;
   for (const nb::handle term : all) {
@@ -149,8 +146,8 @@ nb::tuple arguments_of(const PythonSatelliteSystem& s) {
 
 void bind_system_class(nb::module_& m) {
   using S = PythonSatelliteSystem;
-  nb::class_<S>(m, "SatelliteSystem",
-                R"(A satellite about a planet: a Kepler orbit, perturbations and a moving frame.
+  nb::class_<S> c(m, "SatelliteSystem",
+                  R"(A satellite about a planet: a Kepler orbit, perturbations and a moving frame.
 
 H = p^2/2 - gm/r + H'(t, r, p) - mu . (r x p), mu the rate of the frame. Hamilton's equations of it
 are dr/dt = p + dH'/dp - mu x r, dp/dt = -gm r/r^3 - dH'/dr - mu x p. [SA (101), (108)]
@@ -168,29 +165,19 @@ Examples
 ...     gm, polhode.Frame.precessing([0, 0.43, 0.9], 1e-10),
 ...     [polhode.OrbitalPerturbation.oblateness(gm, J2, radius)])
 )",
-                nb::type_slots(object_slots<S, &S::python_frame, &S::python_terms>()))
-      .def("__init__", make_satellite_system, "gm"_a, "frame"_a = nb::none(),
-           "terms"_a = nb::make_tuple())
+                  nb::type_slots(object_slots<S, &S::python_frame, &S::python_terms>()));
+  c.def("__init__", make_satellite_system, "gm"_a, "frame"_a = nb::none(),
+        "terms"_a = nb::make_tuple())
       .def_prop_ro(
           "gm", [](const S& s) { return s.gm(); }, "Gravitational parameter of the planet.")
       .def_prop_ro(
           "frame", [](const S& s) { return s.python_frame; }, "The very object that was given.")
       .def_prop_ro(
-          "terms", [](const S& s) { return s.python_terms; }, "The very objects that were given.")
-      .def(
-          "__eq__", [](const S& a, nb::handle b) -> Typed<"bool"> {
-            if (!nb::isinstance<S>(b)) return nb::borrow(Py_NotImplemented);
-            return nb::bool_(arguments_of(a).equal(arguments_of(nb::cast<const S&>(b))));
-          },
-          nb::is_operator(), "other"_a)
-      .def("__hash__", [](const S& s) { return nb::hash(arguments_of(s)); })
-      .def("__repr__",
-           [](const S& s) {
-             return "SatelliteSystem" + nb::cast<std::string>(nb::repr(arguments_of(s)));
-           })
-      .def("__copy__", [](nb::handle_t<S> s) { return nb::object(nb::borrow(s)); })
-      .def("__reduce__", [](nb::handle_t<S> self) {
-        return nb::make_tuple(nb::handle(self.type()), arguments_of(nb::cast<const S&>(self)));
+          "terms", [](const S& s) { return s.python_terms; }, "The very objects that were given.");
+  def_object(
+      c, [](const S& s) { return arguments_of(s); },
+      [](const S& s) {
+        return "SatelliteSystem" + nb::cast<std::string>(nb::repr(arguments_of(s)));
       });
 }
 

@@ -44,10 +44,7 @@ nb::tuple tuple_of(nb::handle terms) {
 void make_system(PythonSystem* self, const Body& body, Typed<"Frame"> frame,
                  Typed<"AnyPerturbation | collections.abc.Iterable[AnyPerturbation]"> terms,
                  const std::optional<KaneDamper>& damper) {
-  nb::object of = frame.is_none() ? nb::type<PythonFrame>().attr("inertial")() : nb::borrow(frame);
-  if (!nb::isinstance<PythonFrame>(of))
-    throw nb::type_error(
-        ("System: frame: got " + class_name(frame) + "; expected a Frame").c_str());
+  nb::object of = frame_or_inertial(frame, "System");
   nb::tuple all = tuple_of(terms);
   const Frame& value = nb::cast<const PythonFrame&>(of);
   System system(body, value, terms_of(all), damper);
@@ -95,7 +92,7 @@ const PythonSystem& system_of(nb::handle object, const char* where) {
 
 void bind_system(nb::module_& m) {
   using S = PythonSystem;
-  nb::class_<S>(
+  nb::class_<S> c(
       m, "System", R"(A body, a reference frame S, and what acts on the body.
 
 dq/dt = (1/2) q (0, w_SB), dg/dt = g x w_SB + u, w_SB = I^-1 g + v; v and u are summed over the
@@ -112,9 +109,9 @@ damper : KaneDamper, or None.
 Functions of a system take a time and a RotorState in the frame S, which broadcast. They are in any
 consistent units.)",
       nb::type_slots(
-          object_slots<PythonSystem, &PythonSystem::python_frame, &PythonSystem::python_terms>()))
-      .def("__init__", make_system, "body"_a, "frame"_a = nb::none(), "terms"_a = nb::make_tuple(),
-           "damper"_a = nb::none())
+          object_slots<PythonSystem, &PythonSystem::python_frame, &PythonSystem::python_terms>()));
+  c.def("__init__", make_system, "body"_a, "frame"_a = nb::none(), "terms"_a = nb::make_tuple(),
+        "damper"_a = nb::none())
       .def_prop_ro(
           "body", [](const S& s) { return s.body(); }, "What rotates.")
       .def_prop_ro(
@@ -125,19 +122,9 @@ consistent units.)",
           "damper", [](const S& s) { return s.damper(); }, "None: none.")
       .def_prop_ro(
           "is_hamiltonian", [](const S& s) { return s.is_hamiltonian(); },
-          "Whether every term has an energy, and no damper takes it.")
-      .def(
-          "__eq__", [](const S& a, nb::handle b) -> Typed<"bool"> {
-            if (!nb::isinstance<S>(b)) return nb::borrow(Py_NotImplemented);
-            return nb::bool_(arguments_of(a).equal(arguments_of(nb::cast<const S&>(b))));
-          },
-          nb::is_operator(), "other"_a)
-      .def("__hash__", [](const S& s) { return nb::hash(arguments_of(s)); })
-      .def("__repr__", [](const S& s) { return repr_of(s); })
-      .def("__copy__", [](nb::handle_t<S> s) { return nb::object(nb::borrow(s)); })
-      .def("__reduce__", [](nb::handle_t<S> self) {
-        return nb::make_tuple(nb::handle(self.type()), arguments_of(nb::cast<const S&>(self)));
-      });
+          "Whether every term has an energy, and no damper takes it.");
+  def_object(
+      c, [](const S& s) { return arguments_of(s); }, [](const S& s) { return repr_of(s); });
   bind_system_functions(m);
   bind_andoyer_method(m);
 }

@@ -2,6 +2,8 @@
 // Frame, as Python holds it.
 #pragma once
 
+#include <string>
+
 #include "interface/recipe.hpp"
 #include "polhode/frame/frame.hpp"
 
@@ -25,5 +27,15 @@ struct PythonFrame : Frame {
 
   Recipe recipe;
 };
+
+// A Frame as an argument; None is the inertial frame. TypeError for others: `where` starts the
+// message.
+inline nb::object frame_or_inertial(nb::handle frame, const char* where) {
+  if (frame.is_none()) return nb::type<PythonFrame>().attr("inertial")();
+  if (!nb::isinstance<PythonFrame>(frame))
+    throw nb::type_error(
+        (std::string(where) + ": frame: got " + class_name(frame) + "; expected a Frame").c_str());
+  return nb::borrow(frame);
+}
 
 }  // namespace polhode::python
