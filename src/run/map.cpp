@@ -359,7 +359,7 @@ MapCell ScenarioMap::cell(std::int64_t index, const Progress& progress) const {
   try {
     const Experiment experiment = parts_->base.experiment(axis_values(index));
     const std::span<const ChartKind> charts = of.kinds->charts();
-    detail::require_map({of.checked->values, of.units, charts, of.path}, experiment);
+    detail::require_map({{of.checked->values, of.units, of.path}, charts}, experiment);
     return std::visit(
         [&](const auto& made) {
           return detail::map_cell(made, {plan(), of.units, charts}, progress);

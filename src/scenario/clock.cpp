@@ -6,8 +6,7 @@
 
 #include "polhode/error.hpp"
 #include "polhode/text/epoch.hpp"
-#include "scenario/value_access.hpp"
-#include "scenario/values.hpp"
+#include "scenario/tables/state.hpp"
 #include "text/dates.hpp"
 #include "text/number_text.hpp"
 
@@ -15,16 +14,16 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-Clock clock_of(const Values& values, const Units& units, std::string_view path,
-               const std::string& name) {
-  if (!has(values, "state.epoch"))
-    refuse(values, path, name, "expected a key state.epoch, the date of t = 0");
+Clock clock_of(const FileValues& file, std::string_view path) {
+  const Placed<StateTable> state = state_table(file);
+  if (!state->epoch)
+    refuse(file.values, path, file.name, "expected a key state.epoch, the date of t = 0");
   std::optional<double> dut1;
-  const double second =
-      built(values, path, name, [&] { return units.to_core(1.0, "s", Dimension::time); });
-  if (has(values, "state.dut1")) dut1 = number(values, "state.dut1") / second;
-  const Date epoch = built(values, "state.epoch", name, [&] {
-    const Date own = epoch_date(word(values, "state.epoch"));
+  const double second = built(file.values, path, file.name,
+                              [&] { return file.units.to_core(1.0, "s", Dimension::time); });
+  if (state->dut1) dut1 = *state->dut1 / second;
+  const Date epoch = state.built<&StateTable::epoch>([&] {
+    const Date own = epoch_date(*state->epoch);
     if (own.scale == TimeScale::UT1 && !dut1)
       throw DomainError("expected a key state.dut1 as well: UT1 - UTC, which is observed");
     return converted(own, TimeScale::TT, dut1);
@@ -32,13 +31,13 @@ Clock clock_of(const Values& values, const Units& units, std::string_view path,
   return {epoch, dut1, second};
 }
 
-double time_of_date(const Values& values, const Units& units, const std::string& date) {
-  if (!has(values, "state.epoch"))
-    throw DomainError("a date needs epoch in [state], the date of t = 0");
-  const std::string& epoch = word(values, "state.epoch");
-  const double second = units.to_core(1.0, "s", Dimension::time);
+double time_of_date(const FileValues& file, const std::string& date) {
+  const Placed<StateTable> state = state_table(file);
+  if (!state->epoch) throw DomainError("a date needs epoch in [state], the date of t = 0");
+  const std::string& epoch = *state->epoch;
+  const double second = file.units.to_core(1.0, "s", Dimension::time);
   std::optional<double> dut1;
-  if (has(values, "state.dut1")) dut1 = number(values, "state.dut1") / second;
+  if (state->dut1) dut1 = *state->dut1 / second;
   return second * seconds_between(epoch_date(epoch), epoch_date(with_scale(date, epoch)), dut1);
 }
 
@@ -48,14 +47,16 @@ std::string two_digits(int x) { return (x < 10 ? "0" : "") + std::to_string(x); 
 
 }  // namespace
 
-std::string time_and_date(const Values& values, const Units& units, double t) {
+std::string time_and_date(const FileValues& file, double t) {
+  const Units& units = file.units;
   std::string text = "t = " + number_text(units.from_core(t, Dimension::time)) +
                      (units.time() == "1" ? "" : " " + units.time());
-  if (!has(values, "state.epoch") || !std::isfinite(t)) return text;
+  const std::optional<std::string> dated = state_table(file)->epoch;
+  if (!dated || !std::isfinite(t)) return text;
   try {
-    const Date epoch = epoch_date(word(values, "state.epoch"));
+    const Date epoch = epoch_date(*dated);
     const TimeScale scale = epoch.scale == TimeScale::UT1 ? TimeScale::TT : epoch.scale;
-    const Clock clock = clock_of(values, units, "state.epoch", "");
+    const Clock clock = clock_of(file, "state.epoch");
     const CalendarTime at =
         calendar_time(converted(date_after(clock.epoch, t / clock.second), scale));
     text += ", " + std::to_string(at.year) + "-" + two_digits(at.month) + "-" + two_digits(at.day) +

@@ -7,6 +7,11 @@
 
 #include "scenario/detail/made_experiments.hpp"
 #include "scenario/scenario_parts.hpp"
+#include "scenario/tables/body.hpp"
+#include "scenario/tables/event.hpp"
+#include "scenario/tables/head.hpp"
+#include "scenario/tables/surface.hpp"
+#include "scenario/tables/time.hpp"
 #include "scenario/value_access.hpp"
 
 namespace polhode {
@@ -20,7 +25,7 @@ MadeExperiment made_rotation_of(const KindContext& of) {
       base->rotation, [base](const KindContext& at, std::vector<std::string> changed) -> Remake {
         return [at, base, changed = std::move(changed)](const Values& values) {
           return Experiment(
-              made_rotation({values, at.units, at.kinds, at.output, at.name}, base.get(), changed)
+              made_rotation({{values, at.units, at.name}, at.kinds, at.output}, base.get(), changed)
                   .rotation);
         };
       }};
@@ -35,21 +40,20 @@ MadeExperiment made_obliquity_of(const KindContext& of) {
                              [](const std::string& path) { return path.starts_with("orbit."); });
             return [at, kept = keeps_orbit ? base : nullptr](const Values& values) {
               return Experiment(
-                  made_obliquity({values, at.units, at.kinds, at.output, at.name}, kept.get()));
+                  made_obliquity({{values, at.units, at.name}, at.kinds, at.output}, kept.get()));
             };
           }};
 }
 
 CustomExperiment made_own(const KindContext& at) {
-  const std::string& path = word(at.values, "kind");  // its table has the same name
+  const std::string path = head_table(at)->kind;  // its table has the same name
   const ExperimentKind* const kind = at.kinds.experiment(path);
   if (kind == nullptr)
     throw std::logic_error("kind: the schema allows one without a description: " + path);
-  if (is_explicit(at.values, "output.columns"))
-    refuse(at.values, "output.columns", at.name,
-           "expected none: rows of kind " + path + " have all of its columns");
-  const std::optional<SaveAt> rows = times_of(at.values, at.name);
-  if (!rows) refuse(at.values, "kind", at.name, "expected a table [time] as well");
+  if (output_table(at).is_explicit<&OutputTable::columns>())
+    refuse_columns(at, "expected none: rows of kind " + path + " have all of its columns");
+  const std::optional<SaveAt> rows = times_of(time_table(at));
+  if (!rows) head_table(at).refuse<&HeadTable::kind>("expected a table [time] as well");
   const Method method = method_of(at).value_or(default_model_method);
   const KeyValues table(at.values, at.units, path, at.name);
   return built(at.values, path, at.name,
@@ -60,7 +64,7 @@ CustomExperiment made_own(const KindContext& at) {
 
 ExperimentRow rotation_row(const DescribedParts& described) {
   return {"rotation",
-          {body_keys(), described.state, described.frames, orbit_keys(), described.orbits,
+          {body_keys(), described.state, described.frames, described.orbit_table, described.orbits,
            described.perturbations, surface_keys(), described.methods, event_keys(), time_keys()}};
 }
 
@@ -77,7 +81,7 @@ ExperimentRow fit_row(const DescribedParts& described) {
 
 ExperimentRow obliquity_row(const DescribedParts& described) {
   return {"obliquity",
-          {planet_keys(), orbit_keys(), described.orbits, described.methods, time_keys()}};
+          {planet_keys(), described.orbit_table, described.orbits, described.methods, time_keys()}};
 }
 
 ExperimentRow row_of(const ExperimentKind& kind, const SchemaPart& own,
@@ -86,12 +90,12 @@ ExperimentRow row_of(const ExperimentKind& kind, const SchemaPart& own,
 }
 
 MadeExperiment made_experiment(const KindContext& at) {
-  if (word(at.values, "kind") == "rotation" || word(at.values, "kind") == "fit")
-    return made_rotation_of(at);
-  if (word(at.values, "kind") == "obliquity") return made_obliquity_of(at);
+  const std::string kind = head_table(at)->kind;
+  if (kind == "rotation" || kind == "fit") return made_rotation_of(at);
+  if (kind == "obliquity") return made_obliquity_of(at);
   return {made_own(at), [](const KindContext& of, const std::vector<std::string>&) {
             return Remake([of](const Values& values) {
-              return Experiment(made_own({values, of.units, of.kinds, of.output, of.name}));
+              return Experiment(made_own({{values, of.units, of.name}, of.kinds, of.output}));
             });
           }};
 }

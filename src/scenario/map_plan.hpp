@@ -13,11 +13,8 @@ inline namespace v0 {
 namespace detail {
 
 // Where [map] is read.
-struct MapContext {
-  const Values& values;
-  const Units& units;
+struct MapContext : FileValues {
   std::span<const ChartKind> charts;
-  const std::string& name;  // of the file, for messages
 };
 // ScenarioError at the place of what is wrong, and for an experiment that no map wraps.
 MapPlan map_plan(const MapContext& at, const Experiment& experiment);

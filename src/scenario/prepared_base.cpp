@@ -29,7 +29,7 @@ PreparedBase::PreparedBase(const Scenario& scenario, std::span<const std::string
     : scenario_(scenario), locations_(locations_of(scenario.document.checked->values, keys)) {
   const Document& of = scenario.document;
   remake_ = of.checked->made->prepare(
-      {of.checked->values, of.units, *of.kinds, scenario.output, of.path}, paths_of(locations_));
+      {{of.checked->values, of.units, of.path}, *of.kinds, scenario.output}, paths_of(locations_));
 }
 
 std::unique_ptr<Values> PreparedBase::taken() const {

@@ -1,191 +1,24 @@
 // SPDX-License-Identifier: MIT
 // The experiment of kind "rotation" from the values of a file.
 #include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numbers>
 #include <stdexcept>
 #include <utility>
 #include <variant>
 #include <vector>
 
-#include "polhode/rotor/attitude.hpp"
-#include "polhode/scenario/schema.hpp"
 #include "scenario/detail/made_experiments.hpp"
-#include "scenario/detail/reference_axes.hpp"
 #include "scenario/scenario_parts.hpp"
+#include "scenario/tables/body.hpp"
+#include "scenario/tables/event.hpp"
+#include "scenario/tables/state.hpp"
+#include "scenario/tables/surface.hpp"
+#include "scenario/tables/time.hpp"
 #include "scenario/value_access.hpp"
-#include "text/number_text.hpp"
 
 namespace polhode {
 inline namespace v0 {
 namespace detail {
 namespace {
-
-Body body_of(const Values& values, const ScenarioShape* shape, const std::string& name) {
-  if (has(values, "body.column_axes") && !has(values, "body.moments"))
-    refuse(values, "body.column_axes", name, "expected a key moments as well");
-  if (shape) return built(values, "body.shape", name, [&] { return polhode::body(shape->inside); });
-  if (has(values, "body.moments"))
-    return built(values, "body.moments", name, [&] {
-      const Vec3 I = vector(values, "body.moments");
-      if (!has(values, "body.column_axes")) return Body(I.x, I.y, I.z);
-      const std::vector<double>& q = value_at(values, "body.column_axes").numbers;
-      return Body::with_axes(I, unit_quaternion(q.at(0), q.at(1), q.at(2), q.at(3)));
-    });
-  return built(values, "body.tensor", name, [&] {
-    const std::vector<double>& n = value_at(values, "body.tensor").numbers;
-    return Body::from_tensor(Mat3{
-        {{n.at(0), n.at(1), n.at(2)}, {n.at(3), n.at(4), n.at(5)}, {n.at(6), n.at(7), n.at(8)}}});
-  });
-}
-
-Vec3 direction(double longitude, double latitude) {
-  return {std::cos(latitude) * std::cos(longitude), std::cos(latitude) * std::sin(longitude),
-          std::sin(latitude)};
-}
-
-// The pole in the axes of the state. Ecliptic and equator of J2000 share axis 1, the equinox.
-Vec3 pole_of(const Values& values, const std::string& name) {
-  const bool equatorial = has(values, "state.tumbler.pole.ra");
-  const std::string path = "state.tumbler.pole.";
-  const std::string latitude_key = path + (equatorial ? "dec" : "latitude");
-  const double latitude = number(values, latitude_key);
-  const std::string& axes = word(values, "state.axes");
-  built(values, latitude_key, name, [&] {
-    if (std::fabs(latitude) > 0.5 * std::numbers::pi * (1.0 + 1e-15))
-      throw DomainError("expected an angle from -90 to 90 deg");
-    if (equatorial && axes == "inertial")
-      throw DomainError("ra and dec need axes = \"ecliptic-J2000\" or \"equator-J2000\"");
-    return 0;
-  });
-  const Vec3 p = direction(number(values, path + (equatorial ? "ra" : "longitude")), latitude);
-  if (axes == "inertial" || equatorial == (axes == "equator-J2000")) return p;
-  return equatorial ? ecliptic_from_equator(p) : equator_from_ecliptic(p);
-}
-
-// P_phi of the long axis, which may be given by that of the short one.
-double precession_period_of(const Values& values, const std::string& name) {
-  const std::string path = "state.tumbler.";
-  require_range(values, path + "rotation_period", name);
-  if (has(values, path + "precession_period")) {
-    require_range(values, path + "precession_period", name);
-    return number(values, path + "precession_period");
-  }
-  const std::string own = path + "short_axis_period";
-  require_range(values, own, name);
-  return built(values, own, name, [&] {
-    const double given = number(values, own), rotation = number(values, path + "rotation_period");
-    if (!(given < rotation))
-      throw DomainError(
-          "expected a period shorter than rotation_period: the short axis goes round "
-          "faster than the long one, by a turn in that time");
-    return long_axis_period(given, rotation);
-  });
-}
-
-TumblerState tumbler_of(const Values& values, const std::string& name) {
-  const double precession = precession_period_of(values, name);
-  const bool short_axis = word(values, "state.tumbler.mode") == "SAM";
-  return {.precession_period = precession,
-          .rotation_period = number(values, "state.tumbler.rotation_period"),
-          .pole = pole_of(values, name),
-          .mode = short_axis ? Regime::short_axis : Regime::long_axis,
-          .phi0 = number(values, "state.tumbler.phi0"),
-          .psi0 = number(values, "state.tumbler.psi0"),
-          .branch = sign(values, "state.tumbler.branch"),
-          .sense = sign(values, "state.tumbler.sense")};
-}
-
-// Whether the description has a state. Why not is said elsewhere.
-bool has_state(const Body& body, const TumblerState& s) {
-  try {
-    static_cast<void>(to_rotor(body, s));
-    return true;
-  } catch (const DomainError&) {
-    return false;
-  }
-}
-
-// The library says it too, but in radians.
-void require_psi(const Values& values, const Body& body, TumblerState s, const Units& units,
-                 const std::string& name) {
-  if (s.mode != Regime::short_axis || s.psi0 == 0.0 || has_state(body, s)) return;
-  const double psi0 = std::exchange(s.psi0, 0.0);
-  const double limit = built(values, "state.tumbler", name,
-                             [&] { return psi_max(FreeRotation(body, to_rotor(body, s))); });
-  built(values, "state.tumbler.psi0", name, [&] {
-    if (std::fabs(psi0) > limit * (1.0 + 1e-15))
-      throw DomainError(
-          "expected at most psi_max = " + number_text(units.from_core(limit, Dimension::angle)) +
-          " " + units.angle() + " on either side");
-    return 0;
-  });
-}
-
-AttitudeRate attitude_rate_of(const Values& values, const std::string& name) {
-  const std::string path = "state.attitude-rate.";
-  const auto attitude_of = [&]() -> Quaternion {
-    if (!has(values, path + "quaternion"))
-      return attitude(EulerAngles{number(values, path + "euler.phi"),
-                                  number(values, path + "euler.theta"),
-                                  number(values, path + "euler.psi")});
-    return built(values, path + "quaternion", name, [&] {
-      const std::vector<double>& n = value_at(values, path + "quaternion").numbers;
-      return unit_quaternion(n.at(0), n.at(1), n.at(2), n.at(3));
-    });
-  };
-  using enum AttitudeRate::Given;
-  if (has(values, path + "omega_body"))
-    return {attitude_of(), vector(values, path + "omega_body"), omega_body};
-  if (has(values, path + "omega_inertial"))
-    return {attitude_of(), vector(values, path + "omega_inertial"), omega_inertial};
-  if (has(values, path + "omega_relative"))
-    return {attitude_of(), vector(values, path + "omega_relative"), omega_relative};
-  return {attitude_of(), vector(values, path + "momentum_body"), momentum_body};
-}
-
-// Integers stand for themselves, words for their places in the list.
-double option_of(const Values& values, const std::string& path, const ChartOption& option) {
-  if (!has(values, path)) return std::numeric_limits<double>::quiet_NaN();
-  const Value& value = value_at(values, path);
-  return value.words.empty() ? static_cast<double>(value.whole)
-                             : option_number(option, value.words.front());
-}
-
-ChartState chart_state_of(const Values& values, const ChartKind& chart, const Body& body) {
-  const std::string path = "state." + std::string(chart.name) + ".";
-  ChartState state{chart, {}};
-  std::size_t place = 0;
-  for (const ChartVariable& variable : chart.variables) {
-    const bool given = has(values, path + std::string(variable.name));
-    state.numbers[place++] =
-        number(values, path + std::string(given ? variable.name : variable.otherwise));
-  }
-  for (const ChartOption& option : chart.options)
-    state.numbers[place++] = option_of(values, path + std::string(option.name), option);
-  state.numbers = completed(chart, state.numbers, {&body});
-  // what needs a body is seen when all else is there: see RotationBuilder::made
-  if (!chart.needs_body) static_cast<void>(chart.to_hub(state.numbers, {nullptr}));
-  return state;
-}
-
-InitialState state_of(const KindContext& at, const std::string& chart, const Body& body) {
-  const Values& values = at.values;
-  const std::string& name = at.name;
-  if (chart == "tumbler") return tumbler_of(values, name);
-  if (chart == "attitude-rate") return attitude_rate_of(values, name);
-  const ChartKind* const kind = chart_named(chart, at.kinds.charts());
-  if (kind == nullptr)
-    throw std::logic_error("state: the schema allows a chart without a description: " + chart);
-  return built(values, "state." + chart, name, [&] { return chart_state_of(values, *kind, body); });
-}
-
-std::string chart_of(const KindContext& at) {
-  for (const std::string_view chart : state_charts(at.kinds.schema()))
-    if (has(at.values, "state." + std::string(chart))) return std::string(chart);
-  return {};
-}
 
 // What is made anew: with a base, only what stands on a number that has changed.
 class RotationBuilder {
@@ -195,19 +28,21 @@ class RotationBuilder {
       : at_(at), base_(base), changed_(changed) {}
 
   MadeRotation made() {
-    const Values& values = at_.values;
-    const std::string& name = at_.name;
-    const std::string chart = chart_of(at_);
+    const std::span<const ChartKind> charts = at_.kinds.charts();
+    const std::string form = state_form(at_, charts);
+    const Placed<BodyTable> body_of_file = body_table(at_);
+    const Placed<StateTable> state = state_table(at_);
+    const Placed<TimeTable> time = time_table(at_);
     std::shared_ptr<const ScenarioShape> shape =
-        keeps({"body."}) ? base_->rotation.shape : shape_of(values, name);
-    const Body body = keeps({"body."}) ? base_->rotation.body : body_of(values, shape.get(), name);
-    time_ = has_automatic_rows(values) ? span_of(values, name) : times_of(values, name);
+        keeps({"body."}) ? base_->rotation.shape : shape_of(body_of_file);
+    const Body body = keeps({"body."}) ? base_->rotation.body : body_of(body_of_file, shape.get());
+    time_ = time->is_automatic() ? automatic_span(time) : times_of(time);
     MadeRotation made{{.body = body,
-                       .q_file = has(values, "body.moments") ? Quaternion{} : body.q_FB(),
-                       .chart = chart,
-                       .state = state_of(at_, chart, body),
-                       .epoch = has(values, "state.epoch") ? word(values, "state.epoch") : "",
-                       .axes = word(values, "state.axes"),
+                       .q_file = body_of_file->moments ? Quaternion{} : body.q_FB(),
+                       .chart = form,
+                       .state = state_of(at_, form, charts, body),
+                       .epoch = state->epoch.value_or(""),
+                       .axes = state->axes,
                        .shape = std::move(shape),
                        .time = time_},
                       {},
@@ -215,9 +50,9 @@ class RotationBuilder {
     add_orbits(made);
     Rotation& rotation = made.rotation;
     rotation.method = method_of(at_);
-    rotation.events = keeps({"event["}) ? base_->rotation.events : events_of(at_);
+    rotation.events = keeps({"event["}) ? base_->rotation.events : events_of(at_, charts);
     if (base_ == nullptr)  // reported here, between the state and what acts on it
-      static_cast<void>(format_options_of(values, at_.output.formats, name));
+      static_cast<void>(format_options_of(at_, at_.output.formats));
     add_frame(rotation, at_);
     same_axes_ = base_ != nullptr && rotation.q_file == base_->rotation.q_file;
     same_surface_ = same_axes_ && keeps({"surface["}) && rotation.shape == base_->rotation.shape;
@@ -225,16 +60,15 @@ class RotationBuilder {
       rotation.surface = base_->rotation.surface;
       rotation.surface_meshes = base_->rotation.surface_meshes;
     } else {
-      add_surface(rotation, values, name);
+      add_surface(rotation, at_);
     }
     add_terms(made);
     if (const TumblerState* tumbler = std::get_if<TumblerState>(&rotation.state))
-      require_psi(values, body, *tumbler, at_.units, name);
-    built(values, "state." + chart, name, [&] { return free_rotation(rotation); });
+      require_angles(at_, body, *tumbler);
+    built(at_.values, "state." + form, at_.name, [&] { return free_rotation(rotation); });
     // members of an ensemble share the rows of the file
-    if (has_automatic_rows(values))
-      rotation.time =
-          base_ != nullptr ? base_->rotation.time : automatic_times(rotation, values, name);
+    if (time->is_automatic())
+      rotation.time = base_ != nullptr ? base_->rotation.time : automatic_times(rotation, time);
     return made;
   }
 
@@ -248,7 +82,7 @@ class RotationBuilder {
   }
 
   void add_orbits(MadeRotation& made) {
-    const OrbitsContext place{at_.values, at_.units, time_, at_.name, at_.kinds};
+    const OrbitsContext place{{at_.values, at_.units, at_.name}, time_, at_.kinds};
     const std::vector<std::string> paths = orbit_paths(at_.values);
     for (std::size_t i = 0; i < paths.size(); ++i) {
       const OrbitKind* const kind = at_.kinds.orbit(word(at_.values, paths[i] + ".kind"));
@@ -333,7 +167,7 @@ class RotationBuilder {
 MadeRotation made_rotation(const KindContext& at, const MadeRotation* base,
                            std::span<const std::string> changed) {
   MadeRotation made = RotationBuilder(at, base, changed).made();
-  check_motion(made.rotation, at.output, at.values, at.name);
+  check_motion(made.rotation, at.output, at);
   return made;
 }
 

@@ -23,6 +23,7 @@
 #include "scenario/fit/fit_plan.hpp"
 #include "scenario/map_plan.hpp"
 #include "scenario/scenario_parts.hpp"
+#include "scenario/tables/head.hpp"
 #include "scenario/value_access.hpp"
 #include "scenario/values.hpp"
 #include "text/file_bytes.hpp"
@@ -75,14 +76,12 @@ namespace detail {
 namespace {
 
 // From a table [output.NAME], the keys of a format of files.
-OptionValues option_values(const Values& values, const OutputFormat& format,
-                           const std::string& table) {
+OptionValues option_values(const KeyValues& table, const OutputFormat& format) {
   std::map<std::string, OptionValue, std::less<>> by_name;
   for (const OptionKey& option : format.keys) {
     const std::string key(option.key().path);
-    const std::string path = table + "." + key;
-    if (!has(values, path)) continue;
-    const Value& value = value_at(values, path);
+    if (!table.has(key)) continue;
+    const Value& value = value_at(table.values(), table.key_path(key));
     by_name.emplace(key, OptionValue{.word = value.words.empty() ? "" : value.words[0],
                                      .number = value.numbers.empty() ? 0.0 : value.numbers[0],
                                      .whole = value.whole});
@@ -90,27 +89,25 @@ OptionValues option_values(const Values& values, const OutputFormat& format,
   return OptionValues(std::move(by_name));
 }
 
-std::any options_of(const Values& values, const OutputFormat& format, const std::string& table,
-                    const std::string& name) {
+std::any options_of(const KeyValues& table, const OutputFormat& format) {
   if (!format.options) return {};
   try {
-    return format.options(option_values(values, format, table));
+    return format.options(option_values(table, format));
   } catch (const OptionError& error) {
-    const std::string path = table + "." + error.key;
-    refuse(values, has(values, path) ? path : table, name, error.what());
+    if (table.has(error.key)) table.refuse(error.key, error.what());
+    refuse(table.values(), table.path(), table.file(), error.what());
   } catch (const DomainError& error) {
-    refuse(values, table, name, error.what());
+    refuse(table.values(), table.path(), table.file(), error.what());
   }
 }
 
 }  // namespace
 
-FormatOptions format_options_of(const Values& values, const OutputFormats& formats,
-                                const std::string& name) {
+FormatOptions format_options_of(const FileValues& file, const OutputFormats& formats) {
   FormatOptions options;
   for (const OutputFormat& format : formats.all()) {
-    const std::string table = "output." + format.name;
-    if (has(values, table)) options.emplace(format.name, options_of(values, format, table, name));
+    const KeyValues table(file.values, file.units, "output." + format.name, file.name);
+    if (has(file.values, table.path())) options.emplace(format.name, options_of(table, format));
   }
   return options;
 }
@@ -154,12 +151,13 @@ Document document_of(std::string_view text, const std::string& path, const Kinds
   // first: what changes while it is read differs from what is noted here
   std::vector<ScenarioFile> files = detail::files_of(values, path);
   const std::filesystem::path file(path);
+  const detail::Placed<detail::HeadTable> head = detail::head_table({values, read.units, path});
   return {.path = path,
           .name = file.filename().string(),
           .folder = file.parent_path().string(),
           .text = std::string(text),
-          .title = has(values, "title") ? detail::word(values, "title") : "",
-          .kind = detail::word(values, "kind"),
+          .title = head->title.value_or(""),
+          .kind = head->kind,
           .units = read.units,
           .files = std::move(files),
           .kinds = std::make_shared<const Kinds>(kinds),
@@ -167,8 +165,8 @@ Document document_of(std::string_view text, const std::string& path, const Kinds
 }
 
 // But for the options of formats: what is wrong in them comes after what is wrong in the state.
-OutputPlan output_of(const Values& values, const OutputFormats& formats) {
-  return {.columns = detail::value_at(values, "output.columns").words, .formats = formats};
+OutputPlan output_of(const detail::FileValues& file, const OutputFormats& formats) {
+  return {.columns = detail::output_table(file)->columns, .formats = formats};
 }
 
 // Variables of a chart that are left out and equal another one: "H = G".
@@ -188,13 +186,13 @@ void add_equal_variables(const Values& values, const ChartKind& chart,
 Scenario scenario_from_text(std::string_view text, const std::string& path, const Kinds& kinds) {
   detail::ReadFile read = read_file(text, path, kinds);
   Document document = document_of(text, path, kinds, read);
-  OutputPlan output = output_of(read.values, kinds.formats());
+  OutputPlan output = output_of({read.values, document.units, path}, kinds.formats());
   const auto made = std::make_shared<const detail::MadeExperiment>(
-      detail::made_experiment({read.values, document.units, kinds, output, path}));
-  output.options = detail::format_options_of(read.values, kinds.formats(), path);
+      detail::made_experiment({{read.values, document.units, path}, kinds, output}));
+  output.options = detail::format_options_of({read.values, document.units, path}, kinds.formats());
   std::optional<MapPlan> map;
   if (has(read.values, "map"))
-    map = detail::map_plan({read.values, document.units, kinds.charts(), path}, made->experiment);
+    map = detail::map_plan({{read.values, document.units, path}, kinds.charts()}, made->experiment);
   std::optional<EnsemblePlan> ensemble;
   if (has(read.values, "ensemble"))
     ensemble = detail::ensemble_plan({read.values, document.units, path}, made->experiment);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// From the values of a file to the meshes and orbits of a rotation, its state and the problem that
+// From the values of a file to the orbits of a rotation, its state and the problem that
 // its run solves.
 #include <algorithm>
-#include <filesystem>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -12,7 +11,6 @@
 #include "polhode/scenario/kinds.hpp"
 #include "polhode/scenario/scenario.hpp"
 #include "polhode/scenario/schema.hpp"
-#include "polhode/tables/obj.hpp"
 #include "scenario/scenario_parts.hpp"
 #include "scenario/value_access.hpp"
 #include "scenario/values.hpp"
@@ -20,41 +18,6 @@
 
 namespace polhode {
 inline namespace v0 {
-namespace detail {
-
-FacetShape mesh_of(const Values& values, const std::string& path, const std::string& name) {
-  const std::string scale_key = path + ".scale", shape_key = path + ".shape";
-  if (!has(values, scale_key))
-    refuse(values, scale_key, name,
-           std::string("expected the length of one unit of the mesh, such as ") +
-               (word(values, "units.length") == "1" ? "1" : "\"1 m\""));
-  require_range(values, scale_key, name);
-  const double scale = number(values, scale_key);
-  const std::filesystem::path file =
-      std::filesystem::path(name).parent_path() / word(values, shape_key);
-  return built(values, shape_key, name, [&] {
-    const FacetShape mesh = read_obj(file.string());
-    return scale == 1.0 ? mesh : mesh.moved({}, scale);
-  });
-}
-
-std::shared_ptr<const ScenarioShape> shape_of(const Values& values, const std::string& name) {
-  if (!has(values, "body.shape")) {
-    if (has(values, "body.scale"))
-      refuse(values, "body.scale", name, "expected a key shape as well, which it scales");
-    return nullptr;
-  }
-  FacetShape mesh = mesh_of(values, "body", name);
-  require_range(values, "body.density", name);
-  const double density = number(values, "body.density");
-  MassProperties inside =
-      built(values, "body.shape", name, [&] { return mass_properties(mesh, density); });
-  return std::make_shared<const ScenarioShape>(
-      ScenarioShape{word(values, "body.shape"), std::move(mesh), inside});
-}
-
-}  // namespace detail
-
 const KeplerElements* kepler_elements(const ScenarioOrbit& orbit) {
   if (const auto* fixed = std::get_if<KeplerOrbit>(&orbit.motion)) return &fixed->elements();
   if (const auto* moving = std::get_if<PrecessingKeplerOrbit>(&orbit.motion))
@@ -80,7 +43,7 @@ std::optional<TimeSpan> OrbitContext::run_span() const {
   if (!rows_) return std::nullopt;
   TimeSpan span;
   const SaveAt& rows = *rows_;
-  const bool listed = detail::has(values(), "time.at");  // in any order
+  const bool listed = rows.is_list();  // in any order
   for (std::int64_t k = 0; k < rows.size(); k = listed ? k + 1 : k + rows.size() - 1) {
     span = {std::min(span.first, rows[k]), std::max(span.last, rows[k])};
     if (rows.size() == 1) break;

@@ -125,7 +125,7 @@ std::optional<double> Reader::number(const Key& key, const toml::node& node) {
     return std::nullopt;
   }
   try {
-    if (date) return in_range(key, node, time_of_date(values_, units_, *date));
+    if (date) return in_range(key, node, time_of_date({values_, units_, path_}, *date));
     const Quantity quantity = quantity_from_text(*node.value<std::string_view>());
     return with_unit(key, node, quantity.value, quantity.unit);
   } catch (const DomainError& error) {

@@ -76,6 +76,16 @@ std::string quantity(Dimension dimension) {
 
 }  // namespace
 
+std::vector<std::string> array_paths(const Values& values, const std::string& array) {
+  std::vector<std::string> paths;
+  for (;;) {
+    const std::string path = array + "[" + std::to_string(paths.size()) + "]";
+    const auto first = values.lower_bound(path + ".");
+    if (first == values.end() || !first->first.starts_with(path + ".")) return paths;
+    paths.push_back(path);
+  }
+}
+
 const Value& value_at(const Values& values, std::string_view path) {
   const auto found = values.find(path);
   if (found == values.end()) throw std::logic_error("no value of " + std::string(path));

@@ -35,6 +35,9 @@ std::vector<std::string> number_keys(const Values& values, std::string_view key)
 // Whether a value is one number or an array of them.
 bool is_number(const Value& value);
 
+// "perturbation[0]", ... of the tables of an array.
+std::vector<std::string> array_paths(const Values& values, const std::string& array);
+
 const Value& value_at(const Values& values, std::string_view path);
 double number(const Values& values, std::string_view path);
 Vec3 vector(const Values& values, std::string_view path);

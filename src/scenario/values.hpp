@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "polhode/scenario/detail/values_fwd.hpp"
+#include "polhode/scenario/document.hpp"
 #include "polhode/scenario/schema.hpp"
 #include "polhode/text/units.hpp"
 
@@ -57,6 +58,13 @@ struct Value {
   std::int64_t whole = 0;
 };
 
+// The values of a file, its units, and what messages call it.
+struct FileValues {
+  const Values& values;
+  const Units& units;
+  const std::string& name;
+};
+
 }  // namespace detail
 
 struct FitPlan;
@@ -81,6 +89,9 @@ struct ReadFile {
   std::shared_ptr<const MadeExperiment> made = nullptr;
   std::shared_ptr<const FitPlan> fit = nullptr;  // of kind "fit"
 };
+inline FileValues file_values(const Document& of) {
+  return {of.checked->values, of.units, of.path};
+}
 // Everything wrong goes to `diagnostics`; what is right is in the result.
 ReadFile read_values(std::string_view text, const Schema& schema, Diagnostics& diagnostics);
 

@@ -10,8 +10,10 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "polhode/error.hpp"
@@ -25,10 +27,10 @@ inline namespace v0 {
 class KeyValues {
  public:
   // `path` is that of the table, "perturbation[0]"; `file` stands for the scenario in messages, and
-  // paths of files start at its folder. All of them must outlive this.
-  KeyValues(const detail::Values& values, const Units& units, const std::string& path,
+  // paths of files start at its folder. Values, units and file must outlive this.
+  KeyValues(const detail::Values& values, const Units& units, std::string path,
             const std::string& file)
-      : values_(values), units_(units), path_(path), file_(file) {}
+      : values_(values), units_(units), path_(std::move(path)), file_(file) {}
 
   // Whether the file or a default has a value, and whether the file has it.
   bool has(std::string_view key) const;
@@ -43,6 +45,7 @@ class KeyValues {
   // The place of the word of a choice among those allowed.
   std::size_t choice(std::string_view key) const;
   bool flag(std::string_view key) const;
+  std::int64_t integer(std::string_view key) const;
   // Where the file is that the key names.
   std::string file_at(std::string_view key) const;
   // What one unit of the quantity is, by a key that holds a unit; 1 where the key is left out.
@@ -69,15 +72,18 @@ class KeyValues {
   const Units& units() const { return units_; }
   const std::string& path() const { return path_; }
   const std::string& file() const { return file_; }
-  std::string key_path(std::string_view key) const { return path_ + "." + std::string(key); }
+  std::string key_path(std::string_view key) const {
+    return path_.empty() ? std::string(key) : path_ + "." + std::string(key);
+  }
   const detail::Values& values() const { return values_; }
+  detail::FileValues file_values() const;
 
  private:
   const detail::Value& at(std::string_view key) const;
 
   const detail::Values& values_;
   const Units& units_;
-  const std::string& path_;
+  std::string path_;
   const std::string& file_;
 };
 

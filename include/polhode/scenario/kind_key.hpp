@@ -11,8 +11,9 @@
 //     };
 //
 // Units       a quantity has a dimension (polhode/text/units.hpp), and A holds it in core units.
-// Domain      members: double, Vec3, std::array<double, N>, std::vector<double>, LinearMap, and
-//             optional ones of them; bool; an enumeration; std::string and std::vector of it. A key
+// Domain      members: double, Vec3, std::array<double, N>, std::vector<double>, Mat3, LinearMap,
+//             SquareMatrix, NumberOrAuto, and optional ones of them; signed integers; bool; an
+//             enumeration; std::string and std::vector of it. A key
 //             without a default that is left out leaves the member as the struct has it; what
 //             `otherwise` says stands there alone.
 // Errors      a key without a name, a dimension or a text does not compile; nor does one for a
@@ -63,6 +64,20 @@ class KindKey {
   }
   // Stands in the file that `polhode init` writes, though it may be left out.
   consteval KindKey shown() const { return with(&Key::in_template, true); }
+  // In a table with a key `kind`: the words of the kinds that the key belongs to, and of those that
+  // must have it.
+  consteval KindKey of_kinds(std::string_view words) const { return with(&Key::kinds, words); }
+  consteval KindKey needed_by(std::string_view words) const { return with(&Key::needed_by, words); }
+  // A time may also be a date, "2013-02-04", counted from state.epoch.
+  consteval KindKey or_date() const {
+    if (key_.dimension != Dimension::time) throw "only times have dates";
+    return with(&Key::takes_date, true);
+  }
+  // The integers that are allowed, "1|-1".
+  consteval KindKey one_of(std::string_view integers) const {
+    if (key_.type != KeyType::integer) throw "only integers are listed";
+    return with(&Key::allowed, integers);
+  }
 
   // Of numbers, all of them.
   consteval KindKey positive() const { return within(Range::positive); }
@@ -70,11 +85,17 @@ class KindKey {
 
   // Writes what the table says into the arguments.
   void fill(A& arguments, const KeyValues& values) const { fill_(arguments, values, key_.path); }
+  // Whether it fills this member.
+  template <auto at>
+  constexpr bool is_of() const {
+    return member_ == &detail::member_id<at>;
+  }
 
  private:
   using Fill = void (*)(A&, const KeyValues&, std::string_view);
   friend struct detail::KeyMaker;
-  consteval KindKey(const Key& row, Fill filled_by) : key_(row), fill_(filled_by) {}
+  consteval KindKey(const Key& row, Fill filled_by, const char* member)
+      : key_(row), fill_(filled_by), member_(member) {}
 
   template <class T>
   consteval KindKey with(T Key::*part, T value) const {
@@ -90,6 +111,7 @@ class KindKey {
 
   Key key_;
   Fill fill_;
+  const char* member_;
 };
 
 // Numbers with a dimension; Dimension::number where they have none. A, here and below: another
@@ -103,7 +125,24 @@ consteval KindKey<A> quantity_key(std::string_view name, Dimension dimension,
                                        .type = Form::type,
                                        .dimension = dimension,
                                        .length = Form::length,
+                                       .allowed = detail::words_beside<Form>(),
                                        .help = help});
+}
+
+// A table inside the table, whose keys follow: "pole", then "pole.ra". Says whether it is there.
+template <auto at, class A = detail::Owner<at>>
+  requires detail::Holds<at, bool> && detail::HasMember<A, at>
+consteval KindKey<A> table_key(std::string_view name, std::string_view help) {
+  return detail::KeyMaker::key<at, A>(
+      {.path = name, .help = help}, [](A& arguments, const KeyValues& values,
+                                       std::string_view key) { arguments.*at = values.has(key); });
+}
+
+// A whole number.
+template <auto at, class A = detail::Owner<at>>
+  requires detail::HasInteger<at> && detail::HasMember<A, at>
+consteval KindKey<A> integer_key(std::string_view name, std::string_view help) {
+  return detail::KeyMaker::key<at, A>({.path = name, .type = KeyType::integer, .help = help});
 }
 
 // true or false.
@@ -119,7 +158,7 @@ template <auto at, class A, auto... enumerators>
 consteval KindKey<A> choice_key(std::string_view name, std::string_view words,
                                 std::string_view help) {
   detail::require_choice(words, sizeof...(enumerators));
-  return detail::KeyMaker::key<A>(
+  return detail::KeyMaker::key<at, A>(
       {.path = name, .type = KeyType::choice, .allowed = words, .help = help},
       [](A& arguments, const KeyValues& values, std::string_view key) {
         constexpr std::array all = {enumerators...};
@@ -131,6 +170,22 @@ template <auto at, auto... enumerators>
 consteval KindKey<detail::Owner<at>> choice_key(std::string_view name, std::string_view words,
                                                 std::string_view help) {
   return choice_key<at, detail::Owner<at>, enumerators...>(name, words, help);
+}
+
+// One of the words, as text; several of them, none twice.
+template <auto at, class A = detail::Owner<at>>
+  requires detail::Holds<at, std::string> && detail::HasMember<A, at>
+consteval KindKey<A> word_key(std::string_view name, std::string_view words,
+                              std::string_view help) {
+  return detail::KeyMaker::key<at, A>(
+      {.path = name, .type = KeyType::choice, .allowed = words, .help = help});
+}
+template <auto at, class A = detail::Owner<at>>
+  requires detail::Holds<at, std::vector<std::string>> && detail::HasMember<A, at>
+consteval KindKey<A> words_key(std::string_view name, std::string_view words,
+                               std::string_view help) {
+  return detail::KeyMaker::key<at, A>(
+      {.path = name, .type = KeyType::choices, .allowed = words, .help = help});
 }
 
 // The name of a table such as [orbit.NAME].
@@ -169,9 +224,27 @@ consteval KindKey<A> unit_key(std::string_view name, std::string_view help) {
   return detail::KeyMaker::key<at, A>({.path = name, .type = KeyType::unit, .help = help});
 }
 template <auto at, class A = detail::Owner<at>>
+  requires detail::Holds<at, std::string> && detail::HasMember<A, at>
+consteval KindKey<A> unit_key(std::string_view name, Dimension dimension, std::string_view help) {
+  return detail::KeyMaker::key<at, A>(
+      {.path = name, .type = KeyType::unit, .dimension = dimension, .help = help});
+}
+template <auto at, class A = detail::Owner<at>>
   requires detail::Holds<at, std::vector<std::string>> && detail::HasMember<A, at>
 consteval KindKey<A> columns_key(std::string_view name, std::string_view help) {
   return detail::KeyMaker::key<at, A>({.path = name, .type = KeyType::columns, .help = help});
+}
+
+// Units, one for each column, and keys of the file.
+template <auto at, class A = detail::Owner<at>>
+  requires detail::Holds<at, std::vector<std::string>> && detail::HasMember<A, at>
+consteval KindKey<A> units_key(std::string_view name, std::string_view help) {
+  return detail::KeyMaker::key<at, A>({.path = name, .type = KeyType::units, .help = help});
+}
+template <auto at, class A = detail::Owner<at>>
+  requires detail::Holds<at, std::vector<std::string>> && detail::HasMember<A, at>
+consteval KindKey<A> key_list_key(std::string_view name, std::string_view help) {
+  return detail::KeyMaker::key<at, A>({.path = name, .type = KeyType::key_list, .help = help});
 }
 
 // Keys that several kinds share, and those of one.

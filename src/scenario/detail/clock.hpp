@@ -21,14 +21,13 @@ struct Clock {
   double core_time(const Date& date) const { return seconds_between(epoch, date, dut1) * second; }
 };
 // Refuses at the place of `path` where the file has no epoch.
-Clock clock_of(const Values& values, const Units& units, std::string_view path,
-               const std::string& name);
+Clock clock_of(const FileValues& file, std::string_view path);
 // The core time of a date as text, in the scale of the epoch where it has none. DomainError where
 // there is no epoch, and for what is no date.
-double time_of_date(const Values& values, const Units& units, const std::string& date);
+double time_of_date(const FileValues& file, const std::string& date);
 // A core time for messages: "t = 1234.5 d", and where the file has an epoch the date to a minute,
 // "t = 1234.5 d, 2031-05-01T12:34 TT".
-std::string time_and_date(const Values& values, const Units& units, double t);
+std::string time_and_date(const FileValues& file, double t);
 
 }  // namespace detail
 }  // namespace v0

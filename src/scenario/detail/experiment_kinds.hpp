@@ -21,12 +21,9 @@ inline namespace v0 {
 namespace detail {
 
 // Where an experiment is made.
-struct KindContext {
-  const Values& values;
-  const Units& units;
+struct KindContext : FileValues {
   const Kinds& kinds;        // of what it holds
   const OutputPlan& output;  // what it must be able to give
-  const std::string& name;   // of the file, for messages
 };
 
 // Makes the experiment again with other numbers at the paths that it was made for; from any thread.

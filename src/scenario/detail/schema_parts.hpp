@@ -21,14 +21,10 @@ struct DescribedParts {
   SchemaPart state;
   SchemaPart perturbations;
   SchemaPart methods;
+  SchemaPart orbit_table;
   SchemaPart orbits;
   SchemaPart frames;
 };
-SchemaPart body_keys();
-SchemaPart orbit_keys();
-SchemaPart surface_keys();
-SchemaPart event_keys();
-SchemaPart time_keys();
 SchemaPart map_keys();
 SchemaPart ensemble_keys();
 SchemaPart planet_keys();

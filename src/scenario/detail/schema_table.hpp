@@ -4,6 +4,7 @@
 #pragma once
 
 #include <deque>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -13,6 +14,7 @@
 #include "polhode/scenario/schema.hpp"
 #include "scenario/detail/experiment_kinds.hpp"
 #include "scenario/detail/schema_parts.hpp"
+#include "scenario/tables/head.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -33,6 +35,7 @@ class SchemaTable {
   void add(const SchemaPart& part, std::string_view kinds);
   void add(const OutputFormat& format);
 
+  std::optional<HeadRows> head_;
   std::deque<std::string> words_;  // that keys refer to
   std::vector<Key> keys_;
   std::vector<Alternatives> alternatives_;

@@ -25,7 +25,7 @@ constexpr std::int64_t most_histogram_bins = 10'000;  // along each of its colum
 // Of tables of one sort: no two are called the same.
 class Names {
  public:
-  std::string of(const EnsembleContext& at, const std::string& path) {
+  std::string of(const FileValues& at, const std::string& path) {
     const std::string& name = word(at.values, path + ".name");
     if (std::find(taken_.begin(), taken_.end(), name) != taken_.end())
       refuse(at.values, path + ".name", at.name,
@@ -38,11 +38,11 @@ class Names {
   std::vector<std::string> taken_;
 };
 
-std::optional<double> bound_of(const EnsembleContext& at, const std::string& path) {
+std::optional<double> bound_of(const FileValues& at, const std::string& path) {
   return has(at.values, path) ? std::optional(number(at.values, path)) : std::nullopt;
 }
 
-const std::vector<double>& bounds_of(const EnsembleContext& at, const std::string& path,
+const std::vector<double>& bounds_of(const FileValues& at, const std::string& path,
                                      std::size_t columns) {
   if (!has(at.values, path))
     refuse(at.values, path, at.name, "expected low and high, or neither of them");
@@ -54,7 +54,7 @@ const std::vector<double>& bounds_of(const EnsembleContext& at, const std::strin
   return all;
 }
 
-EnsembleHistogram histogram_of(const EnsembleContext& at, const std::string& path, Names& names) {
+EnsembleHistogram histogram_of(const FileValues& at, const std::string& path, Names& names) {
   EnsembleHistogram made{names.of(at, path), {}, word(at.values, path + ".times") == "all"};
   const std::vector<std::string>& columns = value_at(at.values, path + ".columns").words;
   if (columns.size() > 2 || (columns.size() == 2 && columns[0] == columns[1]))
@@ -94,7 +94,7 @@ std::string without_indicators(const CustomExperiment&) {
   return "no indicators, which are those of a file of kind \"rotation\"";
 }
 
-std::vector<EnsembleFraction> wanted_fractions(const EnsembleContext& at) {
+std::vector<EnsembleFraction> wanted_fractions(const FileValues& at) {
   std::vector<EnsembleFraction> all;
   Names names;
   for (const std::string& path : array_paths(at.values, "ensemble.fraction")) {
@@ -108,7 +108,7 @@ std::vector<EnsembleFraction> wanted_fractions(const EnsembleContext& at) {
   return all;
 }
 
-std::vector<EnsembleHistogram> wanted_histograms(const EnsembleContext& at) {
+std::vector<EnsembleHistogram> wanted_histograms(const FileValues& at) {
   std::vector<EnsembleHistogram> all;
   Names names;
   for (const std::string& path : array_paths(at.values, "ensemble.histogram"))
@@ -116,7 +116,7 @@ std::vector<EnsembleHistogram> wanted_histograms(const EnsembleContext& at) {
   return all;
 }
 
-std::vector<EnsembleIndicator> wanted_indicators(const EnsembleContext& at,
+std::vector<EnsembleIndicator> wanted_indicators(const FileValues& at,
                                                  const Experiment& experiment) {
   const std::string path = "ensemble.indicators";
   if (!has(at.values, path)) return {};
@@ -132,7 +132,7 @@ std::vector<EnsembleIndicator> wanted_indicators(const EnsembleContext& at,
 constexpr std::int64_t most_members = 1'000'000'000'000, most_bins = 1'000'000;
 constexpr std::int64_t largest_chunk = 1024, chunks = 64;  // where the file names none
 
-std::int64_t whole_in(const EnsembleContext& at, const std::string& path, std::int64_t least,
+std::int64_t whole_in(const FileValues& at, const std::string& path, std::int64_t least,
                       std::int64_t most, const char* words) {
   const std::int64_t n = value_at(at.values, path).whole;
   if (n < least || n > most)
@@ -140,7 +140,7 @@ std::int64_t whole_in(const EnsembleContext& at, const std::string& path, std::i
   return n;
 }
 
-std::vector<double> quantiles_of(const EnsembleContext& at) {
+std::vector<double> quantiles_of(const FileValues& at) {
   const std::string path = "ensemble.quantiles";
   const std::vector<double>& all = value_at(at.values, path).numbers;
   for (std::size_t i = 0; i < all.size(); ++i)
@@ -158,7 +158,7 @@ std::string joined(const std::vector<std::string>& words) {
 // All tables in their order; the first grid stands for all of them.
 class Tables {
  public:
-  explicit Tables(const EnsembleContext& at) : at_(at) {}
+  explicit Tables(const FileValues& at) : at_(at) {}
 
   void add(const std::string& path) {
     const VariedNumbers numbers = varied_numbers(at_, path);
@@ -206,7 +206,7 @@ class Tables {
     }
   }
 
-  const EnsembleContext& at_;
+  const FileValues& at_;
   std::vector<std::string> taken_;
   std::vector<Varied> names_;
   std::vector<EnsembleVaried> varied_;
@@ -227,7 +227,7 @@ const std::optional<SaveAt>& rows_of(const Experiment& experiment) {
 
 }  // namespace
 
-EnsemblePlan ensemble_plan(const EnsembleContext& at, const Experiment& experiment) {
+EnsemblePlan ensemble_plan(const FileValues& at, const Experiment& experiment) {
   const Values& values = at.values;
   if (!rows_of(experiment)) refuse(values, "ensemble", at.name, "expected a table [time] as well");
   const std::int64_t size = whole_in(at, "ensemble.size", 1, most_members, "from 1 to 1e12");

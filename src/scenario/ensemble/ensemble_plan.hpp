@@ -11,14 +11,8 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-// Where [ensemble] is read.
-struct EnsembleContext {
-  const Values& values;
-  const Units& units;
-  const std::string& name;  // of the file, for messages
-};
 // ScenarioError at the place of what is wrong.
-EnsemblePlan ensemble_plan(const EnsembleContext& at, const Experiment& experiment);
+EnsemblePlan ensemble_plan(const FileValues& at, const Experiment& experiment);
 
 }  // namespace detail
 }  // namespace v0

@@ -77,7 +77,7 @@ Distribution without_class(const Build& build) {
 // One table, its numbers and where messages about it point.
 class Table {
  public:
-  Table(const EnsembleContext& at, std::string path, const VariedNumbers& numbers)
+  Table(const FileValues& at, std::string path, const VariedNumbers& numbers)
       : at_(at), path_(std::move(path)), numbers_(numbers) {}
 
   VariedTable made() const {
@@ -224,7 +224,7 @@ class Table {
                }));
   }
 
-  const EnsembleContext& at_;
+  const FileValues& at_;
   std::string path_;
   const VariedNumbers& numbers_;
 };
@@ -236,7 +236,7 @@ std::string key_text(const Values& values, const NumberLocation& place) {
 }
 
 // Keys that are there and hold something else than a number, or are not the members' own.
-void require_can_vary(const EnsembleContext& at, const std::string& own, const std::string& key) {
+void require_can_vary(const FileValues& at, const std::string& own, const std::string& key) {
   const auto found = at.values.find(key);
   if (key.starts_with("ensemble.") || key.starts_with("map.") || key == "schema")
     refuse(at.values, own, at.name,
@@ -253,7 +253,7 @@ void require_can_vary(const EnsembleContext& at, const std::string& own, const s
 
 }  // namespace
 
-VariedNumbers varied_numbers(const EnsembleContext& at, const std::string& path) {
+VariedNumbers varied_numbers(const FileValues& at, const std::string& path) {
   const Values& values = at.values;
   const bool several = has(values, path + ".keys");
   const std::string own = path + (several ? ".keys" : ".key");
@@ -289,7 +289,7 @@ VariedNumbers varied_numbers(const EnsembleContext& at, const std::string& path)
   return all;
 }
 
-VariedTable varied_table(const EnsembleContext& at, const std::string& path,
+VariedTable varied_table(const FileValues& at, const std::string& path,
                          const VariedNumbers& numbers) {
   return Table(at, path, numbers).made();
 }

@@ -31,14 +31,14 @@ struct VariedNumbers {
   std::vector<std::string> units;  // as outputs name them
   std::vector<double> values;      // in these units
 };
-VariedNumbers varied_numbers(const EnsembleContext& at, const std::string& path);
+VariedNumbers varied_numbers(const FileValues& at, const std::string& path);
 
 struct VariedTable {
   EnsembleVaried varied;
   std::optional<Distribution> distribution;  // none of a grid
   std::optional<DrawAxis> axis;              // of a grid
 };
-VariedTable varied_table(const EnsembleContext& at, const std::string& path,
+VariedTable varied_table(const FileValues& at, const std::string& path,
                          const VariedNumbers& numbers);
 
 }  // namespace detail

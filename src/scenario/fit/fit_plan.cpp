@@ -33,7 +33,7 @@ bool is_torque_key(const std::string& key) {
   return key.starts_with("perturbation[") || key.starts_with("surface[");
 }
 
-void add_parameter(const FitContext& at, const std::string& path, FitPlan& plan) {
+void add_parameter(const FileValues& at, const std::string& path, FitPlan& plan) {
   const VariedNumbers found = varied_numbers({at.values, at.units, at.name}, path);
   const std::string key = found.keys.front(), own = path + ".key";
   if (!is_torque_key(key))
@@ -65,7 +65,7 @@ void add_parameter(const FitContext& at, const std::string& path, FitPlan& plan)
   plan.drive.parameters.push_back(std::move(one));
 }
 
-void add_jump(const FitContext& at, const std::string& path, FitPlan& plan) {
+void add_jump(const FileValues& at, const std::string& path, FitPlan& plan) {
   const KeyValues table(at.values, at.units, path, at.name);
   const std::string& kind = table.word("kind");
   SpinJump jump;
@@ -87,7 +87,7 @@ void add_jump(const FitContext& at, const std::string& path, FitPlan& plan) {
 
 // Adds the tables [[free.parameter]] and [[free.jump]], and their priors, to a plan. Throws a
 // ScenarioError at the place of what is wrong.
-void add_drive(const FitContext& at, const Rotation& rotation, FitPlan& plan) {
+void add_drive(const FileValues& at, const Rotation& rotation, FitPlan& plan) {
   for (const std::string& path : array_paths(at.values, "free.parameter"))
     add_parameter(at, path, plan);
   for (const std::string& path : array_paths(at.values, "free.jump")) add_jump(at, path, plan);
@@ -133,7 +133,7 @@ namespace {
 
 constexpr std::int64_t most_starts = 1'000'000, most_iterations = 1'000'000;
 
-std::int64_t whole_in(const FitContext& at, const std::string& path, std::int64_t least,
+std::int64_t whole_in(const FileValues& at, const std::string& path, std::int64_t least,
                       std::int64_t most, const char* words) {
   const std::int64_t n = value_at(at.values, path).whole;
   if (n < least || n > most)
@@ -141,7 +141,7 @@ std::int64_t whole_in(const FitContext& at, const std::string& path, std::int64_
   return n;
 }
 
-SpinUnknowns unknowns_of(const FitContext& at) {
+SpinUnknowns unknowns_of(const FileValues& at) {
   const std::vector<std::string>& words = value_at(at.values, "free.unknowns").words;
   const auto has_word = [&](std::string_view word) {
     return std::find(words.begin(), words.end(), word) != words.end();
@@ -150,7 +150,7 @@ SpinUnknowns unknowns_of(const FitContext& at) {
 }
 
 // Light curves are fitted by themselves, and their orbits are those of the file.
-void require_one_sort(const FitContext& at, const std::vector<Observation>& all,
+void require_one_sort(const FileValues& at, const std::vector<Observation>& all,
                       const Rotation& rotation) {
   using enum Observation::Kind;
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -180,7 +180,7 @@ Mat3 euler_covariance(const Quaternion& q, const Vec3& sigmas) {
 // The tables [[free.prior]].
 class Priors {
  public:
-  Priors(const FitContext& at, const SpinState& start, FitPlan& plan)
+  Priors(const FileValues& at, const SpinState& start, FitPlan& plan)
       : at_(at), start_(start), plan_(plan) {}
 
   void add(const std::string& path) {
@@ -238,13 +238,13 @@ class Priors {
       plan_.priors.push_back({{names[i]}, {mean[i]}, {square(sigmas[i])}});
   }
 
-  const FitContext& at_;
+  const FileValues& at_;
   const SpinState& start_;
   FitPlan& plan_;
   std::vector<std::string> seen_;
 };
 
-Loss loss_of(const FitContext& at) {
+Loss loss_of(const FileValues& at) {
   require_range(at.values, "fit.loss_scale", at.name);
   const std::string& kind = word(at.values, "fit.loss");
   using enum Loss::Kind;
@@ -257,7 +257,7 @@ Loss loss_of(const FitContext& at) {
 
 }  // namespace
 
-FitPlan fit_plan(const FitContext& at, const Rotation& rotation) {
+FitPlan fit_plan(const FileValues& at, const Rotation& rotation) {
   FitPlan plan;
   for (const std::string& path : array_paths(at.values, "observation"))
     plan.observations.push_back(observation_of(KeyValues(at.values, at.units, path, at.name)));

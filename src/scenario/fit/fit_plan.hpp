@@ -12,17 +12,12 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-struct FitContext {
-  const Values& values;
-  const Units& units;
-  const std::string& name;  // of the file, for messages
-};
 // Throws a ScenarioError at the place of what is wrong.
-FitPlan fit_plan(const FitContext& at, const Rotation& rotation);
+FitPlan fit_plan(const FileValues& at, const Rotation& rotation);
 
-LightPlan light_plan(const FitContext& at, const Rotation& rotation);
+LightPlan light_plan(const FileValues& at, const Rotation& rotation);
 // Whether the groups of [free] and the like go with what is observed.
-void require_words(const FitContext& at, bool of_light);
+void require_words(const FileValues& at, bool of_light);
 
 // What one table says; the keys are those of its kind.
 Observation observation_of(const KeyValues& table);

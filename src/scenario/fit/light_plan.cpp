@@ -19,23 +19,23 @@ namespace {
 constexpr std::int64_t most_minima = 10'000, most_labels = 10'000;
 constexpr std::int64_t most_degree = 40, most_rows = 200;
 
-bool has_word(const FitContext& at, std::string_view word) {
+bool has_word(const FileValues& at, std::string_view word) {
   const std::vector<std::string>& words = value_at(at.values, "free.unknowns").words;
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-[[noreturn]] void refuse(const FitContext& at, const std::string& path, const std::string& text) {
+[[noreturn]] void refuse(const FileValues& at, const std::string& path, const std::string& text) {
   detail::refuse(at.values, path, at.name, text);
 }
 
-std::size_t whole_in(const FitContext& at, const std::string& path, std::int64_t most) {
+std::size_t whole_in(const FileValues& at, const std::string& path, std::int64_t most) {
   const std::int64_t n = value_at(at.values, path).whole;
   if (n < 1 || n > most)
     refuse(at, path, "expected a whole number from 1 to " + std::to_string(most));
   return static_cast<std::size_t>(n);
 }
 
-Scattering law_of(const FitContext& at) {
+Scattering law_of(const FileValues& at) {
   const std::string& law = word(at.values, "light.law");
   require_range(at.values, "light.multiple", at.name);
   if (is_explicit(at.values, "light.multiple") && law != "mixed")
@@ -44,17 +44,17 @@ Scattering law_of(const FitContext& at) {
   return Scattering::mixed(law == "mixed" ? number(at.values, "light.multiple") : 0.0);
 }
 
-MomentSource moments_of(const FitContext& at) {
+MomentSource moments_of(const FileValues& at) {
   if (has_word(at, "moments")) return MomentSource::fit;
   return word(at.values, "light.moments") == "of-shape" ? MomentSource::shape : MomentSource::start;
 }
 
-LightUnknowns light_unknowns_of(const FitContext& at) {
+LightUnknowns light_unknowns_of(const FileValues& at) {
   return {
       .shape = has_word(at, "shape"), .moments = moments_of(at), .multiple = has_word(at, "law")};
 }
 
-ConvexPlan convex_of(const FitContext& at) {
+ConvexPlan convex_of(const FileValues& at) {
   ConvexPlan convex;
   convex.degree = static_cast<int>(whole_in(at, "light.convex.degree", most_degree));
   convex.rows = static_cast<int>(whole_in(at, "light.convex.rows", most_rows));
@@ -69,7 +69,7 @@ ConvexPlan convex_of(const FitContext& at) {
 }
 
 // What a shape that is no ellipsoid does not go with.
-void require_shape(const FitContext& at, const Rotation& rotation, LightPlan::Shape shape) {
+void require_shape(const FileValues& at, const Rotation& rotation, LightPlan::Shape shape) {
   const bool is_mesh = shape == LightPlan::Shape::mesh;
   const auto refuse_unless = [&](bool is_right, const std::string& path, const std::string& text) {
     if (!is_right) refuse(at, path, text);
@@ -89,7 +89,7 @@ void require_shape(const FitContext& at, const Rotation& rotation, LightPlan::Sh
 }
 
 // A mesh does not change, and in a fit its moments do not follow it.
-void require_mesh_fit(const FitContext& at, LightPlan& plan) {
+void require_mesh_fit(const FileValues& at, LightPlan& plan) {
   if (plan.shape != LightPlan::Shape::mesh) return;
   if (is_explicit(at.values, "light.moments") && plan.unknowns.moments == MomentSource::shape)
     refuse(at, "light.moments",
@@ -98,7 +98,7 @@ void require_mesh_fit(const FitContext& at, LightPlan& plan) {
   if (plan.unknowns.moments == MomentSource::shape) plan.unknowns.moments = MomentSource::start;
 }
 
-std::vector<ScanPlan::Pair> pairs_at(const FitContext& at) {
+std::vector<ScanPlan::Pair> pairs_at(const FileValues& at) {
   const std::string path = "fit.scan.at";
   if (!has(at.values, path)) return {};
   require_range(at.values, path, at.name);
@@ -111,7 +111,7 @@ std::vector<ScanPlan::Pair> pairs_at(const FitContext& at) {
   return pairs;
 }
 
-ScanPlan scan_of(const FitContext& at) {
+ScanPlan scan_of(const FileValues& at) {
   ScanPlan scan;
   scan.order = whole_in(at, "fit.scan.order", 9);
   const auto period = [&](const char* path) -> std::optional<double> {
@@ -139,7 +139,7 @@ ScanPlan scan_of(const FitContext& at) {
   return scan;
 }
 
-std::vector<TumblerPeriods> periods_of(const FitContext& at) {
+std::vector<TumblerPeriods> periods_of(const FileValues& at) {
   std::vector<TumblerPeriods> all;
   for (const std::string& path : array_paths(at.values, "fit.periods")) {
     for (const char* const key : {".precession_period", ".rotation_period"})
@@ -152,7 +152,7 @@ std::vector<TumblerPeriods> periods_of(const FitContext& at) {
   return all;
 }
 
-std::vector<double> sessions_of(const FitContext& at) {
+std::vector<double> sessions_of(const FileValues& at) {
   if (!has(at.values, "simulate.sessions")) return {};
   const std::vector<double>& ends = value_at(at.values, "simulate.sessions").numbers;
   if (ends.size() % 2 != 0)
@@ -165,7 +165,7 @@ std::vector<double> sessions_of(const FitContext& at) {
 
 }  // namespace
 
-void require_words(const FitContext& at, bool of_light) {
+void require_words(const FileValues& at, bool of_light) {
   if (!of_light) {
     for (const char* const word : {"shape", "law"})
       if (has_word(at, word))
@@ -194,7 +194,7 @@ void require_words(const FitContext& at, bool of_light) {
            "otherwise");
 }
 
-LightPlan light_plan(const FitContext& at, const Rotation& rotation) {
+LightPlan light_plan(const FileValues& at, const Rotation& rotation) {
   LightPlan plan;
   const std::string& shape = word(at.values, "light.shape");
   plan.shape = shape == "mesh"     ? LightPlan::Shape::mesh

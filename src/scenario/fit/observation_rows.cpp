@@ -80,7 +80,7 @@ ObservationTable observation_table(const Scenario& scenario, std::size_t index,
   if (of.time_format == Observation::TimeFormat::number)
     table.time_unit = table.keys.unit("time_unit", Dimension::time);
   else
-    table.clock = clock_of(values, file.units, path + ".time_format", file.path);
+    table.clock = clock_of({values, file.units, file.path}, path + ".time_format");
   return table;
 }
 

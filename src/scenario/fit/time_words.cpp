@@ -27,7 +27,7 @@ double time_of_word(const Scenario& scenario, const std::string& word) {
     if (std::isfinite(number)) return scenario.units().to_core(number, Dimension::time);
   } else if (!word.empty()) {
     try {
-      return time_of_date(scenario.document.checked->values, scenario.units(), word);
+      return time_of_date(file_values(scenario.document), word);
     } catch (const DomainError& no_date) {
       why = std::string(": ") + no_date.what();
     }
@@ -37,7 +37,7 @@ double time_of_word(const Scenario& scenario, const std::string& word) {
 }
 
 std::string date_of_time(const Scenario& scenario, double t) {
-  const std::string text = time_and_date(scenario.document.checked->values, scenario.units(), t);
+  const std::string text = time_and_date(file_values(scenario.document), t);
   const std::size_t comma = text.find(", ");
   return comma == std::string::npos ? "" : text.substr(comma + 2);
 }

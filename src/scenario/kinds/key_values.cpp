@@ -3,6 +3,7 @@
 #include "polhode/scenario/key_values.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "polhode/scenario/detail/key_form.hpp"
@@ -16,6 +17,8 @@ inline namespace v0 {
 const detail::Value& KeyValues::at(std::string_view key) const {
   return detail::value_at(values_, key_path(key));
 }
+
+detail::FileValues KeyValues::file_values() const { return {values_, units_, file_}; }
 
 bool KeyValues::has(std::string_view key) const { return detail::has(values_, key_path(key)); }
 bool KeyValues::is_explicit(std::string_view key) const {
@@ -37,6 +40,7 @@ std::size_t KeyValues::choice(std::string_view key) const {
   return static_cast<std::size_t>(std::find(words.begin(), words.end(), word(key)) - words.begin());
 }
 bool KeyValues::flag(std::string_view key) const { return at(key).whole == 1; }
+std::int64_t KeyValues::integer(std::string_view key) const { return at(key).whole; }
 
 std::string KeyValues::file_at(std::string_view key) const {
   return (std::filesystem::path(file_).parent_path() / word(key)).string();
@@ -56,12 +60,20 @@ std::string KeyValues::noted(std::string_view key, std::string_view message) con
 
 namespace detail {
 
+Mat3 KeyForm<Mat3>::read(const KeyValues& at, std::string_view key) {
+  const std::vector<double>& n = at.numbers(key);
+  return {{{n.at(0), n.at(1), n.at(2)}, {n.at(3), n.at(4), n.at(5)}, {n.at(6), n.at(7), n.at(8)}}};
+}
+
+SquareMatrix KeyForm<SquareMatrix>::read(const KeyValues& at, std::string_view key) {
+  const std::vector<double>& n = at.numbers(key);
+  return {n, static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(n.size()))))};
+}
+
 LinearMap KeyForm<LinearMap>::read(const KeyValues& at, std::string_view key) {
   const std::vector<double>& n = at.numbers(key);
   if (n.size() == 3) return {Mat3{{{n[0], 0.0, 0.0}, {0.0, n[1], 0.0}, {0.0, 0.0, n[2]}}}, true};
-  return {
-      Mat3{{{n.at(0), n.at(1), n.at(2)}, {n.at(3), n.at(4), n.at(5)}, {n.at(6), n.at(7), n.at(8)}}},
-      false};
+  return {KeyForm<Mat3>::read(at, key), false};
 }
 
 void require_allowed(const KeyValues& at, const Key& key) {

@@ -16,11 +16,11 @@
 #include "polhode/output/columns.hpp"
 #include "polhode/scenario/schema.hpp"
 #include "scenario/detail/built_in_kinds.hpp"
-#include "scenario/detail/chart_keys.hpp"
 #include "scenario/detail/experiment_kinds.hpp"
 #include "scenario/detail/history_keys.hpp"
 #include "scenario/detail/kind_rows.hpp"
 #include "scenario/detail/schema_table.hpp"
+#include "scenario/tables/state.hpp"
 #include "scenario/values.hpp"
 #include "text/words.hpp"
 
@@ -116,6 +116,7 @@ constexpr Key perturbation_kind_key = {.path = "perturbation[].kind",
                                        .example = "\"gravity-gradient\"",
                                        .help = "What it is."};
 
+constexpr Key orbits_table = {.path = "orbit", .help = "Orbits, by names that the file chooses."};
 constexpr Key orbit_table = {
     .path = "orbit.*",
     .help =
@@ -312,7 +313,11 @@ struct Kinds::Parts {
         output(lists.charts()),
         own(custom_tables(lists.experiments)),
         table(experiment_rows(lists.experiments, own,
-                              {state.part(), perturbations.part(), methods.part(), orbits.part(),
+                              {state.part(),
+                               perturbations.part(),
+                               methods.part(),
+                               {{&orbits_table, 1}, {}},
+                               orbits.part(),
                                frames.part()}),
               output.part(), lists.formats),
         schema(table.schema()) {}
@@ -322,8 +327,8 @@ struct Kinds::Parts {
   detail::KindRows orbits;
   detail::TablesOfKinds frames;
   detail::KindRows methods;
-  detail::StateKeys state;
-  detail::OutputKeys output;
+  detail::StateRows state;
+  detail::OutputRows output;
   std::deque<detail::CustomTable> own;
   detail::SchemaTable table;
   Schema schema;

@@ -106,7 +106,7 @@ void TableCheck::epoch() const {
   const std::string counts = said.at + "t counts from " + printable(said.text);
   if (!has(at_.values, "state.epoch"))
     throw DomainError(counts + "; expected epoch = " + in_quotes(said.text) + " in [state]");
-  const Clock clock = clock_of(at_.values, at_.units, at_.path + ".file", at_.name);
+  const Clock clock = clock_of({at_.values, at_.units, at_.name}, at_.path + ".file");
   const double apart = seconds_between(clock.epoch, date_of(said), clock.dut1);
   if (std::fabs(apart) > same_epoch)
     throw DomainError(counts + ", " + number_text(apart) +

@@ -27,6 +27,18 @@ struct LinearMap {
   bool is_diagonal;
 };
 
+// As many rows as each has numbers.
+struct SquareMatrix {
+  std::vector<double> elements;  // row by row
+  std::size_t size = 0;
+};
+
+// A number, or the word "auto".
+struct NumberOrAuto {
+  double number = 0.0;
+  bool is_auto = false;
+};
+
 namespace detail {
 
 template <class A, class M>
@@ -89,6 +101,33 @@ struct KeyForm<LinearMap> {
   static LinearMap read(const KeyValues& at, std::string_view key);
 };
 template <>
+struct KeyForm<Mat3> {
+  static constexpr KeyType type = KeyType::matrix;
+  static constexpr int length = 0;
+  static Mat3 read(const KeyValues& at, std::string_view key);
+};
+template <>
+struct KeyForm<SquareMatrix> {
+  static constexpr KeyType type = KeyType::square;
+  static constexpr int length = 0;
+  static SquareMatrix read(const KeyValues& at, std::string_view key);
+};
+template <>
+struct KeyForm<NumberOrAuto> {
+  static constexpr KeyType type = KeyType::number;
+  static constexpr int length = 0;
+  static constexpr std::string_view words = "auto";
+  static NumberOrAuto read(const KeyValues& at, std::string_view key) {
+    return {at.number(key), !at.words(key).empty()};
+  }
+};
+template <std::signed_integral Whole>
+struct KeyForm<Whole> {
+  static Whole read(const KeyValues& at, std::string_view key) {
+    return static_cast<Whole>(at.integer(key));
+  }
+};
+template <>
 struct KeyForm<bool> {
   static bool read(const KeyValues& at, std::string_view key) { return at.flag(key); }
 };
@@ -117,12 +156,25 @@ template <auto at, class T>
 concept Holds = std::same_as<typename Plain<Member<at>>::type, T>;
 template <auto at>
 concept HasNumbers = requires { KeyFormOf<at>::length; };
+template <auto at>
+concept HasInteger = std::signed_integral<typename Plain<Member<at>>::type>;
 template <auto at, auto... enumerators>
 concept HoldsEach = sizeof...(enumerators) > 0 &&
                     std::is_enum_v<typename Plain<Member<at>>::type> &&
                     (Holds<at, std::remove_cv_t<decltype(enumerators)>> && ...);
 template <class A, auto at>
 concept HasMember = std::derived_from<A, Owner<at>>;
+
+// Its address stands for the member.
+template <auto at>
+inline constexpr char member_id = 0;
+
+// The words that a number may also be.
+template <class Form>
+consteval std::string_view words_beside() {
+  if constexpr (requires { Form::words; }) return Form::words;
+  return {};
+}
 
 // Fails to compile: a name and a sentence are what makes a key.
 consteval void require_words(std::string_view name, std::string_view help) {
@@ -145,12 +197,12 @@ struct KeyMaker {
   template <auto at, class A>
   static consteval KindKey<A> key(const Key& key) {
     require_words(key.path, key.help);
-    return {key, fill_member<at, A>};
+    return {key, fill_member<at, A>, &member_id<at>};
   }
-  template <class A>
+  template <auto at, class A>
   static consteval KindKey<A> key(const Key& key, typename KindKey<A>::Fill fill) {
     require_words(key.path, key.help);
-    return {key, fill};
+    return {key, fill, &member_id<at>};
   }
 };
 

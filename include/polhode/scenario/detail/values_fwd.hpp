@@ -13,6 +13,7 @@ inline namespace v0 {
 namespace detail {
 
 struct Value;
+struct FileValues;
 // By path as the file has it: "body.moments", "orbit.moon.period", "perturbation[0].kind". Tables
 // have an entry too.
 using Values = std::map<std::string, Value, std::less<>>;

@@ -17,6 +17,8 @@
 #include "scenario/detail/history_keys.hpp"
 #include "scenario/detail/made_experiments.hpp"
 #include "scenario/scenario_parts.hpp"
+#include "scenario/tables/head.hpp"
+#include "scenario/tables/time.hpp"
 #include "scenario/value_access.hpp"
 #include "text/number_text.hpp"
 #include "text/words.hpp"
@@ -206,7 +208,7 @@ class PlanetBuilder {
   Obliquity made() {
     known_ = planet_.has("name") ? planet_spin(planet_.word("name")) : nullptr;
     Obliquity of = base_ != nullptr ? *base_ : on_orbit();
-    of.time = times_of(at_.values, at_.name, true);
+    of.time = times_of(time_table(at_), true);
     of.columns = columns();
     of.insolation = insolation(of.columns);
     require_cover(of);
@@ -245,7 +247,7 @@ class PlanetBuilder {
       refuse(at_.values, path + ".kind", at_.name,
              "expected a history of elements, " + one_of(known, "\""));
     }
-    const std::optional<SaveAt> rows = times_of(at_.values, at_.name, true);
+    const std::optional<SaveAt> rows = times_of(time_table(at_), true);
     OrbitUses uses;
     const KeyValues table(at_.values, at_.units, path, at_.name);
     ScenarioHistory orbit =
@@ -418,25 +420,22 @@ class PlanetBuilder {
   }
   void require_tides(const Obliquity& of) const {
     if (!of.tides && std::find(of.columns.begin(), of.columns.end(), "tides") != of.columns.end())
-      refuse(at_.values, "output.columns", at_.name,
-             "expected a table planet.tides for the columns tides");
+      refuse_columns(at_, "expected a table planet.tides for the columns tides");
   }
 
   std::vector<std::string> columns() const {
-    if (!is_explicit(at_.values, "output.columns")) return usual_columns;
+    if (!output_table(at_).is_explicit<&OutputTable::columns>()) return usual_columns;
     const std::vector<std::string_view> known = spin_column_groups();
     for (const std::string& column : at_.output.columns)
       if (std::find(known.begin(), known.end(), column) == known.end())
-        refuse(at_.values, "output.columns", at_.name,
-               "expected columns of kind \"obliquity\": " + one_of(known));
+        refuse_columns(at_, "expected columns of kind \"obliquity\": " + one_of(known));
     return at_.output.columns;
   }
 
   std::optional<InsolationPlace> insolation(const std::vector<std::string>& columns) const {
     if (!planet_.has("insolation.latitude")) {
       if (std::find(columns.begin(), columns.end(), "insolation") != columns.end())
-        refuse(at_.values, "output.columns", at_.name,
-               "expected a table planet.insolation for the column insolation");
+        refuse_columns(at_, "expected a table planet.insolation for the column insolation");
       return std::nullopt;
     }
     const double latitude = planet_.number("insolation.latitude");

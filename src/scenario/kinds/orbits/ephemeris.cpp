@@ -98,7 +98,7 @@ ScenarioOrbit ephemeris_orbit(const OrbitContext& at) {
     refuse(values, target_key, at.file(),
            "expected state.axes = \"ecliptic-J2000\" or \"equator-J2000\", since this orbit has a "
            "place in the sky");
-  const Clock clock = clock_of(values, at.units(), target_key, at.file());
+  const Clock clock = clock_of(at.file_values(), target_key);
   const double km = kilometre(at);
   const std::optional<TimeSpan> span = at.run_span();
   if (!span)

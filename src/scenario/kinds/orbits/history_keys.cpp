@@ -171,7 +171,7 @@ double misfit(const TableOrbit& table, const HistoryOrbit& orbit, double largest
 void require_cover(const OrbitContext& at, std::string_view key, const OrbitHistory& history,
                    const TimeSpan& span) {
   if (history.first_time() <= span.first && span.last <= history.last_time()) return;
-  const auto text = [&](double t) { return time_and_date(at.values(), at.units(), t); };
+  const auto text = [&](double t) { return time_and_date(at.file_values(), t); };
   at.refuse(key, "it covers " + text(history.first_time()) + " to " + text(history.last_time()) +
                      "; expected all of the run, " + text(span.first) + " to " + text(span.last) +
                      " (t = 0 is part of it)");

@@ -145,10 +145,9 @@ void require_ellipse(const OrbitContext& at, const PrecessingKeplerOrbit& orbit)
   const bool round = (orbit.rates().eccentricity > 0.0) == early;
   refuse(at.values(), at.key_path("eccentricity_rate"), at.file(),
          std::string("the eccentricity ") + (round ? "reaches 0" : "reaches 1") + " at " +
-             time_and_date(at.values(), at.units(), when) +
-             "; expected 0 to below 1 all along the run, " +
-             time_and_date(at.values(), at.units(), span->first) + " to " +
-             time_and_date(at.values(), at.units(), span->last));
+             time_and_date(at.file_values(), when) + "; expected 0 to below 1 all along the run, " +
+             time_and_date(at.file_values(), span->first) + " to " +
+             time_and_date(at.file_values(), span->last));
 }
 
 ScenarioOrbit kepler_orbit(const OrbitContext& at) {

@@ -40,7 +40,7 @@ double since_epoch(const OrbitContext& at, const std::string& file_scale, const 
   const std::string& epoch = word(at.values(), "state.epoch");
   if (scale_of_epoch(epoch) == file_scale)
     return seconds_between(file_scale, time_of_epoch(epoch), date);
-  const Clock clock = clock_of(at.values(), at.units(), at.key_path("file"), at.file());
+  const Clock clock = clock_of(at.file_values(), at.key_path("file"));
   return seconds_between(clock.epoch, date_of(file_scale, date), clock.dut1) +
          (file_scale == "GPS" ? gps_behind_tai : 0.0);
 }

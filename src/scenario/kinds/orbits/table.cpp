@@ -163,7 +163,7 @@ FieldReader time_reader(const OrbitContext& at) {
   if (has(at.values(), at.key_path("time_unit")))
     refuse(at.values(), at.key_path("time_unit"), at.file(),
            "expected no unit together with dates");
-  const Clock clock = clock_of(at.values(), at.units(), at.key_path("time_format"), at.file());
+  const Clock clock = clock_of(at.file_values(), at.key_path("time_format"));
   const TimeScale scale = *time_scale(word(at.values(), at.key_path("time_scale")));
   if (format == "date")
     return [=](std::string_view field) { return clock.core_time(date_in(field, scale)); };

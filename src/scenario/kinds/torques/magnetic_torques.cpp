@@ -115,7 +115,7 @@ NamedDipole earth_dipole(const TermContext& at) {
     at.refuse("field",
               "expected axes = \"equator-J2000\" or \"ecliptic-J2000\" in [state] as well, "
               "and epoch");
-  const Clock clock = clock_of(at.values(), at.units(), at.key_path("field"), at.file());
+  const Clock clock = clock_of(at.file_values(), at.key_path("field"));
   return at.built("field", [&]() -> NamedDipole {
     const Vec3 g = igrf_dipole(clock.epoch);
     const auto core = [&](double x) {

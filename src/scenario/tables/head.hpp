@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// What every file may have: its head, [units] and [output].
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "polhode/tables/chart_kind.hpp"
+#include "scenario/table.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+struct HeadTable {
+  std::int64_t schema = 1;
+  std::optional<std::string> title;
+  std::string kind;
+};
+// The head for these kinds of experiments, "rotation|fit|obliquity", and [units].
+class HeadRows : public TableRows {
+ public:
+  explicit HeadRows(std::string kinds);
+};
+Placed<HeadTable> head_table(const FileValues& file);
+
+struct OutputTable {
+  std::vector<std::string> columns;  // groups of them
+};
+class OutputRows : public TableRows {
+ public:
+  explicit OutputRows(std::span<const ChartKind> charts);
+};
+Placed<OutputTable> output_table(const FileValues& file);
+// At the place of the columns.
+[[noreturn]] void refuse_columns(const FileValues& file, std::string_view message);
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// [[surface]]: the plates and meshes that light and air act on.
+#pragma once
+
+#include "polhode/scenario/rotation.hpp"
+#include "scenario/table.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+SchemaPart surface_keys();
+// All tables, along the principal axes, into the rotation, which has body and shape.
+void add_surface(Rotation& rotation, const FileValues& file);
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode
