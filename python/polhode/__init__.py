@@ -4,7 +4,7 @@
 Same names as in C++; NumPy in, NumPy out. polhode.figures draws (it needs matplotlib).
 """
 
-from polhode import _core, elliptic, vary
+from polhode import _core, elliptic, kinds, vary
 from polhode._core import *  # noqa: F403
 from polhode._core import __version__  # noqa: F401
 from polhode._ensemble_histograms import EnsembleHistogram, FirstTimes
@@ -138,6 +138,7 @@ __all__ = [
     "fit_spin",
     "fourier_scan",
     "harmonic_fit",
+    "kinds",
     "likely_periods",
     "load",
     "model_fluxes",

@@ -14,12 +14,24 @@ import numpy
 
 from polhode import _core
 
+# Those that texts may name; polhode.kinds registers others.
+_kinds = _core._default_kinds()
+
+
+def known_kinds() -> Any:
+    return _kinds
+
+
+def set_known_kinds(kinds: Any) -> None:
+    global _kinds
+    _kinds = kinds
+
 
 def compiled(text: str | bytes, name: str) -> Any:
     """The scenario of a text as the extension has it; see Scenario.from_text."""
     data = text.encode("utf-8") if isinstance(text, str) else text
     shown = os.fsdecode(name).encode("utf-8", "backslashreplace").decode("utf-8")
-    file = _core._Scenario.from_text(data, shown)
+    file = _core._Scenario.from_text(data, shown, _kinds)
     for warning in file.warnings:
         warnings.warn(warning, UserWarning, stacklevel=3)
     return file

@@ -130,7 +130,7 @@ def test_every_python_name_is_on_one_page_of_the_reference(site, build):
     environment = dict(os.environ, PYTHONPATH=str(build / "python"))
     done = subprocess.run([sys.executable, "-c", code], env=environment, text=True, check=True,
                           stdout=subprocess.PIPE)  # fmt: skip
-    modules = {"polhode.elliptic", "polhode.vary"}
+    modules = {"polhode.elliptic", "polhode.kinds", "polhode.vary"}
     public = {f"polhode.{name}" for name in done.stdout.split()} - modules
     assert public - set(found) == set(), "docs/reference/python: no page has these names"
 

@@ -143,6 +143,7 @@ void bind_io(nb::module_& m) {
   nb::exception<OutputError>(m, "OutputError", PyExc_RuntimeError).attr("__doc__") =
       "A disk that is full, a folder that is gone: the run failed, its input was right.";
   bind_units(m);
+  bind_kinds(m);
   bind_golden(m);
   bind_aem(m);
   bind_nutation(m);
@@ -150,8 +151,8 @@ void bind_io(nb::module_& m) {
   bind_command_line(m);
   nb::class_<Scenario> c(m, "_Scenario");
   c.def_static("from_text",
-               [](const nb::bytes& text, const std::string& name) {
-                 return scenario_from_text({text.c_str(), text.size()}, name);
+               [](const nb::bytes& text, const std::string& name, const Kinds& kinds) {
+                 return scenario_from_text({text.c_str(), text.size()}, name, kinds);
                })
       .def_prop_ro("name", [](const Scenario& s) -> const auto& { return s.document.name; })
       .def_prop_ro("warnings", [](const Scenario& s) { return warnings(s); })

@@ -24,6 +24,8 @@ void bind_golden(nb::module_& m);
 void bind_aem(nb::module_& m);
 // NutationTheory, PlanetAxis, nutation_theory.
 void bind_nutation(nb::module_& m);
+// KindTable, _Kinds and _default_kinds.
+void bind_kinds(nb::module_& m);
 // _command_line.
 void bind_command_line(nb::module_& m);
 // OrbitEphemeris, OemSegment, read_oem.

@@ -1,0 +1,234 @@
+# SPDX-License-Identifier: MIT
+"""Perturbations, orbits and experiments of your own in scenario files.
+
+A kind is described once: its name, its keys and a function that makes a term, an orbit or an
+experiment from their values. After `register`, files may name it: `load`, `Scenario.run`, maps,
+ensembles, fits, error messages and the JSON Schema know it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from polhode import _core, _toml
+
+__all__ = [
+    "ExperimentKind",
+    "Key",
+    "OrbitKind",
+    "PerturbationKind",
+    "register",
+    "registered",
+    "schema",
+    "template",
+]
+
+_NUMERIC = ("number", "numbers", "matrix")
+_FORMS = (*_NUMERIC, "integer", "flag", "text", "file", "name", "word")
+_RANGES = ("any", "positive", "not_negative")
+
+
+def _require(condition: bool, message: str) -> None:
+    if not condition:
+        raise ValueError(message)
+
+
+def _require_text(where: str, what: str, value: Any, expected: str) -> None:
+    if not isinstance(value, str):
+        raise TypeError(f"{where}: {what}: got {value!r}; expected a str")
+    _require(bool(value), f"{where}: got no {what}; expected {expected}")
+
+
+def _toml_of(value: Any, where: str) -> str:
+    return "" if value is None else _toml.value_text(value, where)
+
+
+@dataclass(frozen=True)
+class Key:
+    """One key of the table of a kind.
+
+    Parameters
+    ----------
+    name : letters, digits, _ and -.
+    help : one sentence that ends with a full stop.
+    dimension : of numbers, a Dimension or its name: "torque", "length", ...; "number" for a pure
+        number. Required for the forms number, numbers and matrix.
+    form : "number", "numbers", "matrix" (3, 3), "integer", "flag", "text", "file" (a path from the
+        folder of the scenario), "name" (of an orbit) or "word" (one of `words`).
+    length : of numbers; 0 is any length.
+    words : the words that are allowed.
+    default : the value of a key that is left out, as a file has it; None: none.
+    required : whether the table must have the key.
+    range : "any", "positive" or "not_negative".
+    example : for `template`, as a file has it; None: the default.
+
+    ValueError for a numeric key without a dimension, an unknown form, and a default or an example
+    that the key does not take (when the kind is registered).
+    """
+
+    name: str
+    help: str
+    dimension: Any = None
+    form: str = "number"
+    length: int = 0
+    words: Sequence[str] = ()
+    default: Any = None
+    required: bool = False
+    range: str = "any"
+    example: Any = None
+
+    def __post_init__(self) -> None:
+        _require_text("Key", "name", self.name, "letters, digits, _ and -")
+        where = f'Key "{self.name}"'
+        _require_text(where, "help", self.help, "a sentence that says what it is")
+        _require(self.help.endswith("."),
+                 f"{where}: help: got {self.help!r}; expected a sentence with a full stop")
+        _require(self.form in _FORMS,
+                 f"{where}: form: got {self.form!r}; expected one of {', '.join(_FORMS)}")
+        if self.form in _NUMERIC:
+            names = ", ".join(one.name for one in _core.Dimension)
+            _require(self.dimension is not None,
+                     f"{where}: got no dimension; expected one of {names}")
+            if isinstance(self.dimension, str):
+                _require(hasattr(_core.Dimension, self.dimension),
+                         f"{where}: dimension: got {self.dimension!r}; expected one of {names}")
+                object.__setattr__(self, "dimension", getattr(_core.Dimension, self.dimension))
+            if not isinstance(self.dimension, _core.Dimension):
+                raise TypeError(f"{where}: dimension: got {self.dimension!r}; expected a Dimension "
+                                "or its name")
+        else:
+            _require(self.dimension is None,
+                     f"{where}: dimension: got {self.dimension!r}; expected none for a {self.form}")
+            _require(self.range == "any",
+                     f"{where}: range: got {self.range!r}; expected \"any\" for a {self.form}")
+            object.__setattr__(self, "dimension", _core.Dimension.number)
+        _require(self.range in _RANGES,
+                 f"{where}: range: got {self.range!r}; expected one of {', '.join(_RANGES)}")
+        object.__setattr__(self, "words", tuple(self.words))
+        _require((self.form == "word") == bool(self.words),
+                 f"{where}: words: got {self.words!r}; expected them for the form \"word\" alone")
+        _require(not (self.required and self.default is not None),
+                 f"{where}: default: got {self.default!r}; expected none for a required key")
+
+    @property
+    def _allowed(self) -> str:
+        return "|".join(self.words)
+
+    @property
+    def _default_toml(self) -> str:
+        return _toml_of(self.default, self.name)
+
+    @property
+    def _example_toml(self) -> str:
+        return _toml_of(self.default if self.example is None else self.example, self.name)
+
+
+@dataclass(frozen=True)
+class _Kind:
+    name: str
+    help: str
+    keys: Sequence[Key]
+    made: Callable[[_core.KindTable], Any]
+    sets: str = ""
+    citations: Sequence[tuple[str, str, str]] = ()
+
+    def __post_init__(self) -> None:
+        own = type(self).__name__
+        _require_text(own, "name", self.name, "letters, digits and -")
+        where = f'{own} "{self.name}"'
+        _require_text(where, "help", self.help, "one sentence that says what it is")
+        object.__setattr__(self, "keys", tuple(self.keys))
+        for key in self.keys:
+            if not isinstance(key, Key):
+                raise TypeError(f"{where}: keys: got {key!r}; expected Key objects")
+        if not callable(self.made):
+            raise TypeError(f"{where}: made: got {self.made!r}; expected a function of a KindTable")
+        object.__setattr__(self, "citations", tuple(tuple(c) for c in self.citations))
+        for citation in self.citations:
+            _require(len(citation) == 3 and all(isinstance(text, str) for text in citation),
+                     f"{where}: citations: got {citation!r}; expected (key, text, reason)")
+
+
+class PerturbationKind(_Kind):
+    """A kind of [[perturbation]].
+
+    Parameters
+    ----------
+    name : the word for `kind` in files, of letters, digits and -.
+    help : one sentence: what acts.
+    keys : Key objects.
+    made : f(table) -> a term of polhode, such as a TorqueTerm or a HamiltonianTerm, or a list of
+        them. `table` is a KindTable: table["limit"] is the value of a key in core units, table.body
+        the body. A ValueError that it raises becomes an error of the file; table.refuse names the
+        key.
+    sets : sets of keys of which a table has exactly one, "times+torques|file"; empty: none.
+    citations : (key, text, reason) of works that it rests on.
+    """
+
+
+class OrbitKind(_Kind):
+    """A kind of [orbit.NAME].
+
+    Parameters
+    ----------
+    name, help, keys, sets, citations : as those of a PerturbationKind.
+    made : f(table) -> KeplerOrbit, PrecessingKeplerOrbit, TurnedKeplerOrbit or TableOrbit along the
+        inertial axes of the state, or (orbit, gm) with the gravitational parameter of the
+        attracting body. table.span is the time that a TableOrbit must cover.
+    """
+
+
+class ExperimentKind(_Kind):
+    """A kind of file, with a table of its name, whose columns are functions of time.
+
+    Parameters
+    ----------
+    name, help, keys, citations : as those of a PerturbationKind. It has no sets.
+    made : f(table) -> {"columns": [(name, dimension), ...], "formula": f(t) -> numbers}: the
+        columns after t, and their values in core units at a time.
+    """
+
+
+_names: list[str] = []
+
+
+def register(kind: PerturbationKind | OrbitKind | ExperimentKind) -> None:
+    """Makes a kind known to every scenario that is read from now on.
+
+    A scenario keeps the kinds that it was read with. Another process, such as a worker of a pool,
+    knows the kinds that it has registered itself: register on import of a module of your own.
+
+    ValueError for a name that exists, a key that is there twice, and a default or an example that
+    its key does not take.
+    """
+    known = _toml.known_kinds()
+    if isinstance(kind, PerturbationKind):
+        known = known.with_perturbation(kind)
+    elif isinstance(kind, OrbitKind):
+        known = known.with_orbit(kind)
+    elif isinstance(kind, ExperimentKind):
+        known = known.with_experiment(kind)
+    else:
+        raise TypeError(f"register: got {kind!r}; expected a PerturbationKind, an OrbitKind or an "
+                        "ExperimentKind")
+    _toml.set_known_kinds(known)
+    _names.append(kind.name)
+
+
+def registered() -> list[str]:
+    """The names of the kinds that were registered, in their order."""
+    return list(_names)
+
+
+def schema() -> str:
+    """The JSON Schema of scenario files, with the kinds that were registered."""
+    text: str = _toml.known_kinds().schema()
+    return text
+
+
+def template(word: str) -> str:
+    """A commented scenario to start from, with the kind of that name; see `polhode init --help`."""
+    text: str = _toml.known_kinds().template(word)
+    return text
