@@ -5,6 +5,7 @@
 #pragma once
 
 #include <deque>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -87,10 +88,22 @@ class Placed {
     return at_.is_explicit(name<member>());
   }
 
+  // The member, if the file has the key.
+  template <auto member>
+  std::optional<Member<member>> given() const {
+    if (!is_explicit<member>()) return std::nullopt;
+    return arguments_.*member;
+  }
+
   // "expected ..." at the place of a member, or of the table.
   template <auto member>
   [[noreturn]] void refuse(std::string_view message) const {
     at_.refuse(name<member>(), message);
+  }
+  // "expected none ..." at the place of the first of these members that the file has.
+  template <auto... members>
+  void refuse_any(std::string_view message) const {
+    ((is_explicit<members>() ? refuse<members>(message) : void()), ...);
   }
   [[noreturn]] void refuse(std::string_view message) const {
     detail::refuse(at_.values(), at_.path(), at_.file(), message);

@@ -9,7 +9,7 @@
 #include "polhode/error.hpp"
 #include "run/detail/fit_tables.hpp"
 #include "run/fit/fit_torques.hpp"
-#include "scenario/value_access.hpp"
+#include "scenario/tables/fit.hpp"
 #include "scenario/values.hpp"
 
 namespace polhode {
@@ -181,7 +181,7 @@ FitReport fit_scenario(const Scenario& scenario, const FitOptions& options) {
   };
   report.starts = 0;
   stop();
-  detail::built(scenario.document.checked->values, "free.unknowns", scenario.document.path, [&] {
+  detail::built_unknowns(scenario, [&] {
     run_cells(
         0, plan.starts, options.threads,
         [&](std::int64_t start) { return tried(report, plan, start); },

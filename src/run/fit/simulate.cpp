@@ -25,6 +25,8 @@
 #include "polhode/scenario/scenario.hpp"
 #include "polhode/version.hpp"
 #include "run/fit/fit_torques.hpp"
+#include "scenario/tables/fit.hpp"
+#include "scenario/tables/time.hpp"
 #include "scenario/value_access.hpp"
 #include "scenario/values.hpp"
 #include "text/words.hpp"
@@ -97,9 +99,12 @@ std::vector<std::vector<std::size_t>> sessions_of(const Scenario& scenario,
       if (motion[k].t >= ends[i] && motion[k].t <= ends[i + 1]) all[i / 2].push_back(k);
   }
   for (std::size_t i = 0; i < all.size(); ++i)
-    if (all[i].empty())
-      refuse(scenario.document.checked->values, ends.empty() ? "time" : "simulate.sessions",
-             scenario.document.path, "expected rows of [time] in session " + std::to_string(i + 1));
+    if (all[i].empty()) {
+      const FileValues file = file_values(scenario.document);
+      const std::string message = "expected rows of [time] in session " + std::to_string(i + 1);
+      if (ends.empty()) time_table(file).refuse(message);
+      simulate_table(file).refuse<&SimulateTable::sessions>(message);
+    }
   return all;
 }
 
