@@ -95,6 +95,12 @@ class Placed {
     return arguments_.*member;
   }
 
+  // What one unit is, by a key that holds a unit; 1 where it is left out.
+  template <auto member>
+  double unit(Dimension dimension) const {
+    return at_.unit(name<member>(), dimension);
+  }
+
   // "expected ..." at the place of a member, or of the table.
   template <auto member>
   [[noreturn]] void refuse(std::string_view message) const {

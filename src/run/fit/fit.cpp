@@ -9,6 +9,7 @@
 #include "polhode/error.hpp"
 #include "run/detail/fit_tables.hpp"
 #include "run/fit/fit_torques.hpp"
+#include "scenario/fit/observation_table.hpp"
 #include "scenario/tables/fit.hpp"
 #include "scenario/values.hpp"
 
@@ -26,9 +27,10 @@ const FitPlan& plan_of(const Scenario& scenario) {
   if (!scenario.rotation().frame.is_inertial())
     detail::refuse(scenario, "frame", "expected none: a fit is one relative to inertial axes");
   if (plan.has_light())
-    detail::refuse(scenario, "observation[0].kind",
-                   "expected \"attitude\", \"direction\" or \"rate\"; light curves are fitted by "
-                   "fit_light_scenario");
+    detail::placed_observation(detail::file_values(scenario.document), 0)
+        .refuse<&Observation::kind>(
+            "expected \"attitude\", \"direction\" or \"rate\"; light curves are fitted by "
+            "fit_light_scenario");
   return plan;
 }
 

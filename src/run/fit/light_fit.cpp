@@ -17,6 +17,7 @@
 #include "run/detail/fit_tables.hpp"
 #include "run/detail/light_report.hpp"
 #include "scenario/fit/fit_plan.hpp"
+#include "scenario/fit/observation_table.hpp"
 #include "scenario/tables/light.hpp"
 #include "scenario/value_access.hpp"
 #include "scenario/values.hpp"
@@ -236,7 +237,8 @@ LightReport fit_light_scenario(const Scenario& scenario, const LightFitOptions& 
   const FitPlan& plan = require_fit(scenario);
   require_free_fit(scenario);
   if (!plan.has_light())
-    detail::refuse(scenario, "observation[0].kind", "expected \"light-curve\"");
+    detail::placed_observation(detail::file_values(scenario.document), 0)
+        .refuse<&Observation::kind>("expected \"light-curve\"");
   if (plan.light.unknowns.moments == MomentSource::start && plan.light.searches &&
       plan.light.shape != LightPlan::Shape::mesh)
     detail::light_table(detail::file_values(scenario.document))

@@ -25,6 +25,7 @@
 #include "polhode/scenario/scenario.hpp"
 #include "polhode/version.hpp"
 #include "run/fit/fit_torques.hpp"
+#include "scenario/fit/observation_table.hpp"
 #include "scenario/tables/fit.hpp"
 #include "scenario/tables/time.hpp"
 #include "scenario/value_access.hpp"
@@ -120,9 +121,10 @@ std::vector<LightCurve> simulated_sessions(const Scenario& scenario, std::size_t
   const FitPlan& plan = require_fit(scenario);
   const Observation& of = plan.observations.at(table);
   if (!of.sigma)
-    refuse(scenario.document.checked->values, "observation[" + std::to_string(table) + "].kind",
-           scenario.document.path,
-           "expected a key sigma, not sigma_columns: a simulation has no file to take errors from");
+    placed_observation(file_values(scenario.document), table)
+        .refuse<&Observation::kind>(
+            "expected a key sigma, not sigma_columns: a simulation has no file to take errors "
+            "from");
   const SeenBody body(scenario);
   const std::vector<std::vector<std::size_t>> rows = sessions_of(scenario, motion);
   std::vector<LightCurve> curves;
@@ -309,11 +311,11 @@ void require_free(const std::vector<std::string>& paths, const Scenario& scenari
 void require_light(const Scenario& scenario, std::size_t table, bool is_light) {
   const Observation& of = simulated_plan(scenario).observations.at(table);
   if ((of.kind == Observation::Kind::light_curve) == is_light) return;
-  detail::refuse(scenario.document.checked->values,
-                 "observation[" + std::to_string(table) + "].kind", scenario.document.path,
-                 is_light ? "expected \"light-curve\"; what else is seen is simulated by simulated"
-                          : "expected \"attitude\", \"direction\" or \"rate\"; light curves are "
-                            "simulated by simulated_light");
+  detail::placed_observation(detail::file_values(scenario.document), table)
+      .refuse<&Observation::kind>(
+          is_light ? "expected \"light-curve\"; what else is seen is simulated by simulated"
+                   : "expected \"attitude\", \"direction\" or \"rate\"; light curves are "
+                     "simulated by simulated_light");
 }
 
 }  // namespace

@@ -2,15 +2,14 @@
 // From the values of a file of kind "fit" to its plan.
 #include "scenario/fit/fit_plan.hpp"
 
-#include <string>
+#include <vector>
 
 #include "polhode/math/quaternion.hpp"
 #include "polhode/rotor/attitude.hpp"
 #include "polhode/rotor/body.hpp"
 #include "polhode/scenario/scenario.hpp"
+#include "scenario/fit/observation_table.hpp"
 #include "scenario/scenario_parts.hpp"
-#include "scenario/value_access.hpp"
-#include "scenario/values.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -19,27 +18,28 @@ namespace detail {
 namespace {
 
 // Light curves are fitted by themselves, and their orbits are those of the file.
-void require_one_sort(const FileValues& at, const std::vector<Observation>& all,
-                      const Rotation& rotation) {
+std::vector<Observation> observations_of(const FileValues& at, const Rotation& rotation) {
   using enum Observation::Kind;
+  std::vector<Observation> all;
+  for (std::size_t i = 0; i < array_paths(at.values, "observation").size(); ++i)
+    all.push_back(observation_of(placed_observation(at, i)));
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const std::string path = "observation[" + std::to_string(i) + "].";
+    const Placed<Observation> table = placed_observation(at, i);
     if ((all[i].kind == light_curve) != (all.front().kind == light_curve))
-      refuse(at.values, path + "kind", at.name,
-             "expected light curves alone, or none: they are fitted by themselves");
+      table.refuse<&Observation::kind>(
+          "expected light curves alone, or none: they are fitted by themselves");
     if (all[i].orbit.empty()) continue;
-    for (const char* const key : {"orbit", "observer_orbit"})
-      static_cast<void>(orbit_named(rotation.orbits, at.values, path + key, at.name));
+    static_cast<void>(named_orbit<&Observation::orbit>(rotation, table));
+    static_cast<void>(named_orbit<&Observation::observer_orbit>(rotation, table));
   }
+  return all;
 }
 
 }  // namespace
 
 FitPlan fit_plan(const FileValues& at, const Rotation& rotation) {
   FitPlan plan;
-  for (const std::string& path : array_paths(at.values, "observation"))
-    plan.observations.push_back(observation_of(KeyValues(at.values, at.units, path, at.name)));
-  require_one_sort(at, plan.observations, rotation);
+  plan.observations = observations_of(at, rotation);
   const Placed<FreeTable> free = free_table(at);
   const Placed<FitTable> fit = fit_table(at);
   require_words(free, fit, plan.has_light());

@@ -5,7 +5,6 @@
 #include <string_view>
 
 #include "polhode/scenario/fit_plan.hpp"
-#include "polhode/scenario/key_values.hpp"
 #include "scenario/detail/schema_parts.hpp"
 #include "scenario/tables/fit.hpp"
 #include "scenario/values.hpp"
@@ -32,9 +31,6 @@ SchemaPart drive_keys();
 void add_drive(const FileValues& at, const Rotation& rotation, FitPlan& plan);
 // At the place of the first of these tables, if there is one.
 void refuse_drive(const FileValues& at, std::string_view message);
-
-// What one table says; the keys are those of its kind.
-Observation observation_of(const KeyValues& table);
 
 }  // namespace detail
 }  // namespace v0
