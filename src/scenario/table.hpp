@@ -58,6 +58,13 @@ class TableRows {
   std::vector<KindText> texts_;
 };
 
+// The part of the schema that the descriptions of tables make, in this order.
+template <const auto&... tables>
+SchemaPart part_of() {
+  static const TableRows rows(tables...);
+  return rows.part();
+}
+
 template <class A>
 class Placed {
  public:

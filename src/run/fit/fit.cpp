@@ -24,13 +24,12 @@ constexpr double least_freedom = 0.5;
 
 const FitPlan& plan_of(const Scenario& scenario) {
   const FitPlan& plan = require_fit(scenario);
-  if (!scenario.rotation().frame.is_inertial())
-    detail::refuse(scenario, "frame", "expected none: a fit is one relative to inertial axes");
+  detail::require_inertial(scenario);
   if (plan.has_light())
-    detail::placed_observation(detail::file_values(scenario.document), 0)
-        .refuse<&Observation::kind>(
-            "expected \"attitude\", \"direction\" or \"rate\"; light curves are fitted by "
-            "fit_light_scenario");
+    detail::refuse_kind(
+        scenario, 0,
+        "expected \"attitude\", \"direction\" or \"rate\"; light curves are fitted by "
+        "fit_light_scenario");
   return plan;
 }
 

@@ -30,16 +30,13 @@ namespace {
 // For light curves. ScenarioError unless nothing acts on the body, no torque or jump is unknown,
 // and the state is relative to inertial axes.
 void require_free_fit(const Scenario& scenario) {
-  const Rotation& rotation = scenario.rotation();
-  const detail::Values& values = scenario.document.checked->values;
-  if (!rotation.kinds.empty())
-    detail::refuse(values, "perturbation[0].kind", scenario.document.path,
+  if (!scenario.rotation().kinds.empty())
+    detail::refuse(scenario.document.checked->values, "perturbation[0].kind",
+                   scenario.document.path,
                    "expected no perturbation: a fit is one of free rotation");
   detail::refuse_drive(detail::file_values(scenario.document),
                        "expected none: light curves are fitted in free rotation");
-  if (!rotation.frame.is_inertial())
-    detail::refuse(values, "frame", scenario.document.path,
-                   "expected none: a fit is one relative to inertial axes");
+  detail::require_inertial(scenario);
 }
 
 constexpr double speed_of_light = 299792458.0;  // m/s
@@ -236,9 +233,7 @@ bool observes_light(const Scenario& scenario) {
 LightReport fit_light_scenario(const Scenario& scenario, const LightFitOptions& options) {
   const FitPlan& plan = require_fit(scenario);
   require_free_fit(scenario);
-  if (!plan.has_light())
-    detail::placed_observation(detail::file_values(scenario.document), 0)
-        .refuse<&Observation::kind>("expected \"light-curve\"");
+  if (!plan.has_light()) detail::refuse_kind(scenario, 0, "expected \"light-curve\"");
   if (plan.light.unknowns.moments == MomentSource::start && plan.light.searches &&
       plan.light.shape != LightPlan::Shape::mesh)
     detail::light_table(detail::file_values(scenario.document))

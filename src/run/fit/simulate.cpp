@@ -24,6 +24,7 @@
 #include "polhode/scenario/fit_plan.hpp"
 #include "polhode/scenario/scenario.hpp"
 #include "polhode/version.hpp"
+#include "run/detail/fit_tables.hpp"
 #include "run/fit/fit_torques.hpp"
 #include "scenario/fit/observation_table.hpp"
 #include "scenario/tables/fit.hpp"
@@ -121,10 +122,9 @@ std::vector<LightCurve> simulated_sessions(const Scenario& scenario, std::size_t
   const FitPlan& plan = require_fit(scenario);
   const Observation& of = plan.observations.at(table);
   if (!of.sigma)
-    placed_observation(file_values(scenario.document), table)
-        .refuse<&Observation::kind>(
-            "expected a key sigma, not sigma_columns: a simulation has no file to take errors "
-            "from");
+    refuse_kind(scenario, table,
+                "expected a key sigma, not sigma_columns: a simulation has no file to take errors "
+                "from");
   const SeenBody body(scenario);
   const std::vector<std::vector<std::size_t>> rows = sessions_of(scenario, motion);
   std::vector<LightCurve> curves;
@@ -175,9 +175,7 @@ const FitPlan& simulated_plan(const Scenario& scenario) {
   const FitPlan& plan = require_fit(scenario);
   if (!row_times(scenario))
     throw DomainError(name + ": time: got nothing; expected [time], when to observe");
-  if (!scenario.rotation().frame.is_inertial())
-    detail::refuse(scenario.document.checked->values, "frame", scenario.document.path,
-                   "expected none: observations are relative to inertial axes");
+  detail::require_inertial(scenario, "observations are");
   return plan;
 }
 
@@ -311,11 +309,11 @@ void require_free(const std::vector<std::string>& paths, const Scenario& scenari
 void require_light(const Scenario& scenario, std::size_t table, bool is_light) {
   const Observation& of = simulated_plan(scenario).observations.at(table);
   if ((of.kind == Observation::Kind::light_curve) == is_light) return;
-  detail::placed_observation(detail::file_values(scenario.document), table)
-      .refuse<&Observation::kind>(
-          is_light ? "expected \"light-curve\"; what else is seen is simulated by simulated"
-                   : "expected \"attitude\", \"direction\" or \"rate\"; light curves are "
-                     "simulated by simulated_light");
+  detail::refuse_kind(scenario, table,
+                      is_light
+                          ? "expected \"light-curve\"; what else is seen is simulated by simulated"
+                          : "expected \"attitude\", \"direction\" or \"rate\"; light curves are "
+                            "simulated by simulated_light");
 }
 
 }  // namespace

@@ -155,10 +155,7 @@ void add_jump(const Placed<JumpTable>& table, FitPlan& plan) {
 
 }  // namespace
 
-SchemaPart drive_keys() {
-  static const TableRows rows(parameter_description, jump_description);
-  return rows.part();
-}
+SchemaPart drive_keys() { return part_of<parameter_description, jump_description>(); }
 
 void add_drive(const FileValues& at, const Rotation& rotation, FitPlan& plan) {
   for (const Placed<ParameterTable>& one : placed_tables(parameter_description, at))

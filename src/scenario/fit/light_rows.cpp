@@ -26,6 +26,7 @@ inline namespace v0 {
 namespace {
 
 using detail::ObservationTable;
+using O = Observation;
 using Format = Observation::LightFormat;
 using TimeFormat = Observation::TimeFormat;
 
@@ -74,7 +75,7 @@ LightCurveFile file_of(const ObservationTable& of, const std::vector<std::size_t
 // What the file declares and the keys say must be the same.
 void require_declared(const ObservationTable& of, const LightSession& session) {
   if (session.times && *session.times != of.of.times)
-    of.place.refuse<&Observation::times>(
+    of.place.refuse<&O::times>(
         std::string("expected ") +
         (*session.times == LightTime::at_body ? "\"at-body\"" : "\"at-observer\"") +
         ", as the file says of its times");
@@ -97,7 +98,7 @@ void complete(LightCurve& curve, const Observation& of) {
 Vec3 turned(const Quaternion& q, const Vec3& v) { return v == Vec3{} ? v : rotate(q, v); }
 
 double speed_of(const ObservationTable& of) {
-  return of.place.at().units().to_core(speed_of_light, "m/s", Dimension::speed);
+  return of.scenario.units().to_core(speed_of_light, "m/s", Dimension::speed);
 }
 
 // The orbit of the body or of the observer. Beyond its ends a table is continued in a straight
@@ -123,7 +124,7 @@ class LightOrbit {
   void require_cover(double first, double last, const std::string& event) const {
     constexpr double rounding = 2e-3;  // s, of dates in files
     if (table_ == nullptr) return;
-    const Units& units = of_.place.at().units();
+    const Units& units = of_.scenario.units();
     const double slack = units.to_core(rounding, "s", Dimension::time);
     const double begin = table_->first_time(), end = table_->last_time();
     if (first >= begin - slack && last <= end + slack) return;
@@ -146,10 +147,10 @@ class LightOrbit {
 
 // Vectors, and times at the body where `given` are those at the observer.
 LightCurve with_orbits(const ObservationTable& of, LightCurve curve, LightTime given) {
-  const LightOrbit<&Observation::orbit> body(of);
-  const LightOrbit<&Observation::observer_orbit> observer(of);
+  const LightOrbit<&O::orbit> body(of);
+  const LightOrbit<&O::observer_orbit> observer(of);
   const double c = speed_of(of);
-  curve = of.place.built<&Observation::orbit>([&] {
+  curve = of.place.built<&O::orbit>([&] {
     return with_vectors(
         std::move(curve), given, [&](double t) { return body.position(t); },
         [&](double t) { return observer.position(t); }, [](double) { return Vec3{}; }, c);
@@ -171,11 +172,10 @@ LightCurve after_own_light_times(const ObservationTable& of, LightCurve curve) {
   if (std::ranges::all_of(curve.points, [](const LightPoint& p) {
         return std::fabs(norm(p.to_observer) - 1.0) < unit_length;
       }))
-    of.place.refuse<&Observation::times>(
+    of.place.refuse<&O::times>(
         "expected a key light_time as well: vectors to the observer have length 1, so "
         "that they are directions and no distances");
-  return of.place.built<&Observation::times>(
-      [&] { return at_body(std::move(curve), speed_of(of)); });
+  return of.place.built<&O::times>([&] { return at_body(std::move(curve), speed_of(of)); });
 }
 
 // In core time at the body, with vectors along the axes of the state.
@@ -209,8 +209,7 @@ std::vector<std::size_t> counted_from_1(const ObservationTable& of, std::size_t 
 void take_wanted(const ObservationTable& of, const std::vector<std::size_t>& left_out,
                  LightCurveFile& file) {
   if (!of.of.sessions.empty()) {
-    const std::vector<std::size_t> wanted =
-        counted_from_1<&Observation::sessions>(of, file.sessions.size());
+    const std::vector<std::size_t> wanted = counted_from_1<&O::sessions>(of, file.sessions.size());
     std::vector<LightSession> taken;
     for (std::size_t k = 0; k < file.sessions.size(); ++k)
       if (std::ranges::count(wanted, k + 1) > 0) taken.push_back(std::move(file.sessions[k]));
@@ -220,12 +219,10 @@ void take_wanted(const ObservationTable& of, const std::vector<std::size_t>& lef
   for (const LightSession& session : file.sessions)
     for (const std::size_t line : session.left_out) std::erase(unseen, line);
   if (!unseen.empty())
-    of.place.refuse<&Observation::leave_out>(
-        "expected lines with a point of the sessions taken; line " +
-        std::to_string(unseen.front()) + " has none");
+    of.place.refuse<&O::leave_out>("expected lines with a point of the sessions taken; line " +
+                                   std::to_string(unseen.front()) + " has none");
   std::erase_if(file.sessions, [](const LightSession& s) { return s.curve.points.empty(); });
-  if (file.sessions.empty())
-    of.place.refuse<&Observation::leave_out>("expected some points to stay");
+  if (file.sessions.empty()) of.place.refuse<&O::leave_out>("expected some points to stay");
 }
 
 template <auto... keys>
@@ -242,10 +239,10 @@ void require_names(const ObservationTable& of) {
 // Those that the keys of the table read, with names of others that are written beside them.
 LightColumns written_columns(const ObservationTable& of, std::size_t sessions, bool has_vectors) {
   const Observation& o = of.of;
-  require_names<&Observation::columns, &Observation::sigma_columns, &Observation::session_column,
-                &Observation::sun_columns, &Observation::observer_columns>(of);
+  require_names<&O::columns, &O::sigma_columns, &O::session_column, &O::sun_columns,
+                &O::observer_columns>(of);
   if (sessions > 1 && o.session_column.empty())
-    of.place.refuse<&Observation::file>(
+    of.place.refuse<&O::file>(
         "expected session_column = [\"session\"] as well, to simulate more than "
         "one session");
   const LightColumns usual = light_csv_columns(has_vectors);
@@ -295,8 +292,8 @@ void sort_points(LightSession& session) {
 void detail::read_light_curves(const ObservationTable& of, std::size_t index,
                                ReadObservations& all) {
   if (of.of.sigma && !(*of.of.sigma > 0.0))
-    of.place.refuse<&Observation::sigma>("expected one above 0 for a fit; 0 is for simulations");
-  const std::vector<std::size_t> left_out = counted_from_1<&Observation::leave_out>(of, 0xffffffff);
+    of.place.refuse<&O::sigma>("expected one above 0 for a fit; 0 is for simulations");
+  const std::vector<std::size_t> left_out = counted_from_1<&O::leave_out>(of, 0xffffffff);
   LightCurveFile file = file_of(of, left_out);
   take_wanted(of, left_out, file);
   for (LightSession& session : file.sessions) {
@@ -308,8 +305,7 @@ void detail::read_light_curves(const ObservationTable& of, std::size_t index,
   for (LightSession& session : file.sessions) {
     LightCurve curve = in_core(of, std::move(session.curve));
     if (of.of.is_of_the_time)
-      curve = of.place.built<&Observation::is_of_the_time>(
-          [&] { return at_unit_distances(curve, 1.0); });
+      curve = of.place.built<&O::is_of_the_time>([&] { return at_unit_distances(curve, 1.0); });
     std::vector<ObservedRow> rows;
     for (std::size_t k = 0; k < curve.points.size(); ++k)
       rows.push_back({index, static_cast<std::uint32_t>(k < session.lines.size() ? session.lines[k]
@@ -324,9 +320,8 @@ LightCurve with_vectors_of(const Scenario& scenario, std::size_t index, LightCur
   if (!of.of.orbit.empty()) return with_orbits(of, std::move(curve), LightTime::at_body);
   const auto required = [&](const char* key, const std::optional<Vec3>& given) {
     if (given && norm(*given) > 0.0) return turned(of.to_state, *given);
-    of.place.refuse<&Observation::kind>(
-        std::string("expected a key ") + key +
-        " as well, a vector that is not 0, or orbits, for a simulation");
+    of.place.refuse<&O::kind>(std::string("expected a key ") + key +
+                              " as well, a vector that is not 0, or orbits, for a simulation");
   };
   const Vec3 sun = required("to_sun", of.of.to_sun);
   const Vec3 observer = required("to_observer", of.of.to_observer);
@@ -359,7 +354,7 @@ std::string light_curve_text(const Scenario& scenario, std::size_t index,
                      [&](double t) { return detail::clock_text(of, t); });
   if (of.of.light_format == Format::lc)
     return lc_text(written, converted(of.clock->epoch, *of.of.time_scale, of.clock->dut1));
-  return of.place.built<&Observation::file>([&] {
+  return of.place.built<&O::file>([&] {
     return alcdef_text(written, of.clock->epoch,
                        {.object = of.of.name,
                         .times = of.of.times,

@@ -155,6 +155,29 @@ constexpr std::array of_the_sky = {
         .example("\"deg\""),
 };
 
+// One of these is needed.
+consteval KindKey<O> sigma_key(Dimension dimension, std::string_view help,
+                               std::string_view example) {
+  return quantity_key<&O::sigma>("sigma", dimension, help)
+      .alternative()
+      .positive()
+      .example(example);
+}
+consteval KindKey<O> sigma_columns_key(std::string_view help) {
+  return columns_key<&O::sigma_columns>("sigma_columns", help).alternative().example("[\"sigma\"]");
+}
+consteval auto errors_along_axes(Dimension dimension, std::string_view help, std::string_view sigma,
+                                 std::string_view sigmas) {
+  return std::array{
+      sigma_key(dimension, help, sigma),
+      quantity_key<&O::sigmas>("sigmas", dimension, "The same for the three body axes.")
+          .alternative()
+          .positive()
+          .example(sigmas),
+      sigma_columns_key("The column of the error, or one for each body axis."),
+  };
+}
+
 constexpr std::array attitude_own = {
     choice_key<&O::form, O::Form::quaternion, O::Form::euler, O::Form::matrix>(
         "form", "quaternion|euler|matrix",
@@ -167,20 +190,10 @@ constexpr std::array attitude_own = {
                              "from 1. Left out: t, and qw, qx, qy, qz or phi, theta, psi or R11, "
                              "R12, ... R33.")
         .example("[\"t\", \"qw\", \"qx\", \"qy\", \"qz\"]"),
-    quantity_key<&O::sigma>("sigma", Dimension::angle,
-                            "Its standard error about each body axis, one number for all.")
-        .alternative()
-        .positive()
-        .example("\"2 deg\""),
-    quantity_key<&O::sigmas>("sigmas", Dimension::angle, "The same for the three body axes.")
-        .alternative()
-        .positive()
-        .example("[2, 2, 5]"),
-    columns_key<&O::sigma_columns>("sigma_columns",
-                                   "The column of the error, or one for each body axis.")
-        .alternative()
-        .example("[\"sigma\"]"),
 };
+constexpr auto attitude_errors = errors_along_axes(
+    Dimension::angle, "Its standard error about each body axis, one number for all.", "\"2 deg\"",
+    "[2, 2, 5]");
 constexpr std::array direction_own = {
     quantity_key<&O::axis>("axis", Dimension::number,
                            "The body axis whose direction was seen, of any length.")
@@ -194,14 +207,9 @@ constexpr std::array direction_own = {
                              "The column of times, then those of the form, by name or by number "
                              "from 1. Left out: t, and x, y, z or lon, lat.")
         .example("[\"t\", \"x\", \"y\", \"z\"]"),
-    quantity_key<&O::sigma>("sigma", Dimension::angle,
-                            "Its standard error in each of two directions across it.")
-        .alternative()
-        .positive()
-        .example("\"2 deg\""),
-    columns_key<&O::sigma_columns>("sigma_columns", "The column of the error, one name.")
-        .alternative()
-        .example("[\"sigma\"]"),
+    sigma_key(Dimension::angle, "Its standard error in each of two directions across it.",
+              "\"2 deg\""),
+    sigma_columns_key("The column of the error, one name."),
 };
 constexpr std::array rate_own = {
     columns_key<&O::columns>("columns",
@@ -211,28 +219,18 @@ constexpr std::array rate_own = {
     unit_key<&O::value_unit>("rate_unit",
                              "Unit of rates and of errors in columns; left out, that of this file.")
         .example("\"deg/d\""),
-    quantity_key<&O::sigma>("sigma", Dimension::rate,
-                            "Its standard error along each body axis, one number for all.")
-        .alternative()
-        .positive()
-        .example("\"0.1 deg/h\""),
-    quantity_key<&O::sigmas>("sigmas", Dimension::rate, "The same for the three body axes.")
-        .alternative()
-        .positive()
-        .example("[0.1, 0.1, 0.5]"),
-    columns_key<&O::sigma_columns>("sigma_columns",
-                                   "The column of the error, or one for each body axis.")
-        .alternative()
-        .example("[\"sigma\"]"),
 };
+constexpr auto rate_errors = errors_along_axes(
+    Dimension::rate, "Its standard error along each body axis, one number for all.",
+    "\"0.1 deg/h\"", "[0.1, 0.1, 0.5]");
 // The first key is `kind`.
 template <std::size_t n>
 consteval auto keys_with(const std::array<KindKey<O>, n>& own) {
   return joined(joined(kind_keys, shared), own);
 }
-constexpr auto attitude_keys = keys_with(joined(of_the_sky, attitude_own));
+constexpr auto attitude_keys = keys_with(joined(joined(of_the_sky, attitude_own), attitude_errors));
 constexpr auto direction_keys = keys_with(joined(of_the_sky, direction_own));
-constexpr auto rate_keys = keys_with(rate_own);
+constexpr auto rate_keys = keys_with(joined(rate_own, rate_errors));
 constexpr auto light_keys = keys_with(light_curve_keys);
 
 struct Row {
@@ -407,6 +405,10 @@ Placed<Observation> placed_observation(const FileValues& file, std::size_t index
   const KeyValues at(file.values, file.units, "observation[" + std::to_string(index) + "]",
                      file.name);
   return {Table<O>{table_key, rows[at.choice("kind")].keys}, file, at.path()};
+}
+
+void refuse_kind(const Scenario& scenario, std::size_t index, std::string_view message) {
+  placed_observation(file_values(scenario.document), index).refuse<&O::kind>(message);
 }
 
 Observation observation_of(const Placed<Observation>& table) {

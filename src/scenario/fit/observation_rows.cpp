@@ -88,6 +88,7 @@ std::string clock_text(const ObservationTable& of, double t) {
 
 namespace {
 
+using O = Observation;
 using Kind = Observation::Kind;
 using Form = Observation::Form;
 using TimeFormat = Observation::TimeFormat;
@@ -120,8 +121,8 @@ FieldReader time_reader(const ObservationTable& table) {
 
 void require_order(const ObservationTable& of, const NumberTable& table) {
   const auto shown = [&](double t) {
-    return detail::number_text(of.place.at().units().from_core(t, Dimension::time)) + " " +
-           of.place.at().units().time();
+    return detail::number_text(of.scenario.units().from_core(t, Dimension::time)) + " " +
+           of.scenario.units().time();
   };
   for (std::size_t k = 1; k < table.rows(); ++k) {
     const double t = table.columns[0][k], before = table.columns[0][k - 1];
@@ -201,7 +202,7 @@ NumberTable rows_of(const ObservationTable& of) {
   columns.insert(columns.end(), of.of.sigma_columns.begin(), of.of.sigma_columns.end());
   NumberTable table = read_number_table(of.place.at().file_at("file"), columns, time_reader(of));
   if (table.rows() == 0)
-    of.place.refuse<&Observation::file>("expected a table with rows; this file has none");
+    of.place.refuse<&O::file>("expected a table with rows; this file has none");
   require_order(of, table);
   return table;
 }
@@ -209,7 +210,7 @@ NumberTable rows_of(const ObservationTable& of) {
 // The columns of angles that run through whole turns.
 void add_small_angles(const ObservationTable& of, const NumberTable& table,
                       std::vector<std::string>& notes) {
-  const double degree = of.place.at().units().to_core(1.0, "deg", Dimension::angle);
+  const double degree = of.scenario.units().to_core(1.0, "deg", Dimension::angle);
   if (of.value_unit != degree) return;
   for (std::size_t place = 0; place < 3; ++place) {
     const bool turns =
@@ -290,11 +291,11 @@ void require_names(const ObservationTable& of) {
   for (const std::string& column : of.of.columns)
     if (column.empty() ||
         std::all_of(column.begin(), column.end(), [](char c) { return c >= '0' && c <= '9'; }))
-      of.place.refuse<&Observation::columns>(
+      of.place.refuse<&O::columns>(
           "expected names: a simulation has no file whose columns it could "
           "count");
   if (!of.of.sigma_columns.empty())
-    of.place.refuse<&Observation::sigma_columns>(
+    of.place.refuse<&O::sigma_columns>(
         "expected sigma or sigmas: a simulation has no file to take errors from");
 }
 

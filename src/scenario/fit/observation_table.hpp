@@ -4,7 +4,7 @@
 
 #include <cstddef>
 #include <optional>
-#include <string>
+#include <string_view>
 
 #include "polhode/math/quaternion.hpp"
 #include "polhode/scenario/fit_plan.hpp"
@@ -22,6 +22,8 @@ constexpr double modified_zero = 2400000.5;  // of modified Julian dates
 // Table `index` of a file. Throws a ScenarioError at the place of what is wrong, as those below.
 Placed<Observation> placed_observation(const FileValues& file, std::size_t index);
 Observation observation_of(const Placed<Observation>& table);
+[[noreturn]] void refuse_kind(const Scenario& scenario, std::size_t index,
+                              std::string_view message);
 
 // The orbit that a key of the table names.
 template <auto key>

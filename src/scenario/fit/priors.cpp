@@ -132,10 +132,7 @@ std::vector<std::pair<std::string, double>> numbers_of(PriorTable::Of kind,
 
 }  // namespace
 
-SchemaPart prior_keys() {
-  static const TableRows rows(prior_description);
-  return rows.part();
-}
+SchemaPart prior_keys() { return part_of<prior_description>(); }
 
 void add_priors(const FileValues& at, const SpinState& start, FitPlan& plan) {
   std::vector<PriorTable::Of> seen;

@@ -127,16 +127,10 @@ constexpr Table<SimulateTable> simulate_description = {
 
 }  // namespace
 
-SchemaPart free_keys() {
-  static const TableRows rows(free_description);
-  return rows.part();
-}
+SchemaPart free_keys() { return part_of<free_description>(); }
 Placed<FreeTable> free_table(const FileValues& file) { return {free_description, file}; }
 
-SchemaPart fit_keys() {
-  static const TableRows rows(fit_description, simulate_description);
-  return rows.part();
-}
+SchemaPart fit_keys() { return part_of<fit_description, simulate_description>(); }
 Placed<FitTable> fit_table(const FileValues& file) { return {fit_description, file}; }
 Placed<SimulateTable> simulate_table(const FileValues& file) {
   return {simulate_description, file};

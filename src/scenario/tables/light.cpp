@@ -161,8 +161,7 @@ constexpr Table<TumblerPeriods> periods_description = {
 }  // namespace
 
 SchemaPart light_keys() {
-  static const TableRows rows(light_description, scan_description, periods_description);
-  return rows.part();
+  return part_of<light_description, scan_description, periods_description>();
 }
 Placed<LightTable> light_table(const FileValues& file) { return {light_description, file}; }
 Placed<ScanTable> scan_table(const FileValues& file) { return {scan_description, file}; }
