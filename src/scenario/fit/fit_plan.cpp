@@ -6,7 +6,6 @@
 
 #include "polhode/math/quaternion.hpp"
 #include "polhode/rotor/attitude.hpp"
-#include "polhode/rotor/body.hpp"
 #include "polhode/scenario/scenario.hpp"
 #include "scenario/fit/observation_table.hpp"
 #include "scenario/scenario_parts.hpp"

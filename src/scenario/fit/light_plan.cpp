@@ -3,10 +3,8 @@
 #include "polhode/scenario/light_plan.hpp"
 
 #include <algorithm>
-#include <filesystem>
 #include <functional>
-#include <string>
-#include <string_view>
+#include <vector>
 
 #include "polhode/tables/obj.hpp"
 #include "scenario/fit/fit_plan.hpp"
