@@ -6,10 +6,13 @@
 #include <utility>
 
 #include "scenario/detail/made_experiments.hpp"
+#include "scenario/fit/fit_plan.hpp"
 #include "scenario/scenario_parts.hpp"
 #include "scenario/tables/body.hpp"
 #include "scenario/tables/event.hpp"
+#include "scenario/tables/fit.hpp"
 #include "scenario/tables/head.hpp"
+#include "scenario/tables/light.hpp"
 #include "scenario/tables/surface.hpp"
 #include "scenario/tables/time.hpp"
 #include "scenario/value_access.hpp"
@@ -72,10 +75,9 @@ ExperimentRow rotation_row(const DescribedParts& described) {
 ExperimentRow fit_row(const DescribedParts& described) {
   ExperimentRow row = rotation_row(described);
   row.name = "fit";
-  row.parts.push_back(observation_keys());
-  row.parts.push_back(fit_keys());
-  row.parts.push_back(light_keys());
-  row.parts.push_back(fit_torque_keys());
+  for (const SchemaPart& part :
+       {observation_keys(), free_keys(), prior_keys(), fit_keys(), light_keys(), drive_keys()})
+    row.parts.push_back(part);
   return row;
 }
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <deque>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -57,6 +58,13 @@ class TableRows {
   std::vector<KindText> texts_;
 };
 
+// The part of the schema that the descriptions of tables make, in this order.
+template <const auto&... tables>
+SchemaPart part_of() {
+  static const TableRows rows(tables...);
+  return rows.part();
+}
+
 template <class A>
 class Placed {
  public:
@@ -87,10 +95,28 @@ class Placed {
     return at_.is_explicit(name<member>());
   }
 
+  // The member, if the file has the key.
+  template <auto member>
+  std::optional<Member<member>> given() const {
+    if (!is_explicit<member>()) return std::nullopt;
+    return arguments_.*member;
+  }
+
+  // What one unit is, by a key that holds a unit; 1 where it is left out.
+  template <auto member>
+  double unit(Dimension dimension) const {
+    return at_.unit(name<member>(), dimension);
+  }
+
   // "expected ..." at the place of a member, or of the table.
   template <auto member>
   [[noreturn]] void refuse(std::string_view message) const {
     at_.refuse(name<member>(), message);
+  }
+  // "expected none ..." at the place of the first of these members that the file has.
+  template <auto... members>
+  void refuse_any(std::string_view message) const {
+    ((is_explicit<members>() ? refuse<members>(message) : void()), ...);
   }
   [[noreturn]] void refuse(std::string_view message) const {
     detail::refuse(at_.values(), at_.path(), at_.file(), message);

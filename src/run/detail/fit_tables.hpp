@@ -34,9 +34,8 @@ void add_rows_of(const Scenario& scenario, const std::vector<double>& times,
                  std::vector<ScenarioChange>& changes);
 std::string row_text(double a, double b, double c);
 
-// An error at a key of the scenario.
-[[noreturn]] void refuse(const Scenario& scenario, const std::string& path,
-                         const std::string& text);
+// ScenarioError "expected none: `what` relative to inertial axes" for a frame that moves.
+void require_inertial(const Scenario& scenario, const std::string& what = "a fit is one");
 Dimension dimension_of_unknown(std::string_view name);
 // phi, theta, psi from 0 on, with their unit.
 std::string euler_text(const Scenario& scenario, const Quaternion& q);

@@ -9,7 +9,8 @@
 #include "polhode/error.hpp"
 #include "run/detail/fit_tables.hpp"
 #include "run/fit/fit_torques.hpp"
-#include "scenario/value_access.hpp"
+#include "scenario/fit/observation_table.hpp"
+#include "scenario/tables/fit.hpp"
 #include "scenario/values.hpp"
 
 namespace polhode {
@@ -23,12 +24,12 @@ constexpr double least_freedom = 0.5;
 
 const FitPlan& plan_of(const Scenario& scenario) {
   const FitPlan& plan = require_fit(scenario);
-  if (!scenario.rotation().frame.is_inertial())
-    detail::refuse(scenario, "frame", "expected none: a fit is one relative to inertial axes");
+  detail::require_inertial(scenario);
   if (plan.has_light())
-    detail::refuse(scenario, "observation[0].kind",
-                   "expected \"attitude\", \"direction\" or \"rate\"; light curves are fitted by "
-                   "fit_light_scenario");
+    detail::refuse_kind(
+        scenario, 0,
+        "expected \"attitude\", \"direction\" or \"rate\"; light curves are fitted by "
+        "fit_light_scenario");
   return plan;
 }
 
@@ -181,7 +182,7 @@ FitReport fit_scenario(const Scenario& scenario, const FitOptions& options) {
   };
   report.starts = 0;
   stop();
-  detail::built(scenario.document.checked->values, "free.unknowns", scenario.document.path, [&] {
+  detail::built_unknowns(scenario, [&] {
     run_cells(
         0, plan.starts, options.threads,
         [&](std::int64_t start) { return tried(report, plan, start); },

@@ -116,8 +116,10 @@ void add_rows_of(const Scenario& scenario, const std::vector<double>& times,
                                  ", count = " + std::to_string(rows_without_time) + " }"});
 }
 
-void refuse(const Scenario& scenario, const std::string& path, const std::string& text) {
-  refuse(scenario.document.checked->values, path, scenario.document.path, text);
+void require_inertial(const Scenario& scenario, const std::string& what) {
+  if (!scenario.rotation().frame.is_inertial())
+    refuse(scenario.document.checked->values, "frame", scenario.document.path,
+           "expected none: " + what + " relative to inertial axes");
 }
 
 Dimension dimension_of_unknown(std::string_view name) {

@@ -16,6 +16,9 @@
 #include "polhode/scenario/scenario.hpp"
 #include "run/detail/fit_tables.hpp"
 #include "run/detail/light_report.hpp"
+#include "scenario/fit/fit_plan.hpp"
+#include "scenario/fit/observation_table.hpp"
+#include "scenario/tables/light.hpp"
 #include "scenario/value_access.hpp"
 #include "scenario/values.hpp"
 #include "text/number_text.hpp"
@@ -27,21 +30,13 @@ namespace {
 // For light curves. ScenarioError unless nothing acts on the body, no torque or jump is unknown,
 // and the state is relative to inertial axes.
 void require_free_fit(const Scenario& scenario) {
-  const Rotation& rotation = scenario.rotation();
-  const detail::Values& values = scenario.document.checked->values;
-  if (!rotation.kinds.empty())
-    detail::refuse(values, "perturbation[0].kind", scenario.document.path,
+  if (!scenario.rotation().kinds.empty())
+    detail::refuse(scenario.document.checked->values, "perturbation[0].kind",
+                   scenario.document.path,
                    "expected no perturbation: a fit is one of free rotation");
-  const FitDrive& drive = require_fit(scenario).drive;
-  if (!drive.parameters.empty())
-    detail::refuse(values, "free.parameter[0].key", scenario.document.path,
-                   "expected none: light curves are fitted in free rotation");
-  if (!drive.jumps.empty())
-    detail::refuse(values, "free.jump[0].kind", scenario.document.path,
-                   "expected none: light curves are fitted in free rotation");
-  if (!rotation.frame.is_inertial())
-    detail::refuse(values, "frame", scenario.document.path,
-                   "expected none: a fit is one relative to inertial axes");
+  detail::refuse_drive(detail::file_values(scenario.document),
+                       "expected none: light curves are fitted in free rotation");
+  detail::require_inertial(scenario);
 }
 
 constexpr double speed_of_light = 299792458.0;  // m/s
@@ -238,13 +233,13 @@ bool observes_light(const Scenario& scenario) {
 LightReport fit_light_scenario(const Scenario& scenario, const LightFitOptions& options) {
   const FitPlan& plan = require_fit(scenario);
   require_free_fit(scenario);
-  if (!plan.has_light())
-    detail::refuse(scenario, "observation[0].kind", "expected \"light-curve\"");
+  if (!plan.has_light()) detail::refuse_kind(scenario, 0, "expected \"light-curve\"");
   if (plan.light.unknowns.moments == MomentSource::start && plan.light.searches &&
       plan.light.shape != LightPlan::Shape::mesh)
-    detail::refuse(
-        scenario, "light.moments",
-        "expected \"of-shape\", or moments among free.unknowns: a search has bodies of its own");
+    detail::light_table(detail::file_values(scenario.document))
+        .refuse<&detail::LightTable::source>(
+            "expected \"of-shape\", or moments among free.unknowns: a search has bodies of its "
+            "own");
   LightReport report;
   report.unknowns = plan.light.unknowns;
   report.observed = read_observations(scenario);
@@ -253,7 +248,7 @@ LightReport fit_light_scenario(const Scenario& scenario, const LightFitOptions& 
   if (plan.light.one_by_one) detail::require_sessions(scenario, curves);
   detail::begin_surfaces(scenario, report);
   report.chosen = detail::chosen_pairs(scenario, curves);
-  detail::built(scenario.document.checked->values, "free.unknowns", scenario.document.path, [&] {
+  detail::built_unknowns(scenario, [&] {
     if (plan.light.searches)
       search(scenario, plan, options, report);
     else

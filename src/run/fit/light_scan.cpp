@@ -12,7 +12,7 @@
 #include "run/detail/fit_tables.hpp"
 #include "run/detail/light_fit.hpp"
 #include "run/detail/light_report.hpp"
-#include "scenario/value_access.hpp"
+#include "scenario/tables/light.hpp"
 #include "scenario/values.hpp"
 #include "text/number_text.hpp"
 
@@ -34,9 +34,9 @@ class Scan {
         least_(plan_.longest ? 1.0 / *plan_.longest : longest_usual()),
         most_(plan_.shortest ? 1.0 / *plan_.shortest : advice_.most) {
     if (!(least_ < most_))
-      refuse("fit.scan.longest",
-             "expected periods of which the shortest is below the longest; the data give " +
-                 text_of(1.0 / advice_.most) + " to " + text_of(1.0 / longest_usual()));
+      refuse<&ScanPlan::longest>(
+          "expected periods of which the shortest is below the longest; the data give " +
+          text_of(1.0 / advice_.most) + " to " + text_of(1.0 / longest_usual()));
   }
 
   LightScan made() {
@@ -67,19 +67,19 @@ class Scan {
     constants = is_joined ? constants + std::min(calibrated, std::size_t{1}) : 1;
     const std::size_t all = 2 * FourierOrders::pair(plan_.order).harmonics() + constants;
     if (points <= all)
-      refuse("fit.scan.order",
-             fmt::format("expected a lower one: {} points{} do not determine {} "
-                         "coefficients",
-                         points, is_joined ? "" : " of the longest session", all));
+      refuse<&ScanPlan::order>(
+          fmt::format("expected a lower one: {} points{} do not determine {} "
+                      "coefficients",
+                      points, is_joined ? "" : " of the longest session", all));
   }
 
   LightScan joined() {
     const double count = std::floor((most_ - least_) / advice_.step) + 1.0, pairs = count * count;
     if (pairs > most_scan_pairs)
-      refuse("fit.scan.shortest", "expected at most 1e8 pairs of frequencies; periods of " +
-                                      text_of(1.0 / most_) + " to " + text_of(1.0 / least_) +
-                                      " in data that cover " + text_of(advice_.time_base) +
-                                      " are " + number(pairs) + ": " + way_out());
+      refuse<&ScanPlan::shortest>("expected at most 1e8 pairs of frequencies; periods of " +
+                                  text_of(1.0 / most_) + " to " + text_of(1.0 / least_) +
+                                  " in data that cover " + text_of(advice_.time_base) + " are " +
+                                  number(pairs) + ": " + way_out());
     const FrequencyGrid grid = FrequencyGrid::between(least_, most_, advice_.step);
     begin(fmt::format("{} pairs of frequencies", grid.count * grid.count) +
           (curves_.size() > 1 ? fmt::format(" over {} sessions", curves_.size()) : std::string()));
@@ -97,11 +97,10 @@ class Scan {
     const SessionScanSize size = session_scan_size(curves_, least_, most_, plan_.order);
     const double pairs = size.pairs(plan_.windows);
     if (pairs > most_scan_pairs)
-      refuse("fit.scan.windows",
-             "expected at most 1e8 pairs of frequencies; " + words_of(size) + " are " +
-                 number(pairs) +
-                 ": lower fit.scan.windows, bring fit.scan.shortest and fit.scan.longest nearer "
-                 "to each other, or fit fewer sessions");
+      refuse<&ScanPlan::windows>(
+          "expected at most 1e8 pairs of frequencies; " + words_of(size) + " are " + number(pairs) +
+          ": lower fit.scan.windows, bring fit.scan.shortest and fit.scan.longest nearer "
+          "to each other, or fit fewer sessions");
     begin(words_of(size));
     SessionScan found = scan_sessions(
         curves_, least_, most_, {.scan = how(), .windows = plan_.windows, .most = plan_.minima});
@@ -274,8 +273,9 @@ class Scan {
     return how;
   }
 
-  [[noreturn]] void refuse(const std::string& path, const std::string& text) const {
-    detail::refuse(scenario_.document.checked->values, path, scenario_.document.path, text);
+  template <auto member>
+  [[noreturn]] void refuse(const std::string& text) const {
+    detail::scan_table(detail::file_values(scenario_.document)).refuse<member>(text);
   }
   static std::string number(double x) { return detail::rounded_text(x); }
   std::string text_of(double period) const {
@@ -303,8 +303,8 @@ std::vector<ChosenPair> detail::chosen_pairs(const Scenario& scenario,
   const ScanPlan& plan = require_fit(scenario).light.scan;
   std::vector<ChosenPair> chosen;
   if (plan.at.empty()) return chosen;
-  const Document& file = scenario.document;
-  detail::built(file.checked->values, "fit.scan.at", file.path, [&] {
+  const Placed<ScanTable> table = scan_table(file_values(scenario.document));
+  table.built<&ScanTable::periods>([&] {
     const ScanPoints points(curves);
     const double reach = scan_advice(curves, plan.at_order).step;
     const FourierOrders orders = FourierOrders::pair(plan.at_order);

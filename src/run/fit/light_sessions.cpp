@@ -9,7 +9,7 @@
 
 #include "run/detail/fit_tables.hpp"
 #include "run/detail/light_fit.hpp"
-#include "scenario/value_access.hpp"
+#include "scenario/tables/fit.hpp"
 #include "scenario/values.hpp"
 
 namespace polhode {
@@ -18,9 +18,10 @@ namespace detail {
 
 void require_sessions(const Scenario& scenario, std::span<const LightCurve> curves) {
   if (curves.size() > 1) return;
-  refuse(scenario.document.checked->values, "fit.sessions", scenario.document.path,
-         "expected more than one session: one for each table [[observation]], or by "
-         "session_column");
+  fit_table(file_values(scenario.document))
+      .refuse<&FitTable::one_by_one>(
+          "expected more than one session: one for each table [[observation]], or by "
+          "session_column");
 }
 
 std::size_t longest_session(std::span<const LightCurve> curves) {

@@ -11,7 +11,8 @@
 #include "polhode/fit/mesh_search.hpp"
 #include "run/detail/fit_tables.hpp"
 #include "run/detail/light_fit.hpp"
-#include "scenario/value_access.hpp"
+#include "scenario/tables/fit.hpp"
+#include "scenario/tables/light.hpp"
 #include "scenario/values.hpp"
 
 namespace polhode {
@@ -285,20 +286,19 @@ class Surfaces {
 
 void begin_surfaces(const Scenario& scenario, LightReport& report) {
   const FitPlan& plan = require_fit(scenario);
-  const Values& values = scenario.document.checked->values;
-  const std::string& file = scenario.document.path;
+  const FileValues file = file_values(scenario.document);
   report.shape = plan.light.shape;
   if (report.shape == LightPlan::Shape::mesh) {
     if (plan.light.unknowns.shape)
-      refuse(values, "free.unknowns", file,
-             "expected no shape with light.shape = \"mesh\": the mesh is given");
+      free_table(file).refuse<&FreeTable::unknowns>(
+          "expected no shape with light.shape = \"mesh\": the mesh is given");
     report.mesh = ShadedMesh(light_mesh(scenario));
     report.unknowns.shape = false;
   }
   if (report.shape != LightPlan::Shape::convex) return;
   // says what is wrong with degree and rows before the search
-  built(values, "light.convex.degree", file,
-        [&] { return GaussianImage(plan.light.convex.degree, plan.light.convex.rows); });
+  light_table(file).built<&ConvexPlan::degree>(
+      [&] { return GaussianImage(plan.light.convex.degree, plan.light.convex.rows); });
   report.unknowns = {.shape = false,
                      .moments = plan.light.convex.moments == MomentSource::fit
                                     ? MomentSource::fit

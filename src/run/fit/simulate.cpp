@@ -24,7 +24,11 @@
 #include "polhode/scenario/fit_plan.hpp"
 #include "polhode/scenario/scenario.hpp"
 #include "polhode/version.hpp"
+#include "run/detail/fit_tables.hpp"
 #include "run/fit/fit_torques.hpp"
+#include "scenario/fit/observation_table.hpp"
+#include "scenario/tables/fit.hpp"
+#include "scenario/tables/time.hpp"
 #include "scenario/value_access.hpp"
 #include "scenario/values.hpp"
 #include "text/words.hpp"
@@ -97,9 +101,12 @@ std::vector<std::vector<std::size_t>> sessions_of(const Scenario& scenario,
       if (motion[k].t >= ends[i] && motion[k].t <= ends[i + 1]) all[i / 2].push_back(k);
   }
   for (std::size_t i = 0; i < all.size(); ++i)
-    if (all[i].empty())
-      refuse(scenario.document.checked->values, ends.empty() ? "time" : "simulate.sessions",
-             scenario.document.path, "expected rows of [time] in session " + std::to_string(i + 1));
+    if (all[i].empty()) {
+      const FileValues file = file_values(scenario.document);
+      const std::string message = "expected rows of [time] in session " + std::to_string(i + 1);
+      if (ends.empty()) time_table(file).refuse(message);
+      simulate_table(file).refuse<&SimulateTable::sessions>(message);
+    }
   return all;
 }
 
@@ -115,9 +122,9 @@ std::vector<LightCurve> simulated_sessions(const Scenario& scenario, std::size_t
   const FitPlan& plan = require_fit(scenario);
   const Observation& of = plan.observations.at(table);
   if (!of.sigma)
-    refuse(scenario.document.checked->values, "observation[" + std::to_string(table) + "].kind",
-           scenario.document.path,
-           "expected a key sigma, not sigma_columns: a simulation has no file to take errors from");
+    refuse_kind(scenario, table,
+                "expected a key sigma, not sigma_columns: a simulation has no file to take errors "
+                "from");
   const SeenBody body(scenario);
   const std::vector<std::vector<std::size_t>> rows = sessions_of(scenario, motion);
   std::vector<LightCurve> curves;
@@ -168,9 +175,7 @@ const FitPlan& simulated_plan(const Scenario& scenario) {
   const FitPlan& plan = require_fit(scenario);
   if (!row_times(scenario))
     throw DomainError(name + ": time: got nothing; expected [time], when to observe");
-  if (!scenario.rotation().frame.is_inertial())
-    detail::refuse(scenario.document.checked->values, "frame", scenario.document.path,
-                   "expected none: observations are relative to inertial axes");
+  detail::require_inertial(scenario, "observations are");
   return plan;
 }
 
@@ -304,9 +309,9 @@ void require_free(const std::vector<std::string>& paths, const Scenario& scenari
 void require_light(const Scenario& scenario, std::size_t table, bool is_light) {
   const Observation& of = simulated_plan(scenario).observations.at(table);
   if ((of.kind == Observation::Kind::light_curve) == is_light) return;
-  detail::refuse(scenario.document.checked->values,
-                 "observation[" + std::to_string(table) + "].kind", scenario.document.path,
-                 is_light ? "expected \"light-curve\"; what else is seen is simulated by simulated"
+  detail::refuse_kind(scenario, table,
+                      is_light
+                          ? "expected \"light-curve\"; what else is seen is simulated by simulated"
                           : "expected \"attitude\", \"direction\" or \"rate\"; light curves are "
                             "simulated by simulated_light");
 }

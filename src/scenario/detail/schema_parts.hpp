@@ -29,9 +29,6 @@ SchemaPart map_keys();
 SchemaPart ensemble_keys();
 SchemaPart planet_keys();
 SchemaPart observation_keys();
-SchemaPart fit_keys();
-SchemaPart light_keys();
-SchemaPart fit_torque_keys();
 
 }  // namespace detail
 }  // namespace v0

@@ -2,25 +2,35 @@
 // From the values of a file of kind "fit" to its plan.
 #pragma once
 
-#include <string>
+#include <string_view>
 
 #include "polhode/scenario/fit_plan.hpp"
-#include "polhode/scenario/key_values.hpp"
+#include "scenario/detail/schema_parts.hpp"
+#include "scenario/tables/fit.hpp"
 #include "scenario/values.hpp"
 
 namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-// Throws a ScenarioError at the place of what is wrong.
+// Throws a ScenarioError at the place of what is wrong. So do all below.
 FitPlan fit_plan(const FileValues& at, const Rotation& rotation);
 
-LightPlan light_plan(const FileValues& at, const Rotation& rotation);
+// [light], and what [fit] and [simulate] have for light curves.
+LightPlan light_plan(const FileValues& at, const Rotation& rotation, const Placed<FreeTable>& free,
+                     const Placed<FitTable>& fit);
 // Whether the groups of [free] and the like go with what is observed.
-void require_words(const FileValues& at, bool of_light);
+void require_words(const Placed<FreeTable>& free, const Placed<FitTable>& fit, bool of_light);
 
-// What one table says; the keys are those of its kind.
-Observation observation_of(const KeyValues& table);
+// The tables [[free.prior]] into the plan, which has its unknowns.
+SchemaPart prior_keys();
+void add_priors(const FileValues& at, const SpinState& start, FitPlan& plan);
+
+// The tables [[free.parameter]] and [[free.jump]], and their priors.
+SchemaPart drive_keys();
+void add_drive(const FileValues& at, const Rotation& rotation, FitPlan& plan);
+// At the place of the first of these tables, if there is one.
+void refuse_drive(const FileValues& at, std::string_view message);
 
 }  // namespace detail
 }  // namespace v0

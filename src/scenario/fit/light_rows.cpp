@@ -26,6 +26,7 @@ inline namespace v0 {
 namespace {
 
 using detail::ObservationTable;
+using O = Observation;
 using Format = Observation::LightFormat;
 using TimeFormat = Observation::TimeFormat;
 
@@ -62,7 +63,7 @@ LightColumns columns_of(const ObservationTable& of) {
 }
 
 LightCurveFile file_of(const ObservationTable& of, const std::vector<std::size_t>& leave_out) {
-  const std::string path = of.keys.file_at("file");
+  const std::string path = of.place.at().file_at("file");
   if (of.of.light_format == Format::lc)
     return read_lc(path, *of.of.time_scale, of.clock->epoch, leave_out);
   if (of.of.light_format == Format::alcdef) return read_alcdef(path, of.clock->epoch, leave_out);
@@ -74,10 +75,10 @@ LightCurveFile file_of(const ObservationTable& of, const std::vector<std::size_t
 // What the file declares and the keys say must be the same.
 void require_declared(const ObservationTable& of, const LightSession& session) {
   if (session.times && *session.times != of.of.times)
-    of.keys.refuse("times",
-                   std::string("expected ") +
-                       (*session.times == LightTime::at_body ? "\"at-body\"" : "\"at-observer\"") +
-                       ", as the file says of its times");
+    of.place.refuse<&O::times>(
+        std::string("expected ") +
+        (*session.times == LightTime::at_body ? "\"at-body\"" : "\"at-observer\"") +
+        ", as the file says of its times");
 }
 
 // Errors and vectors that the table has and points have not.
@@ -97,19 +98,18 @@ void complete(LightCurve& curve, const Observation& of) {
 Vec3 turned(const Quaternion& q, const Vec3& v) { return v == Vec3{} ? v : rotate(q, v); }
 
 double speed_of(const ObservationTable& of) {
-  return of.keys.units().to_core(speed_of_light, "m/s", Dimension::speed);
+  return of.scenario.units().to_core(speed_of_light, "m/s", Dimension::speed);
 }
 
 // The orbit of the body or of the observer. Beyond its ends a table is continued in a straight
 // line, since the iteration for the light time may try such times; require_cover rejects a result
 // there.
+template <auto key>
 class LightOrbit {
  public:
-  LightOrbit(const ObservationTable& of, const char* key)
+  explicit LightOrbit(const ObservationTable& of)
       : of_(of),
-        key_(key),
-        orbit_(detail::orbit_named(of.scenario.rotation().orbits, of.keys.values(),
-                                   of.keys.key_path(key), of.keys.file())),
+        orbit_(detail::named_orbit<key>(of.scenario.rotation(), of.place)),
         motion_(any_orbit(orbit_)),
         table_(std::get_if<TableOrbit>(&orbit_.motion)) {}
 
@@ -124,7 +124,7 @@ class LightOrbit {
   void require_cover(double first, double last, const std::string& event) const {
     constexpr double rounding = 2e-3;  // s, of dates in files
     if (table_ == nullptr) return;
-    const Units& units = of_.keys.units();
+    const Units& units = of_.scenario.units();
     const double slack = units.to_core(rounding, "s", Dimension::time);
     const double begin = table_->first_time(), end = table_->last_time();
     if (first >= begin - slack && last <= end + slack) return;
@@ -132,15 +132,14 @@ class LightOrbit {
       const double rounded = slack * std::round(t / slack) + 0.0;  // no -0
       return fmt::format("{:.10g}", units.from_core(rounded, Dimension::time));
     };
-    of_.keys.refuse(key_, "it covers the times " + text(begin) + " to " + text(end) + " " +
-                              units.time() + "; expected all when light " + event + ", " +
-                              text(first) + " to " + text(last) +
-                              (orbit_.kind == "table" ? "" : " (the table is made for [time])"));
+    of_.place.template refuse<key>(
+        "it covers the times " + text(begin) + " to " + text(end) + " " + units.time() +
+        "; expected all when light " + event + ", " + text(first) + " to " + text(last) +
+        (orbit_.kind == "table" ? "" : " (the table is made for [time])"));
   }
 
  private:
   const ObservationTable& of_;
-  const char* key_;
   const ScenarioOrbit& orbit_;
   AnyOrbit motion_;
   const TableOrbit* table_;  // null: it has no end
@@ -148,14 +147,15 @@ class LightOrbit {
 
 // Vectors, and times at the body where `given` are those at the observer.
 LightCurve with_orbits(const ObservationTable& of, LightCurve curve, LightTime given) {
-  const LightOrbit body(of, "orbit"), observer(of, "observer_orbit");
+  const LightOrbit<&O::orbit> body(of);
+  const LightOrbit<&O::observer_orbit> observer(of);
   const double c = speed_of(of);
-  curve = of.keys.built("orbit", [&] {
+  curve = of.place.built<&O::orbit>([&] {
     return with_vectors(
         std::move(curve), given, [&](double t) { return body.position(t); },
         [&](double t) { return observer.position(t); }, [](double) { return Vec3{}; }, c);
   });
-  const auto require_cover = [&](const LightOrbit& orbit, const char* event, const auto& time) {
+  const auto require_cover = [&](const auto& orbit, const char* event, const auto& time) {
     if (curve.points.empty()) return;
     const auto [first, last] = std::ranges::minmax(curve.points, {}, time);
     orbit.require_cover(time(first), time(last), event);
@@ -172,10 +172,10 @@ LightCurve after_own_light_times(const ObservationTable& of, LightCurve curve) {
   if (std::ranges::all_of(curve.points, [](const LightPoint& p) {
         return std::fabs(norm(p.to_observer) - 1.0) < unit_length;
       }))
-    of.keys.refuse("times",
-                   "expected a key light_time as well: vectors to the observer have length 1, so "
-                   "that they are directions and no distances");
-  return of.keys.built("times", [&] { return at_body(std::move(curve), speed_of(of)); });
+    of.place.refuse<&O::times>(
+        "expected a key light_time as well: vectors to the observer have length 1, so "
+        "that they are directions and no distances");
+  return of.place.built<&O::times>([&] { return at_body(std::move(curve), speed_of(of)); });
 }
 
 // In core time at the body, with vectors along the axes of the state.
@@ -192,14 +192,14 @@ LightCurve in_core(const ObservationTable& of, LightCurve curve) {
 }
 
 // Whole numbers from 1; `most` is how many there are.
-std::vector<std::size_t> counted_from_1(const ObservationTable& of, const char* key,
-                                        const std::vector<std::string>& words, std::size_t most) {
+template <auto key>
+std::vector<std::size_t> counted_from_1(const ObservationTable& of, std::size_t most) {
   std::vector<std::size_t> all;
-  for (const std::string& one : words) {
+  for (const std::string& one : of.of.*key) {
     std::size_t n = 0;
     const auto [end, error] = std::from_chars(one.data(), one.data() + one.size(), n);
     if (error != std::errc() || end != one.data() + one.size() || n < 1 || n > most)
-      of.keys.refuse(key, "expected whole numbers from 1 to " + std::to_string(most));
+      of.place.refuse<key>("expected whole numbers from 1 to " + std::to_string(most));
     all.push_back(n);
   }
   return all;
@@ -209,8 +209,7 @@ std::vector<std::size_t> counted_from_1(const ObservationTable& of, const char* 
 void take_wanted(const ObservationTable& of, const std::vector<std::size_t>& left_out,
                  LightCurveFile& file) {
   if (!of.of.sessions.empty()) {
-    const std::vector<std::size_t> wanted =
-        counted_from_1(of, "sessions", of.of.sessions, file.sessions.size());
+    const std::vector<std::size_t> wanted = counted_from_1<&O::sessions>(of, file.sessions.size());
     std::vector<LightSession> taken;
     for (std::size_t k = 0; k < file.sessions.size(); ++k)
       if (std::ranges::count(wanted, k + 1) > 0) taken.push_back(std::move(file.sessions[k]));
@@ -220,27 +219,32 @@ void take_wanted(const ObservationTable& of, const std::vector<std::size_t>& lef
   for (const LightSession& session : file.sessions)
     for (const std::size_t line : session.left_out) std::erase(unseen, line);
   if (!unseen.empty())
-    of.keys.refuse("leave_out", "expected lines with a point of the sessions taken; line " +
-                                    std::to_string(unseen.front()) + " has none");
+    of.place.refuse<&O::leave_out>("expected lines with a point of the sessions taken; line " +
+                                   std::to_string(unseen.front()) + " has none");
   std::erase_if(file.sessions, [](const LightSession& s) { return s.curve.points.empty(); });
-  if (file.sessions.empty()) of.keys.refuse("leave_out", "expected some points to stay");
+  if (file.sessions.empty()) of.place.refuse<&O::leave_out>("expected some points to stay");
+}
+
+template <auto... keys>
+void require_names(const ObservationTable& of) {
+  const auto is_number = [](const std::string& name) {
+    return name.empty() || (name.front() >= '0' && name.front() <= '9');
+  };
+  ((std::ranges::any_of(of.of.*keys, is_number)
+        ? of.place.refuse<keys>("expected names and no numbers of columns to simulate")
+        : void()),
+   ...);
 }
 
 // Those that the keys of the table read, with names of others that are written beside them.
 LightColumns written_columns(const ObservationTable& of, std::size_t sessions, bool has_vectors) {
   const Observation& o = of.of;
-  for (const auto& [key, names] : {std::pair{"columns", &o.columns},
-                                   {"sigma_columns", &o.sigma_columns},
-                                   {"session_column", &o.session_column},
-                                   {"sun_columns", &o.sun_columns},
-                                   {"observer_columns", &o.observer_columns}})
-    for (const std::string& name : *names)
-      if (name.empty() || (name.front() >= '0' && name.front() <= '9'))
-        of.keys.refuse(key, "expected names and no numbers of columns to simulate");
+  require_names<&O::columns, &O::sigma_columns, &O::session_column, &O::sun_columns,
+                &O::observer_columns>(of);
   if (sessions > 1 && o.session_column.empty())
-    of.keys.refuse("file",
-                   "expected session_column = [\"session\"] as well, to simulate more than "
-                   "one session");
+    of.place.refuse<&O::file>(
+        "expected session_column = [\"session\"] as well, to simulate more than "
+        "one session");
   const LightColumns usual = light_csv_columns(has_vectors);
   LightColumns own = columns_of(of);
   if (own.sigma.empty()) own.sigma = usual.sigma;
@@ -288,9 +292,8 @@ void sort_points(LightSession& session) {
 void detail::read_light_curves(const ObservationTable& of, std::size_t index,
                                ReadObservations& all) {
   if (of.of.sigma && !(*of.of.sigma > 0.0))
-    of.keys.refuse("sigma", "expected one above 0 for a fit; 0 is for simulations");
-  const std::vector<std::size_t> left_out =
-      counted_from_1(of, "leave_out", of.of.leave_out, 0xffffffff);
+    of.place.refuse<&O::sigma>("expected one above 0 for a fit; 0 is for simulations");
+  const std::vector<std::size_t> left_out = counted_from_1<&O::leave_out>(of, 0xffffffff);
   LightCurveFile file = file_of(of, left_out);
   take_wanted(of, left_out, file);
   for (LightSession& session : file.sessions) {
@@ -302,7 +305,7 @@ void detail::read_light_curves(const ObservationTable& of, std::size_t index,
   for (LightSession& session : file.sessions) {
     LightCurve curve = in_core(of, std::move(session.curve));
     if (of.of.is_of_the_time)
-      curve = of.keys.built("of_the_time", [&] { return at_unit_distances(curve, 1.0); });
+      curve = of.place.built<&O::is_of_the_time>([&] { return at_unit_distances(curve, 1.0); });
     std::vector<ObservedRow> rows;
     for (std::size_t k = 0; k < curve.points.size(); ++k)
       rows.push_back({index, static_cast<std::uint32_t>(k < session.lines.size() ? session.lines[k]
@@ -313,13 +316,12 @@ void detail::read_light_curves(const ObservationTable& of, std::size_t index,
 }
 
 LightCurve with_vectors_of(const Scenario& scenario, std::size_t index, LightCurve curve) {
-  const std::string path = detail::observation_path(index);
-  const ObservationTable of = detail::observation_table(scenario, index, path);
+  const ObservationTable of = detail::observation_table(scenario, index);
   if (!of.of.orbit.empty()) return with_orbits(of, std::move(curve), LightTime::at_body);
   const auto required = [&](const char* key, const std::optional<Vec3>& given) {
     if (given && norm(*given) > 0.0) return turned(of.to_state, *given);
-    of.keys.refuse("kind", std::string("expected a key ") + key +
-                               " as well, a vector that is not 0, or orbits, for a simulation");
+    of.place.refuse<&O::kind>(std::string("expected a key ") + key +
+                              " as well, a vector that is not 0, or orbits, for a simulation");
   };
   const Vec3 sun = required("to_sun", of.of.to_sun);
   const Vec3 observer = required("to_observer", of.of.to_observer);
@@ -333,8 +335,7 @@ LightCurve with_vectors_of(const Scenario& scenario, std::size_t index, LightCur
 std::string light_curve_text(const Scenario& scenario, std::size_t index,
                              std::span<const LightCurve> curves,
                              std::span<const std::string> notes) {
-  const std::string path = detail::observation_path(index);
-  const ObservationTable of = detail::observation_table(scenario, index, path);
+  const ObservationTable of = detail::observation_table(scenario, index);
   const bool has_columns = of.of.light_format == Format::columns;
   const double unit = has_columns ? 1.0 : of.clock->second;
   const bool has_orbit = !of.of.orbit.empty();
@@ -353,7 +354,7 @@ std::string light_curve_text(const Scenario& scenario, std::size_t index,
                      [&](double t) { return detail::clock_text(of, t); });
   if (of.of.light_format == Format::lc)
     return lc_text(written, converted(of.clock->epoch, *of.of.time_scale, of.clock->dut1));
-  return of.keys.built("file", [&] {
+  return of.place.built<&O::file>([&] {
     return alcdef_text(written, of.clock->epoch,
                        {.object = of.of.name,
                         .times = of.of.times,

@@ -13,7 +13,7 @@
 #include "scenario/detail/clock.hpp"
 #include "scenario/detail/history_keys.hpp"
 #include "scenario/fit/observation_table.hpp"
-#include "scenario/value_access.hpp"
+#include "scenario/tables/state.hpp"
 #include "scenario/values.hpp"
 #include "text/dates.hpp"
 #include "text/number_text.hpp"
@@ -57,30 +57,21 @@ std::string date_text(const Date& date) {
 
 }  // namespace
 
-std::string observation_path(std::size_t table) {
-  return "observation[" + std::to_string(table) + "]";
-}
-
-ObservationTable observation_table(const Scenario& scenario, std::size_t index,
-                                   const std::string& path) {
-  const Document& file = scenario.document;
+ObservationTable observation_table(const Scenario& scenario, std::size_t index) {
+  const FileValues file = file_values(scenario.document);
   const Observation& of = require_fit(scenario).observations.at(index);
-  const Values& values = file.checked->values;
   ObservationTable table{.scenario = scenario,
                          .of = of,
-                         .keys = KeyValues(values, file.units, path, file.path),
-                         .to_state = axes_turn(of, word(values, "state.axes"))};
-  const bool is_rate = of.kind == Observation::Kind::rate;
-  const auto own = [&](const char* key, Dimension dimension) {
-    return table.keys.has(key) ? table.keys.unit(key, dimension)
-                               : file.units.to_core(1.0, dimension);
-  };
-  table.value_unit =
-      is_rate ? own("rate_unit", Dimension::rate) : own("angle_unit", Dimension::angle);
+                         .place = placed_observation(file, index),
+                         .to_state = axes_turn(of, state_table(file)->axes)};
+  const Dimension dimension =
+      of.kind == Observation::Kind::rate ? Dimension::rate : Dimension::angle;
+  table.value_unit = of.value_unit.empty() ? file.units.to_core(1.0, dimension)
+                                           : table.place.unit<&Observation::value_unit>(dimension);
   if (of.time_format == Observation::TimeFormat::number)
-    table.time_unit = table.keys.unit("time_unit", Dimension::time);
+    table.time_unit = table.place.unit<&Observation::time_unit>(Dimension::time);
   else
-    table.clock = clock_of({values, file.units, file.path}, path + ".time_format");
+    table.clock = clock_of(file, "observation[" + std::to_string(index) + "].time_format");
   return table;
 }
 
@@ -97,11 +88,11 @@ std::string clock_text(const ObservationTable& of, double t) {
 
 namespace {
 
+using O = Observation;
 using Kind = Observation::Kind;
 using Form = Observation::Form;
 using TimeFormat = Observation::TimeFormat;
 using detail::modified_zero;
-using detail::observation_path;
 using detail::observation_table;
 using detail::ObservationTable;
 
@@ -130,8 +121,8 @@ FieldReader time_reader(const ObservationTable& table) {
 
 void require_order(const ObservationTable& of, const NumberTable& table) {
   const auto shown = [&](double t) {
-    return detail::number_text(of.keys.units().from_core(t, Dimension::time)) + " " +
-           of.keys.units().time();
+    return detail::number_text(of.scenario.units().from_core(t, Dimension::time)) + " " +
+           of.scenario.units().time();
   };
   for (std::size_t k = 1; k < table.rows(); ++k) {
     const double t = table.columns[0][k], before = table.columns[0][k - 1];
@@ -209,8 +200,9 @@ class RowReader {
 NumberTable rows_of(const ObservationTable& of) {
   std::vector<std::string> columns = of.of.columns;
   columns.insert(columns.end(), of.of.sigma_columns.begin(), of.of.sigma_columns.end());
-  NumberTable table = read_number_table(of.keys.file_at("file"), columns, time_reader(of));
-  if (table.rows() == 0) of.keys.refuse("file", "expected a table with rows; this file has none");
+  NumberTable table = read_number_table(of.place.at().file_at("file"), columns, time_reader(of));
+  if (table.rows() == 0)
+    of.place.refuse<&O::file>("expected a table with rows; this file has none");
   require_order(of, table);
   return table;
 }
@@ -218,7 +210,7 @@ NumberTable rows_of(const ObservationTable& of) {
 // The columns of angles that run through whole turns.
 void add_small_angles(const ObservationTable& of, const NumberTable& table,
                       std::vector<std::string>& notes) {
-  const double degree = of.keys.units().to_core(1.0, "deg", Dimension::angle);
+  const double degree = of.scenario.units().to_core(1.0, "deg", Dimension::angle);
   if (of.value_unit != degree) return;
   for (std::size_t place = 0; place < 3; ++place) {
     const bool turns =
@@ -299,30 +291,27 @@ void require_names(const ObservationTable& of) {
   for (const std::string& column : of.of.columns)
     if (column.empty() ||
         std::all_of(column.begin(), column.end(), [](char c) { return c >= '0' && c <= '9'; }))
-      of.keys.refuse("columns",
-                     "expected names: a simulation has no file whose columns it could "
-                     "count");
+      of.place.refuse<&O::columns>(
+          "expected names: a simulation has no file whose columns it could "
+          "count");
   if (!of.of.sigma_columns.empty())
-    of.keys.refuse("sigma_columns",
-                   "expected sigma or sigmas: a simulation has no file to take errors from");
+    of.place.refuse<&O::sigma_columns>(
+        "expected sigma or sigmas: a simulation has no file to take errors from");
 }
 
 }  // namespace
 
 ReadObservations read_observations(const Scenario& scenario) {
   ReadObservations all;
-  for (std::size_t i = 0; i < require_fit(scenario).observations.size(); ++i) {
-    const std::string path = observation_path(i);
-    read_table(observation_table(scenario, i, path), i, all);
-  }
+  for (std::size_t i = 0; i < require_fit(scenario).observations.size(); ++i)
+    read_table(observation_table(scenario, i), i, all);
   return all;
 }
 
 std::string observation_text(const Scenario& scenario, std::size_t index, const Snapshots& rows,
                              std::span<const std::string> notes) {
   static_cast<void>(require_fit(scenario));
-  const std::string path = observation_path(index);
-  const ObservationTable of = observation_table(scenario, index, path);
+  const ObservationTable of = observation_table(scenario, index);
   require_names(of);
   std::string text;
   for (const std::string& note : notes) text += "# " + note + "\n";

@@ -4,13 +4,14 @@
 
 #include <cstddef>
 #include <optional>
-#include <string>
+#include <string_view>
 
 #include "polhode/math/quaternion.hpp"
 #include "polhode/scenario/fit_plan.hpp"
-#include "polhode/scenario/key_values.hpp"
 #include "polhode/scenario/scenario.hpp"
 #include "scenario/detail/clock.hpp"
+#include "scenario/scenario_parts.hpp"
+#include "scenario/table.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -18,11 +19,24 @@ namespace detail {
 
 constexpr double modified_zero = 2400000.5;  // of modified Julian dates
 
+// Table `index` of a file. Throws a ScenarioError at the place of what is wrong, as those below.
+Placed<Observation> placed_observation(const FileValues& file, std::size_t index);
+Observation observation_of(const Placed<Observation>& table);
+[[noreturn]] void refuse_kind(const Scenario& scenario, std::size_t index,
+                              std::string_view message);
+
+// The orbit that a key of the table names.
+template <auto key>
+const ScenarioOrbit& named_orbit(const Rotation& rotation, const Placed<Observation>& table) {
+  const KeyValues& at = table.at();
+  return orbit_named(rotation.orbits, at.values(), at.key_path(table.name<key>()), at.file());
+}
+
 // One table, and what its numbers are in core units.
 struct ObservationTable {
   const Scenario& scenario;
   const Observation& of;
-  KeyValues keys;
+  Placed<Observation> place;
   double time_unit = 1.0;
   double value_unit = 1.0;
   std::optional<Clock> clock = std::nullopt;
@@ -38,11 +52,7 @@ struct ObservationTable {
   }
 };
 
-// "observation[0]"
-std::string observation_path(std::size_t table);
-// `path` must outlive the table.
-ObservationTable observation_table(const Scenario& scenario, std::size_t index,
-                                   const std::string& path);
+ObservationTable observation_table(const Scenario& scenario, std::size_t index);
 
 // A time of its own clock as its file has it: a number in its unit, or a date.
 std::string clock_text(const ObservationTable& of, double t);

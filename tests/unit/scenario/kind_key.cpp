@@ -11,6 +11,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "message_of.hpp"
 #include "polhode/perturb/internal_damping.hpp"
 #include "polhode/scenario/scenario.hpp"
 #include "text/number_text.hpp"
@@ -18,6 +19,7 @@
 namespace polhode {
 namespace {
 
+using polhode::test::message_of;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -108,6 +110,11 @@ concept WithEmptyWord = requires {
 template <auto at>
 concept ChoiceOfNumbers =
     requires { typename std::bool_constant<(choice_key<at, 0, 1>("r", "a|b", "A."), true)>; };
+template <auto at>
+concept ChoiceOfFlags = requires {
+  typename std::bool_constant<(choice_key<at, false, true>("r", "no|yes", "A."), true)>;
+};
+static_assert(ChoiceOfFlags<&Arguments::strong> && !ChoiceOfFlags<&Arguments::whole>);
 static_assert(Choice<Sense::forward, Sense::backward>);
 static_assert(!Choice<Sense::forward> && !Choice<> && !Choice<0, 1>);
 static_assert(!WithOneWord<&Arguments::sense> && !WithEmptyWord<&Arguments::sense>);
@@ -141,6 +148,23 @@ static_assert(!PositiveFlag<&Arguments::strong> && !FlagThatIsNotNegative<&Argum
 static_assert(!PositiveName<&Arguments::word>);
 static_assert(!RequiredWithFallback<&Arguments::strong>);
 static_assert(!FallbackOfRequired<&Arguments::strong>);
+
+// Limits belong to integers, and a length to arrays that have none of their own.
+template <auto at>
+concept LimitedInteger =
+    requires { typename std::bool_constant<(integer_key<at>("r", "A.").from_to(1, 9), true)>; };
+template <auto at>
+concept LimitedQuantity = requires {
+  typename std::bool_constant<(quantity_key<at>("r", Dimension::torque, "A.").from_to(1, 9), true)>;
+};
+template <auto at>
+concept ArrayOfTwo = requires {
+  typename std::bool_constant<(quantity_key<at>("r", Dimension::torque, "A.").of_length(2), true)>;
+};
+static_assert(LimitedInteger<&Arguments::whole> && !LimitedInteger<&Arguments::strong>);
+static_assert(!LimitedQuantity<&Part::size>);
+static_assert(ArrayOfTwo<&Arguments::times>);
+static_assert(!ArrayOfTwo<&Arguments::axis> && !ArrayOfTwo<&Part::size>);
 
 // Nothing else makes a key.
 static_assert(!std::is_aggregate_v<KindKey<Arguments>>);
@@ -197,6 +221,25 @@ TEST(KindKey, DefaultsOfFilesAreThoseOfTheLibrary) {
   });
   ASSERT_NE(factor, all.end());
   EXPECT_EQ(factor->fallback, detail::number_text(DampedMaterial{}.shape_factor));
+}
+
+TEST(KindKey, IntegersOutsideTheirLimitsAreRejected) {
+  const auto message = [](const std::string& line) {
+    return message_of([&] {
+      scenario_from_text(
+          "schema = 1\nkind = \"fit\"\nbody.moments = [1, 2, 3]\nstate.andoyer = { l = 0, g = 0, "
+          "h = 0, L = 0.5, G = 1, H = 0 }\n[[observation]]\nkind = \"rate\"\nfile = \"r.csv\"\n"
+          "times = \"at-body\"\nsigma = 1\n[free]\nunknowns = [\"rate\"]\n[fit]\n" +
+              line,
+          "f.toml");
+    });
+  };
+  EXPECT_EQ(message("starts = 0"),
+            "f.toml:13:10: fit.starts: got 0; expected a whole number from 1 to 1e6");
+  EXPECT_EQ(message("seed = -1"),
+            "f.toml:13:8: fit.seed: got -1; expected a whole number from 0 to 2^63 - 1");
+  EXPECT_EQ(message("scan.order = 10"),
+            "f.toml:13:14: fit.scan.order: got 10; expected a whole number from 1 to 9");
 }
 
 // Those that are in the key, for editors and pages.

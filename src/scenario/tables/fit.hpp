@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// [free], [fit] and [simulate]: what is unknown, how it is looked for, and what simulations add.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "polhode/fit/loss.hpp"
+#include "polhode/scenario/scenario.hpp"
+#include "scenario/table.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+struct FreeTable {
+  std::vector<std::string> unknowns;
+
+  bool has(std::string_view group) const { return std::ranges::count(unknowns, group) > 0; }
+};
+SchemaPart free_keys();
+Placed<FreeTable> free_table(const FileValues& file);
+// What the library refuses of the unknowns becomes a message at their place.
+template <class Fit>
+void built_unknowns(const Scenario& scenario, const Fit& fit) {
+  free_table(file_values(scenario.document)).built<&FreeTable::unknowns>(fit);
+}
+
+struct FitTable {
+  Loss::Kind loss = Loss::Kind::squared;
+  double loss_scale = 1.0;
+  int iterations = 0;
+  double tolerance = 0.0;
+  std::int64_t starts = 1;
+  double rate_spread = 0.0, within = 0.0;
+  std::size_t most_solutions = 0;
+  std::uint64_t seed = 1;
+
+  // Of light curves.
+  bool searches = false, is_tumbler = false, one_by_one = false;
+  double within_factor = 1.0;
+};
+struct SimulateTable {
+  std::uint64_t seed = 1;
+  std::vector<double> sessions;  // begin and end of each
+};
+SchemaPart fit_keys();
+Placed<FitTable> fit_table(const FileValues& file);
+Placed<SimulateTable> simulate_table(const FileValues& file);
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode
