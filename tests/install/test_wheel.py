@@ -4,7 +4,6 @@
 import contextlib
 import os
 import re
-import shutil
 import signal
 import subprocess
 import sys
@@ -22,30 +21,13 @@ print(polhode.__version__, motion.at(np.zeros(3)).shape, polhode.__file__)
 """
 
 
-def lend_objects(build, borrower):
-    """Gives a new build folder the objects of another, and what ninja noted about them.
-
-    Ninja keeps an object where command, source and headers are the same, and makes the others."""
-    if borrower.exists():
-        return
-    borrower.mkdir(parents=True)
-    for name in (".ninja_log", ".ninja_deps"):
-        shutil.copy2(build / name, borrower)
-    for folder in ("src", "cli", "python"):
-        for object_file in (build / folder).rglob("*.o"):
-            copy = borrower / object_file.relative_to(build)
-            copy.parent.mkdir(parents=True, exist_ok=True)
-            shutil.copy2(object_file, copy)
-
-
 @pytest.fixture(scope="module")
 def wheel(root, build, tmp_path_factory):
     """A wheel made of the checkout by the tools of its .venv: what pip does, without downloads.
 
-    With the compiler and the warnings of the build tree, so that its objects serve again: no source
-    is compiled twice by the same command."""
+    With the compiler and the warnings of the build tree, so that the compiler cache has its objects
+    already."""
     folder = tmp_path_factory.mktemp("wheel")
-    lend_objects(build, root / "build/wheel")
     cache = (build / "CMakeCache.txt").read_text(encoding="utf-8")
     options = ["--config-settings=cmake.define." + name + ("=ON" if name + ":BOOL=ON" in cache else
                                                            "=OFF")
