@@ -252,14 +252,12 @@ class PlanetBuilder {
     const KeyValues table(at_.values, at_.units, path, at_.name);
     ScenarioHistory orbit =
         table.built("kind", [&] { return kind->history(OrbitContext(table, rows, uses)); });
-    const bool is_inertial =
-        has(at_.values, path + ".axes") && word(at_.values, path + ".axes") == "inertial";
     return {.planet = planet_.has("name") ? planet_.word("name") : "",
             .orbit = planet_.word("orbit"),
             .orbit_kind = std::string(kind->name),
             .orbit_text = orbit.text,
             .warnings = orbit.warnings,
-            .axes = is_inertial ? "inertial" : "ecliptic-J2000",
+            .axes = orbit.is_inertial ? "inertial" : "ecliptic-J2000",
             .history = std::move(orbit.elements),
             .rates = {},
             .initial = {},
