@@ -10,6 +10,7 @@
 #include "scenario/tables/body.hpp"
 #include "scenario/tables/event.hpp"
 #include "scenario/tables/head.hpp"
+#include "scenario/tables/planet.hpp"
 #include "scenario/tables/surface.hpp"
 #include "scenario/tables/time.hpp"
 #include "scenario/value_access.hpp"

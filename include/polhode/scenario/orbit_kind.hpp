@@ -80,18 +80,6 @@ struct OrbitKind {
   bool is_dated = false;  // needs state.epoch, and axes of the sky
 };
 
-namespace detail {
-template <class A, class Orbit>
-std::function<Orbit(const OrbitContext&)> from_arguments(std::span<const KindKey<A>> keys,
-                                                         Orbit (*made)(const A&,
-                                                                       const OrbitContext&)) {
-  if (made == nullptr) return {};
-  return [all = std::vector<KindKey<A>>(keys.begin(), keys.end()), made](const OrbitContext& at) {
-    return made(arguments<A>(all, at), at);
-  };
-}
-}  // namespace detail
-
 // A kind whose arguments are a plain struct A, filled by its keys.
 template <class A>
 OrbitKind orbit_kind(std::string_view name, std::string_view help, std::span<const KindKey<A>> keys,
@@ -101,7 +89,8 @@ OrbitKind orbit_kind(std::string_view name, std::string_view help, std::span<con
           .help = help,
           .keys = keys_of(keys),
           .citations = citations,
-          .made = detail::from_arguments(keys, made)};
+          .made = [all = std::vector<KindKey<A>>(keys.begin(), keys.end()),
+                   made](const OrbitContext& at) { return made(arguments<A>(all, at), at); }};
 }
 // The same for elements over ages, which may also give positions.
 template <class A>
@@ -111,7 +100,9 @@ OrbitKind history_kind(std::string_view name, std::string_view help,
                        ScenarioOrbit (*made)(const A&, const OrbitContext&) = nullptr,
                        const std::vector<Citation>& citations = {}) {
   OrbitKind kind = orbit_kind(name, help, keys, made, citations);
-  kind.history = detail::from_arguments(keys, history);
+  if (made == nullptr) kind.made = {};
+  kind.history = [all = std::vector<KindKey<A>>(keys.begin(), keys.end()),
+                  history](const OrbitContext& at) { return history(arguments<A>(all, at), at); };
   return kind;
 }
 
