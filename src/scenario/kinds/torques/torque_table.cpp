@@ -106,7 +106,7 @@ std::vector<TorqueRow> rows_of_file(const Arguments& a, const TermContext& at) {
     for (std::size_t k = 1; k < columns.size(); ++k)
       check.unit(k, {"torque_unit", torque, Dimension::torque});
     check.epoch();
-    check.torque_axes(at.word("axes"));
+    check.torque_axes(a.axes == Axes::inertial ? "inertial" : "body");
     return read;
   });
   std::vector<TorqueRow> rows;
