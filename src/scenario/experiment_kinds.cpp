@@ -13,6 +13,7 @@
 #include "scenario/tables/fit.hpp"
 #include "scenario/tables/head.hpp"
 #include "scenario/tables/light.hpp"
+#include "scenario/tables/planet.hpp"
 #include "scenario/tables/surface.hpp"
 #include "scenario/tables/time.hpp"
 #include "scenario/value_access.hpp"

@@ -12,6 +12,7 @@
 #include "polhode/scenario/scenario.hpp"
 #include "polhode/scenario/schema.hpp"
 #include "scenario/scenario_parts.hpp"
+#include "scenario/tables/state.hpp"
 #include "scenario/value_access.hpp"
 #include "scenario/values.hpp"
 #include "text/words.hpp"
@@ -29,14 +30,7 @@ AnyOrbit any_orbit(const ScenarioOrbit& orbit) {
   return std::visit([&](const auto& motion) { return AnyOrbit(orbit.name, motion); }, orbit.motion);
 }
 
-std::optional<double> OrbitContext::gm() const {
-  if (!has("gm")) return std::nullopt;
-  const double gm = number("gm");
-  if (!(gm > 0.0)) refuse("gm", "expected a positive gravitational parameter");
-  return gm;
-}
-
-const std::string& OrbitContext::state_axes() const { return detail::word(values(), "state.axes"); }
+std::string OrbitContext::state_axes() const { return detail::state_table(file_values())->axes; }
 
 std::optional<TimeSpan> OrbitContext::run_span() const {
   uses_.time = true;

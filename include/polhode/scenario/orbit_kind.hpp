@@ -51,10 +51,8 @@ class OrbitContext : public KeyValues {
 
   // None without [time].
   std::optional<TimeSpan> run_span() const;
-  // The number of the key "gm", positive, where the table has one.
-  std::optional<double> gm() const;
   // "inertial", "ecliptic-J2000" or "equator-J2000"
-  const std::string& state_axes() const;
+  std::string state_axes() const;
 
  private:
   const std::optional<SaveAt>& rows_;
@@ -66,6 +64,7 @@ struct ScenarioHistory {
   OrbitHistory elements;
   std::string text;                        // "elements mars.csv, 5001 rows"
   std::vector<std::string> warnings = {};  // as those of a ScenarioOrbit
+  bool is_inertial = false;                // along any inertial axes, not those of the ecliptic
 };
 
 // Texts are constant data: they outlive every kind.
@@ -92,6 +91,19 @@ OrbitKind orbit_kind(std::string_view name, std::string_view help, std::span<con
           .citations = citations,
           .made = [all = std::vector<KindKey<A>>(keys.begin(), keys.end()),
                    made](const OrbitContext& at) { return made(arguments<A>(all, at), at); }};
+}
+// The same for elements over ages, which may also give positions.
+template <class A>
+OrbitKind history_kind(std::string_view name, std::string_view help,
+                       std::span<const KindKey<A>> keys,
+                       ScenarioHistory (*history)(const A&, const OrbitContext&),
+                       ScenarioOrbit (*made)(const A&, const OrbitContext&) = nullptr,
+                       const std::vector<Citation>& citations = {}) {
+  OrbitKind kind = orbit_kind(name, help, keys, made, citations);
+  if (made == nullptr) kind.made = {};
+  kind.history = [all = std::vector<KindKey<A>>(keys.begin(), keys.end()),
+                  history](const OrbitContext& at) { return history(arguments<A>(all, at), at); };
+  return kind;
 }
 
 }  // namespace v0

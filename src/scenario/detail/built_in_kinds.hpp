@@ -43,19 +43,19 @@ OrbitKind state_kind();
 OrbitKind table_kind();
 OrbitKind ephemeris_kind();
 
-// The axes that its own key names, else those of the state; both inertial or both of J2000.
-const std::string& orbit_axes(const OrbitContext& at);
-
 // How far beyond its rows a table is used, since times have their rounding: numbers that of their
 // unit; of dates, nine digits of a Julian date are 0.04 ms, and clocks of TT and TDB show the same
 // date up to 1.7 ms apart.
 double overhang_of(const OrbitContext& at, const std::vector<double>& times, bool dates);
 
-// An orbit whose elements are along those axes, as simple as it is.
-ScenarioOrbit precessing_orbit(const OrbitContext& at, const PrecessingKeplerOrbit& orbit);
+// An orbit whose elements are along these axes, as simple as it is.
+ScenarioOrbit precessing_orbit(const OrbitContext& at, const std::string& axes,
+                               const PrecessingKeplerOrbit& orbit);
 
-// The table in an Orbit Ephemeris Message, in core units and the axes of the state.
-ScenarioOrbit oem_orbit(const OrbitContext& at, const std::string& path, int order);
+// The table in an Orbit Ephemeris Message, which the key `file` names, in core units and the axes
+// of the state.
+ScenarioOrbit oem_orbit(const OrbitContext& at, const std::string& file, std::optional<double> gm,
+                        int order);
 
 ExperimentKind nutation_kind();
 

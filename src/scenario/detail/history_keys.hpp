@@ -2,8 +2,10 @@
 // What the kinds of [orbit.NAME] share that are elements over ages.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -11,6 +13,7 @@
 
 #include "polhode/math/quaternion.hpp"
 #include "polhode/scenario/orbit_kind.hpp"
+#include "scenario/kinds/orbits/shared_keys.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -23,13 +26,19 @@ struct ColumnRole {
   bool is_read = true;  // or may stand there, but nothing needs it
 };
 
+// The keys that say what the columns of a file are: by the names that the file gives them, or in
+// their order. "-" is a column that is not read.
+struct ColumnKeys {
+  std::vector<std::string> columns, units;
+};
+
 // The columns of a file that a scenario names: in core units, by the places of their roles; empty
 // for roles that are not among them.
 class DeclaredColumns {
  public:
-  // Reads the file of the key `file`, of which `columns` and `units` say what its columns are: by
-  // the names that the file gives them, or in their order. "-" is a column that is not read.
-  DeclaredColumns(const KeyValues& at, std::string_view file, std::span<const ColumnRole> roles);
+  // Reads the file of the key `file`.
+  DeclaredColumns(const KeyValues& at, std::string_view file, const ColumnKeys& keys,
+                  std::span<const ColumnRole> roles);
 
   bool has(std::size_t role) const { return !columns_.at(role).empty(); }
   const std::vector<double>& of(std::size_t role) const { return columns_.at(role); }
@@ -54,25 +63,35 @@ Quaternion ecliptic_from(std::string_view axes);
 bool may_be_radians(std::span<const double> angles, double degree);
 
 // What a rotation needs besides elements: size and place on the orbit.
-constexpr Key history_axis_key = {
-    .path = "semi_major_axis",
-    .type = KeyType::number,
-    .dimension = Dimension::length,
-    .example = "\"1.5237 au\"",
-    .help = "Of a rotation's orbit, with gm: it stays, and gives the mean motion."};
-constexpr Key history_longitude_key = {
-    .path = "mean_longitude",
-    .type = KeyType::number,
-    .dimension = Dimension::angle,
-    .fallback = "0",
-    .example = "0",
-    .help =
+struct PlaceKeys {
+  std::optional<double> gm, semi_major_axis;
+  double mean_longitude;
+};
+// Those of arguments A that derive from these, and the units of their columns.
+template <class A>
+constexpr std::array<KindKey<A>, 3> place_keys = {
+    orbit_gm_key<&PlaceKeys::gm, A>(),
+    quantity_key<&PlaceKeys::semi_major_axis, A>(
+        "semi_major_axis", Dimension::length,
+        "Of a rotation's orbit, with gm: it stays, and gives the mean motion.")
+        .example("\"1.5237 au\""),
+    quantity_key<&PlaceKeys::mean_longitude, A>(
+        "mean_longitude", Dimension::angle,
         "Of a rotation's orbit at t = 0: node plus argument plus mean anomaly, along the axes of "
-        "the elements as they are in the file."};
-// The positions over the run, refused at `key`, with the keys gm, semi_major_axis, mean_longitude
-// and axes. `from_file` turned the elements from the axes in which the longitude counts.
+        "the elements as they are in the file.")
+        .otherwise("0"),
+};
+template <class A>
+constexpr KindKey<A> column_units_key =
+    units_key<&ColumnKeys::units, A>("units",
+                                     "The unit of each of these columns; \"1\" of numbers.")
+        .required();
+
+// The positions over the run, refused at `key`. `from_file` turned the elements from the axes in
+// which the longitude counts.
 ScenarioOrbit positions_of(const OrbitContext& at, std::string_view key,
-                           const ScenarioHistory& history, const Quaternion& from_file = {});
+                           const ScenarioHistory& history, const PlaceKeys& place,
+                           const Quaternion& from_file = {});
 
 OrbitKind elements_kind();
 OrbitKind series_kind();

@@ -27,7 +27,6 @@ struct DescribedParts {
 };
 SchemaPart map_keys();
 SchemaPart ensemble_keys();
-SchemaPart planet_keys();
 SchemaPart observation_keys();
 
 }  // namespace detail

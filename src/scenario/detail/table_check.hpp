@@ -5,28 +5,20 @@
 #include <string>
 #include <vector>
 
+#include "polhode/scenario/key_values.hpp"
 #include "polhode/text/units.hpp"
-#include "scenario/values.hpp"
 #include "tables/table_header.hpp"
 
 namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-// The table of keys that names the file: "orbit.moon" of scenario `name`.
-struct TableContext {
-  const Values& values;
-  const Units& units;
-  const std::string& path;
-  const std::string& name;
-};
-
 // Each throws a DomainError "moon.csv:1: ...; expected ..." where they differ.
 class TableCheck {
  public:
-  // `columns` as they were asked for, by name or number, times first.
-  TableCheck(const TableContext& at, const NumberTable& file,
-             const std::vector<std::string>& columns);
+  // `at` is the table of keys that names the file, and outlives this; `columns` as they were asked
+  // for, by name or number, times first.
+  TableCheck(const KeyValues& at, const NumberTable& file, const std::vector<std::string>& columns);
 
   // How a column is read: the key that may say so, and what its unit is in core units.
   struct Read {
@@ -46,7 +38,7 @@ class TableCheck {
  private:
   const TableHeader::Note* said_of(std::size_t column, Dimension dimension) const;
 
-  TableContext at_;
+  const KeyValues& at_;
   TableHeader header_;
   std::vector<std::string> names_;
 };

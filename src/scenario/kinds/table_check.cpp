@@ -8,7 +8,7 @@
 #include "polhode/scenario/schema.hpp"
 #include "polhode/text/epoch.hpp"
 #include "scenario/detail/clock.hpp"
-#include "scenario/value_access.hpp"
+#include "scenario/tables/state.hpp"
 #include "text/number_text.hpp"
 #include "text/words.hpp"
 
@@ -41,7 +41,7 @@ Date date_of(const TableHeader::Note& said) {
 
 }  // namespace
 
-TableCheck::TableCheck(const TableContext& at, const NumberTable& file,
+TableCheck::TableCheck(const KeyValues& at, const NumberTable& file,
                        const std::vector<std::string>& columns)
     : at_(at), header_(header_of(file)) {
   for (const std::string& column : columns) names_.push_back(name_of(column, file.names));
@@ -64,12 +64,12 @@ void TableCheck::unit(std::size_t column, const Read& read) const {
   if (said == nullptr) return;
   double right = read.unit;
   try {
-    right = at_.units.to_core(1.0, said->text, read.dimension);
+    right = at_.units().to_core(1.0, said->text, read.dimension);
   } catch (const DomainError& error) {
     // A scenario without a unit of length or moment has nothing to compare with.
     const bool of_orbit = read.dimension == Dimension::length || read.dimension == Dimension::speed;
     if (read.dimension != Dimension::time &&
-        (of_orbit ? at_.units.length() : at_.units.moment()) == "1")
+        (of_orbit ? at_.units().length() : at_.units().moment()) == "1")
       return;
     throw DomainError(said->at + "column " + printable(names_.at(column)) + ": " + error.what());
   }
@@ -94,7 +94,7 @@ void TableCheck::axes(const std::string& used) const {
 
 void TableCheck::torque_axes(const std::string& used) const {
   if (!header_.axes || header_.axes->text == used) return;
-  if (used == "inertial") return axes(word(at_.values, "state.axes"));
+  if (used == "inertial") return axes(state_table(at_.file_values())->axes);
   throw DomainError(header_.axes->at + "its axes are " + printable(header_.axes->text) +
                     "; expected torques along " + in_quotes(header_.axes->text) +
                     ", not axes = " + in_quotes(used));
@@ -104,13 +104,13 @@ void TableCheck::epoch() const {
   if (!header_.epoch) return;
   const TableHeader::Note& said = *header_.epoch;
   const std::string counts = said.at + "t counts from " + printable(said.text);
-  if (!has(at_.values, "state.epoch"))
+  const std::optional<std::string> epoch = state_table(at_.file_values())->epoch;
+  if (!epoch)
     throw DomainError(counts + "; expected epoch = " + in_quotes(said.text) + " in [state]");
-  const Clock clock = clock_of({at_.values, at_.units, at_.name}, at_.path + ".file");
+  const Clock clock = clock_of(at_.file_values(), at_.key_path("file"));
   const double apart = seconds_between(clock.epoch, date_of(said), clock.dut1);
   if (std::fabs(apart) > same_epoch)
-    throw DomainError(counts + ", " + number_text(apart) +
-                      " s after epoch = " + in_quotes(word(at_.values, "state.epoch")) +
+    throw DomainError(counts + ", " + number_text(apart) + " s after epoch = " + in_quotes(*epoch) +
                       "; expected a table from that epoch on, or dates");
 }
 

@@ -153,7 +153,7 @@ RateTable rates_of(const PrecessingArguments& a, const FrameContext& at) {
   return at.built("file", [&] {
     NumberTable read = read_number_table(at.file_at("file"), columns);
     require_rising(read, 0, "time");
-    const TableCheck check({at.values(), at.units(), at.path(), at.file()}, read, columns);
+    const TableCheck check(at, read, columns);
     check.unit(0, {"time_unit", time, Dimension::time});
     check.unit(1, {"rate_unit", rate, Dimension::rate});
     check.epoch();

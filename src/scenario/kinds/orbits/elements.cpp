@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 // [orbit.NAME] from a table of elements over ages.
 #include <algorithm>
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "polhode/rotor/attitude.hpp"
-#include "polhode/scenario/schema.hpp"
 #include "scenario/detail/history_keys.hpp"
-#include "scenario/kinds/orbits/shared_keys.hpp"
-#include "scenario/value_access.hpp"
 #include "text/number_text.hpp"
 #include "text/words.hpp"
 
@@ -16,55 +18,52 @@ inline namespace v0 {
 namespace detail {
 namespace {
 
-constexpr Key keys[] = {
-    orbit_gm_key,
-    history_axis_key,
-    history_longitude_key,
-    {.path = "file",
-     .type = KeyType::text,
-     .presence = Presence::required,
-     .example = "\"mars.csv\"",
-     .help = "A table of elements, separated by blanks or commas, .gz or not; the path is from "
-             "the folder of this file.",
-     .is_file = true},
-    {.path = "columns",
-     .type = KeyType::columns,
-     .presence = Presence::required,
-     .example = "[\"t\", \"a\", \"e\", \"i\", \"Omega\", \"omega\"]",
-     .help = "What its columns are, by the names that the file gives them or in their order: t; "
-             "e, i, Omega and omega or varpi (Omega + omega), or k, h, q, p (e cos varpi, e sin "
-             "varpi, sin(i/2) cos Omega, sin(i/2) sin Omega). a, M and lambda are not needed; - "
-             "is a column that is not read."},
-    {.path = "units",
-     .type = KeyType::units,
-     .presence = Presence::required,
-     .example = "[\"yr\", \"au\", \"1\", \"deg\", \"deg\", \"deg\"]",
-     .help = "The unit of each of these columns; \"1\" of numbers."},
-    {.path = "axes",
-     .type = KeyType::choice,
-     .presence = Presence::required,
-     .allowed = "ecliptic-J2000|equator-J2000|invariable-plane|inertial",
-     .example = "\"ecliptic-J2000\"",
-     .help = "The axes of the elements. The invariable plane is that of the solar system, from its "
-             "ascending node on the ecliptic of J2000; inertial axes are any."},
-    {.path = "attitude",
-     .type = KeyType::numbers,
-     .length = 4,
-     .example = "[1, 0, 0, 0]",
-     .help = "Of the axes of the elements in those of `axes`, where they are others yet: a unit "
-             "quaternion [w, x, y, z]."},
-    {.path = "time_direction",
-     .type = KeyType::choice,
-     .allowed = "forward|before-present",
-     .fallback = "\"forward\"",
-     .example = "\"before-present\"",
-     .help = "Whether t counts forward or, as in kyr BP, into the past. Rows may rise or fall."},
-    {.path = "order",
-     .type = KeyType::integer,
-     .example = "10",
-     .help = "Order of the interpolation: 2 to 16, even. Left out: 10."},
-    allow_coarse_key,
+enum class Direction { forward, before_present };
+
+struct Arguments : PlaceKeys, ColumnKeys {
+  std::string file;
+  std::string axes;
+  std::optional<std::array<double, 4>> attitude;
+  Direction time_direction;
+  std::optional<std::int64_t> order;
+  bool allow_coarse;
 };
+
+constexpr std::array own_keys = {
+    file_key<&Arguments::file>("file",
+                               "A table of elements, separated by blanks or commas, .gz or not; "
+                               "the path is from the folder of this file.")
+        .required()
+        .example("\"mars.csv\""),
+    columns_key<&ColumnKeys::columns, Arguments>(
+        "columns",
+        "What its columns are, by the names that the file gives them or in their order: t; e, i, "
+        "Omega and omega or varpi (Omega + omega), or k, h, q, p (e cos varpi, e sin varpi, "
+        "sin(i/2) cos Omega, sin(i/2) sin Omega). a, M and lambda are not needed; - is a column "
+        "that is not read.")
+        .required()
+        .example("[\"t\", \"a\", \"e\", \"i\", \"Omega\", \"omega\"]"),
+    column_units_key<Arguments>.example("[\"yr\", \"au\", \"1\", \"deg\", \"deg\", \"deg\"]"),
+    word_key<&Arguments::axes>(
+        "axes", "ecliptic-J2000|equator-J2000|invariable-plane|inertial",
+        "The axes of the elements. The invariable plane is that of the solar system, from its "
+        "ascending node on the ecliptic of J2000; inertial axes are any.")
+        .required()
+        .example("\"ecliptic-J2000\""),
+    quantity_key<&Arguments::attitude>(
+        "attitude", Dimension::number,
+        "Of the axes of the elements in those of `axes`, where they are others yet: a unit "
+        "quaternion [w, x, y, z].")
+        .example("[1, 0, 0, 0]"),
+    choice_key<&Arguments::time_direction, Direction::forward, Direction::before_present>(
+        "time_direction", "forward|before-present",
+        "Whether t counts forward or, as in kyr BP, into the past. Rows may rise or fall.")
+        .otherwise("\"forward\"")
+        .example("\"before-present\""),
+    order_key<&Arguments::order>("Order of the interpolation: 2 to 16, even. Left out: 10."),
+    allow_coarse_key<&Arguments::allow_coarse>(),
+};
+constexpr auto keys = joined(place_keys<Arguments>, own_keys);
 
 // In the order of `roles`.
 enum Role : std::size_t {
@@ -161,21 +160,19 @@ void require_cadence(const DeclaredColumns& columns, const std::vector<double>& 
 }
 
 // From the axes of the file, where they are not those of the experiment.
-std::optional<Quaternion> axes_of_file(const OrbitContext& at) {
+std::optional<Quaternion> axes_of_file(const Arguments& a, const OrbitContext& at) {
   std::optional<Quaternion> to_axes;
-  if (at.word("axes") == "equator-J2000" || at.word("axes") == "invariable-plane")
-    to_axes = ecliptic_from(at.word("axes"));
-  if (!at.has("attitude")) return to_axes;
-  const std::vector<double>& n = at.numbers("attitude");
-  const Quaternion own =
-      at.built("attitude", [&] { return unit_quaternion(n.at(0), n.at(1), n.at(2), n.at(3)); });
+  if (a.axes == "equator-J2000" || a.axes == "invariable-plane") to_axes = ecliptic_from(a.axes);
+  if (!a.attitude) return to_axes;
+  const auto& [w, x, y, z] = *a.attitude;
+  const Quaternion own = at.built("attitude", [&] { return unit_quaternion(w, x, y, z); });
   return to_axes ? *to_axes * own : own;
 }
 
-Rows rows_of(const OrbitContext& at, const DeclaredColumns& columns) {
+Rows rows_of(const Arguments& a, const OrbitContext& at, const DeclaredColumns& columns) {
   const bool angles = are_elements(at, columns);
-  const double sign = at.choice("time_direction") == 1 ? -1.0 : 1.0;
-  const std::optional<Quaternion> to_axes = axes_of_file(at);
+  const double sign = a.time_direction == Direction::before_present ? -1.0 : 1.0;
+  const std::optional<Quaternion> to_axes = axes_of_file(a, at);
   Rows rows;
   for (std::size_t row = 0; row < columns.rows(); ++row) {
     rows.times.push_back(sign * columns.of(time)[row]);
@@ -202,41 +199,36 @@ void add_small_angles(const OrbitContext& at, const DeclaredColumns& columns,
   }
 }
 
-ScenarioHistory elements_orbit(const OrbitContext& at) {
+ScenarioHistory history(const Arguments& a, const OrbitContext& at) {
   constexpr std::size_t longest_file = 200;
-  const int order = at.has("order") ? static_cast<int>(std::clamp<std::int64_t>(
-                                          value_at(at.values(), at.key_path("order")).whole, 1, 99))
-                                    : 0;
   return at.built("file", [&]() -> ScenarioHistory {
-    const DeclaredColumns columns(at, "file", roles);
-    Rows rows = rows_of(at, columns);
-    ElementTable table(std::move(rows.times), rows.elements, order);
-    std::vector<std::string> warnings = rows_warning(at, "file", table.interpolation_error(), 1e-3,
-                                                     "the largest eccentricity or inclination");
+    const DeclaredColumns columns(at, "file", a, roles);
+    Rows rows = rows_of(a, at, columns);
+    ElementTable table(std::move(rows.times), rows.elements, order_of(a.order));
+    std::vector<std::string> warnings =
+        rows_warning(at, "file", table.interpolation_error(), 1e-3,
+                     "the largest eccentricity or inclination", a.allow_coarse);
     add_small_angles(at, columns, warnings);
     return {OrbitHistory(std::move(table)),
-            "elements " + printable(at.word("file"), longest_file) + ", " +
-                std::to_string(columns.rows()) + " rows",
-            std::move(warnings)};
+            "elements " + printable(a.file, longest_file) + ", " + std::to_string(columns.rows()) +
+                " rows",
+            std::move(warnings), a.axes == "inertial"};
   });
+}
+
+ScenarioOrbit made(const Arguments& a, const OrbitContext& at) {
+  return positions_of(at, "file", history(a, at), a,
+                      axes_of_file(a, at).value_or(Quaternion{1.0, 0.0, 0.0, 0.0}));
 }
 
 }  // namespace
 
 OrbitKind elements_kind() {
-  return {
-      .name = "elements",
-      .help =
-          "Elements over ages, from a table: for kind obliquity, and with gm and semi_major_axis "
-          "for rotations.",
-      .keys = {std::begin(keys), std::end(keys)},
-      .made =
-          [](const OrbitContext& at) {
-            const ScenarioHistory history = elements_orbit(at);
-            return positions_of(at, "file", history,
-                                axes_of_file(at).value_or(Quaternion{1.0, 0.0, 0.0, 0.0}));
-          },
-      .history = elements_orbit};
+  return history_kind<Arguments>(
+      "elements",
+      "Elements over ages, from a table: for kind obliquity, and with gm and semi_major_axis for "
+      "rotations.",
+      keys, history, made);
 }
 
 }  // namespace detail

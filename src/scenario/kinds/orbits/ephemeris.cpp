@@ -4,14 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
 
-#include "polhode/scenario/schema.hpp"
 #include "scenario/detail/built_in_kinds.hpp"
 #include "scenario/detail/clock.hpp"
 #include "scenario/detail/reference_axes.hpp"
 #include "scenario/kinds/orbits/shared_keys.hpp"
-#include "scenario/value_access.hpp"
-#include "scenario/values.hpp"
+#include "scenario/tables/head.hpp"
 #include "text/number_text.hpp"
 
 namespace polhode {
@@ -19,24 +20,26 @@ inline namespace v0 {
 namespace detail {
 namespace {
 
-constexpr std::string_view bodies =
-    "sun|mercury|venus|earth|moon|mars|jupiter|saturn|uranus|neptune";
+struct Arguments {
+  std::optional<double> gm;
+  std::string target, centre;
+};
 
-constexpr Key keys[] = {
-    orbit_gm_key,
-    {.path = "target",
-     .type = KeyType::choice,
-     .presence = Presence::required,
-     .allowed = bodies,
-     .example = "\"moon\"",
-     .help = "The body whose positions these are, from 1000 to 3000. It needs `state.epoch`, "
-             "`state.axes` of J2000, a unit of length, and [time]."},
-    {.path = "centre",
-     .type = KeyType::choice,
-     .presence = Presence::required,
-     .allowed = bodies,
-     .example = "\"earth\"",
-     .help = "The body it is seen from, without light time."},
+template <auto at>
+consteval KindKey<Arguments> body_key(std::string_view name, std::string_view help) {
+  return word_key<at>(name, "sun|mercury|venus|earth|moon|mars|jupiter|saturn|uranus|neptune", help)
+      .required();
+}
+
+constexpr KindKey<Arguments> keys[] = {
+    orbit_gm_key<&Arguments::gm>(),
+    body_key<&Arguments::target>(
+        "target",
+        "The body whose positions these are, from 1000 to 3000. It needs `state.epoch`, "
+        "`state.axes` of J2000, a unit of length, and [time].")
+        .example("\"moon\""),
+    body_key<&Arguments::centre>("centre", "The body it is seen from, without light time.")
+        .example("\"earth\""),
 };
 
 // Beyond the run on either side, s: what rounds a time must not leave the table.
@@ -46,8 +49,7 @@ constexpr double margin = 60.0, day = 86400.0;
 double kilometre(const OrbitContext& at) {
   const Units& units = at.units();
   if (units.length() == "1")
-    refuse(at.values(), at.key_path("target"), at.file(),
-           "expected a unit of length such as units.length = \"km\"");
+    at.refuse("target", "expected a unit of length such as units.length = \"km\"");
   return units.to_core(1.0, "km", Dimension::length);
 }
 
@@ -86,53 +88,47 @@ std::string note_of_years(Planetary target, Planetary centre, const Clock& clock
          ", off by up to some " + number_text(std::ceil(worst)) + " arcsec";
 }
 
-ScenarioOrbit ephemeris_orbit(const OrbitContext& at) {
-  const Values& values = at.values();
-  const std::string target_key = at.key_path("target"), centre_key = at.key_path("centre");
-  const Planetary target = *planetary(word(values, target_key));
-  const Planetary centre = *planetary(word(values, centre_key));
-  if (target == centre)
-    refuse(values, centre_key, at.file(), "expected another body than the target");
-  const std::string& axes = at.state_axes();
+ScenarioOrbit made(const Arguments& a, const OrbitContext& at) {
+  const Planetary target = *planetary(a.target), centre = *planetary(a.centre);
+  if (target == centre) at.refuse("centre", "expected another body than the target");
+  const std::string axes = at.state_axes();
   if (axes == "inertial")
-    refuse(values, target_key, at.file(),
-           "expected state.axes = \"ecliptic-J2000\" or \"equator-J2000\", since this orbit has a "
-           "place in the sky");
-  const Clock clock = clock_of(at.file_values(), target_key);
+    at.refuse("target",
+              "expected state.axes = \"ecliptic-J2000\" or \"equator-J2000\", since this orbit has "
+              "a place in the sky");
+  const Clock clock = clock_of(at.file_values(), at.key_path("target"));
   const double km = kilometre(at);
   const std::optional<TimeSpan> span = at.run_span();
   if (!span)
-    refuse(values, target_key, at.file(),
-           "expected a table [time], since the positions are tabulated over the run");
+    at.refuse("target", "expected a table [time], since the positions are tabulated over the run");
   // light that is fitted or simulated arrives later than it leaves, by less than a day within the
   // planets
-  const double light = word(values, "kind") == "fit" ? day : margin;
-  const EphemerisTable table = built(values, target_key, at.file(), [&] {
+  const double light = head_table(at.file_values())->kind == "fit" ? day : margin;
+  const EphemerisTable table = at.built("target", [&] {
     return planetary_table(target, centre, clock.epoch, span->first / clock.second - light,
                            span->last / clock.second + light);
   });
   PositionTable rows = table.rows;
   for (double& t : rows.times) t *= clock.second;
   for (Vec3& x : rows.positions) x = km * in_other_axes(x, "equator-J2000", axes);
-  const std::optional<double> own = at.gm();
+  const std::optional<double> own = positive_gm(at, a.gm);
   std::vector<std::string> sources = sources_of(target, centre);
   if (!own) sources.push_back("DE440");
-  return {{},
-          TableOrbit(std::move(rows), table.order),
-          own ? own : at.units().to_core(planetary_gm(target), "km3/s2", Dimension::gm),
-          std::move(sources),
-          "ephemeris, " + word(values, target_key) + " from " + word(values, centre_key) +
-              note_of_years(target, centre, clock, *span)};
+  return {
+      {},
+      TableOrbit(std::move(rows), table.order),
+      own ? own : at.units().to_core(planetary_gm(target), "km3/s2", Dimension::gm),
+      std::move(sources),
+      "ephemeris, " + a.target + " from " + a.centre + note_of_years(target, centre, clock, *span)};
 }
 
 }  // namespace
 
 OrbitKind ephemeris_kind() {
-  return {.name = "ephemeris",
-          .help = "Sun, Moon and planets as they move (docs/guide/orbits.md).",
-          .keys = {std::begin(keys), std::end(keys)},
-          .made = ephemeris_orbit,
-          .is_dated = true};
+  OrbitKind kind = orbit_kind<Arguments>(
+      "ephemeris", "Sun, Moon and planets as they move (docs/guide/orbits.md).", keys, made);
+  kind.is_dated = true;
+  return kind;
 }
 
 }  // namespace detail

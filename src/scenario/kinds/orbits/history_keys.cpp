@@ -32,9 +32,9 @@ const ColumnRole* role_of(std::span<const ColumnRole> roles, std::string_view na
   return found == roles.end() ? nullptr : &*found;
 }
 
-void require_words(const KeyValues& at, std::span<const ColumnRole> roles) {
-  const std::vector<std::string>& columns = at.words("columns");
-  if (at.words("units").size() != columns.size())
+void require_words(const KeyValues& at, const ColumnKeys& keys, std::span<const ColumnRole> roles) {
+  const std::vector<std::string>& columns = keys.columns;
+  if (keys.units.size() != columns.size())
     at.refuse("units", "expected " + std::to_string(columns.size()) +
                            " units, one for each of columns; \"1\" for numbers and for columns "
                            "that are not read");
@@ -56,11 +56,11 @@ void require_words(const KeyValues& at, std::span<const ColumnRole> roles) {
 
 }  // namespace
 
-DeclaredColumns::DeclaredColumns(const KeyValues& at, std::string_view file,
+DeclaredColumns::DeclaredColumns(const KeyValues& at, std::string_view file, const ColumnKeys& keys,
                                  std::span<const ColumnRole> roles)
     : columns_(roles.size()), units_(roles.size(), 1.0) {
-  require_words(at, roles);
-  const std::vector<std::string>&words = at.words("columns"), &units = at.words("units");
+  require_words(at, keys, roles);
+  const std::vector<std::string>&words = keys.columns, &units = keys.units;
   const std::string path = at.file_at(file);
   const std::vector<std::string> own = table_columns(path);
   const bool by_name = std::all_of(words.begin(), words.end(), [&](const std::string& word) {
@@ -222,25 +222,25 @@ PositionTable dense_enough(const OrbitContext& at, std::string_view key, const H
 }  // namespace
 
 ScenarioOrbit positions_of(const OrbitContext& at, std::string_view key,
-                           const ScenarioHistory& history, const Quaternion& from_file) {
-  for (const char* needed : {"gm", "semi_major_axis"})
-    if (!at.has(needed))
-      at.refuse(key, std::string("expected keys gm and semi_major_axis as well, since a rotation "
-                                 "needs to know where the body is; there is no ") +
-                         needed);
-  const std::string axes = at.word("axes") == "inertial" ? "inertial" : "ecliptic-J2000";
-  const std::string& of_state = at.state_axes();
-  if ((axes == "inertial") != (of_state == "inertial"))
+                           const ScenarioHistory& history, const PlaceKeys& place,
+                           const Quaternion& from_file) {
+  if (!place.gm || !place.semi_major_axis)
+    at.refuse(key, std::string("expected keys gm and semi_major_axis as well, since a rotation "
+                               "needs to know where the body is; there is no ") +
+                       (place.gm ? "semi_major_axis" : "gm"));
+  const std::string axes = history.is_inertial ? "inertial" : "ecliptic-J2000";
+  const std::string of_state = at.state_axes();
+  if (history.is_inertial != (of_state == "inertial"))
     at.refuse("axes",
               "expected axes that have a known place in those of the state, which are " + of_state);
   const std::optional<TimeSpan> span = at.run_span();
   if (!span)
     at.refuse(key, "expected a table [time], since the positions are tabulated over the run");
   require_cover(at, key, history.elements, *span);
-  const double gm = *at.gm();
+  const double gm = *positive_gm(at, place.gm);
   const HistoryOrbit orbit = at.built("semi_major_axis", [&] {
-    return HistoryOrbit(history.elements, gm, at.number("semi_major_axis"),
-                        at.number("mean_longitude") + shift_of_origin(history.elements, from_file));
+    return HistoryOrbit(history.elements, gm, *place.semi_major_axis,
+                        place.mean_longitude + shift_of_origin(history.elements, from_file));
   });
   PositionTable table = dense_enough(at, key, orbit, lengthened(*span, orbit));
   for (Vec3& x : table.positions) x = in_other_axes(x, axes, of_state);

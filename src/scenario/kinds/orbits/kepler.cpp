@@ -1,135 +1,110 @@
 // SPDX-License-Identifier: MIT
 // [orbit.NAME] from elements.
 #include <cmath>
-#include <iterator>
 #include <numbers>
+#include <optional>
 #include <string>
 
-#include "polhode/scenario/schema.hpp"
 #include "scenario/detail/built_in_kinds.hpp"
 #include "scenario/detail/clock.hpp"
 #include "scenario/kinds/orbits/shared_keys.hpp"
 #include "scenario/value_access.hpp"
-#include "scenario/values.hpp"
 
 namespace polhode {
 inline namespace v0 {
 namespace detail {
 namespace {
 
-constexpr Key keys[] = {
-    orbit_gm_key,
-    {.path = "semi_major_axis",
-     .type = KeyType::number,
-     .presence = Presence::alternative,
-     .dimension = Dimension::length,
-     .example = "\"7000 km\"",
-     .help = "Semi-major axis of an ellipse."},
-    {.path = "pericentre",
-     .type = KeyType::number,
-     .presence = Presence::alternative,
-     .dimension = Dimension::length,
-     .example = "\"6930 km\"",
-     .help = "Distance at pericentre; a hyperbola needs it."},
-    {.path = "period",
-     .type = KeyType::number,
-     .presence = Presence::alternative,
-     .dimension = Dimension::time,
-     .example = "\"1.6 h\"",
-     .help = "Period of an ellipse, 2 pi over the mean motion; with gm it gives the size."},
-    {.path = "eccentricity",
-     .type = KeyType::number,
-     .fallback = "0",
-     .example = "0.01",
-     .help = "From 0 to below 1, or above 1."},
-    {.path = "inclination",
-     .type = KeyType::number,
-     .dimension = Dimension::angle,
-     .fallback = "0",
-     .example = "51.6",
-     .help = "Of the plane to inertial axes 1 and 2."},
-    {.path = "node",
-     .type = KeyType::number,
-     .dimension = Dimension::angle,
-     .fallback = "0",
-     .example = "0",
-     .help = "From inertial axis 1 to the ascending node, at the epoch."},
-    {.path = "pericentre_argument",
-     .type = KeyType::number,
-     .dimension = Dimension::angle,
-     .fallback = "0",
-     .example = "0",
-     .help = "From the node to the pericentre, at the epoch."},
-    {.path = "mean_anomaly",
-     .type = KeyType::number,
-     .dimension = Dimension::angle,
-     .fallback = "0",
-     .example = "0",
-     .help = "Mean anomaly at the epoch."},
-    orbit_epoch_key,
-    {.path = "node_rate",
-     .type = KeyType::number,
-     .dimension = Dimension::rate,
-     .fallback = "0",
-     .example = "\"-5 deg/d\"",
-     .help = "Rate of the node."},
-    {.path = "pericentre_rate",
-     .type = KeyType::number,
-     .dimension = Dimension::rate,
-     .fallback = "0",
-     .example = "\"3.7 deg/d\"",
-     .help = "Rate of the argument of the pericentre."},
-    {.path = "mean_anomaly_rate",
-     .type = KeyType::number,
-     .dimension = Dimension::rate,
-     .fallback = "0",
-     .example = "0",
-     .help = "What is added to the mean motion that gm gives."},
-    {.path = "inclination_rate",
-     .type = KeyType::number,
-     .dimension = Dimension::rate,
-     .fallback = "0",
-     .example = "\"0.5 arcsec/yr\"",
-     .help = "Rate of the inclination."},
-    {.path = "eccentricity_rate",
-     .type = KeyType::number,
-     .dimension = Dimension::growth,
-     .fallback = "0",
-     .example = "\"-4e-5 1/cy\"",
-     .help = "Rate of the eccentricity of an ellipse, whose axis stays; it must be in [0, 1) all "
-             "along the run."},
-    orbit_axes_key,
+struct Arguments {
+  std::optional<double> gm;
+  std::optional<double> semi_major_axis, pericentre, period;
+  double eccentricity, inclination, node, argument, mean_anomaly;
+  double epoch;
+  double node_rate, argument_rate, mean_anomaly_rate, inclination_rate, eccentricity_rate;
+  std::optional<std::string> axes;
 };
 
-KeplerElements elements_of(const Values& values, const std::string& path, const std::string& name) {
-  const auto key = [&](const char* own) { return path + "." + own; };
-  const double gm = number(values, key("gm")), e = number(values, key("eccentricity"));
-  if (!(gm > 0.0)) refuse(values, key("gm"), name, "expected a positive gravitational parameter");
-  if (!(e >= 0.0) || e == 1.0)
-    refuse(values, key("eccentricity"), name,
-           "expected 0 <= e < 1 (an ellipse) or e > 1 (a hyperbola); at e = 1 use a number next to "
-           "it, with the same pericentre");
-  const bool by_axis = has(values, key("semi_major_axis"));
-  const bool by_period = has(values, key("period"));
-  const std::string size_key = key(by_axis     ? "semi_major_axis"
-                                   : by_period ? "period"
-                                               : "pericentre");
-  const double size = number(values, size_key);
+template <auto at>
+consteval KindKey<Arguments> element_key(std::string_view name, std::string_view help) {
+  return quantity_key<at>(name, Dimension::angle, help).otherwise("0");
+}
+template <auto at>
+consteval KindKey<Arguments> rate_key(std::string_view name, std::string_view help) {
+  return quantity_key<at>(name, Dimension::rate, help).otherwise("0");
+}
+
+constexpr KindKey<Arguments> keys[] = {
+    orbit_gm_key<&Arguments::gm>(),
+    quantity_key<&Arguments::semi_major_axis>("semi_major_axis", Dimension::length,
+                                              "Semi-major axis of an ellipse.")
+        .alternative()
+        .example("\"7000 km\""),
+    quantity_key<&Arguments::pericentre>("pericentre", Dimension::length,
+                                         "Distance at pericentre; a hyperbola needs it.")
+        .alternative()
+        .example("\"6930 km\""),
+    quantity_key<&Arguments::period>(
+        "period", Dimension::time,
+        "Period of an ellipse, 2 pi over the mean motion; with gm it gives the size.")
+        .alternative()
+        .example("\"1.6 h\""),
+    quantity_key<&Arguments::eccentricity>("eccentricity", Dimension::number,
+                                           "From 0 to below 1, or above 1.")
+        .otherwise("0")
+        .example("0.01"),
+    element_key<&Arguments::inclination>("inclination", "Of the plane to inertial axes 1 and 2.")
+        .example("51.6"),
+    element_key<&Arguments::node>("node",
+                                  "From inertial axis 1 to the ascending node, at the epoch."),
+    element_key<&Arguments::argument>("pericentre_argument",
+                                      "From the node to the pericentre, at the epoch."),
+    element_key<&Arguments::mean_anomaly>("mean_anomaly", "Mean anomaly at the epoch."),
+    orbit_epoch_key<&Arguments::epoch>(),
+    rate_key<&Arguments::node_rate>("node_rate", "Rate of the node.").example("\"-5 deg/d\""),
+    rate_key<&Arguments::argument_rate>("pericentre_rate",
+                                        "Rate of the argument of the pericentre.")
+        .example("\"3.7 deg/d\""),
+    rate_key<&Arguments::mean_anomaly_rate>("mean_anomaly_rate",
+                                            "What is added to the mean motion that gm gives."),
+    rate_key<&Arguments::inclination_rate>("inclination_rate", "Rate of the inclination.")
+        .example("\"0.5 arcsec/yr\""),
+    quantity_key<&Arguments::eccentricity_rate>(
+        "eccentricity_rate", Dimension::growth,
+        "Rate of the eccentricity of an ellipse, whose axis stays; it must be in [0, 1) all along "
+        "the run.")
+        .otherwise("0")
+        .example("\"-4e-5 1/cy\""),
+    orbit_axes_key<&Arguments::axes>(),
+};
+
+double pericentre_of(const Arguments& a, const OrbitContext& at) {
+  const double e = a.eccentricity;
+  const char* const key = a.semi_major_axis ? "semi_major_axis"
+                          : a.period        ? "period"
+                                            : "pericentre";
+  const double size = a.semi_major_axis ? *a.semi_major_axis : a.period ? *a.period : *a.pericentre;
   if (!(size > 0.0))
-    refuse(values, size_key, name,
-           by_period ? "expected a positive time" : "expected a positive length");
-  if ((by_axis || by_period) && e > 1.0)
-    refuse(values, size_key, name, "expected pericentre instead, since e > 1 is a hyperbola");
+    at.refuse(key, a.period ? "expected a positive time" : "expected a positive length");
+  if (a.pericentre) return size;
+  if (e > 1.0) at.refuse(key, "expected pericentre instead, since e > 1 is a hyperbola");
   const double turn = size / (2.0 * std::numbers::pi);
-  const double axis = by_period ? std::cbrt(gm * turn * turn) : size;
+  return pericentre_distance(a.period ? std::cbrt(*a.gm * turn * turn) : size, e);
+}
+
+KeplerElements elements_of(const Arguments& a, const OrbitContext& at) {
+  const double gm = *positive_gm(at, a.gm), e = a.eccentricity;
+  if (!(e >= 0.0) || e == 1.0)
+    at.refuse("eccentricity",
+              "expected 0 <= e < 1 (an ellipse) or e > 1 (a hyperbola); at e = 1 use a number next "
+              "to it, with the same pericentre");
   return {.gm = gm,
-          .pericentre = by_axis || by_period ? pericentre_distance(axis, e) : size,
+          .pericentre = pericentre_of(a, at),
           .eccentricity = e,
-          .inclination = number(values, key("inclination")),
-          .node = number(values, key("node")),
-          .argument = number(values, key("pericentre_argument")),
-          .mean_anomaly = number(values, key("mean_anomaly")),
-          .epoch = number(values, key("epoch"))};
+          .inclination = a.inclination,
+          .node = a.node,
+          .argument = a.argument,
+          .mean_anomaly = a.mean_anomaly,
+          .epoch = a.epoch};
 }
 
 // All along the run.
@@ -143,35 +118,33 @@ void require_ellipse(const OrbitContext& at, const PrecessingKeplerOrbit& orbit)
   if (!early && !late) return;
   const double when = early ? orbit.first_time() : orbit.last_time();
   const bool round = (orbit.rates().eccentricity > 0.0) == early;
-  refuse(at.values(), at.key_path("eccentricity_rate"), at.file(),
-         std::string("the eccentricity ") + (round ? "reaches 0" : "reaches 1") + " at " +
-             time_and_date(at.file_values(), when) + "; expected 0 to below 1 all along the run, " +
-             time_and_date(at.file_values(), span->first) + " to " +
-             time_and_date(at.file_values(), span->last));
+  const FileValues file = at.file_values();
+  at.refuse("eccentricity_rate",
+            std::string("the eccentricity ") + (round ? "reaches 0" : "reaches 1") + " at " +
+                time_and_date(file, when) + "; expected 0 to below 1 all along the run, " +
+                time_and_date(file, span->first) + " to " + time_and_date(file, span->last));
 }
 
-ScenarioOrbit kepler_orbit(const OrbitContext& at) {
-  const Values& values = at.values();
-  const std::string &path = at.path(), &name = at.file();
-  const KeplerElements elements = elements_of(values, path, name);
-  const SecularRates rates{.node = number(values, path + ".node_rate"),
-                           .argument = number(values, path + ".pericentre_rate"),
-                           .mean_anomaly = number(values, path + ".mean_anomaly_rate"),
-                           .inclination = number(values, path + ".inclination_rate"),
-                           .eccentricity = number(values, path + ".eccentricity_rate")};
+ScenarioOrbit made(const Arguments& a, const OrbitContext& at) {
+  const KeplerElements elements = elements_of(a, at);
+  const SecularRates rates{.node = a.node_rate,
+                           .argument = a.argument_rate,
+                           .mean_anomaly = a.mean_anomaly_rate,
+                           .inclination = a.inclination_rate,
+                           .eccentricity = a.eccentricity_rate};
   if (rates.eccentricity != 0.0 && elements.eccentricity > 1.0)
-    refuse(values, path + ".eccentricity_rate", name,
-           "expected 0 for a hyperbola: only of an ellipse it may change");
-  const PrecessingKeplerOrbit moving =
-      built(values, path, name, [&] { return PrecessingKeplerOrbit(elements, rates); });
+    at.refuse("eccentricity_rate", "expected 0 for a hyperbola: only of an ellipse it may change");
+  const PrecessingKeplerOrbit moving = built(
+      at.values(), at.path(), at.file(), [&] { return PrecessingKeplerOrbit(elements, rates); });
   if (rates.eccentricity != 0.0) require_ellipse(at, moving);
-  return precessing_orbit(at, moving);
+  return precessing_orbit(at, orbit_axes(at, a.axes), moving);
 }
 
 }  // namespace
 
-ScenarioOrbit precessing_orbit(const OrbitContext& at, const PrecessingKeplerOrbit& orbit) {
-  const std::string &axes = orbit_axes(at), &of_state = at.state_axes();
+ScenarioOrbit precessing_orbit(const OrbitContext& at, const std::string& axes,
+                               const PrecessingKeplerOrbit& orbit) {
+  const std::string of_state = at.state_axes();
   if (axes != of_state) {
     return {{},
             of_state == "ecliptic-J2000" ? TurnedKeplerOrbit::from_equator(orbit)
@@ -183,11 +156,10 @@ ScenarioOrbit precessing_orbit(const OrbitContext& at, const PrecessingKeplerOrb
 }
 
 OrbitKind kepler_kind() {
-  return {.name = "kepler",
-          .help = "Elements at an epoch, which may precess.",
-          .keys = {std::begin(keys), std::end(keys)},
-          .sets = "semi_major_axis|pericentre|period",
-          .made = kepler_orbit};
+  OrbitKind kind =
+      orbit_kind<Arguments>("kepler", "Elements at an epoch, which may precess.", keys, made);
+  kind.sets = "semi_major_axis|pericentre|period";
+  return kind;
 }
 
 }  // namespace detail

@@ -6,11 +6,11 @@
 #include <utility>
 
 #include "polhode/ephemeris/date.hpp"
-#include "polhode/scenario/schema.hpp"
 #include "scenario/detail/built_in_kinds.hpp"
 #include "scenario/detail/clock.hpp"
 #include "scenario/detail/reference_axes.hpp"
-#include "scenario/value_access.hpp"
+#include "scenario/kinds/orbits/shared_keys.hpp"
+#include "scenario/tables/state.hpp"
 #include "text/dates.hpp"
 #include "text/words.hpp"
 
@@ -37,7 +37,7 @@ Date date_of(std::string_view scale, const CivilTime& time) {
 
 // Seconds from the state's epoch to a date of the file: exact where both have one scale.
 double since_epoch(const OrbitContext& at, const std::string& file_scale, const CivilTime& date) {
-  const std::string& epoch = word(at.values(), "state.epoch");
+  const std::string epoch = state_table(at.file_values())->epoch.value();
   if (scale_of_epoch(epoch) == file_scale)
     return seconds_between(file_scale, time_of_epoch(epoch), date);
   const Clock clock = clock_of(at.file_values(), at.key_path("file"));
@@ -56,21 +56,20 @@ bool is_equatorial(const std::string& frame) {
 void require_keys(const OrbitContext& at) {
   for (const char* own : {"columns", "time_format", "time_scale", "time_unit", "length_unit",
                           "velocity_unit", "axes"})
-    if (is_explicit(at.values(), at.key_path(own)))
-      refuse(at.values(), at.key_path(own), at.file(), "an OEM says this itself; expected none");
-  if (!has(at.values(), "state.epoch"))
-    refuse(at.values(), at.key_path("file"), at.file(),
-           "an OEM has dates; expected epoch in [state]");
+    if (at.is_explicit(own)) at.refuse(own, "an OEM says this itself; expected none");
+  if (!state_table(at.file_values())->epoch)
+    at.refuse("file", "an OEM has dates; expected epoch in [state]");
   if (at.state_axes() == "inertial")
-    refuse(at.values(), at.key_path("file"), at.file(),
-           "an OEM has axes; expected axes = \"equator-J2000\" or \"ecliptic-J2000\" in [state]");
+    at.refuse(
+        "file",
+        "an OEM has axes; expected axes = \"equator-J2000\" or \"ecliptic-J2000\" in [state]");
 }
 
 PositionTable table_of(const OrbitContext& at, const OemSegment& segment, double first) {
   const Units& units = at.units();
   const double time = units.to_core(1.0, "s", Dimension::time);
   const double length = units.to_core(1.0, "km", Dimension::length);
-  const std::string& axes = at.state_axes();
+  const std::string axes = at.state_axes();
   PositionTable table;
   for (std::size_t k = 0; k < segment.t.size(); ++k) {
     const Vec3 x = in_other_axes(segment.position[k], "equator-J2000", axes);
@@ -83,29 +82,30 @@ PositionTable table_of(const OrbitContext& at, const OemSegment& segment, double
 }
 
 // "OEM iss.oem (ISS from EARTH)"
-std::string text_of(const OrbitContext& at, const OemSegment& segment) {
-  return "OEM " + printable(word(at.values(), at.key_path("file"))) + " (" +
-         printable(segment.object_name) + " from " + printable(segment.center) + ")";
+std::string text_of(const std::string& file, const OemSegment& segment) {
+  return "OEM " + printable(file) + " (" + printable(segment.object_name) + " from " +
+         printable(segment.center) + ")";
 }
 
 }  // namespace
 
 // The segment that covers the run; the last, for its message, where none does.
-ScenarioOrbit oem_orbit(const OrbitContext& at, const std::string& path, int order) {
+ScenarioOrbit oem_orbit(const OrbitContext& at, const std::string& file, std::optional<double> gm,
+                        int order) {
   require_keys(at);
-  const std::string key = at.key_path("file");
-  return built(at.values(), key, at.file(), [&]() -> ScenarioOrbit {
-    const OrbitEphemeris file = read_oem(path);
+  return at.built("file", [&]() -> ScenarioOrbit {
+    const std::string path = at.file_at("file");
+    const OrbitEphemeris message = read_oem(path);
     const std::optional<TimeSpan> span = at.run_span();
-    const std::string& scale = file.segments.front().time_system;
+    const std::string& scale = message.segments.front().time_system;
     const auto time = [&](const std::string& text) {
       return at.units().to_core(since_epoch(at, scale, *civil_time(text, true)), "s",
                                 Dimension::time);
     };
     const double first =
-        since_epoch(at, scale, *civil_time(file.segments.front().epochs.front(), true));
+        since_epoch(at, scale, *civil_time(message.segments.front().epochs.front(), true));
     std::string covered;
-    for (const OemSegment& segment : file.segments) {
+    for (const OemSegment& segment : message.segments) {
       if (!is_equatorial(segment.frame))
         throw DomainError(printable(path, path.size()) + ":" + std::to_string(segment.frame_line) +
                           ": REF_FRAME = " + printable(segment.frame) +
@@ -117,9 +117,9 @@ ScenarioOrbit oem_orbit(const OrbitContext& at, const std::string& path, int ord
       if (inside)
         return {{},
                 TableOrbit(std::move(table), order, overhang),
-                at.gm(),
+                positive_gm(at, gm),
                 {"oem"},
-                text_of(at, segment)};
+                text_of(file, segment)};
       covered += (covered.empty() ? "" : ", ") + printable(segment.start) + " to " +
                  printable(segment.stop);
     }

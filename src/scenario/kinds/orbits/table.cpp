@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
+#include <cstdint>
+#include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
-#include "polhode/scenario/schema.hpp"
 #include "polhode/tables/number_table.hpp"
 #include "scenario/detail/built_in_kinds.hpp"
 #include "scenario/detail/clock.hpp"
@@ -14,7 +16,6 @@
 #include "scenario/detail/reference_axes.hpp"
 #include "scenario/detail/table_check.hpp"
 #include "scenario/kinds/orbits/shared_keys.hpp"
-#include "scenario/value_access.hpp"
 #include "tables/table_header.hpp"
 #include "text/dates.hpp"
 #include "text/number_text.hpp"
@@ -25,93 +26,82 @@ inline namespace v0 {
 namespace detail {
 namespace {
 
-constexpr Key keys[] = {
-    orbit_gm_key,
-    orbit_axes_key,
-    {.path = "times",
-     .type = KeyType::numbers,
-     .presence = Presence::alternative,
-     .dimension = Dimension::time,
-     .example = "[0, 240, 480, 720]",
-     .help = "Times of rows that stand here, rising, from t = 0."},
-    {.path = "x",
-     .type = KeyType::numbers,
-     .presence = Presence::alternative,
-     .dimension = Dimension::length,
-     .example = "[149597871, 147389966, 140831424, 130115839]",
-     .help = "The first component of the positions in these rows."},
-    {.path = "y",
-     .type = KeyType::numbers,
-     .presence = Presence::alternative,
-     .dimension = Dimension::length,
-     .example = "[0, 25607048, 50458230, 73819993]",
-     .help = "The second."},
-    {.path = "z",
-     .type = KeyType::numbers,
-     .presence = Presence::alternative,
-     .dimension = Dimension::length,
-     .example = "[0, 0, 0, 0]",
-     .help = "The third."},
-    {.path = "vx",
-     .type = KeyType::numbers,
-     .dimension = Dimension::speed,
-     .example = "[0, -18354, -36166, -52910]",
-     .help = "The first component of their velocities; all three, or none."},
-    {.path = "vy",
-     .type = KeyType::numbers,
-     .dimension = Dimension::speed,
-     .example = "[107224, 105642, 100941, 93260]",
-     .help = "The second."},
-    {.path = "vz",
-     .type = KeyType::numbers,
-     .dimension = Dimension::speed,
-     .example = "[0, 0, 0, 0]",
-     .help = "The third."},
-    {.path = "file",
-     .type = KeyType::text,
-     .presence = Presence::alternative,
-     .example = "\"moon.csv.gz\"",
-     .help = "A table of positions, CSV or separated by blanks, .gz or not, or a CCSDS Orbit "
-             "Ephemeris Message (.oem, .oem.gz); the path is from the folder of this file.",
-     .is_file = true},
-    {.path = "columns",
-     .type = KeyType::columns,
-     .example = "[\"t\", \"x\", \"y\", \"z\"]",
-     .help =
-         "Columns that hold time, x, y, z and, where there are seven, the velocity: by the names "
-         "that the file gives them or by their numbers from 1. Left out: t, x, y, z and, if "
-         "there, vx, vy, vz, or where no line names them, the first four or seven."},
-    {.path = "time_format",
-     .type = KeyType::choice,
-     .allowed = "number|JD|MJD|date",
-     .fallback = "\"number\"",
-     .example = "\"number\"",
-     .help = "What the column of times holds: time from t = 0, Julian dates, modified ones, or "
-             "dates like 2013-01-05T18:30:00. All but the first need `state.epoch`."},
-    {.path = "time_scale",
-     .type = KeyType::choice,
-     .allowed = "UTC|TAI|TT|TDB",
-     .fallback = "\"TT\"",
-     .example = "\"TDB\"",
-     .help = "Time scale of these dates."},
-    {.path = "time_unit",
-     .type = KeyType::unit,
-     .example = "\"s\"",
-     .help = "Unit of the column of times, which count from t = 0; left out, `units.time`."},
-    {.path = "length_unit",
-     .type = KeyType::unit,
-     .example = "\"km\"",
-     .help = "Unit of x, y, z; left out, `units.length`."},
-    {.path = "velocity_unit",
-     .type = KeyType::unit,
-     .example = "\"km/s\"",
-     .help = "Unit of the velocities; left out, that of lengths over that of times."},
-    {.path = "order",
-     .type = KeyType::integer,
-     .example = "10",
-     .help = "Order of the interpolation: 2 to 16, even; with velocities 4 to 32, a multiple of "
-             "4. Left out: 10, with velocities 12."},
-    allow_coarse_key,
+using Column = std::optional<std::vector<double>>;
+
+enum class TimeFormat { number, JD, MJD, date };
+
+struct Arguments {
+  std::optional<double> gm;
+  std::optional<std::string> axes;
+  Column times, x, y, z, vx, vy, vz;
+  std::optional<std::string> file;
+  std::optional<std::vector<std::string>> columns;
+  TimeFormat time_format;
+  TimeScale time_scale;
+  std::optional<std::string> time_unit, length_unit, velocity_unit;
+  std::optional<std::int64_t> order;
+  bool allow_coarse;
+};
+
+template <auto at>
+consteval KindKey<Arguments> position_key(std::string_view name, std::string_view help) {
+  return quantity_key<at>(name, Dimension::length, help).alternative();
+}
+template <auto at>
+consteval KindKey<Arguments> velocity_key(std::string_view name, std::string_view help) {
+  return quantity_key<at>(name, Dimension::speed, help);
+}
+
+constexpr KindKey<Arguments> keys[] = {
+    orbit_gm_key<&Arguments::gm>(),
+    orbit_axes_key<&Arguments::axes>(),
+    quantity_key<&Arguments::times>("times", Dimension::time,
+                                    "Times of rows that stand here, rising, from t = 0.")
+        .alternative()
+        .example("[0, 240, 480, 720]"),
+    position_key<&Arguments::x>("x", "The first component of the positions in these rows.")
+        .example("[149597871, 147389966, 140831424, 130115839]"),
+    position_key<&Arguments::y>("y", "The second.").example("[0, 25607048, 50458230, 73819993]"),
+    position_key<&Arguments::z>("z", "The third.").example("[0, 0, 0, 0]"),
+    velocity_key<&Arguments::vx>("vx",
+                                 "The first component of their velocities; all three, or none.")
+        .example("[0, -18354, -36166, -52910]"),
+    velocity_key<&Arguments::vy>("vy", "The second.").example("[107224, 105642, 100941, 93260]"),
+    velocity_key<&Arguments::vz>("vz", "The third.").example("[0, 0, 0, 0]"),
+    file_key<&Arguments::file>(
+        "file",
+        "A table of positions, CSV or separated by blanks, .gz or not, or a CCSDS Orbit Ephemeris "
+        "Message (.oem, .oem.gz); the path is from the folder of this file.")
+        .alternative()
+        .example("\"moon.csv.gz\""),
+    columns_key<&Arguments::columns>(
+        "columns",
+        "Columns that hold time, x, y, z and, where there are seven, the velocity: by the names "
+        "that the file gives them or by their numbers from 1. Left out: t, x, y, z and, if there, "
+        "vx, vy, vz, or where no line names them, the first four or seven.")
+        .example("[\"t\", \"x\", \"y\", \"z\"]"),
+    choice_key<&Arguments::time_format, TimeFormat::number, TimeFormat::JD, TimeFormat::MJD,
+               TimeFormat::date>(
+        "time_format", "number|JD|MJD|date",
+        "What the column of times holds: time from t = 0, Julian dates, modified ones, or dates "
+        "like 2013-01-05T18:30:00. All but the first need `state.epoch`.")
+        .otherwise("\"number\""),
+    choice_key<&Arguments::time_scale, TimeScale::UTC, TimeScale::TAI, TimeScale::TT,
+               TimeScale::TDB>("time_scale", "UTC|TAI|TT|TDB", "Time scale of these dates.")
+        .otherwise("\"TT\"")
+        .example("\"TDB\""),
+    unit_key<&Arguments::time_unit>(
+        "time_unit", "Unit of the column of times, which count from t = 0; left out, `units.time`.")
+        .example("\"s\""),
+    unit_key<&Arguments::length_unit>("length_unit", "Unit of x, y, z; left out, `units.length`.")
+        .example("\"km\""),
+    unit_key<&Arguments::velocity_unit>(
+        "velocity_unit", "Unit of the velocities; left out, that of lengths over that of times.")
+        .example("\"km/s\""),
+    order_key<&Arguments::order>(
+        "Order of the interpolation: 2 to 16, even; with velocities 4 to 32, a multiple of 4. Left "
+        "out: 10, with velocities 12."),
+    allow_coarse_key<&Arguments::allow_coarse>(),
 };
 
 constexpr std::size_t longest_file = 200;
@@ -130,110 +120,104 @@ std::vector<std::string> usual_columns(const std::string& path) {
   return {usual_names.begin(), usual_names.begin() + (slopes ? 7 : 4)};
 }
 
-std::vector<std::string> columns_of(const OrbitContext& at, const std::string& path) {
-  const std::string key = at.key_path("columns");
-  if (!has(at.values(), key)) {
+std::vector<std::string> columns_of(const Arguments& a, const OrbitContext& at,
+                                    const std::string& path) {
+  if (!a.columns) {
     std::vector<std::string> usual = usual_columns(path);
     if (usual.size() < 4)
       throw DomainError(path + ": has " + std::to_string(usual.size()) +
                         " columns; expected time, x, y, z");
     return usual;
   }
-  const std::vector<std::string>& columns = value_at(at.values(), key).words;
-  if (columns.size() != 4 && columns.size() != 7)
-    refuse(at.values(), key, at.file(), "expected 4 columns (t, x, y, z) or 7 (with vx, vy, vz)");
-  return columns;
-}
-
-// What one unit of a column is in core units.
-double unit_of(const OrbitContext& at, const char* key, Dimension dimension, double otherwise) {
-  if (!has(at.values(), at.key_path(key))) return otherwise;
-  return built(at.values(), at.key_path(key), at.file(), [&] {
-    return at.units().to_core(1.0, word(at.values(), at.key_path(key)), dimension);
-  });
+  if (a.columns->size() != 4 && a.columns->size() != 7)
+    at.refuse("columns", "expected 4 columns (t, x, y, z) or 7 (with vx, vy, vz)");
+  return *a.columns;
 }
 
 // How the column of times is read, into core units.
-FieldReader time_reader(const OrbitContext& at) {
-  const std::string& format = word(at.values(), at.key_path("time_format"));
-  if (format == "number") {
-    const double unit = unit_of(at, "time_unit", Dimension::time, 1.0);
+FieldReader time_reader(const Arguments& a, const OrbitContext& at) {
+  if (a.time_format == TimeFormat::number) {
+    const double unit = at.unit("time_unit", Dimension::time);
     return [unit](std::string_view field) { return unit * number_from_field(field); };
   }
-  if (has(at.values(), at.key_path("time_unit")))
-    refuse(at.values(), at.key_path("time_unit"), at.file(),
-           "expected no unit together with dates");
+  if (a.time_unit) at.refuse("time_unit", "expected no unit together with dates");
   const Clock clock = clock_of(at.file_values(), at.key_path("time_format"));
-  const TimeScale scale = *time_scale(word(at.values(), at.key_path("time_scale")));
-  if (format == "date")
+  const TimeScale scale = a.time_scale;
+  if (a.time_format == TimeFormat::date)
     return [=](std::string_view field) { return clock.core_time(date_in(field, scale)); };
-  const double zero = format == "MJD" ? 2400000.5 : 0.0;
+  const double zero = a.time_format == TimeFormat::MJD ? 2400000.5 : 0.0;
   return [=](std::string_view field) { return clock.core_time(julian_date(field, scale, zero)); };
 }
 
+// The units of the columns, in core units.
+struct ColumnUnits {
+  double time, length, speed;
+};
+ColumnUnits units_of(const Arguments& a, const OrbitContext& at) {
+  const double time = at.unit("time_unit", Dimension::time);
+  const double length = at.unit("length_unit", Dimension::length);
+  return {time, length,
+          a.velocity_unit ? at.unit("velocity_unit", Dimension::speed) : length / time};
+}
+
 // What the file says of itself must be how it is read.
-void require_header(const OrbitContext& at, const NumberTable& file,
+void require_header(const Arguments& a, const OrbitContext& at, const NumberTable& file,
                     const std::vector<std::string>& columns) {
-  const TableCheck check({at.values(), at.units(), at.path(), at.file()}, file, columns);
-  const double time = unit_of(at, "time_unit", Dimension::time, 1.0);
-  const double length = unit_of(at, "length_unit", Dimension::length, 1.0);
-  const double speed = unit_of(at, "velocity_unit", Dimension::speed, length / time);
-  check.axes(orbit_axes(at));
+  const TableCheck check(at, file, columns);
+  const ColumnUnits units = units_of(a, at);
+  check.axes(orbit_axes(at, a.axes));
   for (std::size_t k = 1; k < columns.size(); ++k) {
     if (k < 4)
-      check.unit(k, {"length_unit", length, Dimension::length});
+      check.unit(k, {"length_unit", units.length, Dimension::length});
     else
-      check.unit(k, {"velocity_unit", speed, Dimension::speed});
+      check.unit(k, {"velocity_unit", units.speed, Dimension::speed});
   }
-  if (word(at.values(), at.key_path("time_format")) != "number")
-    return check.scale(word(at.values(), at.key_path("time_scale")));
-  check.unit(0, {"time_unit", time, Dimension::time});
+  if (a.time_format != TimeFormat::number) return check.scale(std::string(name(a.time_scale)));
+  check.unit(0, {"time_unit", units.time, Dimension::time});
   check.epoch();
 }
 
-// Components that are columns of this file, each as long as the times.
-std::vector<Vec3> own_rows(const OrbitContext& at, const std::array<const char*, 3>& names,
-                           std::size_t count) {
+// A component that is a column of this file, by its key.
+struct OwnColumn {
+  const char* key;
+  const Column& numbers;
+};
+
+// Each as long as the times.
+std::vector<Vec3> own_rows(const Arguments& a, const OrbitContext& at,
+                           const std::array<OwnColumn, 3>& columns) {
+  const std::size_t count = a.times->size();
   std::vector<Vec3> rows(count);
   for (int axis = 0; axis < 3; ++axis) {
-    const std::string key = at.key_path(names[static_cast<std::size_t>(axis)]);
-    const std::vector<double>& column = value_at(at.values(), key).numbers;
-    if (column.size() != count)
-      refuse(at.values(), key, at.file(),
-             "expected " + std::to_string(count) + " numbers, as many as times has");
-    for (std::size_t k = 0; k < count; ++k) rows[k][axis] = column[k];
+    const auto& [key, numbers] = columns[static_cast<std::size_t>(axis)];
+    if (numbers->size() != count)
+      at.refuse(key, "expected " + std::to_string(count) + " numbers, as many as times has");
+    for (std::size_t k = 0; k < count; ++k) rows[k][axis] = (*numbers)[k];
   }
-  const std::string &axes = orbit_axes(at), &of_state = at.state_axes();
+  const std::string axes = orbit_axes(at, a.axes), of_state = at.state_axes();
   for (Vec3& row : rows) row = in_other_axes(row, axes, of_state);
   return rows;
 }
 
 // Rows that stand in the scenario itself.
-PositionTable own_table(const OrbitContext& at) {
+PositionTable own_table(const Arguments& a, const OrbitContext& at) {
   for (const char* own :
        {"columns", "time_format", "time_scale", "time_unit", "length_unit", "velocity_unit"})
-    if (is_explicit(at.values(), at.key_path(own)))
-      refuse(at.values(), at.key_path(own), at.file(), "expected a key file as well, not times");
-  PositionTable table{value_at(at.values(), at.key_path("times")).numbers, {}, {}};
-  table.positions = own_rows(at, {"x", "y", "z"}, table.times.size());
-  constexpr std::array<const char*, 3> slopes = {"vx", "vy", "vz"};
-  const auto is_there = [&](const char* own) { return has(at.values(), at.key_path(own)); };
-  if (std::all_of(slopes.begin(), slopes.end(), is_there)) {
-    table.velocities = own_rows(at, slopes, table.times.size());
+    if (at.is_explicit(own)) at.refuse(own, "expected a key file as well, not times");
+  PositionTable table{*a.times, own_rows(a, at, {{{"x", a.x}, {"y", a.y}, {"z", a.z}}}), {}};
+  const std::array<OwnColumn, 3> slopes = {{{"vx", a.vx}, {"vy", a.vy}, {"vz", a.vz}}};
+  if (a.vx && a.vy && a.vz) {
+    table.velocities = own_rows(a, at, slopes);
   } else {
-    for (const char* own : slopes)
-      if (is_there(own))
-        refuse(at.values(), at.key_path(own), at.file(), "expected vx, vy and vz, or none of them");
+    for (const OwnColumn& own : slopes)
+      if (own.numbers) at.refuse(own.key, "expected vx, vy and vz, or none of them");
   }
   return table;
 }
 
-PositionTable positions_of(const OrbitContext& at, const NumberTable& file) {
-  const double time = unit_of(at, "time_unit", Dimension::time, 1.0);  // without: core units
-  const double length = unit_of(at, "length_unit", Dimension::length, 1.0);
-  const double speed = unit_of(at, "velocity_unit", Dimension::speed, length / time);
-  const std::string& axes = orbit_axes(at);
-  const std::string& of_state = at.state_axes();
+PositionTable positions_of(const Arguments& a, const OrbitContext& at, const NumberTable& file) {
+  const ColumnUnits units = units_of(a, at);
+  const std::string axes = orbit_axes(at, a.axes), of_state = at.state_axes();
   const auto rows = [&](std::size_t first, double unit) {
     std::vector<Vec3> vectors;
     vectors.reserve(file.rows());
@@ -243,39 +227,34 @@ PositionTable positions_of(const OrbitContext& at, const NumberTable& file) {
           {unit * c[first][k], unit * c[first + 1][k], unit * c[first + 2][k]}, axes, of_state));
     return vectors;
   };
-  PositionTable table{file.columns[0], rows(1, length), {}};
-  if (file.columns.size() == 7) table.velocities = rows(4, speed);
+  PositionTable table{file.columns[0], rows(1, units.length), {}};
+  if (file.columns.size() == 7) table.velocities = rows(4, units.speed);
   return table;
 }
 
-std::string file_path(const OrbitContext& at) {
-  const std::filesystem::path folder = std::filesystem::path(at.file()).parent_path();
-  return (folder / word(at.values(), at.key_path("file"))).string();
-}
-
-TableOrbit orbit_of_rows(const OrbitContext& at, PositionTable rows, int order, bool dates) {
+TableOrbit orbit_of_rows(const Arguments& a, const OrbitContext& at, PositionTable rows,
+                         bool dates) {
   const double overhang = overhang_of(at, rows.times, dates);
-  return TableOrbit(std::move(rows), order, overhang);
+  return TableOrbit(std::move(rows), order_of(a.order), overhang);
 }
 
-ScenarioOrbit file_orbit(const OrbitContext& at, int order) {
-  const std::string path = file_path(at);
+ScenarioOrbit file_orbit(const Arguments& a, const OrbitContext& at) {
+  const std::string path = at.file_at("file");
   for (const char* own : {"vx", "vy", "vz"})
-    if (has(at.values(), at.key_path(own)))
-      refuse(at.values(), at.key_path(own), at.file(), "expected keys times, x, y and z as well");
+    if (at.has(own)) at.refuse(own, "expected keys times, x, y and z as well");
   if (has_two_line_elements(path))
     throw DomainError("it holds two-line elements, no table: " + std::string(satellites_command));
-  if (path.ends_with(".oem") || path.ends_with(".oem.gz")) return oem_orbit(at, path, order);
-  const std::vector<std::string> columns = columns_of(at, path);
-  const NumberTable file = read_number_table(path, columns, time_reader(at));
-  require_header(at, file, columns);
+  if (path.ends_with(".oem") || path.ends_with(".oem.gz"))
+    return oem_orbit(at, *a.file, a.gm, order_of(a.order));
+  const std::vector<std::string> columns = columns_of(a, at, path);
+  const NumberTable file = read_number_table(path, columns, time_reader(a, at));
+  require_header(a, at, file, columns);
   require_rising(file, 0, "time");
-  const bool dates = word(at.values(), at.key_path("time_format")) != "number";
   return {{},
-          orbit_of_rows(at, positions_of(at, file), order, dates),
-          at.gm(),
+          orbit_of_rows(a, at, positions_of(a, at, file), a.time_format != TimeFormat::number),
+          positive_gm(at, a.gm),
           {},
-          "table " + printable(word(at.values(), at.key_path("file")), longest_file)};
+          "table " + printable(*a.file, longest_file)};
 }
 
 }  // namespace
@@ -298,38 +277,33 @@ void require_cover(const OrbitContext& at, const char* key, const TableOrbit& or
   const std::optional<TimeSpan> span = at.run_span();
   if (!span || orbit.covers(span->first, span->last)) return;
   const auto text = [&](double t) { return number_text(at.units().from_core(t, Dimension::time)); };
-  refuse(at.values(), at.key_path(key), at.file(),
-         "it covers the times " + text(orbit.first_time()) + " to " + text(orbit.last_time()) +
-             " " + at.units().time() + "; expected all of the run, " + text(span->first) + " to " +
-             text(span->last) + " (t = 0 is part of it)");
+  at.refuse(key, "it covers the times " + text(orbit.first_time()) + " to " +
+                     text(orbit.last_time()) + " " + at.units().time() +
+                     "; expected all of the run, " + text(span->first) + " to " + text(span->last) +
+                     " (t = 0 is part of it)");
 }
 
-ScenarioOrbit table_orbit(const OrbitContext& at) {
-  const int order = has(at.values(), at.key_path("order"))
-                        ? static_cast<int>(std::clamp<std::int64_t>(
-                              value_at(at.values(), at.key_path("order")).whole, 1, 99))
-                        : 0;
-  const char* const rows = has(at.values(), at.key_path("times")) ? "times" : "file";
-  ScenarioOrbit orbit = built(at.values(), at.key_path(rows), at.file(), [&]() -> ScenarioOrbit {
-    if (rows == std::string_view("file")) return file_orbit(at, order);
-    return {{}, orbit_of_rows(at, own_table(at), order, false), at.gm(), {}, "table"};
+ScenarioOrbit made(const Arguments& a, const OrbitContext& at) {
+  const char* const rows = a.times ? "times" : "file";
+  ScenarioOrbit orbit = at.built(rows, [&]() -> ScenarioOrbit {
+    if (!a.times) return file_orbit(a, at);
+    return {{}, orbit_of_rows(a, at, own_table(a, at), false), positive_gm(at, a.gm), {}, "table"};
   });
   const auto& table = std::get<TableOrbit>(orbit.motion);
   require_cover(at, rows, table);
   const double error = interpolation_error(table);
   orbit.interpolation_error = error;
-  orbit.warnings = rows_warning(at, rows, error, 1e-4, "the distance");
+  orbit.warnings = rows_warning(at, rows, error, 1e-4, "the distance", a.allow_coarse);
   return orbit;
 }
 
 }  // namespace
 
 OrbitKind table_kind() {
-  return {.name = "table",
-          .help = "Rows of positions, here or in a file.",
-          .keys = {std::begin(keys), std::end(keys)},
-          .sets = "times+x+y+z|file",
-          .made = table_orbit};
+  OrbitKind kind =
+      orbit_kind<Arguments>("table", "Rows of positions, here or in a file.", keys, made);
+  kind.sets = "times+x+y+z|file";
+  return kind;
 }
 
 }  // namespace detail

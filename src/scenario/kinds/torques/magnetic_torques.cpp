@@ -16,7 +16,7 @@
 #include "scenario/detail/clock.hpp"
 #include "scenario/detail/reference_axes.hpp"
 #include "scenario/kinds/torques/shared_keys.hpp"
-#include "scenario/value_access.hpp"
+#include "scenario/tables/state.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -110,7 +110,7 @@ PrimaryRotation earth_at_epoch(const TermContext& at, const Clock& clock, const 
 }
 
 NamedDipole earth_dipole(const TermContext& at) {
-  const std::string& axes = word(at.values(), "state.axes");
+  const std::string axes = state_table(at.file_values())->axes;
   if (axes == "inertial")
     at.refuse("field",
               "expected axes = \"equator-J2000\" or \"ecliptic-J2000\" in [state] as well, "

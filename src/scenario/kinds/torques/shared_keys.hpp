@@ -6,7 +6,7 @@
 
 #include "polhode/scenario/kind_key.hpp"
 #include "polhode/scenario/perturbation_kind.hpp"
-#include "scenario/value_access.hpp"
+#include "scenario/tables/state.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -51,7 +51,7 @@ consteval auto pole_key() {
 
 // Along the ecliptic a pole that is left out is that of no planet.
 inline void require_pole(const TermContext& at, std::string_view key) {
-  if (!at.is_explicit(key) && word(at.values(), "state.axes") == "ecliptic-J2000")
+  if (!at.is_explicit(key) && state_table(at.file_values())->axes == "ecliptic-J2000")
     at.refuse(key, "expected the pole along the ecliptic, in which this file has its axes");
 }
 

@@ -101,12 +101,12 @@ std::vector<TorqueRow> rows_of_file(const Arguments& a, const TermContext& at) {
   const NumberTable table = at.built("file", [&] {
     NumberTable read = read_number_table(at.file_at("file"), columns);
     require_rising(read, 0, "time");
-    const TableCheck check({at.values(), at.units(), at.path(), at.file()}, read, columns);
+    const TableCheck check(at, read, columns);
     check.unit(0, {"time_unit", time, Dimension::time});
     for (std::size_t k = 1; k < columns.size(); ++k)
       check.unit(k, {"torque_unit", torque, Dimension::torque});
     check.epoch();
-    check.torque_axes(at.word("axes"));
+    check.torque_axes(a.axes == Axes::inertial ? "inertial" : "body");
     return read;
   });
   std::vector<TorqueRow> rows;
