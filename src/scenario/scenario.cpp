@@ -21,9 +21,9 @@
 #include "scenario/detail/schema_table.hpp"
 #include "scenario/ensemble/ensemble_plan.hpp"
 #include "scenario/fit/fit_plan.hpp"
-#include "scenario/map_plan.hpp"
 #include "scenario/scenario_parts.hpp"
 #include "scenario/tables/head.hpp"
+#include "scenario/tables/map.hpp"
 #include "scenario/value_access.hpp"
 #include "scenario/values.hpp"
 #include "text/file_bytes.hpp"
@@ -192,7 +192,7 @@ Scenario scenario_from_text(std::string_view text, const std::string& path, cons
   output.options = detail::format_options_of({read.values, document.units, path}, kinds.formats());
   std::optional<MapPlan> map;
   if (has(read.values, "map"))
-    map = detail::map_plan({{read.values, document.units, path}, kinds.charts()}, made->experiment);
+    map = detail::map_plan({read.values, document.units, path}, kinds.charts(), made->experiment);
   std::optional<EnsemblePlan> ensemble;
   if (has(read.values, "ensemble"))
     ensemble = detail::ensemble_plan({read.values, document.units, path}, made->experiment);

@@ -4,6 +4,7 @@
 // reads it from the values of a file and knows where each member stands, for errors.
 #pragma once
 
+#include <cstdint>
 #include <deque>
 #include <span>
 #include <stdexcept>
@@ -94,6 +95,12 @@ class Placed {
   }
   [[noreturn]] void refuse(std::string_view message) const {
     detail::refuse(at_.values(), at_.path(), at_.file(), message);
+  }
+  // Refuses a whole number that is not "from 1 to 1e6".
+  template <auto member>
+  void require_whole(std::int64_t least, std::int64_t most, std::string_view range) const {
+    if (arguments_.*member < least || arguments_.*member > most)
+      refuse<member>("expected a whole number " + std::string(range));
   }
   // What a constructor of the library refuses becomes a message at the place of the member, or of
   // the table.

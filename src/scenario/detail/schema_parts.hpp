@@ -25,8 +25,6 @@ struct DescribedParts {
   SchemaPart orbits;
   SchemaPart frames;
 };
-SchemaPart map_keys();
-SchemaPart ensemble_keys();
 SchemaPart planet_keys();
 SchemaPart observation_keys();
 SchemaPart fit_keys();

@@ -34,7 +34,7 @@ bool is_torque_key(const std::string& key) {
 }
 
 void add_parameter(const FileValues& at, const std::string& path, FitPlan& plan) {
-  const VariedNumbers found = varied_numbers({at.values, at.units, at.name}, path);
+  const VariedNumbers found = varied_numbers({at.values, at.units, path, at.name}, "key");
   const std::string key = found.keys.front(), own = path + ".key";
   if (!is_torque_key(key))
     refuse(at.values, own, at.name,

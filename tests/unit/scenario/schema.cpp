@@ -15,6 +15,8 @@
 #include "polhode/scenario/fit_plan.hpp"
 #include "polhode/scenario/scenario.hpp"
 #include "scenario/detail/schema_table.hpp"
+#include "scenario/tables/body.hpp"
+#include "scenario/tables/time.hpp"
 #include "scenario/values.hpp"
 #include "worst.hpp"
 

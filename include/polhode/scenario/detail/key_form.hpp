@@ -162,6 +162,9 @@ template <auto at, auto... enumerators>
 concept HoldsEach = sizeof...(enumerators) > 0 &&
                     std::is_enum_v<typename Plain<Member<at>>::type> &&
                     (Holds<at, std::remove_cv_t<decltype(enumerators)>> && ...);
+template <auto at, auto... enumerators>
+concept HoldsEachOfList = sizeof...(enumerators) > 0 &&
+                          (std::same_as<Member<at>, std::vector<decltype(enumerators)>> && ...);
 template <class A, auto at>
 concept HasMember = std::derived_from<A, Owner<at>>;
 

@@ -1,25 +1,23 @@
 // SPDX-License-Identifier: MIT
-// From the values of a file to its [map].
+// [map] and [[map.axis]]: one run for every cell of a grid.
 #pragma once
 
 #include <span>
-#include <string>
 
 #include "polhode/scenario/scenario.hpp"
-#include "scenario/values.hpp"
+#include "scenario/table.hpp"
 
 namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-// Where [map] is read.
-struct MapContext : FileValues {
-  std::span<const ChartKind> charts;
-};
+SchemaPart map_keys();
 // ScenarioError at the place of what is wrong, and for an experiment that no map wraps.
-MapPlan map_plan(const MapContext& at, const Experiment& experiment);
+MapPlan map_plan(const FileValues& file, std::span<const ChartKind> charts,
+                 const Experiment& experiment);
 // What the plan asks of the experiment of a cell, whose numbers are others.
-void require_map(const MapContext& at, const Experiment& experiment);
+void require_map(const FileValues& file, std::span<const ChartKind> charts,
+                 const Experiment& experiment);
 
 }  // namespace detail
 }  // namespace v0
