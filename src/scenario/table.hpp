@@ -4,8 +4,8 @@
 // reads it from the values of a file and knows where each member stands, for errors.
 #pragma once
 
-#include <cstdint>
 #include <deque>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -88,19 +88,31 @@ class Placed {
     return at_.is_explicit(name<member>());
   }
 
+  // The member, if the file has the key.
+  template <auto member>
+  std::optional<Member<member>> given() const {
+    if (!is_explicit<member>()) return std::nullopt;
+    return arguments_.*member;
+  }
+
+  // What one unit is, by a key that holds a unit; 1 where it is left out.
+  template <auto member>
+  double unit(Dimension dimension) const {
+    return at_.unit(name<member>(), dimension);
+  }
+
   // "expected ..." at the place of a member, or of the table.
   template <auto member>
   [[noreturn]] void refuse(std::string_view message) const {
     at_.refuse(name<member>(), message);
   }
+  // "expected none ..." at the place of the first of these members that the file has.
+  template <auto... members>
+  void refuse_any(std::string_view message) const {
+    ((is_explicit<members>() ? refuse<members>(message) : void()), ...);
+  }
   [[noreturn]] void refuse(std::string_view message) const {
     detail::refuse(at_.values(), at_.path(), at_.file(), message);
-  }
-  // Refuses a whole number that is not "from 1 to 1e6".
-  template <auto member>
-  void require_whole(std::int64_t least, std::int64_t most, std::string_view range) const {
-    if (arguments_.*member < least || arguments_.*member > most)
-      refuse<member>("expected a whole number " + std::string(range));
   }
   // What a constructor of the library refuses becomes a message at the place of the member, or of
   // the table.

@@ -12,7 +12,7 @@
 //
 // Units       a quantity has a dimension (polhode/text/units.hpp), and A holds it in core units.
 // Domain      members: double, Vec3, std::array<double, N>, std::vector<double>, Mat3, LinearMap,
-//             SquareMatrix, NumberOrAuto, and optional ones of them; signed integers; bool; an
+//             SquareMatrix, NumberOrAuto, and optional ones of them; integers; bool; an
 //             enumeration; std::string and std::vector of it. A key
 //             without a default that is left out leaves the member as the struct has it; what
 //             `otherwise` says stands there alone.
@@ -23,7 +23,9 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -54,7 +56,7 @@ class KindKey {
     if (key_.presence == Presence::required)
       throw "a key that is required has nothing that stands for it";
     const KindKey made = with(&Key::fallback, toml);
-    return key_.example.empty() ? made.example(toml) : made;
+    return key_.example.empty() && key_.type != KeyType::table ? made.example(toml) : made;
   }
   // What `polhode init` writes, as TOML.
   consteval KindKey example(std::string_view toml) const { return with(&Key::example, toml); }
@@ -79,10 +81,26 @@ class KindKey {
     return with(&Key::allowed, integers);
   }
 
+  // The integers from `least` to `most`, which messages write as `shown`.
+  consteval KindKey from_to(std::int64_t least, std::int64_t most,
+                            std::string_view shown = {}) const {
+    if (key_.type != KeyType::integer) throw "only integers have limits";
+    KindKey made = *this;
+    made.whole_ = {least, most, shown};
+    return made;
+  }
+  // How many numbers an array has, where its member holds any number of them.
+  consteval KindKey of_length(int count) const {
+    if (key_.type != KeyType::numbers || key_.length != 0) throw "the member has a length";
+    return with(&Key::length, count);
+  }
+
   // Of numbers, all of them.
   consteval KindKey positive() const { return within(Range::positive); }
   consteval KindKey not_negative() const { return within(Range::not_negative); }
 
+  // Throws a ScenarioError at the place of a value that is out of range.
+  void check(const KeyValues& values) const { detail::require_allowed(values, key_, whole_); }
   // Writes what the table says into the arguments.
   void fill(A& arguments, const KeyValues& values) const { fill_(arguments, values, key_.path); }
   // Whether it fills this member.
@@ -110,6 +128,7 @@ class KindKey {
   }
 
   Key key_;
+  detail::WholeRange whole_;
   Fill fill_;
   const char* member_;
 };
@@ -138,11 +157,15 @@ consteval KindKey<A> table_key(std::string_view name, std::string_view help) {
                                        std::string_view key) { arguments.*at = values.has(key); });
 }
 
-// A whole number.
+// A whole number; not negative where the member has no sign.
 template <auto at, class A = detail::Owner<at>>
   requires detail::HasInteger<at> && detail::HasMember<A, at>
 consteval KindKey<A> integer_key(std::string_view name, std::string_view help) {
-  return detail::KeyMaker::key<at, A>({.path = name, .type = KeyType::integer, .help = help});
+  const KindKey<A> made =
+      detail::KeyMaker::key<at, A>({.path = name, .type = KeyType::integer, .help = help});
+  if constexpr (std::unsigned_integral<typename detail::Plain<detail::Member<at>>::type>)
+    return made.from_to(0, detail::WholeRange{}.most, "2^63 - 1");
+  return made;
 }
 
 // true or false.
@@ -152,7 +175,7 @@ consteval KindKey<A> flag_key(std::string_view name, std::string_view help) {
   return detail::KeyMaker::key<at, A>({.path = name, .type = KeyType::boolean, .help = help});
 }
 
-// One of the words "step|linear|cubic", for the enumerators in this order.
+// One of the words "step|linear|cubic", for the enumerators, or for false and true, in this order.
 template <auto at, class A, auto... enumerators>
   requires detail::HoldsEach<at, enumerators...> && detail::HasMember<A, at>
 consteval KindKey<A> choice_key(std::string_view name, std::string_view words,
@@ -287,7 +310,7 @@ template <class A>
 A arguments(std::span<const KindKey<A>> keys, const KeyValues& values) {
   A made{};
   for (const KindKey<A>& one : keys) {
-    detail::require_allowed(values, one.key());
+    one.check(values);
     one.fill(made, values);
   }
   return made;

@@ -15,17 +15,14 @@ inline namespace v0 {
 namespace detail {
 
 struct HistogramTable {
-  enum class Times { last, all };
   std::string name;
   std::vector<std::string> columns;
   std::int64_t bins = 1;
   std::optional<std::vector<double>> low, high;
-  Times times = Times::last;
+  bool at_all_times = false;
 };
 
 namespace {
-
-constexpr std::int64_t most_histogram_bins = 10'000;  // along each of its columns
 
 constexpr std::array keys_of_fraction = {
     name_key<&EnsembleFraction::name>("name", "What outputs call it.")
@@ -51,6 +48,7 @@ constexpr std::array keys_of_histogram = {
         .required()
         .example("[\"P_phi\", \"body.moments[0]\"]"),
     integer_key<&HistogramTable::bins>("bins", "Between low and high of each column, up to 1e4.")
+        .from_to(1, 10'000, "1e4")
         .otherwise("40"),
     quantity_key<&HistogramTable::low>(
         "low", Dimension::number,
@@ -59,7 +57,7 @@ constexpr std::array keys_of_histogram = {
         "it on either side.")
         .example("[200, 0.5]"),
     quantity_key<&HistogramTable::high>("high", Dimension::number, "As low.").example("[320, 0.7]"),
-    choice_key<&HistogramTable::times, HistogramTable::Times::last, HistogramTable::Times::all>(
+    choice_key<&HistogramTable::at_all_times, false, true>(
         "times", "last|all", "Of the last time of [time], or of each of them.")
         .otherwise("\"last\""),
 };
@@ -103,8 +101,7 @@ EnsembleHistogram histogram_of(const Placed<HistogramTable>& from) {
   const std::vector<std::string>& columns = from->columns;
   if (columns.size() > 2 || (columns.size() == 2 && columns[0] == columns[1]))
     from.refuse<&HistogramTable::columns>("expected one column or two different ones");
-  from.require_whole<&HistogramTable::bins>(1, most_histogram_bins, "from 1 to 1e4");
-  EnsembleHistogram made{from->name, {}, from->times == HistogramTable::Times::all};
+  EnsembleHistogram made{from->name, {}, from->at_all_times};
   for (const std::string& column : columns) made.axes.push_back({column, from->bins, std::nullopt});
   if (!from->low && !from->high) return made;
   const std::vector<double>& low = bounds_of<&HistogramTable::low>(from);

@@ -21,11 +21,12 @@ namespace detail {
 
 namespace {
 
-constexpr std::int64_t most_members = 1'000'000'000'000, most_bins = 1'000'000;
+constexpr std::int64_t most_bins = 1'000'000;
 constexpr std::int64_t largest_chunk = 1024, chunks = 64;  // where the file names none
 
 struct EnsembleTable {
-  std::int64_t size = 1, seed = 1;
+  std::int64_t size = 1;
+  std::uint64_t seed = 1;
   DrawSource draws = DrawSource::random;
   EnsembleKeep keep = EnsembleKeep::statistics;
   std::vector<double> quantiles;
@@ -36,6 +37,7 @@ struct EnsembleTable {
 
 constexpr std::array keys_of_ensemble = {
     integer_key<&EnsembleTable::size>("size", "How many members, up to 1e12.")
+        .from_to(1, 1'000'000'000'000, "1e12")
         .required()
         .example("10000"),
     integer_key<&EnsembleTable::seed>("seed", "Another seed draws other members.").otherwise("1"),
@@ -57,12 +59,14 @@ constexpr std::array keys_of_ensemble = {
         "bins",
         "How many bins quantiles come from where there are too many numbers to keep "
         "(more than 8e6, members times rows times columns), up to 1e6.")
+        .from_to(1, most_bins, "1e6")
         .otherwise("256"),
     integer_key<&EnsembleTable::chunk>(
         "chunk",
         "Members that are reduced together by one thread. The last digits of statistics "
         "depend on it, and on nothing else of how an ensemble is run. Left out: a 64th of "
         "size, 1 at least and 1024 at most.")
+        .from_to(1, most_bins, "1e6")
         .example("1024"),
     choices_key<&EnsembleTable::indicators, EnsembleIndicator::mean_megno,
                 EnsembleIndicator::lyapunov>(
@@ -178,27 +182,23 @@ SchemaPart ensemble_keys() {
   return rows.part();
 }
 
-EnsemblePlan ensemble_plan(const FileValues& file, const Experiment& experiment) {
+std::optional<EnsemblePlan> ensemble_plan(const FileValues& file, const Experiment& experiment) {
   const Placed<EnsembleTable> table(ensemble_description, file);
+  if (!table.is_there()) return std::nullopt;
   if (!rows_of(experiment)) table.refuse("expected a table [time] as well");
-  table.require_whole<&EnsembleTable::size>(1, most_members, "from 1 to 1e12");
-  table.require_whole<&EnsembleTable::seed>(0, INT64_MAX, "from 0 to 2^63 - 1");
-  if (table->chunk) table.require_whole<&EnsembleTable::chunk>(1, most_bins, "from 1 to 1e6");
   const std::int64_t size = table->size;
-  const auto seed = static_cast<std::uint64_t>(table->seed);
   AllVaried varied(file);
-  Draws draws = table.built([&] { return Draws(varied.draws(), seed, table->draws); });
+  Draws draws = table.built([&] { return Draws(varied.draws(), table->seed, table->draws); });
   if (static_cast<std::uint64_t>(size) > draws.most_members())
     table.refuse<&EnsembleTable::size>(
         "expected at most " + std::to_string(draws.most_members()) +
         ", the rows of the shortest table; with order = \"draws\" there may be more");
   require_quantiles(table);
-  table.require_whole<&EnsembleTable::bins>(1, most_bins, "from 1 to 1e6");
   std::vector<EnsembleFraction> fractions = fractions_of(file);
   require_indicators(table, experiment);
-  return {
+  return EnsemblePlan{
       size,
-      seed,
+      table->seed,
       table->draws,
       table->keep,
       table->chunk.value_or(std::clamp((size + chunks - 1) / chunks, INT64_C(1), largest_chunk)),

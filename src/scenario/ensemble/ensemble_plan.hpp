@@ -14,8 +14,8 @@ inline namespace v0 {
 namespace detail {
 
 SchemaPart ensemble_keys();
-// ScenarioError at the place of what is wrong.
-EnsemblePlan ensemble_plan(const FileValues& file, const Experiment& experiment);
+// None without [ensemble]. ScenarioError at the place of what is wrong.
+std::optional<EnsemblePlan> ensemble_plan(const FileValues& file, const Experiment& experiment);
 // The text of a scenario with the numbers of a member in place of its own and without [ensemble].
 // DomainError if the text cannot be changed so that it holds them.
 std::string member_text(const Scenario& scenario, std::int64_t index);

@@ -21,10 +21,9 @@ namespace detail {
 namespace {
 
 constexpr std::array keys_of_vary = {
-    choice_key<&VaryTable::kind, VaryTable::Kind::normal, VaryTable::Kind::uniform,
-               VaryTable::Kind::log_uniform, VaryTable::Kind::joint_normal,
-               VaryTable::Kind::direction, VaryTable::Kind::attitude, VaryTable::Kind::grid,
-               VaryTable::Kind::table>(
+    choice_key<&VaryTable::kind, VaryKind::normal, VaryKind::uniform, VaryKind::log_uniform,
+               VaryKind::joint_normal, VaryKind::direction, VaryKind::attitude, VaryKind::grid,
+               VaryKind::table>(
         "kind", "normal|uniform|log-uniform|joint-normal|direction|attitude|grid|table",
         "The distribution. All numbers of the table are in the units that the keys have in "
         "this file: their own, where they were written with one, or those of [units].")
@@ -188,22 +187,22 @@ class Drawn {
 
   VariedTable made() const {
     switch (from_->kind) {
-      case VaryTable::Kind::normal:
+      case VaryKind::normal:
         return normal();
-      case VaryTable::Kind::uniform:
+      case VaryKind::uniform:
         return between<Uniform>("uniform");
-      case VaryTable::Kind::log_uniform:
+      case VaryKind::log_uniform:
         return between<LogUniform>("log-uniform");
-      case VaryTable::Kind::joint_normal:
+      case VaryKind::joint_normal:
         return joint_normal();
-      case VaryTable::Kind::direction:
+      case VaryKind::direction:
         return direction();
-      case VaryTable::Kind::attitude:
+      case VaryKind::attitude:
         require_keys(4, "the four components of a quaternion");
         return one("attitude, all alike", UniformAttitude());
-      case VaryTable::Kind::grid:
+      case VaryKind::grid:
         return grid();
-      case VaryTable::Kind::table:
+      case VaryKind::table:
         return table();
     }
     throw std::logic_error("ensemble.vary: a kind without a distribution");

@@ -17,17 +17,19 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
+enum class VaryKind {
+  normal,
+  uniform,
+  log_uniform,
+  joint_normal,
+  direction,
+  attitude,
+  grid,
+  table
+};
+
 struct VaryTable {
-  enum class Kind {
-    normal,
-    uniform,
-    log_uniform,
-    joint_normal,
-    direction,
-    attitude,
-    grid,
-    table
-  } kind = Kind::normal;
+  VaryKind kind = VaryKind::normal;
   std::string key;                // of kinds that draw one number
   std::vector<std::string> keys;  // of those that draw several
   std::optional<double> mean, low, high;

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
+#include <string>
 
 #include "polhode/scenario/detail/key_form.hpp"
 #include "polhode/scenario/schema.hpp"
@@ -80,12 +82,18 @@ LinearMap KeyForm<LinearMap>::read(const KeyValues& at, std::string_view key) {
   return {KeyForm<Mat3>::read(at, key), false};
 }
 
-void require_allowed(const KeyValues& at, const Key& key) {
+void require_allowed(const KeyValues& at, const Key& key, const WholeRange& whole) {
   if (!at.has(key.path)) return;
   const std::string path = at.key_path(key.path);
   if (at.is_explicit(key.path) && is_unused(at.values(), value_at(at.values(), path), path))
     at.refuse(key.path, "expected it to be left out with " + std::string(key.unused_with));
   require_range(at.values(), path, at.file());
+  if (key.type != KeyType::integer) return;
+  const std::int64_t n = at.integer(key.path);
+  if (n < whole.least || n > whole.most)
+    at.refuse(key.path,
+              "expected a whole number from " + std::to_string(whole.least) + " to " +
+                  (whole.shown.empty() ? std::to_string(whole.most) : std::string(whole.shown)));
 }
 
 }  // namespace detail

@@ -103,6 +103,7 @@ constexpr std::array keys_of_axis = {
         .example("0"),
     quantity_key<&MapAxis::to>("to", Dimension::number, "Its last value.").required().example("1"),
     integer_key<&MapAxis::count>("count", "How many values, both ends included; 1 takes from.")
+        .from_to(1, most_cells, "1e9")
         .required()
         .example("11"),
 };
@@ -125,7 +126,6 @@ MapAxis axis_of(const Placed<MapAxis>& from) {
         "state.euler.theta or planet.pole.dec" +
         did_you_mean(axis.key, known));
   }
-  from.require_whole<&MapAxis::count>(1, most_cells, "from 1 to 1e9");
   axis.unit = unit_in_file(value_at(values, place->path), place->index, from.at().units());
   return axis;
 }
@@ -148,17 +148,12 @@ std::string column_of(const Placed<MapTable>& map, const System& system,
   return column;
 }
 
-template <auto... members>
-void require_left_out(const Placed<MapTable>& map, std::string_view message) {
-  (..., (map.is_explicit<members>() ? map.refuse<members>(message) : void()));
-}
-
 SectionSurface surface_of(const Placed<MapTable>& map) {
   if (map->angle) {
-    require_left_out<&MapTable::epoch>(map, "expected only with period");
+    map.refuse_any<&MapTable::epoch>("expected only with period");
     return AndoyerSurface{*map->angle, map->value, map->crossing};
   }
-  require_left_out<&MapTable::value, &MapTable::crossing>(map, "expected only with angle");
+  map.refuse_any<&MapTable::value, &MapTable::crossing>("expected only with angle");
   return Strobe{*map->period, map->epoch};
 }
 
@@ -250,9 +245,10 @@ SchemaPart map_keys() {
   return rows.part();
 }
 
-MapPlan map_plan(const FileValues& file, std::span<const ChartKind> charts,
-                 const Experiment& experiment) {
+std::optional<MapPlan> map_plan(const FileValues& file, std::span<const ChartKind> charts,
+                                const Experiment& experiment) {
   const Placed<MapTable> map(map_description, file);
+  if (!map.is_there()) return std::nullopt;
   MapPlan plan = without_axes(map, charts, experiment);
   double cells = 1.0;
   for (const Placed<MapAxis>& one : placed_tables(axis_description, file)) {

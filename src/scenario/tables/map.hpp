@@ -12,9 +12,10 @@ inline namespace v0 {
 namespace detail {
 
 SchemaPart map_keys();
-// ScenarioError at the place of what is wrong, and for an experiment that no map wraps.
-MapPlan map_plan(const FileValues& file, std::span<const ChartKind> charts,
-                 const Experiment& experiment);
+// None without [map]. ScenarioError at the place of what is wrong, and for an experiment that no
+// map wraps.
+std::optional<MapPlan> map_plan(const FileValues& file, std::span<const ChartKind> charts,
+                                const Experiment& experiment);
 // What the plan asks of the experiment of a cell, whose numbers are others.
 void require_map(const FileValues& file, std::span<const ChartKind> charts,
                  const Experiment& experiment);

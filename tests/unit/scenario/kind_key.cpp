@@ -109,16 +109,17 @@ concept WithEmptyWord = requires {
 template <auto at>
 concept ChoiceOfNumbers =
     requires { typename std::bool_constant<(choice_key<at, 0, 1>("r", "a|b", "A."), true)>; };
+static_assert(Choice<Sense::forward, Sense::backward>);
+static_assert(!Choice<Sense::forward> && !Choice<> && !Choice<0, 1>);
+static_assert(!WithOneWord<&Arguments::sense> && !WithEmptyWord<&Arguments::sense>);
+static_assert(!ChoiceOfNumbers<&Arguments::whole>);
 template <auto... enumerators>
 concept Choices = requires {
   typename std::bool_constant<(
       choices_key<&Arguments::senses, enumerators...>("r", "forward|backward", "A."), true)>;
 };
-static_assert(Choice<Sense::forward, Sense::backward> && Choices<Sense::forward, Sense::backward>);
+static_assert(Choices<Sense::forward, Sense::backward>);
 static_assert(!Choices<Sense::forward> && !Choices<0, 1>);
-static_assert(!Choice<Sense::forward> && !Choice<> && !Choice<0, 1>);
-static_assert(!WithOneWord<&Arguments::sense> && !WithEmptyWord<&Arguments::sense>);
-static_assert(!ChoiceOfNumbers<&Arguments::whole>);
 
 // A range belongs to numbers, and nothing stands for what is required.
 template <auto at>

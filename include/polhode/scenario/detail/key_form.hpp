@@ -5,6 +5,8 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -121,7 +123,7 @@ struct KeyForm<NumberOrAuto> {
     return {at.number(key), !at.words(key).empty()};
   }
 };
-template <std::signed_integral Whole>
+template <std::integral Whole>
 struct KeyForm<Whole> {
   static Whole read(const KeyValues& at, std::string_view key) {
     return static_cast<Whole>(at.integer(key));
@@ -157,16 +159,18 @@ concept Holds = std::same_as<typename Plain<Member<at>>::type, T>;
 template <auto at>
 concept HasNumbers = requires { KeyFormOf<at>::length; };
 template <auto at>
-concept HasInteger = std::signed_integral<typename Plain<Member<at>>::type>;
+concept HasInteger = std::integral<typename Plain<Member<at>>::type> && !Holds<at, bool>;
 template <auto at, auto... enumerators>
 concept HoldsEach = sizeof...(enumerators) > 0 &&
-                    std::is_enum_v<typename Plain<Member<at>>::type> &&
-                    (Holds<at, std::remove_cv_t<decltype(enumerators)>> && ...);
+                    (std::is_enum_v<typename Plain<Member<at>>::type> ||
+                     Holds<at, bool>)&&(Holds<at, std::remove_cv_t<decltype(enumerators)>>&&...);
+template <class A, auto at>
+concept HasMember = std::derived_from<A, Owner<at>>;
+
+// A member that holds any number of these enumerators.
 template <auto at, auto... enumerators>
 concept HoldsEachOfList = sizeof...(enumerators) > 0 &&
                           (std::same_as<Member<at>, std::vector<decltype(enumerators)>> && ...);
-template <class A, auto at>
-concept HasMember = std::derived_from<A, Owner<at>>;
 
 // Its address stands for the member.
 template <auto at>
@@ -209,9 +213,16 @@ struct KeyMaker {
   }
 };
 
+// The integers that a key may have.
+struct WholeRange {
+  std::int64_t least = std::numeric_limits<std::int64_t>::min();
+  std::int64_t most = std::numeric_limits<std::int64_t>::max();
+  std::string_view shown = {};  // the greatest, in messages
+};
+
 // Throws a ScenarioError at the place of a number outside, and of a key that is left out with
 // another.
-void require_allowed(const KeyValues& at, const Key& key);
+void require_allowed(const KeyValues& at, const Key& key, const WholeRange& whole = {});
 
 }  // namespace detail
 }  // namespace v0
