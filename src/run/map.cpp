@@ -25,9 +25,9 @@
 #include "polhode/error.hpp"
 #include "polhode/output/columns.hpp"
 #include "polhode/scenario/obliquity.hpp"
-#include "scenario/map_plan.hpp"
 #include "scenario/prepared_base.hpp"
 #include "scenario/scenario_parts.hpp"
+#include "scenario/tables/map.hpp"
 #include "scenario/values.hpp"
 
 namespace polhode {
@@ -359,7 +359,7 @@ MapCell ScenarioMap::cell(std::int64_t index, const Progress& progress) const {
   try {
     const Experiment experiment = parts_->base.experiment(axis_values(index));
     const std::span<const ChartKind> charts = of.kinds->charts();
-    detail::require_map({{of.checked->values, of.units, of.path}, charts}, experiment);
+    detail::require_map(detail::file_values(of), charts, experiment);
     return std::visit(
         [&](const auto& made) {
           return detail::map_cell(made, {plan(), of.units, charts}, progress);

@@ -49,10 +49,8 @@ Experiment PreparedBase::experiment(std::span<const double> numbers) const {
   for (std::size_t i = 0; i < locations_.size(); ++i) {
     Value& value = values->find(locations_[i].path)->second;
     const std::string& unit = value.units[locations_[i].index];
-    const Units& units = scenario_.document.units;
-    const Dimension dimension = value.key->dimension;
-    value.numbers[locations_[i].index] = unit.empty() ? units.to_core(numbers[i], dimension)
-                                                      : units.to_core(numbers[i], unit, dimension);
+    value.numbers[locations_[i].index] =
+        to_core(value, locations_[i].index, numbers[i], scenario_.document.units);
     value.shown = number_text(numbers[i]) + (unit.empty() ? "" : " " + unit);
     value.is_explicit = true;
   }

@@ -21,9 +21,9 @@
 #include "scenario/detail/schema_table.hpp"
 #include "scenario/ensemble/ensemble_plan.hpp"
 #include "scenario/fit/fit_plan.hpp"
-#include "scenario/map_plan.hpp"
 #include "scenario/scenario_parts.hpp"
 #include "scenario/tables/head.hpp"
+#include "scenario/tables/map.hpp"
 #include "scenario/value_access.hpp"
 #include "scenario/values.hpp"
 #include "text/file_bytes.hpp"
@@ -186,19 +186,16 @@ void add_equal_variables(const Values& values, const ChartKind& chart,
 Scenario scenario_from_text(std::string_view text, const std::string& path, const Kinds& kinds) {
   detail::ReadFile read = read_file(text, path, kinds);
   Document document = document_of(text, path, kinds, read);
-  OutputPlan output = output_of({read.values, document.units, path}, kinds.formats());
+  const detail::FileValues file{read.values, document.units, path};
+  OutputPlan output = output_of(file, kinds.formats());
   const auto made = std::make_shared<const detail::MadeExperiment>(
-      detail::made_experiment({{read.values, document.units, path}, kinds, output}));
-  output.options = detail::format_options_of({read.values, document.units, path}, kinds.formats());
-  std::optional<MapPlan> map;
-  if (has(read.values, "map"))
-    map = detail::map_plan({{read.values, document.units, path}, kinds.charts()}, made->experiment);
-  std::optional<EnsemblePlan> ensemble;
-  if (has(read.values, "ensemble"))
-    ensemble = detail::ensemble_plan({read.values, document.units, path}, made->experiment);
+      detail::made_experiment({file, kinds, output}));
+  output.options = detail::format_options_of(file, kinds.formats());
+  std::optional<MapPlan> map = detail::map_plan(file, kinds.charts(), made->experiment);
+  std::optional<EnsemblePlan> ensemble = detail::ensemble_plan(file, made->experiment);
   if (document.kind == "fit")
-    read.fit = std::make_shared<const FitPlan>(detail::fit_plan(
-        {read.values, document.units, path}, detail::rotation_of(made->experiment)));
+    read.fit = std::make_shared<const FitPlan>(
+        detail::fit_plan(file, detail::rotation_of(made->experiment)));
   read.made = made;
   document.checked = std::make_shared<const detail::ReadFile>(std::move(read));
   return {std::move(document), made->experiment, std::move(output), std::move(map),

@@ -116,11 +116,6 @@ void check_damper(const Rotation& rotation, const OutputPlan& output, const File
 
 }  // namespace
 
-Crossing crossing_of(const std::string& word) {
-  if (word == "both") return Crossing::both;
-  return word == "rising" ? Crossing::rising : Crossing::falling;
-}
-
 void refuse_method(const FileValues& file, std::string_view message) {
   refuse(file.values, "method.kind", file.name, message);
 }

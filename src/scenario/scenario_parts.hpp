@@ -33,7 +33,6 @@ std::vector<ScenarioFile> files_of(const Values& values, const std::string& name
 // The orbit whose name the value at `path` is.
 const ScenarioOrbit& orbit_named(const std::vector<ScenarioOrbit>& orbits, const Values& values,
                                  const std::string& path, const std::string& name);
-Crossing crossing_of(const std::string& word);
 std::optional<Method> method_of(const KindContext& at);
 // At the place of its kind.
 [[noreturn]] void refuse_method(const FileValues& file, std::string_view message);
@@ -41,6 +40,8 @@ std::optional<Method> method_of(const KindContext& at);
 FormatOptions format_options_of(const FileValues& file, const OutputFormats& formats);
 // Fills in frame, frame_text and precession; the orbits are there.
 void add_frame(Rotation& rotation, const KindContext& at);
+// The times of its rows, of any kind.
+const std::optional<SaveAt>& rows_of(const Experiment& experiment);
 // DomainError where the kind is another than "rotation".
 const Rotation& rotation_of(const Experiment& experiment);
 // The energy where it starts; 0 where a term has none.

@@ -178,9 +178,11 @@ const Rotation& detail::rotation_of(const Experiment& experiment) {
 
 const Rotation& Scenario::rotation() const { return detail::rotation_of(experiment); }
 
+const std::optional<SaveAt>& detail::rows_of(const Experiment& experiment) {
+  return std::visit([](const auto& kind) -> const auto& { return row_times(kind); }, experiment);
+}
 const std::optional<SaveAt>& row_times(const Scenario& scenario) {
-  return std::visit([](const auto& kind) -> const auto& { return row_times(kind); },
-                    scenario.experiment);
+  return detail::rows_of(scenario.experiment);
 }
 bool has_events(const Scenario& scenario) {
   return std::visit([](const auto& kind) { return has_events(kind); }, scenario.experiment);

@@ -192,6 +192,21 @@ std::vector<NumberLocation> number_locations(const Values& values, std::string_v
   return all;
 }
 
+std::string unit_in_file(const Value& value, std::size_t index, const Units& units) {
+  const std::string& own = value.units[index];
+  return own.empty() ? units.label(value.key->dimension) : own;
+}
+double number_in_file(const Value& value, std::size_t index, const Units& units) {
+  const double core = value.numbers[index];
+  return value.units[index].empty() ? units.from_core(core, value.key->dimension)
+                                    : core / to_core(value, index, 1.0, units);
+}
+double to_core(const Value& value, std::size_t index, double in_file, const Units& units) {
+  const std::string& own = value.units[index];
+  return own.empty() ? units.to_core(in_file, value.key->dimension)
+                     : units.to_core(in_file, own, value.key->dimension);
+}
+
 std::vector<std::string> number_keys(const Values& values, std::string_view key) {
   std::string index = "[0]";
   if (key.ends_with("]")) index = key.substr(std::min(key.rfind('['), key.size()));

@@ -32,6 +32,12 @@ std::vector<NumberLocation> number_locations(const Values& values, std::string_v
 // is near to a key that is none.
 std::vector<std::string> number_keys(const Values& values, std::string_view key);
 
+// A number of a value as the file has it: its unit, its own or that of [units], and the number in
+// this unit; and back, into core units.
+std::string unit_in_file(const Value& value, std::size_t index, const Units& units);
+double number_in_file(const Value& value, std::size_t index, const Units& units);
+double to_core(const Value& value, std::size_t index, double in_file, const Units& units);
+
 // Whether a value is one number or an array of them.
 bool is_number(const Value& value);
 

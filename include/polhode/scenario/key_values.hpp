@@ -42,8 +42,9 @@ class KeyValues {
   // Text, a name, a unit or a choice; the words of an array.
   const std::string& word(std::string_view key) const;
   const std::vector<std::string>& words(std::string_view key) const;
-  // The place of the word of a choice among those allowed.
+  // The place of the word of a choice among those allowed; of each word of several.
   std::size_t choice(std::string_view key) const;
+  std::vector<std::size_t> choices(std::string_view key) const;
   bool flag(std::string_view key) const;
   std::int64_t integer(std::string_view key) const;
   // Where the file is that the key names.

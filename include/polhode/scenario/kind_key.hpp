@@ -195,6 +195,23 @@ consteval KindKey<detail::Owner<at>> choice_key(std::string_view name, std::stri
   return choice_key<at, detail::Owner<at>, enumerators...>(name, words, help);
 }
 
+// Several of these words, none twice.
+template <auto at, auto... enumerators>
+  requires detail::HoldsEachOfList<at, enumerators...>
+consteval KindKey<detail::Owner<at>> choices_key(std::string_view name, std::string_view words,
+                                                 std::string_view help) {
+  using A = detail::Owner<at>;
+  detail::require_choice(words, sizeof...(enumerators));
+  return detail::KeyMaker::key<at, A>(
+      {.path = name, .type = KeyType::choices, .allowed = words, .help = help},
+      [](A& arguments, const KeyValues& values, std::string_view key) {
+        constexpr std::array all = {enumerators...};
+        if (!values.has(key)) return;
+        for (const std::size_t place : values.choices(key))
+          (arguments.*at).push_back(all.at(place));
+      });
+}
+
 // One of the words, as text; several of them, none twice.
 template <auto at, class A = detail::Owner<at>>
   requires detail::Holds<at, std::string> && detail::HasMember<A, at>

@@ -56,8 +56,6 @@ struct MemberNumber {
 // Of a column but t and dates, of q too, or of a key; none where nothing is called so.
 std::optional<MemberNumber> member_number(const ScenarioEnsemble& ensemble,
                                           const std::string& name);
-// ScenarioError at the place of a fraction or a histogram of what is not there.
-void require_known_columns(const ScenarioEnsemble& ensemble);
 
 }  // namespace detail
 }  // namespace v0

@@ -25,8 +25,6 @@ struct DescribedParts {
   SchemaPart orbits;
   SchemaPart frames;
 };
-SchemaPart map_keys();
-SchemaPart ensemble_keys();
 SchemaPart observation_keys();
 
 }  // namespace detail

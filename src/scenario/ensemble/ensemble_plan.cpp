@@ -3,6 +3,7 @@
 #include "scenario/ensemble/ensemble_plan.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <string_view>
@@ -10,9 +11,9 @@
 #include <vector>
 
 #include "polhode/error.hpp"
+#include "scenario/ensemble/counts.hpp"
 #include "scenario/ensemble/vary.hpp"
 #include "scenario/scenario_parts.hpp"
-#include "scenario/value_access.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -20,58 +21,66 @@ namespace detail {
 
 namespace {
 
-constexpr std::int64_t most_histogram_bins = 10'000;  // along each of its columns
+constexpr std::int64_t most_bins = 1'000'000;
+constexpr std::int64_t largest_chunk = 1024, chunks = 64;  // where the file names none
 
-// Of tables of one sort: no two are called the same.
-class Names {
- public:
-  std::string of(const FileValues& at, const std::string& path) {
-    const std::string& name = word(at.values, path + ".name");
-    if (std::find(taken_.begin(), taken_.end(), name) != taken_.end())
-      refuse(at.values, path + ".name", at.name,
-             "expected a name of its own, since another table before it has this one");
-    taken_.push_back(name);
-    return name;
-  }
-
- private:
-  std::vector<std::string> taken_;
+struct EnsembleTable {
+  std::int64_t size = 1;
+  std::uint64_t seed = 1;
+  DrawSource draws = DrawSource::random;
+  EnsembleKeep keep = EnsembleKeep::statistics;
+  std::vector<double> quantiles;
+  std::int64_t bins = 1;
+  std::optional<std::int64_t> chunk;
+  std::vector<EnsembleIndicator> indicators;
 };
 
-std::optional<double> bound_of(const FileValues& at, const std::string& path) {
-  return has(at.values, path) ? std::optional(number(at.values, path)) : std::nullopt;
-}
-
-const std::vector<double>& bounds_of(const FileValues& at, const std::string& path,
-                                     std::size_t columns) {
-  if (!has(at.values, path))
-    refuse(at.values, path, at.name, "expected low and high, or neither of them");
-  const std::vector<double>& all = value_at(at.values, path).numbers;
-  if (all.size() != columns)
-    refuse(at.values, path, at.name,
-           columns == 1 ? "expected one number, for the one column"
-                        : "expected two numbers, one for each of columns");
-  return all;
-}
-
-EnsembleHistogram histogram_of(const FileValues& at, const std::string& path, Names& names) {
-  EnsembleHistogram made{names.of(at, path), {}, word(at.values, path + ".times") == "all"};
-  const std::vector<std::string>& columns = value_at(at.values, path + ".columns").words;
-  if (columns.size() > 2 || (columns.size() == 2 && columns[0] == columns[1]))
-    refuse(at.values, path + ".columns", at.name, "expected one column or two different ones");
-  const std::int64_t bins = value_at(at.values, path + ".bins").whole;
-  if (bins < 1 || bins > most_histogram_bins)
-    refuse(at.values, path + ".bins", at.name, "expected a whole number from 1 to 1e4");
-  for (const std::string& column : columns) made.axes.push_back({column, bins, std::nullopt});
-  if (!has(at.values, path + ".low") && !has(at.values, path + ".high")) return made;
-  const std::vector<double>& low = bounds_of(at, path + ".low", columns.size());
-  const std::vector<double>& high = bounds_of(at, path + ".high", columns.size());
-  for (std::size_t i = 0; i < columns.size(); ++i) {
-    if (!(low[i] < high[i])) refuse(at.values, path + ".low", at.name, "expected less than high");
-    made.axes[i].bounds = {low[i], high[i]};
-  }
-  return made;
-}
+constexpr std::array keys_of_ensemble = {
+    integer_key<&EnsembleTable::size>("size", "How many members, up to 1e12.")
+        .from_to(1, 1'000'000'000'000, "1e12")
+        .required()
+        .example("10000"),
+    integer_key<&EnsembleTable::seed>("seed", "Another seed draws other members.").otherwise("1"),
+    choice_key<&EnsembleTable::draws, DrawSource::random, DrawSource::sobol>(
+        "draws", "random|sobol",
+        "Random numbers, or Sobol's points, over which means settle faster.")
+        .otherwise("\"random\""),
+    choice_key<&EnsembleTable::keep, EnsembleKeep::statistics, EnsembleKeep::final,
+               EnsembleKeep::rows>(
+        "keep", "statistics|final|rows",
+        "What is written: statistics of the members at each time of [time]; one row for each "
+        "member, with what was drawn and its last row; or all rows of all members.")
+        .otherwise("\"statistics\""),
+    quantity_key<&EnsembleTable::quantiles>(
+        "quantiles", Dimension::number,
+        "Which quantiles of each column statistics have, from 0 to 1.")
+        .otherwise("[0.05, 0.5, 0.95]"),
+    integer_key<&EnsembleTable::bins>(
+        "bins",
+        "How many bins quantiles come from where there are too many numbers to keep "
+        "(more than 8e6, members times rows times columns), up to 1e6.")
+        .from_to(1, most_bins, "1e6")
+        .otherwise("256"),
+    integer_key<&EnsembleTable::chunk>(
+        "chunk",
+        "Members that are reduced together by one thread. The last digits of statistics "
+        "depend on it, and on nothing else of how an ensemble is run. Left out: a 64th of "
+        "size, 1 at least and 1024 at most.")
+        .from_to(1, most_bins, "1e6")
+        .example("1024"),
+    choices_key<&EnsembleTable::indicators, EnsembleIndicator::mean_megno,
+                EnsembleIndicator::lyapunov>(
+        "indicators", "mean_megno|lyapunov",
+        "Indicators of chaos, as those of [map]: columns of the rows of each member, from "
+        "t = 0 up to the time of the row. They take two to five times as long as the rest of "
+        "a run. Of kind \"rotation\" without a damper, rows on one side of t = 0.")
+        .example("[\"mean_megno\", \"lyapunov\"]"),
+};
+constexpr Table<EnsembleTable> ensemble_description = {
+    {.path = "ensemble",
+     .help = "What `polhode ensemble` makes: many runs of this file, its members, with some of its "
+             "numbers drawn. `polhode run` takes the file as it stands."},
+    keys_of_ensemble};
 
 // Why the motion of an experiment has no indicators of chaos, as "expected " continues; empty: it
 // has.
@@ -87,66 +96,24 @@ std::string without_indicators(const Rotation& rotation) {
       return "no indicators, or times in order, away from t = 0, where they start";
   return {};
 }
-std::string without_indicators(const Obliquity&) {
+template <class Other>
+std::string without_indicators(const Other&) {
   return "no indicators, which are those of a file of kind \"rotation\"";
 }
-std::string without_indicators(const CustomExperiment&) {
-  return "no indicators, which are those of a file of kind \"rotation\"";
-}
 
-std::vector<EnsembleFraction> wanted_fractions(const FileValues& at) {
-  std::vector<EnsembleFraction> all;
-  Names names;
-  for (const std::string& path : array_paths(at.values, "ensemble.fraction")) {
-    EnsembleFraction one{names.of(at, path), word(at.values, path + ".column"),
-                         bound_of(at, path + ".low"), bound_of(at, path + ".high")};
-    if (!one.low && !one.high) refuse(at.values, path, at.name, "expected low, high or both");
-    if (one.low && one.high && !(*one.low < *one.high))
-      refuse(at.values, path + ".low", at.name, "expected less than high");
-    all.push_back(std::move(one));
-  }
-  return all;
-}
-
-std::vector<EnsembleHistogram> wanted_histograms(const FileValues& at) {
-  std::vector<EnsembleHistogram> all;
-  Names names;
-  for (const std::string& path : array_paths(at.values, "ensemble.histogram"))
-    all.push_back(histogram_of(at, path, names));
-  return all;
-}
-
-std::vector<EnsembleIndicator> wanted_indicators(const FileValues& at,
-                                                 const Experiment& experiment) {
-  const std::string path = "ensemble.indicators";
-  if (!has(at.values, path)) return {};
+void require_indicators(const Placed<EnsembleTable>& ensemble, const Experiment& experiment) {
+  if (ensemble->indicators.empty()) return;
   const std::string why =
       std::visit([](const auto& of) { return without_indicators(of); }, experiment);
-  if (!why.empty()) refuse(at.values, path, at.name, "expected " + why);
-  std::vector<EnsembleIndicator> all;
-  for (const std::string& one : value_at(at.values, path).words)
-    all.push_back(one == "lyapunov" ? EnsembleIndicator::lyapunov : EnsembleIndicator::mean_megno);
-  return all;
+  if (!why.empty()) ensemble.refuse<&EnsembleTable::indicators>("expected " + why);
 }
 
-constexpr std::int64_t most_members = 1'000'000'000'000, most_bins = 1'000'000;
-constexpr std::int64_t largest_chunk = 1024, chunks = 64;  // where the file names none
-
-std::int64_t whole_in(const FileValues& at, const std::string& path, std::int64_t least,
-                      std::int64_t most, const char* words) {
-  const std::int64_t n = value_at(at.values, path).whole;
-  if (n < least || n > most)
-    refuse(at.values, path, at.name, std::string("expected a whole number ") + words);
-  return n;
-}
-
-std::vector<double> quantiles_of(const FileValues& at) {
-  const std::string path = "ensemble.quantiles";
-  const std::vector<double>& all = value_at(at.values, path).numbers;
+void require_quantiles(const Placed<EnsembleTable>& ensemble) {
+  const std::vector<double>& all = ensemble->quantiles;
   for (std::size_t i = 0; i < all.size(); ++i)
     if (!(all[i] >= 0.0 && all[i] <= 1.0) || (i > 0 && !(all[i] > all[i - 1])))
-      refuse(at.values, path, at.name, "expected numbers from 0 to 1, each above the one before");
-  return all;
+      ensemble.refuse<&EnsembleTable::quantiles>(
+          "expected numbers from 0 to 1, each above the one before");
 }
 
 std::string joined(const std::vector<std::string>& words) {
@@ -155,112 +122,93 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
-// All tables in their order; the first grid stands for all of them.
-class Tables {
+// All tables [[ensemble.vary]] in their order; the first grid stands for all of them.
+class AllVaried {
  public:
-  explicit Tables(const FileValues& at) : at_(at) {}
-
-  void add(const std::string& path) {
-    const VariedNumbers numbers = varied_numbers(at_, path);
-    require_new(numbers, path);
-    VariedTable table = varied_table(at_, path, numbers);
-    if (table.axis) return add_axis(std::move(table), path);
-    names_.push_back({joined(numbers.keys), *std::move(table.distribution)});
-    varied_.push_back(std::move(table.varied));
+  explicit AllVaried(const FileValues& file) {
+    const std::vector<Placed<VaryTable>> tables = placed_tables(vary_description, file);
+    for (const Placed<VaryTable>& one : tables) add(one);
+    if (!axes_.empty())
+      distributions_[grid_] = tables.front().built([&] { return DrawGrid(axes_); });
   }
 
-  // The grid, with all of its axes.
-  void finish(const std::string& path) {
-    if (axes_.empty()) return;
-    names_[grid_].name = joined(varied_[grid_].keys);
-    built(at_.values, path, at_.name, [&] {
-      names_[grid_].distribution = DrawGrid(axes_);
-      return true;
-    });
+  std::vector<Varied> draws() const {
+    std::vector<Varied> all;
+    for (std::size_t i = 0; i < varied_.size(); ++i)
+      all.push_back({joined(varied_[i].keys), distributions_[i]});
+    return all;
   }
-
-  std::vector<Varied> names() { return std::move(names_); }
-  std::vector<EnsembleVaried> varied() { return std::move(varied_); }
+  std::vector<EnsembleVaried> take() { return std::move(varied_); }
 
  private:
-  void add_axis(VariedTable table, const std::string& path) {
-    if (axes_.empty()) {
-      grid_ = varied_.size();
-      names_.push_back({path, DrawGrid({*table.axis})});
-      varied_.push_back(std::move(table.varied));
-    } else {
-      EnsembleVaried& grid = varied_[grid_];
-      grid.text += "; " + table.varied.text;
-      grid.keys.push_back(table.varied.keys[0]);
-      grid.units.push_back(table.varied.units[0]);
-    }
-    axes_.push_back(*table.axis);
-  }
-
-  void require_new(const VariedNumbers& numbers, const std::string& path) {
+  void add(const Placed<VaryTable>& from) {
+    const std::string_view name =
+        from->keys.empty() ? from.name<&VaryTable::key>() : from.name<&VaryTable::keys>();
+    const VariedNumbers numbers = varied_numbers(from.at(), name);
     for (const std::string& key : numbers.keys) {
-      if (std::find(taken_.begin(), taken_.end(), key) != taken_.end())
-        refuse(at_.values, path + (has(at_.values, path + ".keys") ? ".keys" : ".key"), at_.name,
-               "expected keys that no other table varies; " + key + " comes twice");
+      if (std::ranges::find(taken_, key) != taken_.end())
+        from.at().refuse(name, "expected keys that no other table varies; " + key + " comes twice");
       taken_.push_back(key);
     }
+    VariedTable table = varied_table(from, numbers);
+    if (const auto* const grid = std::get_if<DrawGrid>(&table.distribution)) {
+      axes_.push_back(grid->axes().front());
+      if (axes_.size() > 1) return add_axis(table.varied);
+      grid_ = varied_.size();
+    }
+    varied_.push_back(std::move(table.varied));
+    distributions_.push_back(std::move(table.distribution));
   }
 
-  const FileValues& at_;
+  void add_axis(const EnsembleVaried& own) {
+    EnsembleVaried& grid = varied_[grid_];
+    grid.text += "; " + own.text;
+    grid.keys.push_back(own.keys.front());
+    grid.units.push_back(own.units.front());
+  }
+
   std::vector<std::string> taken_;
-  std::vector<Varied> names_;
   std::vector<EnsembleVaried> varied_;
+  std::vector<Distribution> distributions_;
   std::vector<DrawAxis> axes_;
   std::size_t grid_ = 0;
 };
 
-EnsembleKeep keep_of(const std::string& word) {
-  return word == "final"  ? EnsembleKeep::final
-         : word == "rows" ? EnsembleKeep::rows
-                          : EnsembleKeep::statistics;
-}
-
-const std::optional<SaveAt>& rows_of(const Experiment& experiment) {
-  return std::visit([](const auto& of) -> const std::optional<SaveAt>& { return row_times(of); },
-                    experiment);
-}
-
 }  // namespace
 
-EnsemblePlan ensemble_plan(const FileValues& at, const Experiment& experiment) {
-  const Values& values = at.values;
-  if (!rows_of(experiment)) refuse(values, "ensemble", at.name, "expected a table [time] as well");
-  const std::int64_t size = whole_in(at, "ensemble.size", 1, most_members, "from 1 to 1e12");
-  const std::int64_t seed = whole_in(at, "ensemble.seed", 0, INT64_MAX, "from 0 to 2^63 - 1");
-  const std::int64_t chunk =
-      has(values, "ensemble.chunk")
-          ? whole_in(at, "ensemble.chunk", 1, most_bins, "from 1 to 1e6")
-          : std::clamp<std::int64_t>((size + chunks - 1) / chunks, 1, largest_chunk);
-  Tables tables(at);
-  for (const std::string& path : array_paths(values, "ensemble.vary")) tables.add(path);
-  tables.finish("ensemble.vary[0]");
-  const DrawSource source =
-      word(values, "ensemble.draws") == "sobol" ? DrawSource::sobol : DrawSource::random;
-  std::vector<EnsembleVaried> varied = tables.varied();
-  Draws draws = built(values, "ensemble", at.name, [&] {
-    return Draws(tables.names(), static_cast<std::uint64_t>(seed), source);
-  });
+SchemaPart ensemble_keys() {
+  static const TableRows rows(ensemble_description, fraction_description, histogram_description,
+                              vary_description);
+  return rows.part();
+}
+
+std::optional<EnsemblePlan> ensemble_plan(const FileValues& file, const Experiment& experiment) {
+  const Placed<EnsembleTable> table(ensemble_description, file);
+  if (!table.is_there()) return std::nullopt;
+  if (!rows_of(experiment)) table.refuse("expected a table [time] as well");
+  const std::int64_t size = table->size;
+  AllVaried varied(file);
+  Draws draws = table.built([&] { return Draws(varied.draws(), table->seed, table->draws); });
   if (static_cast<std::uint64_t>(size) > draws.most_members())
-    refuse(values, "ensemble.size", at.name,
-           "expected at most " + std::to_string(draws.most_members()) +
-               ", the rows of the shortest table; with order = \"draws\" there may be more");
-  return {size,
-          static_cast<std::uint64_t>(seed),
-          source,
-          keep_of(word(values, "ensemble.keep")),
-          chunk,
-          quantiles_of(at),
-          whole_in(at, "ensemble.bins", 1, most_bins, "from 1 to 1e6"),
-          wanted_fractions(at),
-          wanted_indicators(at, experiment),
-          wanted_histograms(at),
-          std::move(varied),
-          std::move(draws)};
+    table.refuse<&EnsembleTable::size>(
+        "expected at most " + std::to_string(draws.most_members()) +
+        ", the rows of the shortest table; with order = \"draws\" there may be more");
+  require_quantiles(table);
+  std::vector<EnsembleFraction> fractions = fractions_of(file);
+  require_indicators(table, experiment);
+  return EnsemblePlan{
+      size,
+      table->seed,
+      table->draws,
+      table->keep,
+      table->chunk.value_or(std::clamp((size + chunks - 1) / chunks, INT64_C(1), largest_chunk)),
+      table->quantiles,
+      table->bins,
+      std::move(fractions),
+      table->indicators,
+      histograms_of(file),
+      varied.take(),
+      std::move(draws)};
 }
 
 }  // namespace detail

@@ -3,20 +3,133 @@
 #include "scenario/ensemble/vary.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <filesystem>
 #include <limits>
+#include <stdexcept>
 #include <string_view>
 #include <utility>
 
 #include "polhode/tables/number_table.hpp"
 #include "scenario/scenario_parts.hpp"
-#include "scenario/value_access.hpp"
 #include "text/number_text.hpp"
 
 namespace polhode {
 inline namespace v0 {
 namespace detail {
+
+namespace {
+
+constexpr std::array keys_of_vary = {
+    choice_key<&VaryTable::kind, VaryKind::normal, VaryKind::uniform, VaryKind::log_uniform,
+               VaryKind::joint_normal, VaryKind::direction, VaryKind::attitude, VaryKind::grid,
+               VaryKind::table>(
+        "kind", "normal|uniform|log-uniform|joint-normal|direction|attitude|grid|table",
+        "The distribution. All numbers of the table are in the units that the keys have in "
+        "this file: their own, where they were written with one, or those of [units].")
+        .required()
+        .example("\"normal\""),
+    text_key<&VaryTable::key>(
+        "key",
+        "A number of this file by its keys, also one with a fallback; perturbation[0] is the "
+        "first of its tables, omega_body[2] the third number of an array.")
+        .required()
+        .example("\"state.attitude-rate.omega_body[2]\"")
+        .of_kinds("normal|uniform|log-uniform|grid"),
+    key_list_key<&VaryTable::keys>(
+        "keys",
+        "Several numbers, an array by its name. A direction has the three components of a "
+        "vector, which keeps its length, or two angles in either order, which are known by their "
+        "names: longitude, ra or node, and latitude, dec or inclination; an attitude the four "
+        "components of a quaternion.")
+        .required()
+        .example("[\"state.attitude-rate.omega_body\"]")
+        .of_kinds("joint-normal|direction|attitude|table"),
+    quantity_key<&VaryTable::mean>("mean", Dimension::number,
+                                   "Left out: the number that the file has.")
+        .example("1")
+        .of_kinds("normal"),
+    quantity_key<&VaryTable::sigma>(
+        "sigma", Dimension::number,
+        "Standard deviation, before low and high cut; 0 is a fixed number, the mean.")
+        .required()
+        .example("0.1")
+        .of_kinds("normal")
+        .not_negative(),
+    quantity_key<&VaryTable::low>(
+        "low", Dimension::number,
+        "Least number; a normal one may have a bound on one side, on both, or none.")
+        .example("0")
+        .of_kinds("normal|uniform|log-uniform")
+        .needed_by("uniform|log-uniform"),
+    quantity_key<&VaryTable::high>("high", Dimension::number, "Greatest number.")
+        .example("1")
+        .of_kinds("normal|uniform|log-uniform")
+        .needed_by("uniform|log-uniform"),
+    quantity_key<&VaryTable::means>("means", Dimension::number,
+                                    "Left out: the numbers that the file has.")
+        .example("[0.1, 0.2, 1]")
+        .of_kinds("joint-normal"),
+    quantity_key<&VaryTable::covariance>("covariance", Dimension::number,
+                                         "Of the keys, row by row; what others fix may be there.")
+        .required()
+        .example("[[0.01, 0, 0], [0, 0.01, 0.005], [0, 0.005, 0.01]]")
+        .of_kinds("joint-normal"),
+    quantity_key<&VaryTable::from>(
+        "from", Dimension::number,
+        "First value of an even grid. Several tables of this kind make one grid of all their "
+        "points, the last one the fastest, which begins again where it ends.")
+        .required()
+        .example("0")
+        .of_kinds("grid"),
+    quantity_key<&VaryTable::to>("to", Dimension::number, "Its last value.")
+        .required()
+        .example("1")
+        .of_kinds("grid"),
+    integer_key<&VaryTable::count>("count", "How many values, both ends included; 1 takes from.")
+        .required()
+        .example("11")
+        .of_kinds("grid"),
+    file_key<&VaryTable::file>(
+        "file",
+        "A file of draws, one row each, CSV or separated by blanks, .gz or not; the path is "
+        "from the folder of this file.")
+        .required()
+        .example("\"clones.csv\"")
+        .of_kinds("table"),
+    columns_key<&VaryTable::columns>(
+        "columns",
+        "Its column for each number of keys, by name or by number from 1; left out, the first "
+        "ones.")
+        .example("[\"wx\", \"wy\", \"wz\"]")
+        .of_kinds("table"),
+    choice_key<&VaryTable::order, RowOrder::in_order, RowOrder::with_replacement>(
+        "order", "rows|draws",
+        "Whether member 0 has the first row and so on, or each member a row that is drawn.")
+        .otherwise("\"rows\"")
+        .of_kinds("table"),
+};
+constexpr KindText kinds_of_vary[] = {
+    {"ensemble.vary[]", "normal", "A normal number, between two bounds where they are given."},
+    {"ensemble.vary[]", "uniform", "Every number between two alike."},
+    {"ensemble.vary[]", "log-uniform", "A positive number whose logarithm is uniform."},
+    {"ensemble.vary[]", "joint-normal", "Several normal numbers with a covariance."},
+    {"ensemble.vary[]", "direction", "A direction of the sky, all of them alike."},
+    {"ensemble.vary[]", "attitude", "An attitude, all of them alike (Haar's measure)."},
+    {"ensemble.vary[]", "grid", "Points at even distances."},
+    {"ensemble.vary[]", "table", "The rows of a file: a posterior, clones of an orbit."},
+};
+
+}  // namespace
+
+constexpr Table<VaryTable> vary_description = {
+    {.path = "ensemble.vary[]",
+     .presence = Presence::required,
+     .help = "What the members differ in. What is drawn for a key depends on the seed, the keys of "
+             "its table and the index of the member, not on the other tables."},
+    keys_of_vary,
+    {},
+    kinds_of_vary};
 
 namespace {
 
@@ -48,14 +161,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// A number of the file in the unit that it has there.
-double own_number(const Value& value, std::size_t index, const Units& units) {
-  const Dimension dimension = value.key->dimension;
-  const double core = value.numbers[index];
-  if (value.units[index].empty()) return units.from_core(core, dimension);
-  return core / units.to_core(1.0, value.units[index], dimension);
-}
-
 std::string count_text(std::size_t n, const char* what) {
   return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
 }
@@ -74,158 +179,148 @@ Distribution without_class(const Build& build) {
   }
 }
 
-// One table, its numbers and where messages about it point.
-class Table {
+// One table and the numbers that it varies.
+class Drawn {
  public:
-  Table(const FileValues& at, std::string path, const VariedNumbers& numbers)
-      : at_(at), path_(std::move(path)), numbers_(numbers) {}
+  Drawn(const Placed<VaryTable>& from, const VariedNumbers& numbers)
+      : from_(from), numbers_(numbers) {}
 
   VariedTable made() const {
-    const std::string& kind = word(at_.values, path_ + ".kind");
-    if (kind == "normal") return normal();
-    if (kind == "uniform") return between<Uniform>("uniform");
-    if (kind == "log-uniform") return between<LogUniform>("log-uniform");
-    if (kind == "joint-normal") return joint_normal();
-    if (kind == "direction") return direction();
-    if (kind == "attitude") return attitude();
-    if (kind == "grid") return grid();
-    return table();
+    switch (from_->kind) {
+      case VaryKind::normal:
+        return normal();
+      case VaryKind::uniform:
+        return between<Uniform>("uniform");
+      case VaryKind::log_uniform:
+        return between<LogUniform>("log-uniform");
+      case VaryKind::joint_normal:
+        return joint_normal();
+      case VaryKind::direction:
+        return direction();
+      case VaryKind::attitude:
+        require_keys(4, "the four components of a quaternion");
+        return one("attitude, all alike", UniformAttitude());
+      case VaryKind::grid:
+        return grid();
+      case VaryKind::table:
+        return table();
+    }
+    throw std::logic_error("ensemble.vary: a kind without a distribution");
   }
 
  private:
-  std::string key(const char* name) const { return path_ + "." + name; }
-  double number_at(const char* name) const { return number(at_.values, key(name)); }
-  bool has_own(const char* name) const { return has(at_.values, key(name)); }
-  [[noreturn]] void refuse_at(const char* name, const std::string& message) const {
-    refuse(at_.values, key(name), at_.name, message);
+  // What the distribution refuses is said at the key of the member, without the name of its class.
+  template <auto member, class Build>
+  VariedTable one(std::string text, const Build& build) const {
+    return one(std::move(text), from_.built<member>([&] {
+      return without_class([&] { return Distribution(build()); });
+    }));
   }
-  // Of a distribution; what it refuses is said at one of the keys, without the name of its class.
-  template <class Build>
-  Distribution built_at(const char* name, const Build& build) const {
-    return built(at_.values, key(name), at_.name,
-                 [&] { return without_class([&] { return Distribution(build()); }); });
-  }
-
   VariedTable one(std::string text, Distribution distribution) const {
-    return {{std::move(text), numbers_.keys, numbers_.units}, std::move(distribution), {}};
+    return {{std::move(text), numbers_.keys, numbers_.units}, std::move(distribution)};
   }
 
   VariedTable normal() const {
-    require_range(at_.values, key("sigma"), at_.name);
-    const double mean = has_own("mean") ? number_at("mean") : numbers_.values[0];
-    const double sigma = number_at("sigma");
+    const double mean = from_->mean.value_or(numbers_.values[0]), sigma = from_->sigma;
     std::string text = "normal, mean " + number_text(mean) + ", sigma " + number_text(sigma);
-    if (!has_own("low") && !has_own("high"))
-      return one(text, built_at("sigma", [&] { return Normal(mean, sigma); }));
-    const double low = has_own("low") ? number_at("low") : -infinity;
-    const double high = has_own("high") ? number_at("high") : infinity;
-    if (has_own("low")) text += ", from " + number_text(low);
-    if (has_own("high")) text += ", to " + number_text(high);
-    return one(text, built_at(has_own("low") ? "low" : "high",
-                              [&] { return TruncatedNormal(mean, sigma, low, high); }));
+    if (!from_->low && !from_->high)
+      return one<&VaryTable::sigma>(text, [&] { return Normal(mean, sigma); });
+    if (from_->low) text += ", from " + number_text(*from_->low);
+    if (from_->high) text += ", to " + number_text(*from_->high);
+    const auto cut = [&] {
+      return TruncatedNormal(mean, sigma, from_->low.value_or(-infinity),
+                             from_->high.value_or(infinity));
+    };
+    return from_->low ? one<&VaryTable::low>(text, cut) : one<&VaryTable::high>(text, cut);
   }
 
   template <class Of>
   VariedTable between(const std::string& kind) const {
-    const double low = number_at("low"), high = number_at("high");
-    return one(kind + ", " + number_text(low) + " to " + number_text(high),
-               built_at("low", [&] { return Of(low, high); }));
+    const double low = *from_->low, high = *from_->high;
+    return one<&VaryTable::low>(kind + ", " + number_text(low) + " to " + number_text(high),
+                                [&] { return Of(low, high); });
   }
 
   VariedTable joint_normal() const {
     const std::size_t n = numbers_.keys.size();
-    const std::vector<double> means =
-        has_own("means") ? value_at(at_.values, key("means")).numbers : numbers_.values;
+    const std::vector<double> means = from_->means.value_or(numbers_.values);
     if (means.size() != n)
-      refuse_at("means", "expected " + count_text(n, "number") + ", one for each of keys");
-    const std::vector<double>& covariance = value_at(at_.values, key("covariance")).numbers;
-    if (covariance.size() != n * n)
-      refuse_at("covariance", "expected " + count_text(n, "row") + " of " +
-                                  count_text(n, "number") + ", one for each of keys");
-    return one("joint normal",
-               built_at("covariance", [&] { return JointNormal(means, covariance); }));
+      from_.refuse<&VaryTable::means>("expected " + count_text(n, "number") +
+                                      ", one for each of keys");
+    if (from_->covariance.size != n)
+      from_.refuse<&VaryTable::covariance>("expected " + count_text(n, "row") + " of " +
+                                           count_text(n, "number") + ", one for each of keys");
+    return one<&VaryTable::covariance>(
+        "joint normal", [&] { return JointNormal(means, from_->covariance.elements); });
   }
 
+  void require_keys(std::size_t n, const std::string& words) const {
+    if (numbers_.keys.size() != n)
+      from_.refuse<&VaryTable::keys>("expected " + words + "; " +
+                                     count_text(numbers_.keys.size(), "number"));
+  }
   void require_one_unit() const {
-    if (std::any_of(numbers_.units.begin(), numbers_.units.end(),
-                    [&](const std::string& unit) { return unit != numbers_.units[0]; }))
-      refuse_at("keys", "expected keys whose numbers have one unit in this file");
+    if (std::ranges::any_of(numbers_.units,
+                            [&](const std::string& unit) { return unit != numbers_.units[0]; }))
+      from_.refuse<&VaryTable::keys>("expected keys whose numbers have one unit in this file");
   }
 
   VariedTable direction() const {
-    const std::size_t n = numbers_.keys.size();
-    const auto is_angle = [&](std::size_t i) {
-      return value_at(at_.values, numbers_.places[i].path).key->dimension == Dimension::angle;
+    using Shape = EnsembleVaried::Shape;
+    const auto is_angle = [&](const NumberLocation& place) {
+      return value_at(from_.at().values(), place.path).key->dimension == Dimension::angle;
     };
-    if (n == 2 && is_angle(0) && is_angle(1)) {
+    VariedTable made = one("direction, all alike", IsotropicDirection());
+    if (numbers_.keys.size() == 2 && std::ranges::all_of(numbers_.places, is_angle)) {
       if (!direction_angles(numbers_.keys))
-        refuse_at(
-            "keys",
+        from_.refuse<&VaryTable::keys>(
             "expected a longitude, ra or node and a latitude, dec or inclination, whose names "
             "say which goes round and from where the other counts");
       require_one_unit();
-      VariedTable made = one("direction, all alike", IsotropicDirection());
-      made.varied.shape = EnsembleVaried::Shape::angles;
-      made.varied.scale = at_.units.to_core(1.0, numbers_.units[0], Dimension::angle);
+      made.varied.shape = Shape::angles;
+      made.varied.scale = from_.at().units().to_core(1.0, numbers_.units[0], Dimension::angle);
       return made;
     }
-    if (n != 3)
-      refuse_at("keys",
-                "expected three components of a vector, or two angles: longitude and "
-                "latitude, in either order; " +
-                    count_text(n, "number"));
+    require_keys(3,
+                 "three components of a vector, or two angles: longitude and latitude, in "
+                 "either order");
     require_one_unit();
-    const auto& v = numbers_.values;
-    VariedTable made = one("direction, all alike", IsotropicDirection());
-    made.varied.shape = EnsembleVaried::Shape::vector;
+    const std::vector<double>& v = numbers_.values;
+    made.varied.shape = Shape::vector;
     made.varied.scale = std::hypot(v[0], v[1], v[2]);
     if (!(made.varied.scale > 0.0))
-      refuse_at("keys", "expected a vector whose length in the file is not 0");
+      from_.refuse<&VaryTable::keys>("expected a vector whose length in the file is not 0");
     return made;
   }
 
-  VariedTable attitude() const {
-    if (numbers_.keys.size() != 4)
-      refuse_at("keys", "expected the four components of a quaternion; " +
-                            count_text(numbers_.keys.size(), "number"));
-    return one("attitude, all alike", UniformAttitude());
-  }
-
   VariedTable grid() const {
-    const DrawAxis axis{number_at("from"), number_at("to"),
-                        value_at(at_.values, key("count")).whole};
-    static_cast<void>(built_at("count", [&] { return DrawGrid({axis}); }));
-    return {{"grid, " + number_text(axis.from) + " to " + number_text(axis.to) + ", " +
-                 std::to_string(axis.count) + " values",
-             numbers_.keys, numbers_.units},
-            {},
-            axis};
+    const DrawAxis axis{from_->from, from_->to, from_->count};
+    return one<&VaryTable::count>("grid, " + number_text(axis.from) + " to " +
+                                      number_text(axis.to) + ", " + std::to_string(axis.count) +
+                                      " values",
+                                  [&] { return DrawGrid({axis}); });
   }
 
   VariedTable table() const {
     const std::size_t n = numbers_.keys.size();
-    std::vector<std::string> columns;
-    for (std::size_t i = 0; i < n; ++i) columns.push_back(std::to_string(i + 1));
-    if (has_own("columns")) columns = value_at(at_.values, key("columns")).words;
+    std::vector<std::string> columns = from_->columns.value_or(std::vector<std::string>());
+    if (!from_->columns)
+      for (std::size_t i = 0; i < n; ++i) columns.push_back(std::to_string(i + 1));
     if (columns.size() != n)
-      refuse_at("columns", "expected " + count_text(n, "column") + ", one for each of keys");
-    const std::string& file = word(at_.values, key("file"));
-    const RowOrder order =
-        word(at_.values, key("order")) == "rows" ? RowOrder::in_order : RowOrder::with_replacement;
-    return one("table " + file, built_at("file", [&] {
-                 const std::filesystem::path path =
-                     std::filesystem::path(at_.name).parent_path() / file;
-                 const NumberTable read = read_number_table(path.string(), columns);
-                 std::vector<double> rows;
-                 rows.reserve(read.rows() * n);
-                 for (std::size_t k = 0; k < read.rows(); ++k)
-                   for (const std::vector<double>& column : read.columns) rows.push_back(column[k]);
-                 return DrawTable(n, std::move(rows), order);
-               }));
+      from_.refuse<&VaryTable::columns>("expected " + count_text(n, "column") +
+                                        ", one for each of keys");
+    return one<&VaryTable::file>("table " + from_->file, [&] {
+      const NumberTable read =
+          read_number_table(from_.at().file_at(from_.name<&VaryTable::file>()), columns);
+      std::vector<double> rows;
+      rows.reserve(read.rows() * n);
+      for (std::size_t k = 0; k < read.rows(); ++k)
+        for (const std::vector<double>& column : read.columns) rows.push_back(column[k]);
+      return DrawTable(n, std::move(rows), from_->order);
+    });
   }
 
-  const FileValues& at_;
-  std::string path_;
+  const Placed<VaryTable>& from_;
   const VariedNumbers& numbers_;
 };
 
@@ -236,62 +331,57 @@ std::string key_text(const Values& values, const NumberLocation& place) {
 }
 
 // Keys that are there and hold something else than a number, or are not the members' own.
-void require_can_vary(const FileValues& at, const std::string& own, const std::string& key) {
-  const auto found = at.values.find(key);
+void require_can_vary(const KeyValues& table, std::string_view name, const std::string& key) {
+  const auto found = table.values().find(key);
   if (key.starts_with("ensemble.") || key.starts_with("map.") || key == "schema")
-    refuse(at.values, own, at.name,
-           "expected a key that holds a number and belongs to the members: those of [ensemble] and "
-           "[map], and schema, are of all of them together; " +
-               key + " cannot vary");
-  if (found == at.values.end() || found->second.key->type == KeyType::table ||
+    table.refuse(name,
+                 "expected a key that holds a number and belongs to the members: those of "
+                 "[ensemble] and [map], and schema, are of all of them together; " +
+                     key + " cannot vary");
+  if (found == table.values().end() || found->second.key->type == KeyType::table ||
       is_number(found->second))
     return;
-  refuse(at.values, own, at.name,
-         "expected a key that holds a number which can be any; " + key +
-             " cannot vary: make a file for each of its values");
+  table.refuse(name, "expected a key that holds a number which can be any; " + key +
+                         " cannot vary: make a file for each of its values");
 }
 
 }  // namespace
 
-VariedNumbers varied_numbers(const FileValues& at, const std::string& path) {
-  const Values& values = at.values;
-  const bool several = has(values, path + ".keys");
-  const std::string own = path + (several ? ".keys" : ".key");
+VariedNumbers varied_numbers(const KeyValues& table, std::string_view name) {
+  const Values& values = table.values();
+  const bool several = value_at(values, table.key_path(name)).key->type == KeyType::key_list;
   VariedNumbers all;
-  for (const std::string& key : value_at(values, own).words) {
-    require_can_vary(at, own, key);
+  for (const std::string& key : table.words(name)) {
+    require_can_vary(table, name, key);
     const std::vector<NumberLocation> places = number_locations(values, key);
     if (places.empty() || (!several && places.size() > 1)) {
       const std::vector<std::string> keys = number_keys(values, key);
-      refuse(values, own, at.name,
-             "expected " +
-                 std::string(several ? "keys that hold numbers and stand"
-                                     : "a key that "
-                                       "holds a number and stands") +
-                 " in this file or " + (several ? "have" : "has") +
-                 " a fallback, such as "
-                 "state.euler.theta or body.moments[1]" +
-                 (several ? "; " + key + " is none" : "") +
-                 did_you_mean(key, std::vector<std::string_view>(keys.begin(), keys.end())));
+      const std::string near =
+          did_you_mean(key, std::vector<std::string_view>(keys.begin(), keys.end()));
+      table.refuse(
+          name,
+          (several ? "expected keys that hold numbers and stand in this file or have a fallback, "
+                     "such as state.euler.theta or body.moments[1]; " +
+                         key + " is none"
+                   : "expected a key that holds a number and stands in this file or has a "
+                     "fallback, such as state.euler.theta or body.moments[1]") +
+              near);
     }
     for (const NumberLocation& place : places) {
       const Value& value = value_at(values, place.path);
       if (place.path.starts_with("time."))
-        refuse(values, own, at.name,
-               "expected no key of [time]: all members have rows at the same times");
-      const std::string& unit = value.units[place.index];
+        table.refuse(name, "expected no key of [time]: all members have rows at the same times");
       all.keys.push_back(key_text(values, place));
       all.places.push_back(place);
-      all.units.push_back(unit.empty() ? at.units.label(value.key->dimension) : unit);
-      all.values.push_back(own_number(value, place.index, at.units));
+      all.units.push_back(unit_in_file(value, place.index, table.units()));
+      all.values.push_back(number_in_file(value, place.index, table.units()));
     }
   }
   return all;
 }
 
-VariedTable varied_table(const FileValues& at, const std::string& path,
-                         const VariedNumbers& numbers) {
-  return Table(at, path, numbers).made();
+VariedTable varied_table(const Placed<VaryTable>& table, const VariedNumbers& numbers) {
+  return Drawn(table, numbers).made();
 }
 
 }  // namespace detail

@@ -2,17 +2,47 @@
 // From one table [[ensemble.vary]] to its distribution.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "scenario/ensemble/ensemble_plan.hpp"
+#include "polhode/scenario/ensemble_plan.hpp"
+#include "scenario/table.hpp"
 #include "scenario/value_access.hpp"
 
 namespace polhode {
 inline namespace v0 {
 namespace detail {
+
+enum class VaryKind {
+  normal,
+  uniform,
+  log_uniform,
+  joint_normal,
+  direction,
+  attitude,
+  grid,
+  table
+};
+
+struct VaryTable {
+  VaryKind kind = VaryKind::normal;
+  std::string key;                // of kinds that draw one number
+  std::vector<std::string> keys;  // of those that draw several
+  std::optional<double> mean, low, high;
+  double sigma = 0.0;
+  std::optional<std::vector<double>> means;
+  SquareMatrix covariance;
+  double from = 0.0, to = 0.0;
+  std::int64_t count = 1;
+  std::string file;
+  std::optional<std::vector<std::string>> columns;
+  RowOrder order = RowOrder::in_order;
+};
+extern const Table<VaryTable> vary_description;
 
 // The parts of the two angles that draw a direction, as their keys name them.
 struct DirectionAngles {
@@ -31,15 +61,14 @@ struct VariedNumbers {
   std::vector<std::string> units;  // as outputs name them
   std::vector<double> values;      // in these units
 };
-VariedNumbers varied_numbers(const FileValues& at, const std::string& path);
+// `name` is that of the key of the table which holds their key or keys.
+VariedNumbers varied_numbers(const KeyValues& table, std::string_view name);
 
 struct VariedTable {
   EnsembleVaried varied;
-  std::optional<Distribution> distribution;  // none of a grid
-  std::optional<DrawAxis> axis;              // of a grid
+  Distribution distribution;  // a grid has its own axis alone
 };
-VariedTable varied_table(const FileValues& at, const std::string& path,
-                         const VariedNumbers& numbers);
+VariedTable varied_table(const Placed<VaryTable>& table, const VariedNumbers& numbers);
 
 }  // namespace detail
 }  // namespace v0

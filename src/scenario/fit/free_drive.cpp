@@ -113,7 +113,7 @@ bool is_torque_key(const std::string& key) {
 
 void add_parameter(const FileValues& at, const Placed<ParameterTable>& table, FitPlan& plan) {
   using P = ParameterTable;
-  const VariedNumbers found = varied_numbers(at, table.at().path());
+  const VariedNumbers found = varied_numbers(table.at(), table.name<&ParameterTable::key>());
   const std::string& key = found.keys.front();
   if (!is_torque_key(key))
     table.refuse<&P::key>(

@@ -37,9 +37,13 @@ const std::string& KeyValues::word(std::string_view key) const { return at(key).
 const std::vector<std::string>& KeyValues::words(std::string_view key) const {
   return at(key).words;
 }
-std::size_t KeyValues::choice(std::string_view key) const {
-  const std::vector<std::string_view> words = separated(at(key).key->allowed, '|');
-  return static_cast<std::size_t>(std::find(words.begin(), words.end(), word(key)) - words.begin());
+std::size_t KeyValues::choice(std::string_view key) const { return choices(key).at(0); }
+std::vector<std::size_t> KeyValues::choices(std::string_view key) const {
+  const std::vector<std::string_view> allowed = separated(at(key).key->allowed, '|');
+  std::vector<std::size_t> places;
+  for (const std::string& word : words(key))
+    places.push_back(static_cast<std::size_t>(std::ranges::find(allowed, word) - allowed.begin()));
+  return places;
 }
 bool KeyValues::flag(std::string_view key) const { return at(key).whole == 1; }
 std::int64_t KeyValues::integer(std::string_view key) const { return at(key).whole; }

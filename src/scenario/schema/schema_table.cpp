@@ -11,7 +11,9 @@
 #include "polhode/scenario/schema.hpp"
 #include "scenario/detail/experiment_kinds.hpp"
 #include "scenario/detail/schema_parts.hpp"
+#include "scenario/ensemble/ensemble_plan.hpp"
 #include "scenario/tables/head.hpp"
+#include "scenario/tables/map.hpp"
 
 namespace polhode {
 inline namespace v0 {

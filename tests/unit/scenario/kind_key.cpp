@@ -38,6 +38,7 @@ struct Arguments : Part {
   std::string word;
   std::optional<std::string> other;
   std::vector<std::string> words;
+  std::vector<Sense> senses;
   int whole;
 };
 struct Stranger {
@@ -119,6 +120,13 @@ static_assert(Choice<Sense::forward, Sense::backward>);
 static_assert(!Choice<Sense::forward> && !Choice<> && !Choice<0, 1>);
 static_assert(!WithOneWord<&Arguments::sense> && !WithEmptyWord<&Arguments::sense>);
 static_assert(!ChoiceOfNumbers<&Arguments::whole>);
+template <auto... enumerators>
+concept Choices = requires {
+  typename std::bool_constant<(
+      choices_key<&Arguments::senses, enumerators...>("r", "forward|backward", "A."), true)>;
+};
+static_assert(Choices<Sense::forward, Sense::backward>);
+static_assert(!Choices<Sense::forward> && !Choices<0, 1>);
 
 // A range belongs to numbers, and nothing stands for what is required.
 template <auto at>

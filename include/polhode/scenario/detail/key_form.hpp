@@ -167,6 +167,11 @@ concept HoldsEach = sizeof...(enumerators) > 0 &&
 template <class A, auto at>
 concept HasMember = std::derived_from<A, Owner<at>>;
 
+// A member that holds any number of these enumerators.
+template <auto at, auto... enumerators>
+concept HoldsEachOfList = sizeof...(enumerators) > 0 &&
+                          (std::same_as<Member<at>, std::vector<decltype(enumerators)>> && ...);
+
 // Its address stands for the member.
 template <auto at>
 inline constexpr char member_id = 0;
