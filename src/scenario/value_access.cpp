@@ -91,18 +91,8 @@ const Value& value_at(const Values& values, std::string_view path) {
   if (found == values.end()) throw std::logic_error("no value of " + std::string(path));
   return found->second;
 }
-double number(const Values& values, std::string_view path) {
-  return value_at(values, path).numbers.at(0);
-}
-Vec3 vector(const Values& values, std::string_view path) {
-  const std::vector<double>& n = value_at(values, path).numbers;
-  return {n.at(0), n.at(1), n.at(2)};
-}
 const std::string& word(const Values& values, std::string_view path) {
   return value_at(values, path).words.at(0);
-}
-int sign(const Values& values, std::string_view path) {
-  return static_cast<int>(value_at(values, path).whole);
 }
 bool is_explicit(const Values& values, std::string_view path) {
   const auto found = values.find(path);

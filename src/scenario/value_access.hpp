@@ -45,10 +45,7 @@ bool is_number(const Value& value);
 std::vector<std::string> array_paths(const Values& values, const std::string& array);
 
 const Value& value_at(const Values& values, std::string_view path);
-double number(const Values& values, std::string_view path);
-Vec3 vector(const Values& values, std::string_view path);
 const std::string& word(const Values& values, std::string_view path);
-int sign(const Values& values, std::string_view path);
 // Whether the file has it, and whether it or a fallback has.
 bool is_explicit(const Values& values, std::string_view path);
 bool has(const Values& values, std::string_view path);

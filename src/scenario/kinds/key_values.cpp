@@ -28,7 +28,8 @@ bool KeyValues::is_explicit(std::string_view key) const {
 }
 double KeyValues::number(std::string_view key) const { return at(key).numbers.at(0); }
 Vec3 KeyValues::vector(std::string_view key) const {
-  return detail::vector(values_, key_path(key));
+  const std::vector<double>& n = numbers(key);
+  return {n.at(0), n.at(1), n.at(2)};
 }
 const std::vector<double>& KeyValues::numbers(std::string_view key) const {
   return at(key).numbers;
