@@ -64,12 +64,6 @@ bool reads(const OutputFormat* format) { return format != nullptr && format->row
 
 }  // namespace
 
-const OptionValue& OptionValues::at(std::string_view name) const {
-  const auto found = by_name_.find(name);
-  if (found == by_name_.end()) throw std::logic_error("no value of " + std::string(name));
-  return found->second;
-}
-
 OutputFormats::OutputFormats(std::vector<OutputFormat> all) {
   for (auto format = all.begin(); format != all.end(); ++format) {
     require_plain(*format);

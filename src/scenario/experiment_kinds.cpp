@@ -16,7 +16,7 @@
 #include "scenario/tables/planet.hpp"
 #include "scenario/tables/surface.hpp"
 #include "scenario/tables/time.hpp"
-#include "scenario/value_access.hpp"
+#include "text/value_access.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -11,7 +11,8 @@
 #include <vector>
 
 #include "scenario/detail/experiment_kinds.hpp"
-#include "scenario/value_access.hpp"
+#include "scenario/number_location.hpp"
+#include "text/value_access.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -13,7 +13,7 @@
 #include "scenario/tables/state.hpp"
 #include "scenario/tables/surface.hpp"
 #include "scenario/tables/time.hpp"
-#include "scenario/value_access.hpp"
+#include "text/value_access.hpp"
 
 namespace polhode {
 inline namespace v0 {

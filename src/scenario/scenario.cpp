@@ -24,9 +24,9 @@
 #include "scenario/scenario_parts.hpp"
 #include "scenario/tables/head.hpp"
 #include "scenario/tables/map.hpp"
-#include "scenario/value_access.hpp"
 #include "scenario/values.hpp"
 #include "text/file_bytes.hpp"
+#include "text/value_access.hpp"
 #include "text/words.hpp"
 
 namespace polhode {
@@ -75,30 +75,9 @@ namespace detail {
 
 namespace {
 
-// From a table [output.NAME], the keys of a format of files.
-OptionValues option_values(const KeyValues& table, const OutputFormat& format) {
-  std::map<std::string, OptionValue, std::less<>> by_name;
-  for (const OptionKey& option : format.keys) {
-    const std::string key(option.key().path);
-    if (!table.has(key)) continue;
-    const Value& value = value_at(table.values(), table.key_path(key));
-    by_name.emplace(key, OptionValue{.word = value.words.empty() ? "" : value.words[0],
-                                     .number = value.numbers.empty() ? 0.0 : value.numbers[0],
-                                     .whole = value.whole});
-  }
-  return OptionValues(std::move(by_name));
-}
-
 std::any options_of(const KeyValues& table, const OutputFormat& format) {
   if (!format.options) return {};
-  try {
-    return format.options(option_values(table, format));
-  } catch (const OptionError& error) {
-    if (table.has(error.key)) table.refuse(error.key, error.what());
-    refuse(table.values(), table.path(), table.file(), error.what());
-  } catch (const DomainError& error) {
-    refuse(table.values(), table.path(), table.file(), error.what());
-  }
+  return built(table.values(), table.path(), table.file(), [&] { return format.options(table); });
 }
 
 }  // namespace

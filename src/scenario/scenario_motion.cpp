@@ -11,10 +11,10 @@
 #include "scenario/tables/event.hpp"
 #include "scenario/tables/head.hpp"
 #include "scenario/tables/time.hpp"
-#include "scenario/value_access.hpp"
 #include "scenario/values.hpp"
 #include "text/dates.hpp"
 #include "text/number_text.hpp"
+#include "text/value_access.hpp"
 #include "text/words.hpp"
 
 namespace polhode {

@@ -13,8 +13,8 @@
 #include "polhode/scenario/schema.hpp"
 #include "scenario/scenario_parts.hpp"
 #include "scenario/tables/state.hpp"
-#include "scenario/value_access.hpp"
 #include "scenario/values.hpp"
+#include "text/value_access.hpp"
 #include "text/words.hpp"
 
 namespace polhode {

@@ -13,10 +13,10 @@
 #include <utility>
 #include <vector>
 
-#include "polhode/scenario/kind_key.hpp"
+#include "polhode/text/kind_key.hpp"
 #include "scenario/detail/schema_parts.hpp"
-#include "scenario/value_access.hpp"
 #include "scenario/values.hpp"
+#include "text/value_access.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A scenario file after the checks that its table of keys can make: values by path, in core units,
-// each with its place in the file; the errors of a file; and the reader of its text.
+// A scenario file after the checks that its table of keys can make, and the reader of its text.
 #pragma once
 
 #include <cstddef>
@@ -11,61 +10,13 @@
 #include <string_view>
 #include <vector>
 
-#include "polhode/scenario/detail/values_fwd.hpp"
 #include "polhode/scenario/document.hpp"
 #include "polhode/scenario/schema.hpp"
 #include "polhode/text/units.hpp"
+#include "text/values.hpp"
 
 namespace polhode {
 inline namespace v0 {
-namespace detail {
-
-struct Position {
-  unsigned line = 1;
-  unsigned column = 1;
-  auto operator<=>(const Position&) const = default;
-};
-
-// The errors of one file, in the order of the file, at most most_diagnostics of them.
-constexpr std::size_t most_diagnostics = 20;
-class Diagnostics {
- public:
-  explicit Diagnostics(std::string_view name);
-  void add(Position where, std::string_view path, std::string_view text);
-  bool full() const { return entries_.size() >= most_diagnostics; }
-  // One line per error.
-  std::string text() const;
-  // Throws ScenarioError with that text, unless there is none.
-  void raise() const;
-
- private:
-  struct Entry {
-    Position where;
-    std::string line;
-  };
-  std::string name_;
-  std::vector<Entry> entries_;
-};
-
-struct Value {
-  const Key* key = nullptr;
-  Position where;
-  bool is_explicit = true;         // false: the fallback of the schema
-  std::string shown;               // as messages quote it
-  std::vector<double> numbers;     // core units; a matrix row by row
-  std::vector<std::string> units;  // that each was written in; empty: that of the file
-  std::vector<std::string> words;
-  std::int64_t whole = 0;
-};
-
-// The values of a file, its units, and what messages call it.
-struct FileValues {
-  const Values& values;
-  const Units& units;
-  const std::string& name;
-};
-
-}  // namespace detail
 
 struct FitPlan;
 namespace detail {

@@ -2,9 +2,7 @@
 // An output format of one's own, columns of fixed width, and a program that runs scenarios with it:
 //
 //     fixed-width scenario.toml rows.txt
-#include <any>
 #include <cstdio>
-#include <iterator>
 #include <span>
 #include <string>
 #include <vector>
@@ -18,8 +16,10 @@ namespace {
 struct Options {
   int digits = 9;
 };
-constexpr polhode::OptionKey keys[] = {
-    polhode::integer_option("digits", "6|9|17", "Digits of each number.").otherwise("9"),
+constexpr polhode::KindKey<Options> keys[] = {
+    polhode::integer_key<&Options::digits>("digits", "Digits of each number.")
+        .one_of("6|9|17")
+        .otherwise("9"),
 };
 
 constexpr polhode::CommentStyle comments{"! "};
@@ -48,10 +48,7 @@ polhode::OutputFormat fixed_width() {
         };
         return polhode::text_sink(request, head(request.groups, request.provenance), row);
       });
-  format.keys.assign(std::begin(keys), std::end(keys));
-  format.options = [](const polhode::OptionValues& values) {
-    return std::any(Options{.digits = static_cast<int>(values.whole("digits"))});
-  };
+  format.take_options<Options>(keys);
   format.difference = [](const std::string& path, const std::vector<polhode::ColumnGroup>& groups,
                          const polhode::Provenance& provenance) {
     return polhode::text_difference(path, comments, head(groups, provenance));

@@ -31,9 +31,9 @@
 
 #include "polhode/error.hpp"
 #include "polhode/output/columns.hpp"
-#include "polhode/output/option_key.hpp"
 #include "polhode/output/sink.hpp"
 #include "polhode/text/citation.hpp"
+#include "polhode/text/kind_key.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -87,10 +87,21 @@ struct OutputFormat {
   // The groups of columns that it needs, which may depend on the run and the options.
   std::function<std::vector<std::string>(const SinkRequest&)> columns = {};
 
-  // [output.NAME]: its keys, and the format's own struct made from their values. OptionError at the
-  // place of a key; what else is refused stands at the table.
-  std::vector<OptionKey> keys = {};
-  std::function<std::any(const OptionValues&)> options = {};
+  // [output.NAME]: its keys, and the format's own struct made from their values. A DomainError
+  // becomes an error at the place of the table.
+  std::vector<Key> keys = {};
+  std::function<std::any(const KeyValues&)> options = {};
+  // Both, for a plain struct that the keys fill; `check` refuses what the types let pass.
+  template <class A>
+  void take_options(std::span<const KindKey<A>> of,
+                    void (*check)(const A&, const KeyValues&) = nullptr) {
+    keys = keys_of(of);
+    options = [all = std::vector<KindKey<A>>(of.begin(), of.end()), check](const KeyValues& at) {
+      A made = arguments<A>(all, at);
+      if (check != nullptr) check(made, at);
+      return std::any(std::move(made));
+    };
+  }
 
   // Why a complete file is not what this run would write: "of another scenario". Empty: it is.
   // None: nobody can tell, and a complete file is not taken for one of this run.

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "polhode/error.hpp"
+#include "polhode/text/key_values.hpp"
 #include "polhode/text/units.hpp"
 
 namespace polhode {
@@ -24,12 +24,6 @@ class Kinds;
 namespace detail {
 struct ReadFile;
 }  // namespace detail
-
-// Every mistake of a file; what() holds one line for each.
-class ScenarioError : public DomainError {
- public:
-  using DomainError::DomainError;
-};
 
 // A file that the scenario names: a table, a mesh, an OEM. As it was when it was read.
 struct ScenarioFile {

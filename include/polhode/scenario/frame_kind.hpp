@@ -18,10 +18,10 @@
 #include <string_view>
 #include <vector>
 
-#include "polhode/scenario/key_values.hpp"
-#include "polhode/scenario/kind_key.hpp"
 #include "polhode/scenario/rotation.hpp"
 #include "polhode/scenario/schema.hpp"
+#include "polhode/text/key_values.hpp"
+#include "polhode/text/kind_key.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -17,10 +17,10 @@
 #include <vector>
 
 #include "polhode/dynamics/method.hpp"
-#include "polhode/scenario/key_values.hpp"
-#include "polhode/scenario/kind_key.hpp"
 #include "polhode/scenario/schema.hpp"
 #include "polhode/text/citation.hpp"
+#include "polhode/text/key_values.hpp"
+#include "polhode/text/kind_key.hpp"
 
 namespace polhode {
 inline namespace v0 {

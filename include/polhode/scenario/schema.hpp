@@ -45,9 +45,6 @@ struct Schema {
 // That of default_kinds (polhode/scenario/kinds.hpp).
 const Schema& scenario_schema();
 
-// The last name of a path, without "[]", and the path of the table that holds it ("" at the top).
-std::string_view key_name(std::string_view path);
-std::string_view key_table(std::string_view path);
 // The keys directly inside a table, in the order of the schema.
 std::vector<const Key*> keys_of(const Schema& schema, std::string_view table);
 // Whether a key of a table goes with kind = "..." there.

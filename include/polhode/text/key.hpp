@@ -69,5 +69,9 @@ struct Key {
   bool operator==(const Key&) const = default;
 };
 
+// The last name of a path, without "[]", and the path of the table that holds it ("" at the top).
+std::string_view key_name(std::string_view path);
+std::string_view key_table(std::string_view path);
+
 }  // namespace v0
 }  // namespace polhode

@@ -14,8 +14,8 @@
 #include "interface/python_function.hpp"
 #include "io/io_parts.hpp"
 #include "polhode/error.hpp"
-#include "polhode/scenario/detail/key_form.hpp"
 #include "polhode/scenario/kinds.hpp"
+#include "polhode/text/detail/key_form.hpp"
 #include "terms/orbit_value.hpp"
 #include "terms/term_value.hpp"
 

@@ -44,83 +44,69 @@ struct AemOptions {
   std::string frame_b = "SC_BODY_1";
 };
 
-constexpr OptionKey keys[] = {
-    choice_option(
+constexpr KindKey<AemOptions> keys[] = {
+    choice_key<&AemOptions::form, Form::quaternion, Form::quaternion_rate, Form::euler, Form::spin>(
         "form", "quaternion|quaternion-rate|euler|spin",
         "QUATERNION; with the angular velocity (QUATERNION/ANGVEL of version 2, needs "
         "the columns omega); EULER_ANGLE, the angles 3-1-3; or SPIN of body axis 3 (needs "
         "omega).")
         .otherwise("\"quaternion\""),
-    integer_option("version", "1|2",
-                   "CCSDS_AEM_VERS: 2, of 2024, or 1, of 2008, which older programs read.")
+    integer_key<&AemOptions::version>(
+        "version", "CCSDS_AEM_VERS: 2, of 2024, or 1, of 2008, which older programs read.")
+        .one_of("1|2")
         .otherwise("2"),
-    choice_option("quaternion_type", "LAST|FIRST",
-                  "Where the scalar of a quaternion stands; version 2 has LAST alone.")
+    choice_key<&AemOptions::scalar_first, false, true>(
+        "quaternion_type", "LAST|FIRST",
+        "Where the scalar of a quaternion stands; version 2 has LAST alone.")
         .otherwise("\"LAST\""),
-    choice_option(
+    choice_key<&AemOptions::body_to_frame, false, true>(
         "direction", "A2B|B2A",
         "ATTITUDE_DIR; B2A is the inverse rotation, of form quaternion and version 1 alone.")
         .otherwise("\"A2B\""),
-    text_option("object_name", "OBJECT_NAME; left out, the title, or else the name of the file.")
+    text_key<&AemOptions::object_name>(
+        "object_name", "OBJECT_NAME; left out, the title, or else the name of the file.")
         .example("\"ENVISAT\""),
-    text_option("object_id", "OBJECT_ID; left out, UNKNOWN.").example("\"2002-009A\""),
-    text_option("originator", "ORIGINATOR.").otherwise("\"POLHODE\""),
-    text_option(
+    text_key<&AemOptions::object_id>("object_id", "OBJECT_ID; left out, UNKNOWN.")
+        .example("\"2002-009A\""),
+    text_key<&AemOptions::originator>("originator", "ORIGINATOR.").otherwise("\"POLHODE\""),
+    text_key<&AemOptions::creation_date>(
         "creation_date",
         "CREATION_DATE. Left out, 1970-01-01T00:00:00 with a comment: equal runs give equal "
         "files.")
         .example("\"2026-01-31T12:00:00\""),
-    text_option("center", "CENTER_NAME; left out, none is written.").example("\"EARTH\""),
-    text_option("frame_a",
-                "REF_FRAME_A, a name for state.axes. Left out, EME2000 (ecliptic-J2000 is turned "
-                "into it), or INERTIAL.")
+    text_key<&AemOptions::center>("center", "CENTER_NAME; left out, none is written.")
+        .example("\"EARTH\""),
+    text_key<&AemOptions::frame_a>(
+        "frame_a",
+        "REF_FRAME_A, a name for state.axes. Left out, EME2000 (ecliptic-J2000 is turned "
+        "into it), or INERTIAL.")
         .example("\"EME2000\""),
-    text_option("frame_b", "REF_FRAME_B, a name for the body axes.").otherwise("\"SC_BODY_1\""),
+    text_key<&AemOptions::frame_b>("frame_b", "REF_FRAME_B, a name for the body axes.")
+        .otherwise("\"SC_BODY_1\""),
 };
 
 constexpr std::size_t longest_line = 250;  // the standard allows 254 characters
 
-std::string ascii_text(const OptionValues& values, std::string_view key) {
-  if (!values.has(key)) return {};
-  const std::string& text = values.word(key);
-  const bool good =
-      !text.empty() && text.size() <= longest_line / 2 &&
-      std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c <= '~'; });
-  if (!good) throw OptionError(key, "expected 1 to 125 printable ASCII characters");
-  return text;
+bool is_ascii_word(const std::string& text) {
+  return !text.empty() && text.size() <= longest_line / 2 &&
+         std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c <= '~'; });
 }
 
-Form form_of(const std::string& word) {
-  if (word == "quaternion-rate") return Form::quaternion_rate;
-  if (word == "euler") return Form::euler;
-  return word == "spin" ? Form::spin : Form::quaternion;
-}
-
-AemOptions options_of(const OptionValues& values) {
-  const auto text = [&](std::string_view key) { return ascii_text(values, key); };
-  AemOptions options{.form = form_of(values.word("form")),
-                     .version = static_cast<int>(values.whole("version")),
-                     .scalar_first = values.word("quaternion_type") == "FIRST",
-                     .body_to_frame = values.word("direction") == "B2A",
-                     .object_name = text("object_name"),
-                     .object_id = text("object_id"),
-                     .originator = text("originator"),
-                     .creation_date = text("creation_date"),
-                     .center = text("center"),
-                     .frame_a = text("frame_a"),
-                     .frame_b = text("frame_b")};
+void check_options(const AemOptions& options, const KeyValues& at) {
+  for (const char* const key :
+       {"object_name", "object_id", "originator", "creation_date", "center", "frame_a", "frame_b"})
+    if (at.has(key) && !is_ascii_word(at.word(key)))
+      at.refuse(key, "expected 1 to 125 printable ASCII characters");
   if (!options.creation_date.empty() && !civil_time(options.creation_date, true))
-    throw OptionError("creation_date", "expected a date such as 2026-01-31T12:00:00");
+    at.refuse("creation_date", "expected a date such as 2026-01-31T12:00:00");
   if (options.form == Form::quaternion_rate && options.version == 1)
-    throw OptionError("version",
-                      "expected 2 with form quaternion-rate: programs take the rates of "
-                      "QUATERNION/RATE, of version 1, for different things");
+    at.refuse("version",
+              "expected 2 with form quaternion-rate: programs take the rates of QUATERNION/RATE, "
+              "of version 1, for different things");
   if (options.scalar_first && options.version == 2)
-    throw OptionError("quaternion_type", "expected \"LAST\" in version 2");
+    at.refuse("quaternion_type", "expected \"LAST\" in version 2");
   if (options.body_to_frame && (options.version == 2 || options.form != Form::quaternion))
-    throw OptionError("direction",
-                      "expected \"A2B\": B2A is of form quaternion and version 1 alone");
-  return options;
+    at.refuse("direction", "expected \"A2B\": B2A is of form quaternion and version 1 alone");
 }
 
 bool needs_rates(const AemOptions& options) {
@@ -410,8 +396,7 @@ OutputFormat aem_format() {
     if (needs_rates(request.options<AemOptions>())) groups.emplace_back("omega");
     return groups;
   };
-  format.keys.assign(std::begin(keys), std::end(keys));
-  format.options = [](const OptionValues& values) { return std::any(options_of(values)); };
+  format.take_options<AemOptions>(keys, check_options);
   format.difference = [](const std::string& path, const std::vector<ColumnGroup>&,
                          const Provenance& provenance) {
     std::string head;

@@ -14,9 +14,9 @@
 #include "polhode/run/run.hpp"
 #include "run/detail/output_checks.hpp"
 #include "run/fit/fit_torques.hpp"
-#include "scenario/value_access.hpp"
 #include "scenario/values.hpp"
 #include "text/number_text.hpp"
+#include "text/value_access.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "run/detail/fit_tables.hpp"
-#include "scenario/value_access.hpp"
 #include "scenario/values.hpp"
 #include "text/number_text.hpp"
+#include "text/value_access.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -19,9 +19,9 @@
 #include "scenario/fit/fit_plan.hpp"
 #include "scenario/fit/observation_table.hpp"
 #include "scenario/tables/light.hpp"
-#include "scenario/value_access.hpp"
 #include "scenario/values.hpp"
 #include "text/number_text.hpp"
+#include "text/value_access.hpp"
 
 namespace polhode {
 inline namespace v0 {

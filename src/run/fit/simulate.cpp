@@ -29,8 +29,8 @@
 #include "scenario/fit/observation_table.hpp"
 #include "scenario/tables/fit.hpp"
 #include "scenario/tables/time.hpp"
-#include "scenario/value_access.hpp"
 #include "scenario/values.hpp"
+#include "text/value_access.hpp"
 #include "text/words.hpp"
 
 namespace polhode {

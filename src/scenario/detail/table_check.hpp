@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "polhode/scenario/key_values.hpp"
+#include "polhode/text/key_values.hpp"
 #include "polhode/text/units.hpp"
 #include "tables/table_header.hpp"
 

@@ -2,8 +2,9 @@
 // The scenario of a member of an ensemble, as text.
 #include "polhode/error.hpp"
 #include "scenario/ensemble/ensemble_plan.hpp"
-#include "scenario/value_access.hpp"
+#include "scenario/number_location.hpp"
 #include "text/number_text.hpp"
+#include "text/value_access.hpp"
 #include "text/words.hpp"
 
 namespace polhode {

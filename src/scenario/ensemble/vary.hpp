@@ -10,8 +10,9 @@
 #include <vector>
 
 #include "polhode/scenario/ensemble_plan.hpp"
+#include "scenario/number_location.hpp"
 #include "scenario/table.hpp"
-#include "scenario/value_access.hpp"
+#include "text/value_access.hpp"
 
 namespace polhode {
 inline namespace v0 {

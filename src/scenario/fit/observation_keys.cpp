@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "polhode/scenario/kind_key.hpp"
 #include "polhode/scenario/observation.hpp"
+#include "polhode/text/kind_key.hpp"
 #include "scenario/detail/kind_rows.hpp"
 #include "scenario/detail/schema_parts.hpp"
 #include "scenario/fit/observation_table.hpp"

@@ -388,10 +388,8 @@ Kinds Kinds::with(ExperimentKind kind) const {
 
 Kinds Kinds::with(OutputFormat format) const {
   const std::string shown = detail::shown_kind("output format", format.name);
-  std::vector<Key> keys;
-  for (const OptionKey& option : format.keys) keys.push_back(option.key());
-  detail::require_keys(shown, keys);
-  if (!keys.empty() && !format.options)
+  detail::require_keys(shown, format.keys);
+  if (!format.keys.empty() && !format.options)
     throw DomainError(shown + ": got keys and no function options; expected one");
   Lists lists = parts_->lists;
   lists.formats = lists.formats.with(std::move(format));

@@ -30,18 +30,6 @@ std::string each(const Key& key, const Units& units) {
 
 }  // namespace
 
-std::string_view key_name(std::string_view path) {
-  const std::size_t dot = path.rfind('.');
-  if (dot != std::string_view::npos) path.remove_prefix(dot + 1);
-  if (path.ends_with("[]")) path.remove_suffix(2);
-  return path;
-}
-
-std::string_view key_table(std::string_view path) {
-  const std::size_t dot = path.rfind('.');
-  return dot == std::string_view::npos ? std::string_view() : path.substr(0, dot);
-}
-
 std::vector<const Key*> keys_of(const Schema& schema, std::string_view table) {
   std::vector<const Key*> result;
   for (const Key& key : schema.keys)

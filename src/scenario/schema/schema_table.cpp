@@ -63,9 +63,9 @@ void detail::SchemaTable::add(const OutputFormat& format) {
   if (format.keys.empty()) return;
   const std::string& table = words_.emplace_back("output." + format.name);
   keys_.push_back({.path = table, .help = words_.emplace_back(format.help)});
-  for (const OptionKey& option : format.keys) {
-    keys_.push_back(option.key());
-    keys_.back().path = words_.emplace_back(table + "." + std::string(option.key().path));
+  for (const Key& key : format.keys) {
+    keys_.push_back(key);
+    keys_.back().path = words_.emplace_back(table + "." + std::string(key.path));
   }
 }
 

@@ -12,6 +12,7 @@
 
 #include "output/obliquity_columns.hpp"
 #include "polhode/output/columns.hpp"
+#include "scenario/number_location.hpp"
 #include "scenario/scenario_parts.hpp"
 #include "scenario/tables/state.hpp"
 #include "scenario/tables/time.hpp"

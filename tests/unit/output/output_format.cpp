@@ -25,45 +25,21 @@ using test::message_of;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-// A key without a text, a name, a dimension or words is no constant, and does not compile.
-struct Words {
-  char text[16] = {};
-  consteval Words(const char* from) {
-    for (std::size_t i = 0; from[i] != 0; ++i) text[i] = from[i];
-  }
-  constexpr operator std::string_view() const { return text; }
-};
-template <Words name, Words help>
-concept IsTextOption = requires { typename std::bool_constant<(text_option(name, help), true)>; };
-template <Words words>
-concept IsChoice =
-    requires { typename std::bool_constant<(choice_option("a", words, "A."), true)>; };
-template <class... A>
-concept IsQuantity = requires(A... a) { quantity_option("a", a..., "A."); };
-static_assert(IsTextOption<"name", "A name."> && IsChoice<"a|b">);
-static_assert(!IsTextOption<"name", ""> && !IsTextOption<"", "A name."> && !IsChoice<"">);
-static_assert(!IsQuantity<>);
-static_assert(!std::is_default_constructible_v<OptionKey> &&
-              !std::is_constructible_v<OptionKey, Key>);
-
 struct JsonOptions {
   std::string prefix = "";
   double shift = 0.0;
   bool units = false;
 };
 
-constexpr OptionKey json_keys[] = {
-    text_option("prefix", "In front of each name."),
-    quantity_option("shift", Dimension::time, "Added to t.").otherwise("0"),
-    flag_option("units", "Whether the names have units.").otherwise("false"),
+constexpr KindKey<JsonOptions> json_keys[] = {
+    text_key<&JsonOptions::prefix>("prefix", "In front of each name."),
+    quantity_key<&JsonOptions::shift>("shift", Dimension::time, "Added to t.").otherwise("0"),
+    flag_key<&JsonOptions::units>("units", "Whether the names have units.").otherwise("false"),
 };
 
-JsonOptions json_options(const OptionValues& values) {
-  JsonOptions options{.shift = values.number("shift"), .units = values.flag("units")};
-  if (values.has("prefix")) options.prefix = values.word("prefix");
-  if (options.prefix.size() > 8) throw OptionError("prefix", "expected up to 8 characters");
+void check_json(const JsonOptions& options, const KeyValues& at) {
+  if (options.prefix.size() > 8) at.refuse("prefix", "expected up to 8 characters");
   if (options.shift < 0.0) throw DomainError("expected a shift that is not negative");
-  return options;
 }
 
 std::string head_of(const Provenance& provenance) {
@@ -93,8 +69,7 @@ OutputFormat json_lines() {
   OutputFormat format("json-lines", ".jsonl", "How JSON Lines, --out PATH.jsonl, are written.",
                       open_json);
   format.label = "JSON Lines";
-  format.keys.assign(std::begin(json_keys), std::end(json_keys));
-  format.options = [](const OptionValues& values) { return std::any(json_options(values)); };
+  format.take_options<JsonOptions>(json_keys, check_json);
   format.difference = [](const std::string& path, const std::vector<ColumnGroup>&,
                          const Provenance& provenance) {
     std::ifstream file(path, std::ios::binary);

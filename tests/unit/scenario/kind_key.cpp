@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What is no description of a key does not compile.
-#include "polhode/scenario/kind_key.hpp"
+#include "polhode/text/kind_key.hpp"
 
 #include <gmock/gmock.h>
 

@@ -317,18 +317,24 @@ TEST(Kinds, AKindThatIsNotSoundIsRefusedWhenItIsAdded) {
 }
 
 TEST(Kinds, OptionsOfAFormatAreSound) {
-  const auto error = [](const std::vector<OptionKey>& options,
-                        bool are_read = true) -> std::string {
+  const auto error = [](const std::vector<Key>& options, bool are_read = true) -> std::string {
     OutputFormat format("own", ".own", "A format.",
                         [](const SinkRequest&) { return std::unique_ptr<Sink>(); });
     format.keys = options;
-    if (are_read) format.options = [](const OptionValues&) { return std::any(); };
+    if (are_read) format.options = [](const KeyValues&) { return std::any(); };
     return test::message_of([&] { default_kinds().with(format); });
   };
-  constexpr OptionKey digits = integer_option("digits", "6|9", "Digits.").otherwise("6"),
-                      many = integer_option("digits", "6|9", "Digits.").otherwise("8"),
-                      shown = quantity_option("offset", Dimension::time, "A time.").example("1 s"),
-                      spaced = flag_option("my flag", "A flag.");
+  struct Options {
+    int digits;
+    double offset;
+    bool flag;
+  };
+  constexpr auto digits_key = integer_key<&Options::digits>("digits", "Digits.").one_of("6|9");
+  const Key digits = digits_key.otherwise("6").key(), many = digits_key.otherwise("8").key(),
+            shown = quantity_key<&Options::offset>("offset", Dimension::time, "A time.")
+                        .example("1 s")
+                        .key(),
+            spaced = flag_key<&Options::flag>("my flag", "A flag.").key();
   const std::string own = "Kinds: output format \"own\"";
   EXPECT_EQ(error({}, false), "");
   EXPECT_EQ(error({digits}), "");

@@ -8,7 +8,7 @@
 #include "scenario/detail/built_in_kinds.hpp"
 #include "scenario/detail/clock.hpp"
 #include "scenario/kinds/orbits/shared_keys.hpp"
-#include "scenario/value_access.hpp"
+#include "text/value_access.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -4,8 +4,8 @@
 
 #include <string_view>
 
-#include "polhode/scenario/kind_key.hpp"
 #include "polhode/scenario/perturbation_kind.hpp"
+#include "polhode/text/kind_key.hpp"
 #include "scenario/tables/state.hpp"
 
 namespace polhode {

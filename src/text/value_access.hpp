@@ -1,45 +1,19 @@
 // SPDX-License-Identifier: MIT
-// The values of a scenario by path, the places of its numbers, and what the library rejects of them
-// as errors at their place. The schema has every path asked for here, and the reader has let its
-// value pass.
+// The values of a file by path, and what the library rejects of them as errors at their place. The
+// table of keys has every path asked for here, and the reader has let its value pass.
 #pragma once
 
-#include <cstddef>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "polhode/error.hpp"
-#include "polhode/scenario/scenario.hpp"
-#include "scenario/values.hpp"
+#include "polhode/text/key_values.hpp"
+#include "text/values.hpp"
 
 namespace polhode {
 inline namespace v0 {
 namespace detail {
-
-struct NumberLocation {
-  std::string path;
-  std::size_t index;
-};
-// Where "state.euler.theta" or "body.moments[1]" is; none where there is no such number.
-std::optional<NumberLocation> number_location(const Values& values, std::string_view key);
-
-// The same, and all numbers of an array by its name alone; empty where there is none.
-std::vector<NumberLocation> number_locations(const Values& values, std::string_view key);
-
-// The numbers of a file by their keys, of arrays the first, or that with the index in `key`: what
-// is near to a key that is none.
-std::vector<std::string> number_keys(const Values& values, std::string_view key);
-
-// A number of a value as the file has it: its unit, its own or that of [units], and the number in
-// this unit; and back, into core units.
-std::string unit_in_file(const Value& value, std::size_t index, const Units& units);
-double number_in_file(const Value& value, std::size_t index, const Units& units);
-double to_core(const Value& value, std::size_t index, double in_file, const Units& units);
-
-// Whether a value is one number or an array of them.
-bool is_number(const Value& value);
 
 // "perturbation[0]", ... of the tables of an array.
 std::vector<std::string> array_paths(const Values& values, const std::string& array);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The values of one table by the keys of its kind.
-#include "polhode/scenario/key_values.hpp"
+#include "polhode/text/key_values.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,10 +8,10 @@
 #include <filesystem>
 #include <string>
 
-#include "polhode/scenario/detail/key_form.hpp"
-#include "polhode/scenario/schema.hpp"
-#include "scenario/value_access.hpp"
-#include "scenario/values.hpp"
+#include "polhode/text/detail/key_form.hpp"
+#include "polhode/text/separated.hpp"
+#include "text/value_access.hpp"
+#include "text/values.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -32,9 +32,9 @@
 #include <utility>
 #include <vector>
 
-#include "polhode/scenario/detail/key_form.hpp"
-#include "polhode/scenario/key_values.hpp"
-#include "polhode/scenario/schema.hpp"
+#include "polhode/text/detail/key_form.hpp"
+#include "polhode/text/key.hpp"
+#include "polhode/text/key_values.hpp"
 
 namespace polhode {
 inline namespace v0 {

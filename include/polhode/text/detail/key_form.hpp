@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "polhode/math/vector.hpp"
-#include "polhode/scenario/key_values.hpp"
-#include "polhode/scenario/schema.hpp"
+#include "polhode/text/key.hpp"
+#include "polhode/text/key_values.hpp"
 
 namespace polhode {
 inline namespace v0 {

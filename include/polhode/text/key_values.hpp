@@ -18,12 +18,18 @@
 
 #include "polhode/error.hpp"
 #include "polhode/math/vector.hpp"
-#include "polhode/scenario/detail/values_fwd.hpp"
-#include "polhode/scenario/document.hpp"
+#include "polhode/text/detail/values_fwd.hpp"
 #include "polhode/text/units.hpp"
 
 namespace polhode {
 inline namespace v0 {
+
+// Every mistake of a file; what() holds one line for each.
+class ScenarioError : public DomainError {
+ public:
+  using DomainError::DomainError;
+};
+
 class KeyValues {
  public:
   // `path` is that of the table, "perturbation[0]"; `file` stands for the scenario in messages, and
