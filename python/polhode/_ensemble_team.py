@@ -14,7 +14,7 @@ from collections.abc import Callable
 from concurrent.futures import Executor, Future, wait
 from typing import Any
 
-from polhode import _core
+from polhode import _core, _toml
 
 WAITING = 4
 """Tasks for each worker that may wait for an earlier one."""
@@ -41,7 +41,7 @@ def cells(
             _worker.of = None
     if getattr(_worker, "of", None) != of:
         _worker.of = None
-        scenario = _core._Scenario.from_text(text.encode("utf-8"), path)
+        scenario = _core._Scenario.from_text(text.encode("utf-8"), path, _toml.known_kinds())
         work = scenario.ensemble().work(any_machine)
         work.begin(stage)
         _worker.work, _worker.stage, _worker.of = work, stage, of

@@ -2,7 +2,9 @@
 """Kinds that are registered from Python: files that name them run, vary and are fitted as files
 with built-in kinds, and mistakes are reported at their place."""
 
+import concurrent.futures
 import json
+import multiprocessing
 import pickle
 
 import numpy as np
@@ -126,6 +128,15 @@ def test_members_on_threads_are_the_same():
         for name in ("qw", "w3"):
             assert np.array_equal(results[0][name], other[name])
     assert np.ptp(results[0]["qw"]) > 0
+
+
+def test_worker_processes_know_what_was_registered():
+    vary = {"perturbation[0].torque[1]": polhode.vary.normal(0.002, 0.0005)}
+    fork = multiprocessing.get_context("fork")
+    with concurrent.futures.ProcessPoolExecutor(1, mp_context=fork) as pool:
+        ours = polhode.ensemble(scenario(PUSH), vary, size=4, executor=pool, keep="final")
+    assert np.array_equal(ours["w3"], polhode.ensemble(scenario(CONSTANT), vary, size=4,
+                                                       keep="final")["w3"])
 
 
 def test_a_map_varies_its_numbers():
