@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "run/detail/fit_tables.hpp"
+#include "scenario/number_location.hpp"
 #include "scenario/values.hpp"
 #include "text/number_text.hpp"
 #include "text/value_access.hpp"
