@@ -151,8 +151,9 @@ __all__ = [
     "to_scipy",
     "vary",
     "without_free_wobble",
-    *(name for name in dir(_core) if not name.startswith("_")),
+    *(name for name in dir(_core) if not name.startswith("_") and name not in kinds.__all__),
 ]
+del KindTable  # noqa: F821  a name of polhode.kinds
 
 # Users, pickles and the reference know these things by where they are imported from, and inspect by
 # their signatures.

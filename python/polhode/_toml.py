@@ -14,7 +14,7 @@ import numpy
 
 from polhode import _core
 
-# Those that texts may name; polhode.kinds registers others.
+# Kinds that scenario texts may name; polhode.kinds.register replaces them.
 _kinds = _core._default_kinds()
 
 

@@ -8,15 +8,20 @@ ensembles, fits, error messages and the JSON Schema know it.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from polhode import _core, _toml
 
+KindTable = _core.KindTable
+KindTable.__module__ = __name__
+
 __all__ = [
     "ExperimentKind",
     "Key",
+    "KindTable",
     "OrbitKind",
     "PerturbationKind",
     "register",
@@ -59,10 +64,10 @@ class Key:
         folder of the scenario), "name" (of an orbit) or "word" (one of `words`).
     length : of numbers; 0 is any length.
     words : the words that are allowed.
-    default : the value of a key that is left out, as a file has it; None: none.
+    default : the value in a file if the key is missing; None for no default.
     required : whether the table must have the key.
     range : "any", "positive" or "not_negative".
-    example : for `template`, as a file has it; None: the default.
+    example : the value that `template` writes; None for the default.
 
     ValueError for a numeric key without a dimension, an unknown form, and a default or an example
     that the key does not take (when the kind is registered).
@@ -104,6 +109,12 @@ class Key:
             _require(self.range == "any",
                      f"{where}: range: got {self.range!r}; expected \"any\" for a {self.form}")
             object.__setattr__(self, "dimension", _core.Dimension.number)
+        _require(isinstance(self.length, int) and self.length >= 0
+                 and (self.length == 0 or self.form == "numbers"),
+                 f"{where}: length: got {self.length!r}; expected a whole number for the form "
+                 '"numbers", 0 for any length')
+        _require(not isinstance(self.words, str),
+                 f"{where}: words: got {self.words!r}; expected a sequence of str")
         _require(self.range in _RANGES,
                  f"{where}: range: got {self.range!r}; expected one of {', '.join(_RANGES)}")
         object.__setattr__(self, "words", tuple(self.words))
@@ -133,6 +144,7 @@ class _Kind:
     made: Callable[[_core.KindTable], Any]
     sets: str = ""
     citations: Sequence[tuple[str, str, str]] = ()
+    on_surface: bool = False
 
     def __post_init__(self) -> None:
         own = type(self).__name__
@@ -143,6 +155,11 @@ class _Kind:
         for key in self.keys:
             if not isinstance(key, Key):
                 raise TypeError(f"{where}: keys: got {key!r}; expected Key objects")
+        in_sets = re.split("[|+]", self.sets)
+        for key in self.keys:
+            _require(not (key.required and key.name in in_sets),
+                     f'{where}: key "{key.name}": got required=True; expected False for a key of '
+                     "sets")
         if not callable(self.made):
             raise TypeError(f"{where}: made: got {self.made!r}; expected a function of a KindTable")
         object.__setattr__(self, "citations", tuple(tuple(c) for c in self.citations))
@@ -164,7 +181,8 @@ class PerturbationKind(_Kind):
         the body. A ValueError that it raises becomes an error of the file; table.refuse names the
         key.
     sets : sets of keys of which a table has exactly one, "times+torques|file"; empty: none.
-    citations : (key, text, reason) of works that it rests on.
+    citations : references, (key, text, reason).
+    on_surface : whether it acts on the facets of [[surface]], so that `template` writes one.
     """
 
 
@@ -190,36 +208,64 @@ class ExperimentKind(_Kind):
         columns after t, and their values in core units at a time.
     """
 
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        _require(not self.sets,
+                 f'ExperimentKind "{self.name}": sets: got {self.sets!r}; expected none')
 
-_names: list[str] = []
+
+_FAMILIES = {
+    PerturbationKind: "with_perturbation", OrbitKind: "with_orbit",
+    ExperimentKind: "with_experiment",
+}
+_registered: dict[tuple[type, str], _Kind] = {}
 
 
-def register(kind: PerturbationKind | OrbitKind | ExperimentKind) -> None:
-    """Makes a kind known to every scenario that is read from now on.
+def register(
+    kind: PerturbationKind | OrbitKind | ExperimentKind, *, replace: bool = False
+) -> None:
+    """Registers a kind for all scenarios that are read from now on.
 
     A scenario keeps the kinds that it was read with. Another process, such as a worker of a pool,
     knows the kinds that it has registered itself: register on import of a module of your own.
 
-    ValueError for a name that exists, a key that is there twice, and a default or an example that
-    its key does not take.
+    Parameters
+    ----------
+    kind : a PerturbationKind, an OrbitKind or an ExperimentKind.
+    replace : whether it may take the place of one that was registered under this name, as when a
+        cell of a notebook runs again. Kinds of the library are not replaced.
+
+    Raises
+    ------
+    ValueError
+        For a name that exists, a key that is there twice, and a default or an example that its key
+        does not take.
+
+    Examples
+    --------
+    >>> register(PerturbationKind("push", "A constant push.",
+    ...                           [Key("torque", "Along axis 3.", "torque", required=True)],
+    ...                           lambda t: ConstantTorque.in_body([0, 0, t["torque"]])))
     """
-    known = _toml.known_kinds()
-    if isinstance(kind, PerturbationKind):
-        known = known.with_perturbation(kind)
-    elif isinstance(kind, OrbitKind):
-        known = known.with_orbit(kind)
-    elif isinstance(kind, ExperimentKind):
-        known = known.with_experiment(kind)
-    else:
+    if type(kind) not in _FAMILIES:
         raise TypeError(f"register: got {kind!r}; expected a PerturbationKind, an OrbitKind or an "
                         "ExperimentKind")
+    own = (type(kind), kind.name)
+    _require(replace or own not in _registered,
+             f'register: "{kind.name}" was registered before; expected another name or '
+             "replace=True")
+    kinds = {**_registered, own: kind}
+    known = _core._default_kinds()
+    for (family, _), one in kinds.items():
+        known = getattr(known, _FAMILIES[family])(one)
+    _core._allow_alive_at_exit()
     _toml.set_known_kinds(known)
-    _names.append(kind.name)
+    _registered.update(kinds)
 
 
 def registered() -> list[str]:
     """The names of the kinds that were registered, in their order."""
-    return list(_names)
+    return [name for _, name in _registered]
 
 
 def schema() -> str:
@@ -229,6 +275,21 @@ def schema() -> str:
 
 
 def template(word: str) -> str:
-    """A commented scenario to start from, with the kind of that name; see `polhode init --help`."""
+    """A commented scenario to start from.
+
+    Parameters
+    ----------
+    word : the name of a kind; `polhode init --help` lists those of the library.
+
+    Returns
+    -------
+    str
+        TOML.
+
+    Raises
+    ------
+    ValueError
+        For a name that nothing has.
+    """
     text: str = _toml.known_kinds().template(word)
     return text

@@ -6,6 +6,8 @@ import concurrent.futures
 import json
 import multiprocessing
 import pickle
+import subprocess
+import sys
 
 import numpy as np
 import polhode
@@ -24,6 +26,7 @@ omega_body = [1.0, 2.0, 30.0]
 stop = 60
 step = 5
 """
+PUSH_ALONE = '[[perturbation]]\nkind = "push"\n'
 PUSH = '[[perturbation]]\nkind = "py-push"\ntorque = [0, "0.002 N m", 0]\n'
 CONSTANT = PUSH.replace("py-push", "constant-torque")
 
@@ -64,6 +67,20 @@ def pendulum(table):
     return {"columns": [("x", "angle"), ("v", "rate")], "formula": formula}
 
 
+def spiral(table):
+    times = np.linspace(table.span[0] - 1, table.span[1] + 1, 40)
+    angle = times / 500
+    r = 7000 - times
+    return polhode.TableOrbit(times, np.stack([r * np.cos(angle), r * np.sin(angle), 0 * r], 1))
+
+
+def pair(table):
+    assert "first" not in table or "second" not in table
+    assert list(table) == ["first", "second"] and "third" not in table
+    size = table["first"] if "first" in table else table["second"]
+    return polhode.ConstantTorque.in_body([size, 0, 0])
+
+
 kept = []
 
 
@@ -92,6 +109,14 @@ polhode.kinds.register(ExperimentKind(
     "py-pendulum", "A pendulum of small amplitude.",
     [Key("rate", "Of its phase.", "rate", required=True, example="1 rad/s"),
      Key("amplitude", "Of the angle.", "angle", default="0.1 rad")], pendulum))
+
+
+polhode.kinds.register(OrbitKind("py-spiral", "A spiral, from positions.", [], spiral))
+polhode.kinds.register(PerturbationKind(
+    "py-pair", "A torque about axis 1, given in one of two ways.",
+    [Key("first", "One way.", "torque", example=0.1), Key("second", "Another way.", "torque",
+                                                           example=0.2)],
+    pair, sets="first|second"))
 
 
 def scenario(*parts, name="made.toml"):
@@ -172,6 +197,53 @@ def test_a_registered_orbit_is_that_of_its_elements(plain):
     assert same(scenario(ours, gravity).run(), scenario(theirs, gravity).run())
 
 
+def test_an_orbit_of_positions_covers_the_run():
+    made = scenario('[orbit.o]\nkind = "py-spiral"\n[[perturbation]]\nkind = "gravity-gradient"\n'
+                    'orbit = "o"\ngm = "398600.4418 km3/s2"\n')
+    assert made.run().outcome.ok
+    assert made.orbits["o"].first_time <= 0 and made.orbits["o"].last_time >= 60
+
+
+def test_one_of_a_set_of_keys_is_there():
+    made = polhode.Scenario.from_text(polhode.kinds.template("py-pair"), "pair.toml")
+    assert made.system.terms[0].u.any()
+    with pytest.raises(polhode.ScenarioError, match="expected exactly one of first, second"):
+        scenario('[[perturbation]]\nkind = "py-pair"\nfirst = 1\nsecond = 2\n')
+
+
+def test_a_kind_may_be_replaced():
+    for size in (1.0, 2.0):
+        polhode.kinds.register(PerturbationKind(
+            "py-new", "A torque that changes.", [],
+            lambda table, size=size: polhode.ConstantTorque.in_body([size, 0, 0])), replace=True)
+        assert scenario('[[perturbation]]\nkind = "py-new"\n').system.terms[0].u[0] == size
+    assert polhode.kinds.registered().count("py-new") == 1
+
+
+def test_a_scenario_that_is_alive_at_exit_is_no_leak():
+    code = ("import polhode; from polhode.kinds import *\n"
+            "register(PerturbationKind('push', 'A push.', [],\n"
+            "         lambda table: polhode.TorqueTerm(lambda t, s: (0, 0, 0.1))))\n"
+            f"s = polhode.Scenario.from_text({(HEAD + PUSH_ALONE)!r})\n")
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
+    assert (done.returncode, done.stderr) == (0, "")
+
+
+@pytest.mark.parametrize("columns, message", [
+    ([("t", "time")], "other than t"), ([("x", "angle"), ("x", "rate")], "there once"),
+    ([("x,y", "angle")], "letters, digits and _"), (["x"], "columns of (name, dimension)"),
+    ([], "at least one column"), ([("x", "angel")], "dimension: got 'angel'"),
+])
+def test_columns_of_an_experiment_are_checked(columns, message):
+    polhode.kinds.register(ExperimentKind(
+        "py-columns", "Columns.", [], lambda table: {"columns": columns, "formula": abs}),
+        replace=True)
+    with pytest.raises(polhode.ScenarioError) as error:
+        polhode.Scenario.from_text('schema = 1\nkind = "py-columns"\n[py-columns]\n'
+                                   "[time]\nstop = 3\nstep = 1\n", "columns.toml")
+    assert message in str(error.value) and str(error.value).startswith("columns.toml:")
+
+
 def test_a_registered_experiment_has_its_columns():
     text = ('schema = 1\nkind = "py-pendulum"\nunits = { time = "s", angle = "deg" }\n'
             '[py-pendulum]\nrate = "2 rad/s"\n[time]\nstop = 3\nstep = 1\n')
@@ -201,14 +273,14 @@ def test_what_else_the_function_raises_passes_through():
         return table["unknown"]
 
     polhode.kinds.register(PerturbationKind("py-fails", "A kind with a mistake.", [], fails))
-    with pytest.raises(KeyError, match="unknown"):
+    with pytest.raises(KeyError, match='got "unknown"; expected a key of the kind'):
         scenario('[[perturbation]]\nkind = "py-fails"\n')
 
 
 def test_the_table_ends_with_the_call():
     with pytest.raises(ValueError, match="expected a term or a list of terms"):
         scenario('[[perturbation]]\nkind = "py-empty"\n')
-    with pytest.raises(ValueError, match="only while its function runs"):
+    with pytest.raises(ValueError, match="only while its function makes"):
         kept[0]["x"]
 
 
@@ -247,7 +319,18 @@ def test_schema_template_and_citations_know_it():
      "expected (key, text, reason)"),
     (lambda: polhode.kinds.register(push), TypeError, "expected a PerturbationKind, an OrbitKind"),
     (lambda: polhode.kinds.register(PerturbationKind("py-push", "A kind.", [], push)), ValueError,
-     'perturbation "py-push" is there; expected another name'),
+     '"py-push" was registered before; expected another name or replace=True'),
+    (lambda: polhode.kinds.register(PerturbationKind(
+        "py-x", "A kind.", [Key("y", "A length.", "length", range="positive", default=-1)], push)),
+     ValueError, "expected a positive length"),
+    (lambda: Key("x", "A length.", "length", form="numbers", length=2.5), ValueError,
+     "length: got 2.5"),
+    (lambda: Key("x", "A length.", "length", length=3), ValueError, "length: got 3"),
+    (lambda: Key("x", "A word.", form="word", words="abc"), ValueError, "a sequence of str"),
+    (lambda: PerturbationKind("py-x", "A kind.", [TORQUE], push, sets="torque|y"), ValueError,
+     'key "torque": got required=True; expected False for a key of sets'),
+    (lambda: ExperimentKind("py-x", "A kind.", [], pendulum, sets="a|b"), ValueError,
+     "expected none"),
     (lambda: polhode.kinds.register(PerturbationKind("damping", "A kind.", [], push)), ValueError,
      'perturbation "damping" is there; expected another name'),
     (lambda: polhode.kinds.register(PerturbationKind("py-x", "A kind.", [TORQUE, TORQUE], push)),

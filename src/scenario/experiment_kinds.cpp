@@ -108,10 +108,11 @@ MadeExperiment made_experiment(const KindContext& at) {
 void ExperimentContext::require_method(bool is_frozen) const {
   if (moves_any_state(method_)) return;
   if (is_frozen && method_of_frozen_models(method_) != nullptr) return;
-  detail::refuse(values(), "method.kind", file(),
-                 std::string("expected \"adaptive\"") +
-                     (is_frozen ? ", \"collocation\" or \"splitting\"" : " or \"collocation\"") +
-                     ", since kind \"" + path() + "\" has a state of its own");
+  detail::refuse_method(
+      file_values(),
+      std::string("expected \"adaptive\"") +
+          (is_frozen ? ", \"collocation\" or \"splitting\"" : " or \"collocation\"") +
+          ", since kind \"" + path() + "\" has a state of its own");
 }
 
 }  // namespace v0

@@ -34,7 +34,7 @@ std::vector<ScenarioFile> files_of(const Values& values, const std::string& name
 const ScenarioOrbit& orbit_named(const std::vector<ScenarioOrbit>& orbits, const Values& values,
                                  const std::string& path, const std::string& name);
 std::optional<Method> method_of(const KindContext& at);
-// At the place of its kind.
+// Throws a ScenarioError at method.kind.
 [[noreturn]] void refuse_method(const FileValues& file, std::string_view message);
 // Of the formats that have a table [output.NAME].
 FormatOptions format_options_of(const FileValues& file, const OutputFormats& formats);

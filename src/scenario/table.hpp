@@ -48,7 +48,7 @@ class TableRows {
 
  protected:
   void add_set(const Alternatives& set) { alternatives_.push_back(set); }
-  // For words that are made here.
+  // Stores text that keys refer to.
   const std::string& own(std::string words) { return words_.emplace_back(std::move(words)); }
 
  private:
@@ -79,7 +79,7 @@ class Placed {
   const A* operator->() const { return &arguments_; }
   const A& operator*() const { return arguments_; }
   const KeyValues& at() const { return at_; }
-  // Whether the file has the table.
+  // True if the file has the table.
   bool is_there() const { return has(at_.values(), at_.path()); }
 
   // The name of the key that fills a member, "start".
@@ -89,7 +89,7 @@ class Placed {
       if (one.template is_of<member>()) return one.key().path;
     throw std::logic_error("no key of " + at_.path() + " fills the member");
   }
-  // Whether the file has the key.
+  // True if the file has the key.
   template <auto member>
   bool is_explicit() const {
     return at_.is_explicit(name<member>());
@@ -102,7 +102,16 @@ class Placed {
     return arguments_.*member;
   }
 
-  // What one unit is, by a key that holds a unit; 1 where it is left out.
+  template <auto member>
+  std::string key_path() const {
+    return at_.key_path(name<member>());
+  }
+  // The path of the file that the key names.
+  template <auto member>
+  std::string file_at() const {
+    return at_.file_at(name<member>());
+  }
+  // The value of one unit in core units; 1 if the key is missing.
   template <auto member>
   double unit(Dimension dimension) const {
     return at_.unit(name<member>(), dimension);
@@ -121,8 +130,7 @@ class Placed {
   [[noreturn]] void refuse(std::string_view message) const {
     detail::refuse(at_.values(), at_.path(), at_.file(), message);
   }
-  // What a constructor of the library refuses becomes a message at the place of the member, or of
-  // the table.
+  // Turns a DomainError of the library into a ScenarioError at the member, or at the table.
   template <auto member, class Build>
   auto built(const Build& build) const {
     return at_.built(name<member>(), build);
@@ -138,7 +146,7 @@ class Placed {
   A arguments_;
 };
 
-// Those of an array, [[event]], in their order.
+// Reads all tables of an array, [[event]], in order.
 template <class A>
 std::vector<Placed<A>> placed_tables(const Table<A>& table, const FileValues& file) {
   std::vector<Placed<A>> all;

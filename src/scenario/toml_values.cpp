@@ -16,6 +16,7 @@
 #include "scenario/detail/toml_nodes.hpp"
 #include "scenario/values.hpp"
 #include "text/dates.hpp"
+#include "text/value_access.hpp"
 #include "text/words.hpp"
 
 namespace polhode {
@@ -125,7 +126,8 @@ std::optional<double> Reader::number(const Key& key, const toml::node& node) {
     return std::nullopt;
   }
   try {
-    if (date) return in_range(key, node, time_of_date({values_, units_, path_}, *date));
+    if (date)
+      return in_range(key, node, time_of_date({values_, units_, diagnostics_.name()}, *date));
     const Quantity quantity = quantity_from_text(*node.value<std::string_view>());
     return with_unit(key, node, quantity.value, quantity.unit);
   } catch (const DomainError& error) {
@@ -437,7 +439,9 @@ void Reader::read_units(const toml::table& file) {
 // In units that every dimension has.
 void Reader::read_alone(const Key& key, const toml::node& node) {
   units_ = Units("s", "rad", "kg m2", "m");
-  read_key(key, node, std::string(key.path), {}, true);
+  const std::string path(key.path);
+  read_key(key, node, path, {}, true);
+  if (values_.contains(path)) require_range(values_, path, diagnostics_.name());
 }
 
 ReadFile Reader::read(const toml::table& file) {

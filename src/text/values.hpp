@@ -28,6 +28,7 @@ constexpr std::size_t most_diagnostics = 20;
 class Diagnostics {
  public:
   explicit Diagnostics(std::string_view name);
+  const std::string& name() const { return name_; }
   void add(Position where, std::string_view path, std::string_view text);
   bool full() const { return entries_.size() >= most_diagnostics; }
   // One line per error.

@@ -19,7 +19,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 HOME = ROOT / "build/bits"
 PYTHON = ROOT / ".venv/bin/python"
 # Inputs: probes, scenarios, tables of commands, and the valid calls that the Python tests share.
-INPUTS = ["tools/bitwise", "examples", "python/tests", "tests/slowdown.py"]
+INPUTS = ["tools/bitwise", "examples", "python/tests", "tests/slowdown.py",
+          "tests/scenario_parts.py"]
 # As in the preset `release`, for the library and for the probes.
 FLAGS = ["-std=c++20", "-O2", "-DNDEBUG", "-ffp-contract=off"]
 

@@ -92,7 +92,7 @@ OrbitKind orbit_kind(std::string_view name, std::string_view help, std::span<con
           .made = [all = std::vector<KindKey<A>>(keys.begin(), keys.end()),
                    made](const OrbitContext& at) { return made(arguments<A>(all, at), at); }};
 }
-// The same for elements over ages, which may also give positions.
+// A kind of elements over ages, which may also give positions.
 template <class A>
 OrbitKind history_kind(std::string_view name, std::string_view help,
                        std::span<const KindKey<A>> keys,

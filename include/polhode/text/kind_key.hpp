@@ -26,6 +26,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
@@ -66,8 +67,7 @@ class KindKey {
   }
   // Stands in the file that `polhode init` writes, though it may be left out.
   consteval KindKey shown() const { return with(&Key::in_template, true); }
-  // In a table with a key `kind`: the words of the kinds that the key belongs to, and of those that
-  // must have it.
+  // For tables with a key `kind`: the kinds that have the key, and those that require it.
   consteval KindKey of_kinds(std::string_view words) const { return with(&Key::kinds, words); }
   consteval KindKey needed_by(std::string_view words) const { return with(&Key::needed_by, words); }
   // A time may also be a date, "2013-02-04", counted from state.epoch.
@@ -89,7 +89,7 @@ class KindKey {
     made.whole_ = {least, most, shown};
     return made;
   }
-  // How many numbers an array has, where its member holds any number of them.
+  // Fixes the length of an array whose member is a std::vector.
   consteval KindKey of_length(int count) const {
     if (key_.type != KeyType::numbers || key_.length != 0) throw "the member has a length";
     return with(&Key::length, count);
@@ -103,7 +103,7 @@ class KindKey {
   void check(const KeyValues& values) const { detail::require_allowed(values, key_, whole_); }
   // Writes what the table says into the arguments.
   void fill(A& arguments, const KeyValues& values) const { fill_(arguments, values, key_.path); }
-  // Whether it fills this member.
+  // True if the key fills this member.
   template <auto at>
   constexpr bool is_of() const {
     return member_ == &detail::member_id<at>;
@@ -144,7 +144,7 @@ consteval KindKey<A> quantity_key(std::string_view name, Dimension dimension,
                                        .type = Form::type,
                                        .dimension = dimension,
                                        .length = Form::length,
-                                       .allowed = detail::words_beside<Form>(),
+                                       .allowed = detail::special_words<Form>(),
                                        .help = help});
 }
 
@@ -157,15 +157,19 @@ consteval KindKey<A> table_key(std::string_view name, std::string_view help) {
                                        std::string_view key) { arguments.*at = values.has(key); });
 }
 
-// A whole number; not negative where the member has no sign.
+// A whole number that the member can hold.
 template <auto at, class A = detail::Owner<at>>
   requires detail::HasInteger<at> && detail::HasMember<A, at>
 consteval KindKey<A> integer_key(std::string_view name, std::string_view help) {
+  using Whole = typename detail::Plain<detail::Member<at>>::type;
   const KindKey<A> made =
       detail::KeyMaker::key<at, A>({.path = name, .type = KeyType::integer, .help = help});
-  if constexpr (std::unsigned_integral<typename detail::Plain<detail::Member<at>>::type>)
+  if constexpr (sizeof(Whole) < sizeof(std::int64_t))
+    return made.from_to(std::numeric_limits<Whole>::min(), std::numeric_limits<Whole>::max());
+  else if constexpr (std::unsigned_integral<Whole>)
     return made.from_to(0, detail::WholeRange{}.most, "2^63 - 1");
-  return made;
+  else
+    return made;
 }
 
 // true or false.

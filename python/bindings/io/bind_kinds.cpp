@@ -5,9 +5,11 @@
 #include <deque>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "interface/choice.hpp"
@@ -16,6 +18,7 @@
 #include "polhode/error.hpp"
 #include "polhode/scenario/kinds.hpp"
 #include "polhode/text/detail/key_form.hpp"
+#include "polhode/text/separated.hpp"
 #include "terms/orbit_value.hpp"
 #include "terms/term_value.hpp"
 
@@ -26,6 +29,7 @@ namespace {
 // The keys of a kind and the texts that they and its description refer to.
 struct KindTexts {
   std::deque<std::string> words;
+  std::string_view sets;
   std::vector<Key> keys;
   std::vector<Citation> citations;
 
@@ -40,16 +44,26 @@ constexpr std::array key_forms = {
     std::pair{"word", KeyType::choice},
 };
 
+// Whether one of the sets "times+rates|file" has the key.
+bool is_in(std::string_view sets, std::string_view name) {
+  for (const std::string_view set : separated(sets, '|'))
+    if (std::ranges::count(separated(set, '+'), name) > 0) return true;
+  return false;
+}
+
 // From the fields of polhode.kinds.Key, which has checked them.
-Key key_of(nb::handle from, KindTexts& texts) {
+Key key_of(nb::handle from, std::string_view sets, KindTexts& texts) {
   const auto form = nb::cast<std::string>(from.attr("form"));
   const auto known =
       std::ranges::find(key_forms, form, [](const auto& one) { return std::string(one.first); });
   const bool required = nb::cast<bool>(from.attr("required"));
+  const std::string_view name = texts.own(from.attr("name"));
   const nb::handle limit = from.attr("range");
-  return {.path = texts.own(from.attr("name")),
+  return {.path = name,
           .type = known->second,
-          .presence = required ? Presence::required : Presence::optional,
+          .presence = required            ? Presence::required
+                      : is_in(sets, name) ? Presence::alternative
+                                          : Presence::optional,
           .dimension = nb::cast<Dimension>(from.attr("dimension")),
           .length = nb::cast<int>(from.attr("length")),
           .allowed = texts.own(from.attr("_allowed")),
@@ -64,45 +78,58 @@ Key key_of(nb::handle from, KindTexts& texts) {
 
 std::shared_ptr<KindTexts> texts_of(nb::handle kind) {
   const auto texts = std::make_shared<KindTexts>();
+  texts->sets = texts->own(kind.attr("sets"));
   for (const nb::handle key : nb::iter(kind.attr("keys")))
-    texts->keys.push_back(key_of(key, *texts));
+    texts->keys.push_back(key_of(key, texts->sets, *texts));
   for (const nb::handle c : nb::iter(kind.attr("citations")))
     texts->citations.push_back({texts->own(c[0]), texts->own(c[1]), texts->own(c[2])});
   return texts;
 }
 
-// What the function that makes a thing is given: the values of its table and what stands before it
-// in the file. Empty when that call is over.
-struct Table {
+// Inputs of the function of a kind: the values of its table and the context. Null after the call.
+struct KindInputs {
   const KindTexts* texts;
   const KeyValues* values;
   const TermContext* term = nullptr;
   const OrbitContext* orbit = nullptr;
-  const ExperimentContext* experiment = nullptr;
 };
 
-class TableView {
+class KindTable {
  public:
-  explicit TableView(std::shared_ptr<const Table*> table) : table_(std::move(table)) {}
+  explicit KindTable(std::shared_ptr<const KindInputs*> table) : table_(std::move(table)) {}
 
-  const Table& table() const {
+  const KindInputs& table() const {
     if (*table_ == nullptr)
-      throw nb::value_error("the table of a kind can be read only while its function runs");
+      throw nb::value_error(
+          "the table of a kind can be read only while its function makes the thing: expected "
+          "variables of yours for what is needed later");
     return **table_;
   }
   const KeyValues& values() const { return *table().values; }
   const TermContext& term() const {
     if (table().term == nullptr)
-      throw nb::attribute_error("only the table of a perturbation has it");
+      throw nb::attribute_error("only the table of a perturbation has body and orbits");
     return *table().term;
   }
 
   const Key& key(const std::string& name) const {
     for (const Key& key : table().texts->keys)
       if (key.path == name) return key;
-    throw nb::key_error(name.c_str());
+    std::string known;
+    for (const Key& key : table().texts->keys)
+      known += (known.empty() ? "" : ", ") + std::string(key.path);
+    throw nb::key_error(("got \"" + name + "\"; expected a key of the kind: " + known).c_str());
   }
-  bool has(const std::string& name) const { return values().has(key(name).path); }
+  bool has(const std::string& name) const {
+    const std::vector<Key>& keys = table().texts->keys;
+    return std::ranges::find(keys, name, &Key::path) != keys.end() && values().has(name);
+  }
+  nb::list names() const {
+    nb::list all;
+    for (const Key& key : table().texts->keys)
+      all.append(nb::str(key.path.data(), key.path.size()));
+    return all;
+  }
 
   nb::object value(const std::string& name) const {
     const Key& key = this->key(name);
@@ -113,12 +140,8 @@ class TableView {
         return nb::float_(at.number(name));
       case KeyType::numbers:
         return nb::cast(array_of(at.numbers(name)));
-      case KeyType::matrix: {
-        const std::vector<double>& n = at.numbers(name);
-        Mat3 m;
-        for (int i = 0; i < 9; ++i) m(i / 3, i % 3) = n.at(static_cast<std::size_t>(i));
-        return nb::cast(array_of(m));
-      }
+      case KeyType::matrix:
+        return nb::cast(array_of(polhode::detail::KeyForm<Mat3>::read(at, name)));
       case KeyType::integer:
         return nb::int_(at.integer(name));
       case KeyType::boolean:
@@ -129,36 +152,37 @@ class TableView {
   }
 
  private:
-  std::shared_ptr<const Table*> table_;
+  std::shared_ptr<const KindInputs*> table_;
 };
 
-// As Python's orbits are: the elements or rows themselves.
+// The Python object of an orbit: its elements or rows.
 nb::object orbit_object(const ScenarioOrbit& orbit) {
   return std::visit([](const auto& motion) { return nb::cast(motion); }, orbit.motion);
 }
 
-// The function of a kind. What it raises as a ValueError becomes an error of the file.
-class Maker {
+// The function of a kind. A ValueError becomes an error of the file, and so does a result of
+// another type than expected.
+class KindFunction {
  public:
-  Maker(nb::handle kind, const char* sort, std::shared_ptr<const KindTexts> texts)
+  KindFunction(nb::handle kind, const char* sort, std::shared_ptr<const KindTexts> texts)
       : function_(std::make_shared<PythonFunction>(
             kind.attr("made"),
             std::string(sort) + " \"" + nb::cast<std::string>(kind.attr("name")) + "\"")),
         texts_(std::move(texts)) {}
 
-  // take(object) of what the function returns for the table.
-  template <class Take>
-  auto made(Table table, const Take& take) const {
+  // Applies `convert` to the returned object.
+  template <class Convert>
+  auto call(KindInputs inputs, const Convert& convert) const {
     const WithGil acquired;
-    table.texts = texts_.get();
-    for (const Key& key : texts_->keys) polhode::detail::require_allowed(*table.values, key);
-    const auto shared = std::make_shared<const Table*>(&table);
-    struct Over {
-      const Table*& table;
-      ~Over() { table = nullptr; }
-    } over{*shared};
+    inputs.texts = texts_.get();
+    for (const Key& key : texts_->keys) polhode::detail::require_allowed(*inputs.values, key);
+    const auto shared = std::make_shared<const KindInputs*>(&inputs);
+    struct ClearOnExit {
+      const KindInputs*& inputs;
+      ~ClearOnExit() { inputs = nullptr; }
+    } clear{*shared};
     try {
-      return take((*function_)(TableView(shared)), *function_);
+      return convert((*function_)(KindTable(shared)), *function_);
     } catch (nb::python_error& error) {
       const nb::object core = nb::module_::import_("polhode._core");
       const bool has_place = error.matches(core.attr("ScenarioError"));
@@ -166,10 +190,10 @@ class Maker {
       const auto text = nb::cast<std::string>(nb::str(error.value()));
       if (has_place) throw ScenarioError(text);
       throw DomainError(text);
+    } catch (const nb::builtin_exception& error) {
+      throw DomainError(error.what());
     }
   }
-
-  const KindTexts& texts() const { return *texts_; }
 
  private:
   SharedFunction function_;
@@ -197,7 +221,7 @@ bool take_orbit(nb::handle made, ScenarioOrbit& orbit) {
   return true;
 }
 
-// An orbit, or an orbit and the gravitational parameter of what attracts.
+// An orbit, or an orbit and the gravitational parameter of the attracting body.
 ScenarioOrbit orbit_of_kind(const nb::object& made, const PythonFunction& function,
                             const std::string& kind) {
   nb::object path = made, gm = nb::none();
@@ -219,19 +243,35 @@ ScenarioOrbit orbit_of_kind(const nb::object& made, const PythonFunction& functi
   return orbit;
 }
 
+bool is_column_name(std::string_view name) {
+  const auto is_plain = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+  };
+  return !name.empty() && name != "t" && std::ranges::all_of(name, is_plain);
+}
+
 // {"columns": [(name, dimension), ...], "formula": f(t) -> numbers}
 CustomExperiment experiment_of(const nb::object& made, const PythonFunction& function,
                                const ExperimentContext& at, std::string_view kind) {
-  if (!nb::isinstance<nb::dict>(made) ||
-      !made.attr("__contains__")("columns").equal(nb::bool_(true)) ||
-      !made.attr("__contains__")("formula").equal(nb::bool_(true)))
+  nb::dict parts;
+  if (!nb::try_cast(made, parts) || parts.size() != 2 || !parts.contains("columns") ||
+      !parts.contains("formula"))
     function.refuse(made, R"({"columns": [(name, dimension), ...], "formula": f(t) -> numbers})");
   CustomExperiment own{.kind = std::string(kind), .rows = at.rows(), .columns = {}};
-  for (const nb::handle column : nb::iter(made["columns"]))
-    own.columns.push_back(
-        {nb::cast<std::string>(column[0]), choice<Dimension>(column[1], "dimension")});
-  const auto formula =
-      std::make_shared<PythonFunction>(nb::object(made["formula"]), function.label() + ": formula");
+  for (const nb::handle column : nb::iter(parts["columns"])) {
+    std::string name;
+    if (!nb::isinstance<nb::sequence>(column) || nb::len(column) != 2 ||
+        !nb::try_cast(nb::object(column[0]), name) || !is_column_name(name) ||
+        std::ranges::count(own.columns, name, &CustomColumn::name) > 0)
+      function.refuse(
+          made,
+          "columns of (name, dimension), each name of letters, digits and _, other than "
+          "t, and there once");
+    own.columns.push_back({std::move(name), choice<Dimension>(column[1], "dimension")});
+  }
+  if (own.columns.empty()) function.refuse(made, "at least one column");
+  const auto formula = std::make_shared<PythonFunction>(nb::object(parts["formula"]),
+                                                        function.label() + ": formula");
   own.formula = [formula](double t, std::span<double> row) {
     const WithGil acquired;
     const nb::object returned = (*formula)(t);
@@ -252,112 +292,108 @@ CustomExperiment experiment_of(const nb::object& made, const PythonFunction& fun
 
 Kinds with_perturbation(const Kinds& kinds, nb::handle kind) {
   const auto texts = texts_of(kind);
-  const Maker maker(kind, "perturbation", texts);
+  const KindFunction function(kind, "perturbation", texts);
   return kinds.with(PerturbationKind{
       .name = texts->own(kind.attr("name")),
       .help = texts->own(kind.attr("help")),
       .keys = texts->keys,
-      .sets = texts->own(kind.attr("sets")),
+      .sets = texts->sets,
       .citations = texts->citations,
-      .made = [maker](const TermContext& at) {
-        return maker.made({.texts = nullptr, .values = &at, .term = &at}, terms_of);
-      }});
+      .made =
+          [function](const TermContext& at) {
+            return function.call({.texts = nullptr, .values = &at, .term = &at}, terms_of);
+          },
+      .on_surface = nb::cast<bool>(kind.attr("on_surface"))});
 }
 
 Kinds with_orbit(const Kinds& kinds, nb::handle kind) {
   const auto texts = texts_of(kind);
-  const Maker maker(kind, "orbit", texts);
+  const KindFunction function(kind, "orbit", texts);
   const std::string_view name = texts->own(kind.attr("name"));
   return kinds.with(OrbitKind{.name = name,
                               .help = texts->own(kind.attr("help")),
                               .keys = texts->keys,
-                              .sets = texts->own(kind.attr("sets")),
+                              .sets = texts->sets,
                               .citations = texts->citations,
-                              .made = [maker, name](const OrbitContext& at) {
-                                return maker.made(
+                              .made = [function, name](const OrbitContext& at) {
+                                return function.call(
                                     {.texts = nullptr, .values = &at, .orbit = &at},
-                                    [&](const nb::object& made, const PythonFunction& function) {
-                                      return orbit_of_kind(made, function, std::string(name));
+                                    [&](const nb::object& made, const PythonFunction& by) {
+                                      return orbit_of_kind(made, by, std::string(name));
                                     });
                               }});
 }
 
 Kinds with_experiment(const Kinds& kinds, nb::handle kind) {
   const auto texts = texts_of(kind);
-  const Maker maker(kind, "experiment", texts);
+  const KindFunction function(kind, "experiment", texts);
   const std::string_view name = texts->own(kind.attr("name"));
-  return kinds.with(ExperimentKind{
-      .name = name,
-      .help = texts->own(kind.attr("help")),
-      .keys = texts->keys,
-      .made =
-          [maker, name](const ExperimentContext& at) {
-            return maker.made({.texts = nullptr, .values = &at, .experiment = &at},
-                              [&](const nb::object& made, const PythonFunction& function) {
-                                return experiment_of(made, function, at, name);
-                              });
-          },
-      .citations = texts->citations});
+  return kinds.with(ExperimentKind{.name = name,
+                                   .help = texts->own(kind.attr("help")),
+                                   .keys = texts->keys,
+                                   .made =
+                                       [function, name](const ExperimentContext& at) {
+                                         return function.call(
+                                             {.texts = nullptr, .values = &at},
+                                             [&](const nb::object& made, const PythonFunction& by) {
+                                               return experiment_of(made, by, at, name);
+                                             });
+                                       },
+                                   .citations = texts->citations});
 }
 
 void bind_table(nb::module_& m) {
-  nb::class_<TableView>(m, "KindTable",
+  nb::class_<KindTable>(m, "KindTable",
                         R"(The values of one table of a scenario, given to the function of a kind.
 
 table["limit"] is the value of a key, in core units: a float, an array, an int, a bool or a str;
 None if the key is left out and has no default. A file is given by its path.)")
-      .def("__getitem__", &TableView::value, "key"_a)
-      .def("__contains__", &TableView::has, "key"_a)
-      .def("keys",
-           [](const TableView& of) {
-             nb::list names;
-             for (const Key& key : of.table().texts->keys)
-               names.append(nb::str(key.path.data(), key.path.size()));
-             return names;
-           })
+      .def("__getitem__", &KindTable::value, "key"_a)
+      .def("__contains__", &KindTable::has, "key"_a)
+      .def("keys", &KindTable::names)
+      .def("__iter__", [](const KindTable& of) { return nb::iter(of.names()); })
       .def_prop_ro(
-          "units", [](const TableView& of) { return of.values().units(); },
+          "units", [](const KindTable& of) { return of.values().units(); },
           "The units of the file.")
       .def_prop_ro(
-          "body", [](const TableView& of) { return of.term().body(); },
+          "body", [](const KindTable& of) { return of.term().body(); },
           "The body; of a perturbation.")
       .def(
           "principal",
-          [](const TableView& of, ArrayLike x) {
+          [](const KindTable& of, ArrayLike x) {
             return array_of(of.term().principal(vec3(x, "x")));
           },
           "x"_a, "A vector (3,) along the body axes of the file, along the principal axes.")
       .def_prop_ro(
-          "surface", [](const TableView& of) { return of.term().surface(); },
+          "surface", [](const KindTable& of) { return of.term().surface(); },
           "What the tables [[surface]] describe, along the principal axes; ScenarioError if there "
           "are none.")
       .def(
           "orbit",
-          [](const TableView& of, const std::string& key) {
+          [](const KindTable& of, const std::string& key) {
             return orbit_object(of.term().orbit(of.key(key).path));
           },
           "key"_a, "The orbit that the key names; ScenarioError if the file has no such orbit.")
       .def(
           "gm",
-          [](const TableView& of, const std::string& key, const std::string& orbit) {
+          [](const KindTable& of, const std::string& key, const std::string& orbit) {
             return of.term().gm(of.key(key).path, of.key(orbit).path);
           },
           "key"_a, "orbit"_a,
           "The gravitational parameter that a key gives, or that of the orbit that another names.")
       .def_prop_ro(
-          "span",
-          [](const TableView& of) -> std::optional<std::pair<double, double>> {
+          "span", [](const KindTable& of) -> Typed<"tuple[float, float] | None"> {
             if (of.table().orbit == nullptr)
-              throw nb::attribute_error("only the table of an orbit has it");
+              throw nb::attribute_error("only the table of an orbit has a span");
             const std::optional<TimeSpan> span = of.table().orbit->run_span();
-            if (!span) return std::nullopt;
-            return std::pair(span->first, span->last);
+            if (!span) return Typed<"tuple[float, float] | None">(nb::none());
+            return Typed<"tuple[float, float] | None">(nb::make_tuple(span->first, span->last));
           },
           "The first and the last time of the run, t = 0 included; None without [time]. Of an "
           "orbit.")
       .def(
           "refuse",
-          [](const TableView& of, const std::string& key, const std::string& message) {
+          [](const KindTable& of, const std::string& key, const std::string& message) {
             of.values().refuse(of.key(key).path, message);
           },
           "key"_a, "message"_a,
@@ -377,6 +413,9 @@ void bind_kinds(nb::module_& m) {
         return scenario_template(word, kinds.schema());
       });
   m.def("_default_kinds", [] { return default_kinds(); });
+  // A scenario that is alive at exit and whose functions see it, as those of a script do, is a
+  // cycle through C++: its end is that of the process.
+  m.def("_allow_alive_at_exit", [] { nb::set_leak_warnings(false); });
 }
 
 }  // namespace polhode::python

@@ -11,7 +11,6 @@
 #include "run/fit/fit_torques.hpp"
 #include "scenario/fit/observation_table.hpp"
 #include "scenario/tables/fit.hpp"
-#include "scenario/values.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -67,7 +67,7 @@ struct PlaceKeys {
   std::optional<double> gm, semi_major_axis;
   double mean_longitude;
 };
-// Those of arguments A that derive from these, and the units of their columns.
+// Keys of PlaceKeys for arguments A that derive from it, and the key of column units.
 template <class A>
 constexpr std::array<KindKey<A>, 3> place_keys = {
     orbit_gm_key<&PlaceKeys::gm, A>(),

@@ -177,9 +177,8 @@ class AllVaried {
 }  // namespace
 
 SchemaPart ensemble_keys() {
-  static const TableRows rows(ensemble_description, fraction_description, histogram_description,
-                              vary_description);
-  return rows.part();
+  return part_of<ensemble_description, fraction_description, histogram_description,
+                 vary_description>();
 }
 
 std::optional<EnsemblePlan> ensemble_plan(const FileValues& file, const Experiment& experiment) {

@@ -14,7 +14,7 @@ inline namespace v0 {
 namespace detail {
 
 SchemaPart ensemble_keys();
-// None without [ensemble]. ScenarioError at the place of what is wrong.
+// Returns nullopt without [ensemble]. ScenarioError at the place of a mistake.
 std::optional<EnsemblePlan> ensemble_plan(const FileValues& file, const Experiment& experiment);
 // The text of a scenario with the numbers of a member in place of its own and without [ensemble].
 // DomainError if the text cannot be changed so that it holds them.

@@ -12,7 +12,7 @@ inline namespace v0 {
 namespace detail {
 namespace {
 
-// Where a number may stand in TOML: that of an array also in { value = [..], unit = ".." }.
+// Possible TOML places of a number; one of an array may also be in { value = [..], unit = ".." }.
 std::vector<std::string> places_of(const Value& value, const NumberLocation& at) {
   if (value.key->type == KeyType::number) return {at.path};
   std::string index = std::to_string(at.index);

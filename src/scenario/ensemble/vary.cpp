@@ -209,7 +209,7 @@ class Drawn {
   }
 
  private:
-  // What the distribution refuses is said at the key of the member, without the name of its class.
+  // Reports a DomainError of the distribution at the key of the member, without its class name.
   template <auto member, class Build>
   VariedTable one(std::string text, const Build& build) const {
     return one(std::move(text), from_.built<member>([&] {
@@ -310,8 +310,7 @@ class Drawn {
       from_.refuse<&VaryTable::columns>("expected " + count_text(n, "column") +
                                         ", one for each of keys");
     return one<&VaryTable::file>("table " + from_->file, [&] {
-      const NumberTable read =
-          read_number_table(from_.at().file_at(from_.name<&VaryTable::file>()), columns);
+      const NumberTable read = read_number_table(from_.file_at<&VaryTable::file>(), columns);
       std::vector<double> rows;
       rows.reserve(read.rows() * n);
       for (std::size_t k = 0; k < read.rows(); ++k)

@@ -19,11 +19,15 @@ namespace {
 // Light curves are fitted by themselves, and their orbits are those of the file.
 std::vector<Observation> observations_of(const FileValues& at, const Rotation& rotation) {
   using enum Observation::Kind;
+  const std::size_t count = array_paths(at.values, "observation").size();
+  std::vector<Placed<Observation>> tables;
   std::vector<Observation> all;
-  for (std::size_t i = 0; i < array_paths(at.values, "observation").size(); ++i)
-    all.push_back(observation_of(placed_observation(at, i)));
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const Placed<Observation> table = placed_observation(at, i);
+  for (std::size_t i = 0; i < count; ++i) {
+    tables.push_back(placed_observation(at, i));
+    all.push_back(observation_of(tables.back()));
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const Placed<Observation>& table = tables[i];
     if ((all[i].kind == light_curve) != (all.front().kind == light_curve))
       table.refuse<&Observation::kind>(
           "expected light curves alone, or none: they are fitted by themselves");

@@ -29,7 +29,7 @@ void add_priors(const FileValues& at, const SpinState& start, FitPlan& plan);
 // The tables [[free.parameter]] and [[free.jump]], and their priors.
 SchemaPart drive_keys();
 void add_drive(const FileValues& at, const Rotation& rotation, FitPlan& plan);
-// At the place of the first of these tables, if there is one.
+// Throws a ScenarioError at the first of these tables, if there is one.
 void refuse_drive(const FileValues& at, std::string_view message);
 
 }  // namespace detail

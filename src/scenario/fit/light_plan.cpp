@@ -149,11 +149,12 @@ LightPlan light_plan(const FileValues& at, const Rotation& rotation, const Place
 }  // namespace detail
 
 FacetShape light_mesh(const Scenario& scenario) {
+  static_cast<void>(require_fit(scenario));
   const detail::Placed<detail::LightTable> light =
       detail::light_table(detail::file_values(scenario.document));
   if (!light->mesh) return scenario.rotation().shape->mesh;
   return light.built<&detail::LightTable::mesh>(
-      [&] { return read_obj(light.at().file_at("mesh")); });
+      [&] { return read_obj(light.file_at<&detail::LightTable::mesh>()); });
 }
 
 }  // namespace v0

@@ -63,7 +63,7 @@ LightColumns columns_of(const ObservationTable& of) {
 }
 
 LightCurveFile file_of(const ObservationTable& of, const std::vector<std::size_t>& leave_out) {
-  const std::string path = of.place.at().file_at("file");
+  const std::string path = of.place.file_at<&Observation::file>();
   if (of.of.light_format == Format::lc)
     return read_lc(path, *of.of.time_scale, of.clock->epoch, leave_out);
   if (of.of.light_format == Format::alcdef) return read_alcdef(path, of.clock->epoch, leave_out);

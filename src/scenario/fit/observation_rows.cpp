@@ -71,7 +71,7 @@ ObservationTable observation_table(const Scenario& scenario, std::size_t index) 
   if (of.time_format == Observation::TimeFormat::number)
     table.time_unit = table.place.unit<&Observation::time_unit>(Dimension::time);
   else
-    table.clock = clock_of(file, "observation[" + std::to_string(index) + "].time_format");
+    table.clock = clock_of(file, table.place.key_path<&Observation::time_format>());
   return table;
 }
 
@@ -200,7 +200,8 @@ class RowReader {
 NumberTable rows_of(const ObservationTable& of) {
   std::vector<std::string> columns = of.of.columns;
   columns.insert(columns.end(), of.of.sigma_columns.begin(), of.of.sigma_columns.end());
-  NumberTable table = read_number_table(of.place.at().file_at("file"), columns, time_reader(of));
+  NumberTable table =
+      read_number_table(of.place.file_at<&Observation::file>(), columns, time_reader(of));
   if (table.rows() == 0)
     of.place.refuse<&O::file>("expected a table with rows; this file has none");
   require_order(of, table);

@@ -46,10 +46,7 @@ constexpr Table<BodyTable> body_description = {
 
 }  // namespace
 
-SchemaPart body_keys() {
-  static const TableRows rows(body_description);
-  return rows.part();
-}
+SchemaPart body_keys() { return part_of<body_description>(); }
 
 Placed<BodyTable> body_table(const FileValues& file) { return {body_description, file}; }
 

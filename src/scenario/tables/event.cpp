@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <string>
-#include <utility>
 
 #include "polhode/output/columns.hpp"
 #include "scenario/scenario_parts.hpp"
@@ -52,10 +51,7 @@ constexpr Table<EventTable> event_description = {
 
 }  // namespace
 
-SchemaPart event_keys() {
-  static const TableRows rows(event_description);
-  return rows.part();
-}
+SchemaPart event_keys() { return part_of<event_description>(); }
 
 std::vector<ScenarioEvent> events_of(const FileValues& file, std::span<const ChartKind> charts) {
   const std::vector<std::string_view> known = column_names(charts);

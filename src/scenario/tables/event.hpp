@@ -2,6 +2,9 @@
 // [[event]]: the times to find.
 #pragma once
 
+#include <cstddef>
+#include <span>
+#include <string_view>
 #include <vector>
 
 #include "polhode/scenario/rotation.hpp"
@@ -14,7 +17,7 @@ namespace detail {
 
 SchemaPart event_keys();
 std::vector<ScenarioEvent> events_of(const FileValues& file, std::span<const ChartKind> charts);
-// At the place of the column of event i.
+// Throws a ScenarioError at the column of event i.
 [[noreturn]] void refuse_event_column(const FileValues& file, std::size_t i,
                                       std::string_view message);
 

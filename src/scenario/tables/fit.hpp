@@ -24,7 +24,7 @@ struct FreeTable {
 };
 SchemaPart free_keys();
 Placed<FreeTable> free_table(const FileValues& file);
-// What the library refuses of the unknowns becomes a message at their place.
+// Reports a DomainError of the fit at free.unknowns.
 template <class Fit>
 void built_unknowns(const Scenario& scenario, const Fit& fit) {
   free_table(file_values(scenario.document)).built<&FreeTable::unknowns>(fit);
@@ -40,7 +40,7 @@ struct FitTable {
   std::size_t most_solutions = 0;
   std::uint64_t seed = 1;
 
-  // Of light curves.
+  // Light curves only.
   bool searches = false, is_tumbler = false, one_by_one = false;
   double within_factor = 1.0;
 };

@@ -68,7 +68,7 @@ constexpr std::array keys_of_output = {
 constexpr Table<OutputTable> output_description = {
     {.path = "output", .fallback = "{}", .help = "What the rows hold."}, keys_of_output};
 
-// With the words that are known when the schema is made.
+// Sets the allowed words, which are known only when the schema is made.
 template <class A>
 std::vector<Key> with_words(const Table<A>& table, std::string_view name, std::string_view words) {
   std::vector<Key> keys = keys_of(table.keys);

@@ -35,7 +35,7 @@ class OutputRows : public TableRows {
   explicit OutputRows(std::span<const ChartKind> charts);
 };
 Placed<OutputTable> output_table(const FileValues& file);
-// At the place of the columns.
+// Throws a ScenarioError at output.columns.
 [[noreturn]] void refuse_columns(const FileValues& file, std::string_view message);
 
 }  // namespace detail

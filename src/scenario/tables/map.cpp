@@ -169,7 +169,7 @@ std::string section_orbit(const Placed<MapTable>& map, const std::vector<Scenari
   return orbit.name;
 }
 
-// All but the grid.
+// The plan without its axes.
 MapPlan plan_of(const Rotation& rotation, const Placed<MapTable>& map,
                 std::span<const ChartKind> charts) {
   MapPlan plan{.kind = map->kind};
@@ -241,10 +241,7 @@ void require_rows(const Placed<MapTable>& map, const std::optional<SaveAt>& time
 
 }  // namespace
 
-SchemaPart map_keys() {
-  static const TableRows rows(map_description, axis_description);
-  return rows.part();
-}
+SchemaPart map_keys() { return part_of<map_description, axis_description>(); }
 
 std::optional<MapPlan> map_plan(const FileValues& file, std::span<const ChartKind> charts,
                                 const Experiment& experiment) {

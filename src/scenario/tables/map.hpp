@@ -12,11 +12,11 @@ inline namespace v0 {
 namespace detail {
 
 SchemaPart map_keys();
-// None without [map]. ScenarioError at the place of what is wrong, and for an experiment that no
-// map wraps.
+// Returns nullopt without [map]. ScenarioError at the place of a mistake, and for an experiment
+// without maps.
 std::optional<MapPlan> map_plan(const FileValues& file, std::span<const ChartKind> charts,
                                 const Experiment& experiment);
-// What the plan asks of the experiment of a cell, whose numbers are others.
+// Checks the experiment of a cell, which has other numbers, against the plan.
 void require_map(const FileValues& file, std::span<const ChartKind> charts,
                  const Experiment& experiment);
 

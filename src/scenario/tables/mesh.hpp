@@ -2,7 +2,6 @@
 // A mesh that a table names by the keys shape and scale: [body] and [[surface]].
 #pragma once
 
-#include <filesystem>
 #include <optional>
 #include <string>
 
@@ -37,7 +36,7 @@ FacetShape mesh_of(const Placed<A>& table) {
         std::string("expected the length of one unit of the mesh, such as ") +
         (table.at().units().length() == "1" ? "1" : "\"1 m\""));
   return table.template built<&MeshKeys::shape>([&] {
-    const FacetShape mesh = read_obj(table.at().file_at("shape"));
+    const FacetShape mesh = read_obj(table.template file_at<&MeshKeys::shape>());
     return *table->scale == 1.0 ? mesh : mesh.moved({}, *table->scale);
   });
 }

@@ -195,9 +195,8 @@ constexpr Table<InsolationTable> insolation_description = {
 }  // namespace
 
 SchemaPart planet_keys() {
-  static const TableRows rows(planet_description, pole_description, satellite_description,
-                              tides_description, insolation_description);
-  return rows.part();
+  return part_of<planet_description, pole_description, satellite_description, tides_description,
+                 insolation_description>();
 }
 
 Placed<PlanetTable> planet_table(const FileValues& file) { return {planet_description, file}; }

@@ -4,7 +4,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <numbers>
 #include <stdexcept>
@@ -291,7 +290,7 @@ TumblerState tumbler_of(const FileValues& file) {
           .sense = table->sense};
 }
 
-// Whether the description has a state. Why not is said elsewhere.
+// True if the description has a state; the caller reports why not.
 bool has_state(const Body& body, const TumblerState& s) {
   try {
     static_cast<void>(to_rotor(body, s));
@@ -359,7 +358,7 @@ InitialState state_of(const FileValues& file, const std::string& form,
                [&] { return chart_state_of(table, *chart, body); });
 }
 
-// The library says it too, but in radians.
+// The library reports this as well, but in radians.
 void require_angles(const FileValues& file, const Body& body, const TumblerState& state) {
   if (state.mode != Regime::short_axis || state.psi0 == 0.0 || has_state(body, state)) return;
   const Placed<TumblerTable> table(tumbler_description, file);

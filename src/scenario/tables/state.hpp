@@ -4,6 +4,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 
 #include "polhode/scenario/rotation.hpp"
@@ -21,7 +22,7 @@ struct StateTable {
 };
 Placed<StateTable> state_table(const FileValues& file);
 
-// With a table for each chart that scenarios know. It must outlive its part.
+// The rows of [state] with a table for each chart that scenarios know. They must outlive part().
 class StateRows : public TableRows {
  public:
   explicit StateRows(std::span<const ChartKind> charts);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scenario/tables/surface.hpp"
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -123,10 +124,7 @@ Surface plate_surface(const Placed<SurfaceTable>& from) {
 
 }  // namespace
 
-SchemaPart surface_keys() {
-  static const TableRows rows(surface_description);
-  return rows.part();
-}
+SchemaPart surface_keys() { return part_of<surface_description>(); }
 
 void add_surface(Rotation& rotation, const FileValues& file) {
   std::vector<Surface> parts;

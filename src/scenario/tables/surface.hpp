@@ -10,7 +10,7 @@ inline namespace v0 {
 namespace detail {
 
 SchemaPart surface_keys();
-// All tables, along the principal axes, into the rotation, which has body and shape.
+// Adds all surfaces, along the principal axes, to a rotation that already has body and shape.
 void add_surface(Rotation& rotation, const FileValues& file);
 
 }  // namespace detail

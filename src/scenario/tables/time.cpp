@@ -55,10 +55,7 @@ constexpr Table<TimeTable> time_description = {
 
 }  // namespace
 
-SchemaPart time_keys() {
-  static const TableRows rows(time_description);
-  return rows.part();
-}
+SchemaPart time_keys() { return part_of<time_description>(); }
 
 Placed<TimeTable> time_table(const FileValues& file) { return {time_description, file}; }
 

@@ -21,7 +21,7 @@ struct TimeTable {
   std::int64_t count = 0;
   std::optional<std::vector<double>> at;
 
-  // Rows as the motion needs them.
+  // True for step = "auto".
   bool is_automatic() const { return step && step->is_auto; }
 };
 SchemaPart time_keys();

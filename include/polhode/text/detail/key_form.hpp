@@ -29,7 +29,7 @@ struct LinearMap {
   bool is_diagonal;
 };
 
-// As many rows as each has numbers.
+// A square matrix of any size.
 struct SquareMatrix {
   std::vector<double> elements;  // row by row
   std::size_t size = 0;
@@ -172,13 +172,13 @@ template <auto at, auto... enumerators>
 concept HoldsEachOfList = sizeof...(enumerators) > 0 &&
                           (std::same_as<Member<at>, std::vector<decltype(enumerators)>> && ...);
 
-// Its address stands for the member.
+// The address identifies the member.
 template <auto at>
 inline constexpr char member_id = 0;
 
-// The words that a number may also be.
+// Words accepted instead of a number.
 template <class Form>
-consteval std::string_view words_beside() {
+consteval std::string_view special_words() {
   if constexpr (requires { Form::words; }) return Form::words;
   return {};
 }

@@ -97,7 +97,7 @@ OuterSatellite PlanetSatellites::tidal_satellite() const {
   return found;
 }
 
-// Of the star, gm / a^3 is n^2, at any a.
+// For the star, gm / a^3 = n^2 for any a.
 TidalRates PlanetSatellites::tides(double w, double n) const {
   if (planet_->tidal_drift != 0.0)
     planet_.refuse<&PlanetTable::tidal_drift>("expected none next to a table planet.tides");

@@ -45,7 +45,7 @@ class PlanetSatellites {
   const Units& units() const { return planet_.at().units(); }
   bool is_scale_free() const { return units().length() == "1"; }
   double known_length(double metres) const;
-  // Refuses a planet that is not known, for want of the key.
+  // The known planet; without one, reports the missing key.
   template <auto member>
   const PlanetSpin& known_for() const {
     if (known_ == nullptr) refuse_without<member>(planet_);

@@ -50,7 +50,7 @@ consteval auto orbit_axes_key() {
       .example("\"equator-J2000\"");
 }
 
-// Those that the key names, else those of the state; both inertial or both of J2000.
+// The axes of the key, or those of the state; both must be inertial or both of J2000.
 inline std::string orbit_axes(const OrbitContext& at, const std::optional<std::string>& own) {
   const std::string of_state = at.state_axes();
   if (own && (*own == "inertial") != (of_state == "inertial"))
@@ -64,7 +64,7 @@ consteval auto order_key(std::string_view help) {
   return integer_key<at>("order", help).example("10");
 }
 
-// As an orbit takes it: 0 is its own choice, and it refuses what is out of range.
+// The order for the constructor of an orbit: 0 selects its default; it rejects invalid orders.
 inline int order_of(std::optional<std::int64_t> order) {
   return order ? static_cast<int>(std::clamp<std::int64_t>(*order, 1, 99)) : 0;
 }

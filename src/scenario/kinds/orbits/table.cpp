@@ -183,7 +183,7 @@ struct OwnColumn {
   const Column& numbers;
 };
 
-// Each as long as the times.
+// Reads three columns; each must be as long as the times.
 std::vector<Vec3> own_rows(const Arguments& a, const OrbitContext& at,
                            const std::array<OwnColumn, 3>& columns) {
   const std::size_t count = a.times->size();
