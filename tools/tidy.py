@@ -33,11 +33,11 @@ def sources(everything):
 
 
 def write_commands():
-    """The compile commands, with those of its sources in place of a joined one."""
+    """The compile commands, with those of its sources in place of a group (CMake's unity build)."""
     apart = []
     for entry in json.loads((BUILD / "compile_commands.json").read_text(encoding="utf-8")):
         file = pathlib.Path(entry["file"])
-        if file.parent == ROOT / "build/joined":
+        if file.parent.name == "Unity":
             sources = re.findall(r'^#include "(.*\.cpp)"', file.read_text(encoding="utf-8"), re.M)
             apart += [dict(entry, file=source, command=entry["command"].replace(str(file), source))
                       for source in sources]
@@ -57,7 +57,8 @@ def clang_tidy():
 
 
 def tidy(program, name):
-    command = [program, "-p", COMMANDS, "--quiet", name]
+    # the commands are those of GCC
+    command = [program, "-p", COMMANDS, "--quiet", "--extra-arg=-Wno-unknown-warning-option", name]
     run = subprocess.run(command, cwd=ROOT, text=True, capture_output=True)
     return "" if run.returncode == 0 else run.stdout or run.stderr
 

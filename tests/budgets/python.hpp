@@ -83,7 +83,7 @@ inline constexpr double ensemble_of_rows = 1e-14, ensemble_middle = 0.02;
 // --- instantaneous ellipses (python/tests/test_figures_ellipses.py), in the orbit's own units ---
 // Against other equations of motion, after a revolution.
 inline constexpr double figure_orbit = 1e-13;
-inline constexpr double dual_jacobian = 1e-13;  // of Sadov's variables
+inline constexpr double dual_jacobian = 1e-13;       // of Sadov's variables
 inline constexpr double orbital_differences = 1e-6;  // of step 1e-3; a run of the default tolerance
 inline constexpr double figure_differences = 1e-9;
 // Slope of the distance between orbit and ellipse against the time from the contact.

@@ -77,7 +77,7 @@ Key key_of(nb::handle from, std::string_view sets, KindTexts& texts) {
 }
 
 std::shared_ptr<KindTexts> texts_of(nb::handle kind) {
-  const auto texts = std::make_shared<KindTexts>();
+  auto texts = std::make_shared<KindTexts>();
   texts->sets = texts->own(kind.attr("sets"));
   for (const nb::handle key : nb::iter(kind.attr("keys")))
     texts->keys.push_back(key_of(key, texts->sets, *texts));
@@ -200,14 +200,16 @@ class KindFunction {
   std::shared_ptr<const KindTexts> texts_;
 };
 
+const AnyPerturbation& term_of(nb::handle made) { return nb::cast<const PythonTerm&>(made); }
+
 MadeTerms terms_of(const nb::object& made, const PythonFunction& function) {
-  if (nb::isinstance<PythonTerm>(made)) return AnyPerturbation(nb::cast<const PythonTerm&>(made));
+  if (nb::isinstance<PythonTerm>(made)) return term_of(made);
   std::vector<AnyPerturbation> terms;
   const bool several = nb::isinstance<nb::list>(made) || nb::isinstance<nb::tuple>(made);
   if (several && nb::len(made) > 0)
     for (const nb::handle one : nb::iter(made)) {
       if (!nb::isinstance<PythonTerm>(one)) break;
-      terms.push_back(nb::cast<const PythonTerm&>(one));
+      terms.push_back(term_of(one));
     }
   if (!several || terms.empty() || terms.size() != nb::len(made))
     function.refuse(made, "a term or a list of terms");
@@ -360,7 +362,7 @@ None if the key is left out and has no default. A file is given by its path.)")
           "The body; of a perturbation.")
       .def(
           "principal",
-          [](const KindTable& of, ArrayLike x) {
+          [](const KindTable& of, const ArrayLike& x) {
             return array_of(of.term().principal(vec3(x, "x")));
           },
           "x"_a, "A vector (3,) along the body axes of the file, along the principal axes.")

@@ -50,7 +50,7 @@ MomentSource moments_of(const Placed<LightTable>& light, MomentSource source) {
 }
 
 ScanPlan scan_of(const Placed<ScanTable>& table) {
-  ScanPlan scan = *table;
+  ScanPlan scan = static_cast<const ScanPlan&>(*table);
   if (scan.shortest && scan.longest && !(*scan.shortest < *scan.longest))
     table.refuse<&ScanPlan::longest>("expected a period longer than fit.scan.shortest");
   if (scan.sessions != ScanPlan::Sessions::separate)
@@ -120,7 +120,7 @@ LightPlan light_plan(const FileValues& at, const Rotation& rotation, const Place
   const MomentSource moments = free->has("moments") ? MomentSource::fit : light->source;
   LightPlan plan{.shape = light->shape,
                  .mesh = light->mesh.value_or(""),
-                 .convex = *light,
+                 .convex = static_cast<const ConvexPlan&>(*light),
                  .semiaxes = light->semiaxes,
                  .law = law_of(light),
                  .unknowns = {.shape = free->has("shape"),
