@@ -164,8 +164,10 @@ std::optional<Quaternion> axes_of_file(const Arguments& a, const OrbitContext& a
   std::optional<Quaternion> to_axes;
   if (a.axes == "equator-J2000" || a.axes == "invariable-plane") to_axes = ecliptic_from(a.axes);
   if (!a.attitude) return to_axes;
-  const auto& [w, x, y, z] = *a.attitude;
-  const Quaternion own = at.built("attitude", [&] { return unit_quaternion(w, x, y, z); });
+  const Quaternion own = at.built("attitude", [&] {
+    const auto& [w, x, y, z] = *a.attitude;
+    return unit_quaternion(w, x, y, z);
+  });
   return to_axes ? *to_axes * own : own;
 }
 

@@ -28,7 +28,7 @@ namespace {
 
 using Column = std::optional<std::vector<double>>;
 
-enum class TimeFormat { number, JD, MJD, date };
+enum class TimeFormat { number, julian, modified_julian, date };
 
 struct Arguments {
   std::optional<double> gm;
@@ -80,8 +80,8 @@ constexpr KindKey<Arguments> keys[] = {
         "that the file gives them or by their numbers from 1. Left out: t, x, y, z and, if there, "
         "vx, vy, vz, or where no line names them, the first four or seven.")
         .example("[\"t\", \"x\", \"y\", \"z\"]"),
-    choice_key<&Arguments::time_format, TimeFormat::number, TimeFormat::JD, TimeFormat::MJD,
-               TimeFormat::date>(
+    choice_key<&Arguments::time_format, TimeFormat::number, TimeFormat::julian,
+               TimeFormat::modified_julian, TimeFormat::date>(
         "time_format", "number|JD|MJD|date",
         "What the column of times holds: time from t = 0, Julian dates, modified ones, or dates "
         "like 2013-01-05T18:30:00. All but the first need `state.epoch`.")
@@ -145,7 +145,7 @@ FieldReader time_reader(const Arguments& a, const OrbitContext& at) {
   const TimeScale scale = a.time_scale;
   if (a.time_format == TimeFormat::date)
     return [=](std::string_view field) { return clock.core_time(date_in(field, scale)); };
-  const double zero = a.time_format == TimeFormat::MJD ? 2400000.5 : 0.0;
+  const double zero = a.time_format == TimeFormat::modified_julian ? 2400000.5 : 0.0;
   return [=](std::string_view field) { return clock.core_time(julian_date(field, scale, zero)); };
 }
 
