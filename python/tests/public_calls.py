@@ -327,7 +327,7 @@ def all_calls():
                     calls.append(Call(f"{node.name}.{inner.name}", node.name, inner))
         elif isinstance(node, ast.FunctionDef) and not node.name.startswith("_"):
             calls.append(Call(node.name, None, node))
-    # functions of the user are called with a DualState or a KindTable, which nobody else has
+    # only callbacks of the user receive a DualState or a KindTable
     return [c for c in calls if c.numbers and "DualState" not in c.annotations.values()
             and not c.name.startswith("KindTable.")]
 

@@ -10,7 +10,7 @@ namespace detail {
 
 namespace {
 
-// Those of what wraps an experiment describe no member or cell of it.
+// Keys of a map or an ensemble do not describe a cell or a member.
 bool wraps(std::string_view path) {
   return path.starts_with("map.") || path.starts_with("ensemble.");
 }

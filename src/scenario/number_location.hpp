@@ -18,7 +18,7 @@ struct NumberLocation {
   std::string path;
   std::size_t index;
 };
-// Where "state.euler.theta" or "body.moments[1]" is; none where there is no such number.
+// The place of "state.euler.theta" or "body.moments[1]"; nullopt if there is no such number.
 std::optional<NumberLocation> number_location(const Values& values, std::string_view key);
 
 // The same, and all numbers of an array by its name alone; empty where there is none.
@@ -34,7 +34,7 @@ std::string unit_in_file(const Value& value, std::size_t index, const Units& uni
 double number_in_file(const Value& value, std::size_t index, const Units& units);
 double to_core(const Value& value, std::size_t index, double in_file, const Units& units);
 
-// Whether a value is one number or an array of them.
+// True if a value is a number or an array of numbers.
 bool is_number(const Value& value);
 
 }  // namespace detail

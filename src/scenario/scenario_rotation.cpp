@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From the values of a file to the orbits of a rotation, its state and the problem that
+// Makes the orbits of a rotation from the values of a file, its state and the problem that
 // its run solves.
 #include <algorithm>
 #include <optional>

@@ -44,14 +44,14 @@ constexpr std::array key_forms = {
     std::pair{"word", KeyType::choice},
 };
 
-// Whether one of the sets "times+rates|file" has the key.
+// True if one of the sets "times+rates|file" has the key.
 bool is_in(std::string_view sets, std::string_view name) {
   for (const std::string_view set : separated(sets, '|'))
     if (std::ranges::count(separated(set, '+'), name) > 0) return true;
   return false;
 }
 
-// From the fields of polhode.kinds.Key, which has checked them.
+// Reads the fields of polhode.kinds.Key, which has checked them.
 Key key_of(nb::handle from, std::string_view sets, KindTexts& texts) {
   const auto form = nb::cast<std::string>(from.attr("form"));
   const auto known =

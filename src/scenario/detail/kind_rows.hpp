@@ -56,21 +56,6 @@ class TablesOfKinds {
   std::vector<Alternatives> alternatives_;
 };
 
-// The rows of a table of its own, [NAME], and its word among the kinds at the top of the file.
-class CustomTable {
- public:
-  CustomTable(const KindText& kind, std::span<const Key> keys);
-  CustomTable(const CustomTable&) = delete;
-  CustomTable& operator=(const CustomTable&) = delete;
-
-  SchemaPart part() const { return {keys_, {}, texts_}; }
-
- private:
-  std::deque<std::string> words_;
-  std::vector<Key> keys_;
-  std::vector<KindText> texts_;
-};
-
 }  // namespace detail
 }  // namespace v0
 }  // namespace polhode

@@ -278,19 +278,20 @@ struct Lists {
 };
 
 // [NAME] of kinds of experiments from outside.
-std::deque<detail::CustomTable> custom_tables(const std::vector<ExperimentKind>& kinds) {
-  std::deque<detail::CustomTable> all;
+std::deque<detail::TableRows> custom_tables(const std::vector<ExperimentKind>& kinds) {
+  std::deque<detail::TableRows> all;
   for (const ExperimentKind& kind : kinds) {
     KindText text{{}, kind.name, kind.help};
     text.time_unit = kind.time_unit;
     text.angle_unit = kind.angle_unit;
-    all.emplace_back(text, kind.keys);
+    all.emplace_back().add({.path = kind.name, .presence = Presence::required, .help = kind.help},
+                           kind.keys, {}, {&text, 1});
   }
   return all;
 }
 
 std::vector<detail::ExperimentRow> experiment_rows(const std::vector<ExperimentKind>& kinds,
-                                                   const std::deque<detail::CustomTable>& own,
+                                                   const std::deque<detail::TableRows>& own,
                                                    const detail::DescribedParts& described) {
   std::vector<detail::ExperimentRow> rows = {detail::rotation_row(described),
                                              detail::fit_row(described),
@@ -329,7 +330,7 @@ struct Kinds::Parts {
   detail::KindRows methods;
   detail::StateRows state;
   detail::OutputRows output;
-  std::deque<detail::CustomTable> own;
+  std::deque<detail::TableRows> own;
   detail::SchemaTable table;
   Schema schema;
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "scenario/detail/kind_rows.hpp"
 
+#include "scenario/table.hpp"
+
 namespace polhode {
 inline namespace v0 {
 namespace detail {
@@ -50,14 +52,17 @@ TablesOfKinds::TablesOfKinds(const Key& table, std::span<const KindOfTable> kind
   alternatives_.insert(alternatives_.begin(), {table.path, words_.emplace_back(std::move(all))});
 }
 
-CustomTable::CustomTable(const KindText& kind, std::span<const Key> keys) {
-  const std::string_view name = kind.kind;
-  keys_ = {{.path = name, .presence = Presence::required, .help = kind.text}};
+void TableRows::add(const Key& row, std::span<const Key> keys, std::span<const Alternatives> sets,
+                    std::span<const KindText> kinds) {
+  const bool is_head = row.path.empty();  // of the file
+  if (!is_head) keys_.push_back(row);
   for (const Key& key : keys) {
     keys_.push_back(key);
-    keys_.back().path = words_.emplace_back(std::string(name) + "." + std::string(key.path));
+    if (!is_head)
+      keys_.back().path = words_.emplace_back(std::string(row.path) + "." + std::string(key.path));
   }
-  texts_ = {kind};
+  alternatives_.insert(alternatives_.end(), sets.begin(), sets.end());
+  texts_.insert(texts_.end(), kinds.begin(), kinds.end());
 }
 
 void KindRows::add(const Key& key, std::string_view table, std::string_view kind) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What every file may have: its head, [units] and [output].
+// The tables of every file: its head, [units] and [output].
 #pragma once
 
 #include <cstdint>

@@ -38,7 +38,7 @@ class PlanetSatellites {
   TidalRates tides(double w, double n) const;
 
  private:
-  // In core units. Where files have no unit of length the radius is 1.
+  // In core units. The radius is 1 if the file has no unit of length.
   double gm() const;
   double radius() const;
   double inertia_factor() const;
