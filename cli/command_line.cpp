@@ -125,7 +125,7 @@ int command_line(int argc, const char* const* argv, const Kinds& kinds, const Ma
   add_run(app, kinds, typed);
   add_map(app, kinds, typed);
   add_ensemble(app, kinds, typed, ranks);
-  add_fit(app, kinds);
+  add_fit(app, kinds, typed);
   add_simulate(app, kinds);
   add_info(app, kinds, ranks != nullptr);
   add_convert(app, kinds);

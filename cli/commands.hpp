@@ -26,7 +26,7 @@ void add_golden(CLI::App& app);
 void add_map(CLI::App& app, const Kinds& kinds, const std::string& typed);
 void add_ensemble(CLI::App& app, const Kinds& kinds, const std::string& typed,
                   const MakeRanks& ranks);
-void add_fit(CLI::App& app, const Kinds& kinds);
+void add_fit(CLI::App& app, const Kinds& kinds, const std::string& typed);
 void add_simulate(CLI::App& app, const Kinds& kinds);
 void add_nutation(CLI::App& app);
 void add_schema(CLI::App& app, const Kinds& kinds);

@@ -118,8 +118,7 @@ std::string summary_of(const ScenarioEnsemble& ensemble, const std::vector<Colum
 }
 
 // The scenario of the member; its rows into the outputs that are no scenario.
-void run_member(const ScenarioEnsemble& ensemble, const EnsembleOfFile& options,
-                const Kinds& kinds) {
+void run_member(const ScenarioEnsemble& ensemble, const EnsembleOfFile& options) {
   const std::string text = ensemble.member_text(*options.member);
   const bool has_rows = std::ranges::any_of(
       options.out, [](const std::string& path) { return !path.ends_with(".toml"); });
@@ -152,7 +151,7 @@ void run_member(const ScenarioEnsemble& ensemble, const EnsembleOfFile& options,
     if (report.was_complete) return print_nothing_to_do(ensemble.scenario().document.name, rows);
     return require_done(report.failure);
   }
-  const Scenario member = scenario_from_text(text, ensemble.scenario().document.path, kinds);
+  const Scenario member = ensemble.member_scenario(*options.member);
   RunOptions how;
   how.begin = options.begin.begin();
   how.words = begin_words();
@@ -209,7 +208,7 @@ void make_ensemble(const EnsembleOfFile& options, const Kinds& kinds) {
         "input; expected a file that all can read");
   const ScenarioEnsemble ensemble(changed_scenario(options.scenario, options.set, kinds));
   require_different("ensemble", options.out);
-  if (options.member) return run_member(ensemble, options, kinds);
+  if (options.member) return run_member(ensemble, options);
   std::vector<std::string> out = options.out;
   if (out.empty()) out.push_back("-");
   const bool to_standard_output = std::find(out.begin(), out.end(), "-") != out.end();

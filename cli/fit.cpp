@@ -14,6 +14,7 @@
 #include "commands.hpp"
 #include "polhode/ensemble/cells.hpp"
 #include "polhode/error.hpp"
+#include "polhode/run/fit_checkpoint.hpp"
 #include "polhode/run/light_report.hpp"
 #include "polhode/run/predictions.hpp"
 #include "polhode/run/simulate.hpp"
@@ -27,7 +28,10 @@ namespace {
 struct FitCommand {
   std::string scenario;
   std::vector<std::string> set, residuals, covariance, landscape, at, predict;
+  std::string program;  // as it was typed
   std::string solution;
+  BeginOptions begin;
+  double checkpoint = 5.0;
   int threads = 0;
   bool json = false, scans_only = false;
 };
@@ -115,29 +119,94 @@ std::vector<double> times_at(const FitCommand& options, const Scenario& scenario
   }
 }
 
-void fit_snapshots(const FitCommand& options, const Scenario& scenario) {
+std::vector<std::string> outputs_of(const FitCommand& options) {
+  std::vector<std::string> paths;
+  if (!options.solution.empty()) paths.push_back(options.solution);
+  for (const std::vector<std::string>* const some :
+       {&options.residuals, &options.covariance, &options.landscape, &options.predict})
+    paths.insert(paths.end(), some->begin(), some->end());
+  return paths;
+}
+
+std::vector<std::string> command_of(const FitCommand& options) {
+  std::vector<std::string> words = {"fit", options.scenario};
+  const auto add = [&](const char* option, const std::vector<std::string>& values) {
+    for (const std::string& value : values) words.insert(words.end(), {option, value});
+  };
+  add("--set", options.set);
+  if (!options.solution.empty()) add("--solution", {options.solution});
+  add("--residuals", options.residuals);
+  add("--covariance", options.covariance);
+  add("--landscape", options.landscape);
+  add("--at", options.at);
+  add("--predict", options.predict);
+  if (options.threads > 0) add("--threads", {std::to_string(options.threads)});
+  if (options.scans_only) words.emplace_back("--scan-only");
+  if (options.json) words.emplace_back("--json");
+  return words;
+}
+
+// A fit that keeps what it finds, and says how to continue when it is stopped.
+class KeptFit {
+ public:
+  KeptFit(const FitCommand& options, const Scenario& scenario)
+      : options_(options),
+        checkpoint_(scenario, outputs_of(options), options.begin.begin(), begin_words(),
+                    options.checkpoint) {
+    if (!options.begin.resume) return;
+    say(scenario.document.name +
+        (checkpoint_.continues()
+             ? fmt::format(": continues after {} results", checkpoint_.results())
+             : std::string(": no results to continue from, starts anew")));
+  }
+
+  CellJournal* journal() { return &checkpoint_.journal(); }
+  bool is_replaying() { return checkpoint_.journal().is_replaying(); }
+
+  template <class Fit, class Progress>
+  auto run(const Fit& fit, std::optional<Progress>& progress) {
+    const StopSignals signals;
+    try {
+      return fit();
+    } catch (const FitStopped& stopped) {
+      progress.reset();
+      const bool is_kept = checkpoint_.keep();
+      throw Interrupted(
+          StopSignals::came(),
+          stopped.what() + (is_kept ? how_to_continue(options_.program, command_of(options_), true)
+                                    : std::string("; a fit that writes a file, such as --solution "
+                                                  "PATH.toml, can be continued")));
+    }
+  }
+
+  void keep() { checkpoint_.keep(); }
+  // All outputs are written, or would never be.
+  void forget() { checkpoint_.forget(); }
+
+ private:
+  const FitCommand& options_;
+  FitCheckpoint checkpoint_;
+};
+
+void fit_snapshots(const FitCommand& options, const Scenario& scenario, KeptFit& kept) {
   if (!options.landscape.empty() || options.scans_only)
     throw DomainError(scenario.document.name +
                       (options.scans_only ? ": --scan-only" : ": --landscape") +
                       ": there is none; expected light curves and fit.from = "
                       "\"search\"");
   const std::vector<double> times = times_at(options, scenario);
-  const StopSignals signals;
   std::optional<ProgressLine> progress;
   FitOptions how;
   how.threads = threads_of(options);
+  how.journal = kept.journal();
   how.stop = [] { return StopSignals::came() != 0; };
-  if (const FitPlan* const plan = fit_plan(scenario); plan != nullptr && plan->starts > 1) {
+  if (const FitPlan* const plan = scenario.fit.get(); plan != nullptr && plan->starts > 1) {
     progress.emplace(plan->starts, "starts");
-    how.progress = [&progress](std::int64_t starts) { (*progress)(static_cast<double>(starts)); };
+    how.progress = [&](std::int64_t starts) {
+      if (!kept.is_replaying()) (*progress)(static_cast<double>(starts));
+    };
   }
-  FitReport report;
-  try {
-    report = fit_scenario(scenario, how);
-  } catch (const FitStopped& stopped) {
-    progress.reset();
-    throw Interrupted(StopSignals::came(), stopped.what());
-  }
+  const FitReport report = kept.run([&] { return fit_scenario(scenario, how); }, progress);
   progress.reset();
   if (!report.is_found())
     fail(scenario,
@@ -151,7 +220,7 @@ void fit_snapshots(const FitCommand& options, const Scenario& scenario) {
     print(options.json ? fit_json(scenario, report, times) : fit_text(scenario, report, times));
 }
 
-void fit_light_curves(FitCommand options, const Scenario& scenario) {
+void fit_light_curves(FitCommand options, const Scenario& scenario, KeptFit& kept) {
   const std::vector<double> times = times_at(options, scenario);
   const LightPlan& plan = require_fit(scenario).light;
   const bool scans = plan.searches && plan.periods.empty();
@@ -166,7 +235,7 @@ void fit_light_curves(FitCommand options, const Scenario& scenario) {
     throw DomainError(scenario.document.name +
                       ": --scan-only: no scan is made; expected fit.from = \"search\" without "
                       "fit.periods");
-  const StopSignals signals;
+  how.journal = kept.journal();
   how.stop = [] { return StopSignals::came() != 0; };
   std::optional<ProgressLine> progress;
   how.begins = [&](const std::string& stage, const std::string& work) {
@@ -177,15 +246,9 @@ void fit_light_curves(FitCommand options, const Scenario& scenario) {
                      work);
   };
   how.progress = [&](const std::string&, double part) {
-    if (progress) (*progress)(part);
+    if (progress && !kept.is_replaying()) (*progress)(part);
   };
-  LightReport report;
-  try {
-    report = fit_light_scenario(scenario, how);
-  } catch (const FitStopped& stopped) {
-    progress.reset();
-    throw Interrupted(StopSignals::came(), stopped.what());
-  }
+  const LightReport report = kept.run([&] { return fit_light_scenario(scenario, how); }, progress);
   progress.reset();
   for (const std::string& path : options.landscape) write_landscape(scenario, report, path);
   if (report.start && !report.is_found() && report.chosen.empty() && report.notes.empty())
@@ -215,24 +278,35 @@ void fit_light_curves(FitCommand options, const Scenario& scenario) {
 
 void fit_file(const FitCommand& options, const Kinds& kinds) {
   const Scenario scenario = changed_scenario(options.scenario, options.set, kinds);
-  std::vector<std::string> paths;
-  for (const std::vector<std::string>* const some :
-       {&options.residuals, &options.covariance, &options.landscape, &options.predict})
-    paths.insert(paths.end(), some->begin(), some->end());
-  if (!options.solution.empty()) paths.push_back(options.solution);
-  require_own_files(scenario, paths);
-  if (observes_light(scenario))
-    fit_light_curves(options, scenario);
-  else
-    fit_snapshots(options, scenario);
+  require_own_files(scenario, outputs_of(options));
+  KeptFit kept(options, scenario);
+  try {
+    if (observes_light(scenario))
+      fit_light_curves(options, scenario, kept);
+    else
+      fit_snapshots(options, scenario, kept);
+  } catch (const Interrupted&) {
+    throw;
+  } catch (const OutputError&) {  // what was found is not lost with a full disk
+    kept.keep();
+    throw;
+  } catch (const DomainError&) {
+    kept.forget();
+    throw;
+  } catch (const std::runtime_error&) {  // no solution, nor would there be one again
+    kept.forget();
+    throw;
+  }
+  kept.forget();
 }
 
 }  // namespace
 
-void add_fit(CLI::App& app, const Kinds& kinds) {
+void add_fit(CLI::App& app, const Kinds& kinds, const std::string& typed) {
   CLI::App* command = app.add_subcommand(
       "fit", "Find the spin state that was observed, with its uncertainty: kind = \"fit\"");
   const auto options = std::make_shared<FitCommand>();
+  options->program = typed;
   command->add_option("FILE", options->scenario, "Scenario (.toml); - is standard input")
       ->required();
   add_set_option(*command, options->set);
@@ -276,6 +350,15 @@ void add_fit(CLI::App& app, const Kinds& kinds) {
                    "How many starts at a time; left out: one on each processor. The result does "
                    "not depend on it")
       ->check(whole_number());
+  add_begin_options(*command, options->begin,
+                    "Continue a fit that was stopped, from its FIRST_OUTPUT.checkpoint",
+                    "Fit anew where an unfinished fit is, and lose its results");
+  command
+      ->add_option("--checkpoint", options->checkpoint,
+                   "Time between two checkpoints in FIRST_OUTPUT.checkpoint, at least")
+      ->type_name("SECONDS")
+      ->check(seconds())
+      ->capture_default_str();
   command->add_flag("--scan-only", options->scans_only,
                     "Stop after the period scan (light curves)");
   command->add_flag("--json", options->json, "For programs: every digit");

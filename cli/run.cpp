@@ -125,6 +125,20 @@ std::string output_paths(const OutputFormats& formats) {
   return paths;
 }
 
+// That the file has a table which is for another command.
+void note_plans(const Scenario& scenario) {
+  const auto note = [&](bool has_table, const char* table, const char* command) {
+    if (has_table)
+      std::fputs((scenario.document.name + ": note: " + table + " is not used; polhode " + command +
+                  " uses it\n")
+                     .c_str(),
+                 stderr);
+  };
+  note(scenario.map.has_value(), "[map]", "map");
+  note(scenario.ensemble.has_value(), "[ensemble]", "ensemble");
+  note(scenario.fit != nullptr, "[[observation]]", "fit");
+}
+
 void run_scenario(const CommandOptions& options, const Kinds& kinds) {
   const Scenario scenario = changed_scenario(options.scenario, options.set, kinds);
   if (!row_times(scenario))
@@ -136,6 +150,7 @@ void run_scenario(const CommandOptions& options, const Kinds& kinds) {
                       (std::holds_alternative<Rotation>(scenario.experiment)
                            ? ": event: got nothing; expected tables [[event]] for --events"
                            : ": expected no --events, since this kind of file has none"));
+  note_plans(scenario);
   std::vector<std::string> out = options.out;
   const bool table_only = out.empty() && options.events.empty() && isatty(STDOUT_FILENO) == 1;
   if (out.empty() && options.events.empty() && !table_only) out.push_back("-");

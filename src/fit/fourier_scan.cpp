@@ -15,7 +15,7 @@
 
 #include "fit/detail/scan_task.hpp"
 #include "math/number_text.hpp"
-#include "polhode/ensemble/cells.hpp"
+#include "polhode/ensemble/cell_journal.hpp"
 #include "polhode/error.hpp"
 #include "polhode/fit/fourier_fit.hpp"
 #include "polhode/math/real.hpp"
@@ -337,7 +337,7 @@ Landscape scanned(const std::string& who, const ScanPoints& points, Landscape of
   const Scan scan(points, of, options.set);
   std::size_t done = 0;
   run_cells(
-      0, scan.blocks(), options.threads,
+      options.journal, scan.blocks(), options.threads,
       [&](std::int64_t k) {
         if (options.between) options.between();
         return scan.block(static_cast<std::size_t>(k), options.between);
@@ -350,6 +350,9 @@ Landscape scanned(const std::string& who, const ScanPoints& points, Landscape of
         of.again += r.again;
         if (options.progress)
           options.progress(static_cast<double>(done) / static_cast<double>(of.chi_square.size()));
+      },
+      [](StateBytes& bytes, BlockResult& r) {
+        bytes.all(r.row, r.column, r.rows, r.columns, r.again, r.chi_square);
       });
   return of;
 }

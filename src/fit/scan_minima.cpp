@@ -11,7 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "polhode/ensemble/cells.hpp"
+#include "fit/result_bytes.hpp"
+#include "polhode/ensemble/cell_journal.hpp"
 #include "polhode/error.hpp"
 #include "polhode/fit/fourier_scan.hpp"
 #include "polhode/fit/scan_advice.hpp"
@@ -81,7 +82,7 @@ std::vector<ScanMinimum> scan_minima(const ScanPoints& points, const Landscape& 
   if (!std::isfinite(reach)) reach = 1.0 / points.time_base();
   std::vector<ScanMinimum> found;
   run_cells(
-      0, static_cast<std::int64_t>(cells.size()), options.threads,
+      options.journal, static_cast<std::int64_t>(cells.size()), options.threads,
       [&](std::int64_t k) {
         if (options.between) options.between();
         const auto [r, c] = cells[static_cast<std::size_t>(k)];
@@ -95,7 +96,8 @@ std::vector<ScanMinimum> scan_minima(const ScanPoints& points, const Landscape& 
         if (known) return;
         const bool edge = at_end(r, of.first) || at_end(c, of.second);
         found.push_back({r, c, of.at(r, c), edge, is_resolved(refined.fit), refined});
-      });
+      },
+      [](StateBytes& bytes, RefinedPair& refined) { detail::serialize(bytes, refined); });
   std::stable_sort(found.begin(), found.end(), [](const ScanMinimum& a, const ScanMinimum& b) {
     return a.refined.fit.chi_square < b.refined.fit.chi_square;
   });
@@ -210,7 +212,8 @@ class SessionScanner {
     const std::vector<ScanMinimum> all = scan_minima(points, fine,
                                                      {.most = options_.most,
                                                       .threads = options_.scan.threads,
-                                                      .between = options_.scan.between});
+                                                      .between = options_.scan.between,
+                                                      .journal = options_.scan.journal});
     const auto at_end = [&](std::size_t i) { return i == 0 || i + 1 == grid.count; };
     for (ScanMinimum m : all) {
       if (m.at_edge || is_known(result_->minima, m, step)) continue;

@@ -38,9 +38,9 @@ struct CheckpointFile {
 
   void transfer(StateBytes& bytes) {
     bytes(kind);
-    sized(bytes, identity, [&](IdentityPart& part) { bytes.all(part.name, part.text); });
+    bytes.list(identity, [&](IdentityPart& part) { bytes.all(part.name, part.text); });
     bytes.all(state.bytes, state.reached, state.goes_on);
-    sized(bytes, positions, [&](SinkPosition& p) { bytes.all(p.bytes, p.rows); });
+    bytes.list(positions, [&](SinkPosition& p) { bytes.all(p.bytes, p.rows); });
   }
 };
 
@@ -58,13 +58,13 @@ std::string fingerprint_text(std::string_view bytes) {
 
 // The same text and files may mean something else to another build.
 std::string surroundings_of(const Rotation& rotation) {
-  const DampedProblem problem = rotor_problem(rotation);
-  const System system = at_damper_rate(problem.system, problem.initial.damper_rate);
+  const System system = at_damper_rate(rotor_system(rotation), rotation.damper_rate);
+  const double stop = rotation.time ? rotation.time->end() : 0.0;  // a fit may have no rows
   StateBytes bytes;
   for (int i = 0; i < 16; ++i) {
-    const double t = problem.stop * (i / 15.0);
+    const double t = stop * (i / 15.0);
     try {
-      Effect e = effect(system, t, problem.initial.rotor);
+      Effect e = effect(system, t, initial_state(rotation));
       bytes.all(e.v, e.u);
     } catch (const std::exception&) {  // the run will say so
       double none = t;
@@ -285,7 +285,8 @@ void KeptOutputs::find(const Provenance& provenance) {
     throw DomainError(kind + ": " + words.resume + " needs outputs that are files, which a " +
                       kind + " leaves behind");
   if (!found.empty()) return take_up(found, std::move(file));
-  complete_ = are_complete(setup_.outputs, setup_.formats, provenance, words);
+  complete_ =
+      setup_.can_be_complete && are_complete(setup_.outputs, setup_.formats, provenance, words);
   if (complete_) forget_checkpoints(paths_);  // of a kill at the very end
 }
 

@@ -182,7 +182,7 @@ std::vector<std::string> parts_of(const Scenario& scenario) {
     if (chart_named(group, scenario.document.kinds->charts()) == nullptr) parts.push_back(group);
   if (scenario.map && scenario.map->kind == MapKind::chaos) parts.push_back("chaos");
   if (scenario.ensemble) parts.push_back("ensemble");
-  if (fit_plan(scenario) != nullptr) parts.push_back("fit");
+  if (scenario.fit != nullptr) parts.push_back("fit");
   if (scenario.ensemble && scenario.ensemble->source == DrawSource::sobol) parts.push_back("sobol");
   return parts;
 }

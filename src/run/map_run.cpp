@@ -55,7 +55,7 @@ void transfer_failures(StateBytes& bytes, std::vector<MapReport::Failure>& failu
     for (const MapReport::Failure& failure : failures)
       if (numbers.try_emplace(failure.why, reasons.size()).second) reasons.push_back(failure.why);
   bytes(reasons);
-  detail::sized(bytes, failures, [&](MapReport::Failure& failure) {
+  bytes.list(failures, [&](MapReport::Failure& failure) {
     std::uint64_t number = bytes.reads() ? 0 : numbers.at(failure.why);
     bytes.all(failure.cell, number);
     if (bytes.reads()) failure.why = reasons.at(number);
@@ -70,9 +70,9 @@ struct MapState {
 
   void transfer(StateBytes& bytes) {
     bytes.all(report.cells, report.points);
-    detail::sized(bytes, report.ranges, [&](MapReport::Range& r) { bytes.all(r.least, r.most); });
+    bytes.list(report.ranges, [&](MapReport::Range& r) { bytes.all(r.least, r.most); });
     transfer_failures(bytes, report.failures);
-    detail::sized(bytes, report.groups, [&](MapReport::Group& g) { bytes.all(g.cells, g.rows); });
+    bytes.list(report.groups, [&](MapReport::Group& g) { bytes.all(g.cells, g.rows); });
     bytes.all(rows, waiting);
   }
 };

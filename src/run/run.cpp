@@ -46,7 +46,7 @@ std::span<const ChartKind> charts_of(const Scenario& scenario) {
 std::vector<std::string> branch_notes(const Rotation& rotation, const Scenario& scenario) {
   std::vector<std::string> notes;
   if (!has_constants(rotation)) return notes;
-  const FreeRotation motion = free_rotation(rotation);
+  const FreeRotation& motion = free_rotation(rotation);
   for (const std::string& group : scenario.output.columns)
     if (std::string note = branch_note(group, motion, charts_of(scenario)); !note.empty())
       notes.push_back(std::move(note));

@@ -141,8 +141,7 @@ struct Kept {
 
   void transfer(StateBytes& bytes) {
     run.transfer(bytes);
-    detail::sized(bytes, events,
-                  [&](RunEvent& e) { bytes.all(e.name, e.t, e.direction, e.state); });
+    bytes.list(events, [&](RunEvent& e) { bytes.all(e.name, e.t, e.direction, e.state); });
     bytes(events_met);
   }
 };

@@ -32,9 +32,9 @@ struct Pole {
   double latitude;
 };
 
-// Of the momentum in inertial axes; |G| > 0.
-Pole pole_of(const System& system, double t, const RotorState& state) {
-  const Vec3 k = inertial_momentum(inertial_state(system, t, state));
+// Of a state in inertial axes; |G| > 0.
+Pole pole_of(const RotorState& state) {
+  const Vec3 k = inertial_momentum(state);
   const double longitude = std::atan2(k.y, k.x);
   return {longitude < 0.0 ? longitude + turn : longitude, std::atan2(k.z, std::hypot(k.x, k.y))};
 }
@@ -46,7 +46,7 @@ std::string pole_label(const Rotation& rotation) {
                                            : "pole (longitude, latitude)";
 }
 
-std::string mode_text(Regime regime) {
+std::string short_mode(Regime regime) {
   switch (regime) {
     case Regime::rest:
       return "at rest";
@@ -62,19 +62,62 @@ std::string mode_text(Regime regime) {
   return {};
 }
 
+std::string mode_text(Regime regime) {
+  switch (regime) {
+    case Regime::rest:
+      return "rest";
+    case Regime::steady:
+      return "steady spin about a principal axis";
+    case Regime::short_axis:
+      return "short-axis mode (SAM)";
+    case Regime::long_axis:
+      return "long-axis mode (LAM)";
+    case Regime::separatrix:
+      return "separatrix: about the intermediate axis, without a period";
+  }
+  return {};
+}
+
+bool tumbles(const FreeRotation& motion) {
+  return motion.regime() == Regime::short_axis || motion.regime() == Regime::long_axis;
+}
+
+}  // namespace
+
+void add_mode(Lines& lines, const Rotation& rotation, const FreeRotation& motion) {
+  const bool is_free = rotation.terms.empty() && !rotation.damper;
+  lines.text("mode", is_free ? "mode" : "mode (if free from t = 0 on)", mode_text(motion.regime()));
+}
+
+void add_periods(Lines& lines, const FreeRotation& motion) {
+  lines.number("precession_period", "precession period P_phi (long axis)",
+               turn / motion.precession_rate_long(), Dimension::time);
+  if (tumbles(motion))
+    lines.number("rotation_period", "rotation period P_psi", motion.polhode_period(),
+                 Dimension::time);
+  lines.number("short_axis_period", "precession period of the short axis",
+               turn / motion.precession_rate_short(), Dimension::time);
+}
+
+void add_pole(Lines& lines, const Rotation& rotation, const RotorState& inertial) {
+  const Pole pole = pole_of(inertial);
+  lines.numbers("pole", pole_label(rotation), {pole.longitude, pole.latitude}, Dimension::angle);
+}
+
+namespace {
+
 // "SAM, P_phi 30.56 h, P_psi 263 h, pole 250, -75 deg"
 std::string spin_text(const System& system, const Units& units, double t, const RotorState& s) {
   const FreeRotation motion(system.body(), s, t);
-  std::string text = mode_text(motion.regime());
+  std::string text = short_mode(motion.regime());
   if (motion.regime() == Regime::rest) return text;
   const auto period = [&](double core) {
     return fmt::format("{:.8g} {}", units.from_core(core, Dimension::time), units.time());
   };
-  const bool tumbles =
-      motion.regime() == Regime::short_axis || motion.regime() == Regime::long_axis;
-  text += (tumbles ? ", P_phi " : ", period ") + period(turn / motion.precession_rate_long());
-  if (tumbles) text += ", P_psi " + period(motion.polhode_period());
-  const Pole pole = pole_of(system, t, s);
+  text +=
+      (tumbles(motion) ? ", P_phi " : ", period ") + period(turn / motion.precession_rate_long());
+  if (tumbles(motion)) text += ", P_psi " + period(motion.polhode_period());
+  const Pole pole = pole_of(inertial_state(system, t, s));
   return text + fmt::format(", pole {:.7g}, {:.7g} {}",
                             units.from_core(pole.longitude, Dimension::angle),
                             units.from_core(pole.latitude, Dimension::angle), units.angle());
@@ -144,14 +187,13 @@ void add_spin(Lines& lines, const Rotation& rotation, const FreeRotation& motion
   if (motion.regime() == Regime::steady)
     lines.number("wobble_period", "period of a small wobble (limit)", motion.polhode_period(),
                  Dimension::time);
-  const Pole pole = pole_of(rotor_system(rotation), 0.0, initial_state(rotation));
-  lines.numbers("pole", pole_label(rotation), {pole.longitude, pole.latitude}, Dimension::angle);
+  add_pole(lines, rotation, inertial_state(rotor_system(rotation), 0.0, initial_state(rotation)));
 }
 
 // Mode, periods and pole at t = 0 and at the end of a run.
 void add_change(Lines& lines, const Rotation& rotation, const Units& units,
                 const DampedSample& end) {
-  const System system = rotor_system(rotation);
+  const System& system = rotor_system(rotation);
   lines.text("before", "at t = 0", spin_text(system, units, 0.0, initial_state(rotation)));
   lines.text(
       "after",
@@ -186,22 +228,6 @@ namespace {
 using detail::Lines;
 
 constexpr std::size_t most_events = 20;  // that a summary lists
-
-std::string mode(Regime regime) {
-  switch (regime) {
-    case Regime::rest:
-      return "rest";
-    case Regime::steady:
-      return "steady spin about a principal axis";
-    case Regime::short_axis:
-      return "short-axis mode (SAM)";
-    case Regime::long_axis:
-      return "long-axis mode (LAM)";
-    case Regime::separatrix:
-      return "separatrix: about the intermediate axis, without a period";
-  }
-  return {};
-}
 
 double largest_moment(const Vec3& I) { return std::max({I.x, I.y, I.z}); }
 
@@ -333,27 +359,16 @@ std::string outcome_text(const Outcome& outcome) {
 }  // namespace
 
 std::vector<SummaryLine> detail::summary(const Rotation& rotation, const Scenario& scenario) {
-  const FreeRotation motion = free_rotation(rotation);
+  const FreeRotation& motion = free_rotation(rotation);
   Lines lines(scenario.units());
   const Vec3& I = motion.body().moments();
   const double I3 = largest_moment(I);
-  const double turn = 2.0 * std::numbers::pi;
-  const bool tumbles =
-      motion.regime() == Regime::short_axis || motion.regime() == Regime::long_axis;
   lines.text("title", "title", scenario.document.title);
-  lines.text("mode",
-             rotation.terms.empty() && !rotation.damper ? "mode" : "mode (if free from t = 0 on)",
-             mode(motion.regime()));
+  add_mode(lines, rotation, motion);
   lines.numbers("moments", "moments I1, I2, I3", {I.x, I.y, I.z}, Dimension::moment);
   lines.numbers("moment_ratios", "their ratios to the largest", {I.x / I3, I.y / I3, I.z / I3},
                 Dimension::number);
-  lines.number("precession_period", "precession period P_phi (long axis)",
-               turn / motion.precession_rate_long(), Dimension::time);
-  if (tumbles)
-    lines.number("rotation_period", "rotation period P_psi", motion.polhode_period(),
-                 Dimension::time);
-  lines.number("short_axis_period", "precession period of the short axis",
-               turn / motion.precession_rate_short(), Dimension::time);
+  add_periods(lines, motion);
   if (motion.regime() == Regime::short_axis)
     lines.number("psi_max", "psi_max", psi_max(motion), Dimension::angle);
   lines.number("momentum", "angular momentum G", motion.momentum(), Dimension::momentum);

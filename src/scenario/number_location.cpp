@@ -23,22 +23,57 @@ bool is_number(const Value& value) {
          type == KeyType::linear_map;
 }
 
-std::optional<NumberLocation> number_location(const Values& values, std::string_view key) {
-  NumberLocation place{std::string(key), 0};
+namespace {
+
+constexpr std::size_t rows = 3;  // of a matrix
+
+bool is_matrix(const Value& value) { return value.numbers.size() == rows * rows; }
+
+// Takes the last "[1]" off the end of a key.
+std::optional<std::size_t> last_index(std::string_view& key) {
   const std::size_t bracket = key.rfind('[');
-  const bool indexed = key.ends_with("]") && bracket != std::string_view::npos;
-  if (indexed) {
-    place.path = std::string(key.substr(0, bracket));
-    const std::string_view digits = key.substr(bracket + 1, key.size() - bracket - 2);
-    const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), place.index);
-    if (read.ec != std::errc() || read.ptr != digits.data() + digits.size()) return std::nullopt;
+  if (!key.ends_with("]") || bracket == std::string_view::npos) return std::nullopt;
+  const std::string_view digits = key.substr(bracket + 1, key.size() - bracket - 2);
+  std::size_t index = 0;
+  const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), index);
+  if (read.ec != std::errc() || read.ptr != digits.data() + digits.size()) return std::nullopt;
+  key.remove_suffix(key.size() - bracket);
+  return index;
+}
+
+// An inertia tensor is symmetric: an element off the diagonal is there twice.
+NumberLocation located(const std::string& path, const Value& value, std::size_t index) {
+  if (value.key->type != KeyType::matrix) return {path, index, index};
+  const std::size_t mirror = index % rows * rows + index / rows;
+  return {path, std::min(index, mirror), std::max(index, mirror)};
+}
+
+}  // namespace
+
+std::optional<NumberLocation> number_location(const Values& values, std::string_view key) {
+  std::string_view path = key;
+  const std::optional<std::size_t> last = last_index(path);
+  std::optional<std::size_t> row;
+  auto found = values.find(std::string(path));
+  if (found == values.end() && last) {  // "body.tensor[0][1]"
+    row = last_index(path);
+    found = values.find(std::string(path));
   }
-  const auto found = values.find(place.path);
-  if (found == values.end() || !is_number(found->second) || wraps(place.path) ||
-      indexed == (found->second.key->type == KeyType::number) ||
-      place.index >= found->second.numbers.size())
+  if (found == values.end() || !is_number(found->second) || wraps(path) ||
+      last.has_value() == (found->second.key->type == KeyType::number) ||
+      (row && (!is_matrix(found->second) || *row >= rows || *last >= rows)))
     return std::nullopt;
-  return place;
+  const std::size_t index = row ? *row * rows + *last : last.value_or(0);
+  if (index >= found->second.numbers.size()) return std::nullopt;
+  return located(found->first, found->second, index);
+}
+
+std::string key_text(const Values& values, const NumberLocation& place) {
+  const Value& value = values.find(place.path)->second;
+  if (value.key->type == KeyType::number) return place.path;
+  if (!is_matrix(value)) return place.path + "[" + std::to_string(place.index) + "]";
+  return place.path + "[" + std::to_string(place.index / rows) + "][" +
+         std::to_string(place.index % rows) + "]";
 }
 
 std::vector<NumberLocation> number_locations(const Values& values, std::string_view key) {
@@ -47,7 +82,8 @@ std::vector<NumberLocation> number_locations(const Values& values, std::string_v
   if (found == values.end() || !is_number(found->second) || wraps(key)) return {};
   std::vector<NumberLocation> all;
   for (std::size_t i = 0; i < found->second.numbers.size(); ++i)
-    all.push_back({std::string(key), i});
+    if (const NumberLocation place = located(found->first, found->second, i); place.index == i)
+      all.push_back(place);
   return all;
 }
 

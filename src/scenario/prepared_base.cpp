@@ -49,8 +49,8 @@ Experiment PreparedBase::experiment(std::span<const double> numbers) const {
   for (std::size_t i = 0; i < locations_.size(); ++i) {
     Value& value = values->find(locations_[i].path)->second;
     const std::string& unit = value.units[locations_[i].index];
-    value.numbers[locations_[i].index] =
-        to_core(value, locations_[i].index, numbers[i], scenario_.document.units);
+    const double number = to_core(value, locations_[i].index, numbers[i], scenario_.document.units);
+    for (const std::size_t element : locations_[i].elements()) value.numbers[element] = number;
     value.shown = number_text(numbers[i]) + (unit.empty() ? "" : " " + unit);
     value.is_explicit = true;
   }

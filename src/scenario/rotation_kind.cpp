@@ -65,7 +65,7 @@ class RotationBuilder {
     add_terms(made);
     if (const TumblerState* tumbler = std::get_if<TumblerState>(&rotation.state))
       require_angles(at_, body, *tumbler);
-    built(at_.values, "state." + form, at_.name, [&] { return free_rotation(rotation); });
+    prepare_motion(rotation, at_);
     // members of an ensemble share the rows of the file
     if (time->is_automatic())
       rotation.time = base_ != nullptr ? base_->rotation.time : automatic_times(rotation, time);

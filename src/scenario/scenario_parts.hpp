@@ -44,6 +44,8 @@ void add_frame(Rotation& rotation, const KindContext& at);
 const std::optional<SaveAt>& rows_of(const Experiment& experiment);
 // DomainError where the kind is another than "rotation".
 const Rotation& rotation_of(const Experiment& experiment);
+// Fills in the motion; all else is there. ScenarioError at the state.
+void prepare_motion(Rotation& rotation, const FileValues& file);
 // The energy where it starts; 0 where a term has none.
 double initial_energy(const DampedProblem& problem);
 // What method, events, rows and columns ask of the system.

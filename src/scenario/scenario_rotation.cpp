@@ -126,21 +126,17 @@ struct ToMotion {
 
 }  // namespace
 
-System rotor_system(const Rotation& rotation) {
-  return System(rotation.body, rotation.frame, rotation.terms, rotation.damper);
-}
-
-FreeRotation free_rotation(const Rotation& rotation) {
+void detail::prepare_motion(Rotation& rotation, const FileValues& file) {
   const double J = rotation.damper ? rotation.damper->moment() : 0.0;
-  return std::visit(
-      ToMotion{rotation.body, rotation.q_file, rotation.frame.at(0.0), J * rotation.damper_rate},
-      rotation.state);
-}
-
-// Serret's elements have their own epoch; what others give is the state itself.
-RotorState initial_state(const Rotation& rotation) {
-  const FreeRotation motion = free_rotation(rotation);
-  return motion.epoch() == 0.0 ? motion.initial_state() : motion.at(0.0);
+  const FreeRotation motion = built(file.values, "state." + rotation.chart, file.name, [&] {
+    return std::visit(
+        ToMotion{rotation.body, rotation.q_file, rotation.frame.at(0.0), J * rotation.damper_rate},
+        rotation.state);
+  });
+  // Serret's elements have their own epoch; what others give is the state itself
+  rotation.motion = std::make_shared<const PreparedMotion>(
+      PreparedMotion{System(rotation.body, rotation.frame, rotation.terms, rotation.damper), motion,
+                     motion.epoch() == 0.0 ? motion.initial_state() : motion.at(0.0)});
 }
 
 std::optional<Method> propagation_method(const Rotation& rotation) {
@@ -193,9 +189,6 @@ std::optional<Method> propagation_method(const Scenario& scenario) {
 DampedProblem problem(const Experiment& experiment) {
   return rotor_problem(detail::rotation_of(experiment));
 }
-System rotor_system(const Scenario& scenario) { return rotor_system(scenario.rotation()); }
-RotorState initial_state(const Scenario& scenario) { return initial_state(scenario.rotation()); }
-FreeRotation free_rotation(const Scenario& scenario) { return free_rotation(scenario.rotation()); }
 
 }  // namespace v0
 }  // namespace polhode

@@ -18,7 +18,6 @@
 namespace polhode {
 inline namespace v0 {
 
-struct FitPlan;
 namespace detail {
 
 struct Refusal {
@@ -38,7 +37,6 @@ struct ReadFile {
   Units units;
   // What was made of the values, for those who make it again with other numbers.
   std::shared_ptr<const MadeExperiment> made = nullptr;
-  std::shared_ptr<const FitPlan> fit = nullptr;  // of kind "fit"
 };
 inline FileValues file_values(const Document& of) {
   return {of.checked->values, of.units, of.path};

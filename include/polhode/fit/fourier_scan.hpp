@@ -32,6 +32,7 @@
 namespace polhode {
 inline namespace v0 {
 
+class CellJournal;
 // first, first + step, ...
 struct FrequencyGrid {
   double first;
@@ -67,6 +68,8 @@ struct ScanOptions {
   std::function<void()> between = {};
   // Which part of the pairs is done, after each block; one call after the other.
   std::function<void(double part)> progress = {};
+  // Keeps the results of a search that may be interrupted.
+  CellJournal* journal = nullptr;
 };
 
 Landscape scan_pairs(const ScanPoints& points, const FrequencyGrid& first,

@@ -29,6 +29,7 @@
 namespace polhode {
 inline namespace v0 {
 
+class CellJournal;
 struct LightExtension {
   std::vector<LightCurve> curves;  // the sessions
   std::size_t first = 0;           // of them the one that the starts are near
@@ -43,6 +44,8 @@ struct LightExtension {
   std::function<void()> between = {};
   // Called with the part that is done, rising to 1, in one thread at a time.
   std::function<void(double part)> progress = {};
+  // Keeps the results of a search that may be interrupted.
+  CellJournal* journal = nullptr;
 };
 
 // What a session came to when it joined those before it.

@@ -39,6 +39,7 @@
 namespace polhode {
 inline namespace v0 {
 
+class CellJournal;
 // Inertial half turns after which light is the same, for an ellipsoid that is lit and seen from
 // fixed directions: an ellipsoid looks the same from the opposite direction (normal), and laws that
 // do not change when Sun and observer are exchanged give the others.
@@ -83,6 +84,8 @@ struct LightSearch {
   // Called with the part of the work that is done, in one thread at a time; the last call has 1.
   // The number of further fits is estimated from the solutions found so far, so the part may fall.
   std::function<void(double part)> progress = {};
+  // Keeps the results of a search that may be interrupted.
+  CellJournal* journal = nullptr;
 };
 
 struct FoundLight {

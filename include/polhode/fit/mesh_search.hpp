@@ -34,6 +34,7 @@
 namespace polhode {
 inline namespace v0 {
 
+class CellJournal;
 struct MeshSearch {
   std::vector<LightCurve> curves;
   // Shape, law and inertia are taken; attitude, rate and epoch are not looked at.
@@ -54,6 +55,8 @@ struct MeshSearch {
   // Called before each attitude that is tried and each fit, in any of the threads; what it throws
   // ends the search.
   std::function<void()> between = {};
+  // Keeps the results of a search that may be interrupted.
+  CellJournal* journal = nullptr;
 };
 
 // `body` of a solution has the spin and the law of the mesh, and for what solutions are beside each

@@ -23,6 +23,7 @@
 namespace polhode {
 inline namespace v0 {
 
+class CellJournal;
 inline constexpr double resolved_condition = 100.0;
 inline bool is_resolved(const FourierFit& fit) {
   return fit.rank == fit.unknowns && fit.condition <= resolved_condition;
@@ -41,6 +42,8 @@ struct MinimaOptions {
   int threads = 1;
   // Called before each refinement, in any of the threads; what it throws ends the search.
   std::function<void()> between = {};
+  // Keeps the results of a search that may be interrupted.
+  CellJournal* journal = nullptr;
 };
 
 // By chi-square after refinement, the lowest first.

@@ -38,6 +38,7 @@ class GaussianImage {
   GaussianImage(int degree, int rows);
 
   int degree() const { return basis_->degree; }
+  int rows() const { return basis_->rows; }
   std::size_t coefficient_count() const { return basis_->count; }
   std::span<const Vec3> normals() const { return basis_->normals; }
   std::span<const double> solid_angles() const { return basis_->solid_angles; }

@@ -64,6 +64,8 @@ class ScenarioEnsemble {
   EnsembleMember base(const Progress& progress = {}) const;
   // The text of the scenario with the numbers of a member, without its [ensemble].
   std::string member_text(std::int64_t index) const;
+  // The same as a scenario, with the numbers of the member to the last bit.
+  Scenario member_scenario(std::int64_t index) const;
 
  private:
   struct Parts;

@@ -32,6 +32,8 @@
 namespace polhode {
 inline namespace v0 {
 
+class CellJournal;
+
 class FitStopped : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -70,6 +72,7 @@ struct FitOptions {
   std::function<void(std::int64_t starts)> progress = {};  // how many are done
   std::function<bool()> stop = {};                         // asked before each start
   int threads = 1;                                         // the result does not depend on it
+  CellJournal* journal = nullptr;  // keeps the results of a fit that may be interrupted
 };
 
 FitReport fit_scenario(const Scenario& scenario, const FitOptions& options = {});

@@ -140,6 +140,7 @@ struct LightFitOptions {
   std::function<void(const std::string& stage, const std::string& work)> begins = {};
   std::function<void(const std::string& stage, double part)> progress = {};
   std::function<bool()> stop = {};
+  CellJournal* journal = nullptr;  // keeps the results of a fit that may be interrupted
 };
 LightReport fit_light_scenario(const Scenario& scenario, const LightFitOptions& options = {});
 

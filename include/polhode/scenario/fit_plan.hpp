@@ -48,9 +48,7 @@ struct FitPlan {
   }
 };
 
-// That of a scenario of kind "fit"; null of any other.
-const FitPlan* fit_plan(const Scenario& scenario);
-// The same; DomainError where the kind is another.
+// DomainError if the kind of the scenario is another than "fit".
 const FitPlan& require_fit(const Scenario& scenario);
 
 // The state at t = 0 in the body axes that the file gives vectors in, relative to inertial axes.

@@ -10,8 +10,7 @@
 //             the reference frame S at t = 0.
 // Accuracy    that of the charts.
 // Errors      DomainError from rotor_problem without [time].
-// Cost        copies share meshes, surfaces, tables and terms. A problem is one preparation of the
-//             free motion.
+// Cost        copies share meshes, surfaces, tables, terms and the prepared motion.
 #pragma once
 
 #include <memory>
@@ -98,6 +97,13 @@ struct ScenarioEvent {
   double interval;  // 0: looks follow the rotation
 };
 
+// What a rotation is run and described with, prepared once, when its file is read.
+struct PreparedMotion {
+  System system;       // body, frame, terms and damper
+  FreeRotation free;   // through the state of the file, in the axes of S
+  RotorState initial;  // (q_SB, g_B) at t = 0
+};
+
 struct Rotation {
   Body body;
   Quaternion q_file;  // principal axes to those that the file gives vectors in: the tensor's
@@ -118,14 +124,16 @@ struct Rotation {
   std::vector<std::string> kinds = {};          // of all perturbations: "gravity-gradient"
   std::optional<Method> method = std::nullopt;  // left out: see propagation_method
   std::vector<ScenarioEvent> events = {};
-  std::optional<SaveAt> time = std::nullopt;  // left out: nothing to run
+  std::optional<SaveAt> time = std::nullopt;               // left out: nothing to run
+  std::shared_ptr<const PreparedMotion> motion = nullptr;  // of what stands above
 };
 
-// Body, frame, terms and damper.
-System rotor_system(const Rotation& rotation);
-// The hub state (q_SB, g_B) at t = 0, and the free motion through it in the axes of S.
-RotorState initial_state(const Rotation& rotation);
-FreeRotation free_rotation(const Rotation& rotation);
+// Its prepared motion; they live as long as it does.
+inline const System& rotor_system(const Rotation& rotation) { return rotation.motion->system; }
+inline const RotorState& initial_state(const Rotation& rotation) {
+  return rotation.motion->initial;
+}
+inline const FreeRotation& free_rotation(const Rotation& rotation) { return rotation.motion->free; }
 
 // The method of the file. Left out: none where nothing acts, which means exact free rotation;
 // otherwise default_rotor_method.

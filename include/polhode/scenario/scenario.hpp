@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Scenario: a TOML file that has been read and checked completely. The file (Document), what is run
-// (Experiment, of the kind that the file names), what is written (OutputPlan), and the tables [map]
-// and [ensemble] where one wraps it. The keys are in polhode/scenario/schema.hpp.
+// (Experiment, of the kind that the file names), what is written (OutputPlan), and the plans of
+// `polhode map`, `ensemble` and `fit`, if the file has them. The keys are in
+// polhode/scenario/schema.hpp.
 //
 // Equations   none of its own.
 // Units       numbers are in core units (polhode/text/units.hpp).
@@ -13,6 +14,7 @@
 // Cost        milliseconds, of which one preparation of the motion.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -33,6 +35,8 @@
 namespace polhode {
 inline namespace v0 {
 
+struct FitPlan;
+
 // One struct for each kind.
 using Experiment = std::variant<Rotation, Obliquity, CustomExperiment>;
 
@@ -42,6 +46,7 @@ struct Scenario {
   OutputPlan output;
   std::optional<MapPlan> map = std::nullopt;
   std::optional<EnsemblePlan> ensemble = std::nullopt;
+  std::shared_ptr<const FitPlan> fit = nullptr;  // of kind "fit": polhode/scenario/fit_plan.hpp
 
   const Units& units() const { return document.units; }
   // DomainError where the kind is another than "rotation".
@@ -73,9 +78,15 @@ bool has_events(const Scenario& scenario);
 std::optional<Method> propagation_method(const Scenario& scenario);
 // Of a rotation (polhode/scenario/rotation.hpp). DomainError where the kind is another.
 DampedProblem problem(const Experiment& experiment);
-System rotor_system(const Scenario& scenario);
-RotorState initial_state(const Scenario& scenario);
-FreeRotation free_rotation(const Scenario& scenario);
+inline const System& rotor_system(const Scenario& scenario) {
+  return rotor_system(scenario.rotation());
+}
+inline const RotorState& initial_state(const Scenario& scenario) {
+  return initial_state(scenario.rotation());
+}
+inline const FreeRotation& free_rotation(const Scenario& scenario) {
+  return free_rotation(scenario.rotation());
+}
 
 }  // namespace v0
 }  // namespace polhode

@@ -126,6 +126,14 @@ class StateBytes {
   void all(T&... x) {
     ((*this)(x), ...);
   }
+  // A list: the number of its elements, then each, as `each` visits it.
+  template <class T, class Each>
+  void list(std::vector<T>& values, const Each& each) {
+    std::uint64_t size = values.size();
+    (*this)(size);
+    if (reads_) values.clear();
+    for (std::uint64_t i = 0; i < size; ++i) each(reads_ ? values.emplace_back() : values[i]);
+  }
 
  private:
   static DomainError too_short() { return DomainError("Checkpoint: its bytes end too early"); }

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "fit/result_bytes.hpp"
 #include "polhode/fit/light_search.hpp"
 
 namespace polhode {
@@ -32,8 +33,12 @@ std::vector<Start> best_unlike(std::vector<Start> all, std::size_t count,
 
 struct LightTrial {
   EllipsoidModel body;
-  double cost;  // what was minimised
+  double cost = 0.0;  // what was minimised
 };
+inline void serialize(StateBytes& bytes, LightTrial& trial) {
+  serialize(bytes, trial.body);
+  bytes(trial.cost);
+}
 
 // Midway between the first and the last time.
 double epoch_of(std::span<const LightCurve> curves);

@@ -15,8 +15,9 @@
 #include "fit/detail/light_residuals.hpp"
 #include "fit/free_motion.hpp"
 #include "fit/light/search_checks.hpp"
+#include "fit/result_bytes.hpp"
 #include "math/number_text.hpp"
-#include "polhode/ensemble/cells.hpp"
+#include "polhode/ensemble/cell_journal.hpp"
 #include "polhode/error.hpp"
 #include "polhode/fit/derived_parameters.hpp"
 #include "polhode/fit/light_fit.hpp"
@@ -362,7 +363,7 @@ class Extension {
 
   void fit(const std::vector<Begin>& begins, Pass& pass, detail::DistinctSolutions& finds) {
     run_cells(
-        0, std::ssize(begins), asked_.threads,
+        asked_.journal, std::ssize(begins), asked_.threads,
         [&](std::int64_t k) {
           if (asked_.between) asked_.between();
           const EllipsoidModel& body = begins[static_cast<std::size_t>(k)].body;
@@ -378,7 +379,8 @@ class Extension {
           } else if (s.result.end == LeastSquaresResult::End::iteration_limit) {
             pass.unfinished.push_back({s.result.cost, {s.body, from}});
           }
-        });
+        },
+        [](StateBytes& bytes, LightSolution& s) { detail::serialize(bytes, s); });
   }
 
   // Of the present session.

@@ -13,7 +13,8 @@
 #include "fit/detail/light_starts.hpp"
 #include "fit/light/search_checks.hpp"
 #include "fit/light/search_progress.hpp"
-#include "polhode/ensemble/cells.hpp"
+#include "fit/result_bytes.hpp"
+#include "polhode/ensemble/cell_journal.hpp"
 #include "polhode/ensemble/counter_random.hpp"
 #include "polhode/ensemble/distributions.hpp"
 #include "polhode/free/free_rotation.hpp"
@@ -203,7 +204,7 @@ class EllipsoidSearch {
     Trials found(search_.periods.size());
     tried_ += numbers.size();
     run_cells(
-        0, std::ssize(numbers), search_.threads,
+        search_.journal, std::ssize(numbers), search_.threads,
         [&](std::int64_t k) {
           if (search_.between) search_.between();
           return detail::light_trial(how, numbers[static_cast<std::size_t>(k)]);
@@ -216,6 +217,9 @@ class EllipsoidSearch {
           ++result_.starts;
           const std::uint64_t number = numbers[static_cast<std::size_t>(k)];
           found[static_cast<std::size_t>(number % search_.periods.size())].push_back(*trial);
+        },
+        [](StateBytes& bytes, std::optional<LightTrial>& trial) {
+          detail::serialize(bytes, trial);
         });
     return found;
   }
@@ -314,7 +318,7 @@ class EllipsoidSearch {
   void fit(const std::vector<Finalist>& finalists, int most_iterations, bool goes_on) {
     if (goes_on) result_.finalists += finalists.size();
     run_cells(
-        0, std::ssize(finalists), search_.threads,
+        search_.journal, std::ssize(finalists), search_.threads,
         [&](std::int64_t k) {
           if (search_.between) search_.between();
           const Finalist& f = finalists[static_cast<std::size_t>(k)];
@@ -328,7 +332,8 @@ class EllipsoidSearch {
             finds_.add(s, periods);
           else if (goes_on && s.result.end == LeastSquaresResult::End::iteration_limit)
             unfinished_.push_back({s.result.cost, {s.body, periods}});
-        });
+        },
+        [](StateBytes& bytes, LightSolution& s) { detail::serialize(bytes, s); });
   }
 
   void add_notes(std::size_t seldom) {

@@ -15,7 +15,8 @@
 #include "fit/free_motion.hpp"
 #include "fit/light/search_checks.hpp"
 #include "fit/light_states.hpp"
-#include "polhode/ensemble/cells.hpp"
+#include "fit/result_bytes.hpp"
+#include "polhode/ensemble/cell_journal.hpp"
 #include "polhode/ensemble/counter_random.hpp"
 #include "polhode/ensemble/distributions.hpp"
 #include "polhode/error.hpp"
@@ -173,12 +174,20 @@ class Search {
   std::vector<Start> finalists() {
     std::vector<std::vector<Start>> all(search_.periods.size());
     run_cells(
-        0, static_cast<std::int64_t>(search_.starts), search_.threads,
+        search_.journal, static_cast<std::int64_t>(search_.starts), search_.threads,
         [&](std::int64_t k) { return start(static_cast<std::uint64_t>(k)); },
         [&](std::int64_t, const std::optional<Start>& one) {
           if (!one) return;
           ++result_.starts;
           all[one->periods].push_back(*one);
+        },
+        [](StateBytes& bytes, std::optional<Start>& one) {
+          bool is_there = one.has_value();
+          bytes(is_there);
+          if (bytes.reads() && is_there) one.emplace();
+          if (!is_there) return;
+          detail::serialize(bytes, one->spin);
+          bytes.all(one->periods, one->cost);
         });
     std::vector<Start> taken;
     const auto alike = [](const Start& a, const Start& b) { return are_alike(a.spin, b.spin); };
@@ -203,7 +212,7 @@ class Search {
   void fit(const std::vector<Start>& starts) {
     result_.finalists += starts.size();
     run_cells(
-        0, std::ssize(starts), search_.threads,
+        search_.journal, std::ssize(starts), search_.threads,
         [&](std::int64_t k) {
           if (search_.between) search_.between();
           const Start& from = starts[static_cast<std::size_t>(k)];
@@ -215,7 +224,8 @@ class Search {
         },
         [&](std::int64_t k, const LightSolution& s) {
           if (s.is_found()) finds_.add(s, starts[static_cast<std::size_t>(k)].periods);
-        });
+        },
+        [](StateBytes& bytes, LightSolution& s) { detail::serialize(bytes, s); });
   }
 
   void add_notes() {

@@ -80,15 +80,6 @@ class Pace {
   Clock::time_point next_;
 };
 
-// A list as bytes of a checkpoint: the number of elements, then each, as `each` transfers it.
-template <class T, class Each>
-void sized(StateBytes& bytes, std::vector<T>& all, const Each& each) {
-  std::uint64_t size = all.size();
-  bytes(size);
-  if (bytes.reads()) all.clear();
-  for (std::uint64_t i = 0; i < size; ++i) each(bytes.reads() ? all.emplace_back() : all[i]);
-}
-
 // A path as messages name it.
 std::string shown_path(const std::string& path);
 // PATH.checkpoint
@@ -143,6 +134,8 @@ struct KeptSetup {
   RunBegin begin = RunBegin::anew;
   BeginWords words = {};
   double seconds = 5.0;  // between two checkpoints, at least
+  // Whether outputs tell that they are complete, so that there is nothing to do.
+  bool can_be_complete = true;
   // Makes of the identity of a checkpoint what may differ from ours.
   std::function<void(Identity& theirs, const Identity& ours)> forgive = {};
   // What a message adds that says how they differ.

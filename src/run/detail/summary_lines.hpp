@@ -36,6 +36,12 @@ class Lines {
   std::vector<SummaryLine> lines_;
 };
 
+// Mode and periods of a free rotation; `rotation` tells whether anything acts on it.
+void add_mode(Lines& lines, const Rotation& rotation, const FreeRotation& motion);
+void add_periods(Lines& lines, const FreeRotation& motion);
+// The direction of the momentum, along the inertial axes of `rotation`.
+void add_pole(Lines& lines, const Rotation& rotation, const RotorState& inertial);
+
 // The numbers of the torques, and the values that each table of the scenario leaves to defaults.
 void add_table_values(Lines& lines, const Scenario& scenario);
 

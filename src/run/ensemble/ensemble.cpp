@@ -154,5 +154,13 @@ std::string ScenarioEnsemble::member_text(std::int64_t index) const {
   return detail::member_text(scenario(), index);
 }
 
+Scenario ScenarioEnsemble::member_scenario(std::int64_t index) const {
+  Scenario member = scenario();
+  member.document.text = member_text(index);
+  member.experiment = parts_->base.experiment(plan().numbers(index));
+  member.ensemble.reset();
+  return member;
+}
+
 }  // namespace v0
 }  // namespace polhode

@@ -36,7 +36,7 @@ Identity identity_of_ensemble(const ScenarioEnsemble& ensemble) {
 
 void EnsembleChunk::transfer(StateBytes& bytes, const StatisticsFrame* frame) {
   bytes(drawn);
-  sized(bytes, failures, [&](EnsembleReport::Failure& f) { bytes.all(f.member, f.why); });
+  bytes.list(failures, [&](EnsembleReport::Failure& f) { bytes.all(f.member, f.why); });
   bytes(rows);
   if (frame == nullptr) return;
   if (bytes.reads()) statistics.emplace(*frame);
@@ -44,7 +44,7 @@ void EnsembleChunk::transfer(StateBytes& bytes, const StatisticsFrame* frame) {
 }
 
 void transfer(StateBytes& bytes, Pilots& pilots) {
-  sized(bytes, pilots, [&](EnsembleMember& one) { bytes.all(one.drawn, one.rows, one.failure); });
+  bytes.list(pilots, [&](EnsembleMember& one) { bytes.all(one.drawn, one.rows, one.failure); });
 }
 
 EnsembleCells::EnsembleCells(const ScenarioEnsemble& ensemble, bool any_machine,
@@ -153,7 +153,7 @@ void EnsembleCells::append_rows(std::int64_t index, const EnsembleMember& member
 
 void EnsembleCells::Stage::transfer(StateBytes& bytes) {
   bytes.all(pilots, cells.first, cells.each, cells.end);
-  sized(bytes, identity, [&](IdentityPart& part) { bytes.all(part.name, part.text); });
+  bytes.list(identity, [&](IdentityPart& part) { bytes.all(part.name, part.text); });
   bytes.all(chunk_files, frame);
 }
 

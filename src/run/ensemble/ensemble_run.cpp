@@ -108,8 +108,7 @@ class EnsembleRun::Parts {
   // All that the checkpoint holds, between two chunks.
   void transfer(StateBytes& bytes) {
     bytes.all(report_.members, report_.failed);
-    detail::sized(bytes, report_.failures,
-                  [&](EnsembleReport::Failure& f) { bytes.all(f.member, f.why); });
+    bytes.list(report_.failures, [&](EnsembleReport::Failure& f) { bytes.all(f.member, f.why); });
     detail::transfer_all(bytes, drawn_);
     bytes(waiting_);
     if (!frame_) return;
@@ -274,8 +273,7 @@ EnsembleReport EnsembleRun::run() { return parts_->run(); }
 MemberReport write_member(const ScenarioEnsemble& ensemble, std::int64_t index,
                           const std::vector<std::string>& outputs, RunBegin begin,
                           const BeginWords& words) {
-  const Document& file = ensemble.scenario().document;
-  const Scenario alone = scenario_from_text(ensemble.member_text(index), file.path, *file.kinds);
+  const Scenario alone = ensemble.member_scenario(index);
   const Provenance origin = provenance(alone);
   const std::vector<ColumnGroup>& groups = ensemble.row_groups();
   detail::KeptSetup setup =

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "polhode/ensemble/cells.hpp"
+#include "fit/result_bytes.hpp"
+#include "polhode/ensemble/cell_journal.hpp"
 #include "polhode/ensemble/counter_random.hpp"
 #include "polhode/error.hpp"
 #include "run/detail/fit_tables.hpp"
@@ -183,13 +184,17 @@ FitReport fit_scenario(const Scenario& scenario, const FitOptions& options) {
   stop();
   detail::built_unknowns(scenario, [&] {
     run_cells(
-        0, plan.starts, options.threads,
+        options.journal, plan.starts, options.threads,
         [&](std::int64_t start) { return tried(report, plan, start); },
         [&](std::int64_t start, const Tried& one) {
           solutions.add(one, start);
           report.starts = start + 1;
           if (options.progress) options.progress(report.starts);
           if (report.starts < plan.starts) stop();
+        },
+        [](StateBytes& bytes, Tried& one) {
+          detail::serialize(bytes, one.found);
+          bytes(one.failure);
         });
     return 0;
   });

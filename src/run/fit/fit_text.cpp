@@ -6,11 +6,13 @@
 #include <cmath>
 #include <string_view>
 
+#include "fit/free_motion.hpp"
 #include "polhode/fit/derived_parameters.hpp"
 #include "polhode/run/fit.hpp"
 #include "polhode/run/predictions.hpp"
 #include "polhode/run/summary.hpp"
 #include "run/detail/fit_tables.hpp"
+#include "run/detail/summary_lines.hpp"
 #include "run/fit/fit_torques.hpp"
 #include "text/json.hpp"
 
@@ -39,22 +41,15 @@ std::string number_or_dash(const std::optional<double>& x, const char* form) {
   return x ? fmt::format(fmt::runtime(form), *x) : std::string("-");
 }
 
-// What a reader knows a spin state by, from the scenario of the solution: at t = 0, before jumps.
-constexpr std::string_view shown_lines[] = {"mode", "precession_period", "rotation_period",
-                                            "short_axis_period", "pole"};
-
-std::vector<SummaryLine> state_lines(const Scenario& scenario, const FitReport& report,
-                                     std::size_t solution) {
-  const SpinSolution& raw = report.solutions[solution].raw;
-  const Scenario made = scenario_from_text(
-      detail::text_from_state(scenario, report, raw, raw.state, scenario.document.folder),
-      scenario.document.path, *scenario.document.kinds);
-  std::vector<SummaryLine> lines = summary(made);
-  std::erase_if(lines, [](const SummaryLine& line) {
-    return std::find(std::begin(shown_lines), std::end(shown_lines), line.key) ==
-           std::end(shown_lines);
-  });
-  return lines;
+// Mode, periods and pole of a spin state, in free rotation.
+std::vector<SummaryLine> state_lines(const Scenario& scenario, const SpinState& state) {
+  const FreeRotation motion = detail::free_rotation_of(state);
+  const Rotation& rotation = scenario.rotation();
+  detail::Lines lines(scenario.units());
+  detail::add_mode(lines, rotation, motion);
+  detail::add_periods(lines, motion);
+  if (motion.regime() != Regime::rest) detail::add_pole(lines, rotation, motion.initial_state());
+  return lines.take();
 }
 
 // Of periods and pole, with errors as given and scaled; those that the data leave open are
@@ -145,7 +140,7 @@ void add_solution(std::string& text, const Scenario& scenario, const FitReport& 
     add_fit_line(text, "errors scaled by", fmt::format("{:.4g}", found.scaled->error_factor));
   if (report.drive && !report.drive->jumps.empty()) text += "at t = 0, before the jumps:\n";
   add_fit_line(text, "phi, theta, psi", euler_text(scenario, raw.state.q));
-  text += summary_table(state_lines(scenario, report, place));
+  text += summary_table(state_lines(scenario, raw.state));
   text += error_lines(scenario, found);
   add_table(text, fit_numbers(scenario, report, place));
   add_correlations(text, raw.covariance);

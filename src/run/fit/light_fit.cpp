@@ -61,7 +61,7 @@ Vec3 permuted(const Mat3& R, const Vec3& k_B) {
 // The state of the file at t = 0, along axes with falling semi-axes, or rising moments.
 EllipsoidModel start_of(const Scenario& scenario, const LightPlan& plan) {
   const Rotation& rotation = scenario.rotation();
-  const RotorState s = initial_state(rotation);
+  const RotorState& s = initial_state(rotation);
   const Vec3 I = rotation.body.moments();
   const bool by_shape = plan.unknowns.moments == MomentSource::shape && plan.semiaxes;
   const Mat3 R = sorted_axes(by_shape ? -1.0 * *plan.semiaxes : I);
@@ -159,6 +159,7 @@ void search(const Scenario& scenario, const FitPlan& plan, const LightFitOptions
   how.most_iterations = plan.light.most_iterations.value_or(how.most_iterations);
   how.seed = plan.seed;
   how.threads = options.threads;
+  how.journal = options.journal;
   if (options.begins)
     options.begins("search",
                    detail::counted(how.starts, "start", "starts") + " of " +
@@ -226,7 +227,7 @@ bool LightReport::has_errors() const {
 }
 
 bool observes_light(const Scenario& scenario) {
-  const FitPlan* const plan = fit_plan(scenario);
+  const FitPlan* const plan = scenario.fit.get();
   return plan != nullptr && plan->has_light();
 }
 

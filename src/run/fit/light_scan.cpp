@@ -87,9 +87,11 @@ class Scan {
     LightScan scan{
         std::move(advice_), scan_pairs(points, grid, how()), {}, std::nullopt, std::nullopt,
         std::nullopt};
-    scan.minima = scan_minima(
-        points, scan.landscape,
-        {.most = plan_.minima, .threads = options_.threads, .between = [this] { end_if_asked(); }});
+    scan.minima = scan_minima(points, scan.landscape,
+                              {.most = plan_.minima,
+                               .threads = options_.threads,
+                               .between = [this] { end_if_asked(); },
+                               .journal = options_.journal});
     return scan;
   }
 
@@ -167,9 +169,13 @@ class Scan {
     constexpr std::size_t few = 5;
     ScanOptions how{.order = order, .threads = options_.threads};
     how.between = [this] { end_if_asked(); };
+    how.journal = options_.journal;
     const std::vector<ScanMinimum> minima = scan_minima(
         points, scan_periods(points, FrequencyGrid::between(least_, most_, scan.advice.step), how),
-        {.most = few, .threads = options_.threads, .between = [this] { end_if_asked(); }});
+        {.most = few,
+         .threads = options_.threads,
+         .between = [this] { end_if_asked(); },
+         .journal = options_.journal});
     const auto one = std::ranges::find_if(minima, is_sound);
     if (one == minima.end()) return std::nullopt;
     const FourierFit& fit = one->refined.fit;
@@ -269,6 +275,7 @@ class Scan {
   ScanOptions how() const {
     ScanOptions how{.order = plan_.order, .threads = options_.threads};
     how.between = [this] { end_if_asked(); };
+    how.journal = options_.journal;
     if (options_.progress) how.progress = [this](double part) { options_.progress("scan", part); };
     return how;
   }

@@ -73,6 +73,7 @@ void extend_to_sessions(const Scenario& scenario, std::size_t first,
   how.within = plan.light.within_factor;
   how.most_iterations = plan.light.most_iterations.value_or(how.most_iterations);
   how.threads = options.threads;
+  how.journal = options.journal;
   how.between = [&] {
     if (options.stop && options.stop())
       throw FitStopped(scenario.document.name + ": stopped while sessions were joined");

@@ -6,7 +6,8 @@
 #include <mutex>
 #include <utility>
 
-#include "polhode/ensemble/cells.hpp"
+#include "fit/result_bytes.hpp"
+#include "polhode/ensemble/cell_journal.hpp"
 #include "polhode/error.hpp"
 #include "polhode/fit/mesh_search.hpp"
 #include "run/detail/fit_tables.hpp"
@@ -135,7 +136,7 @@ class Surfaces {
   void fit(std::size_t count, bool has_images, const Made& made, const Take& take) {
     double fits = 0.0;
     run_cells(
-        0, static_cast<std::int64_t>(count), options_.threads,
+        options_.journal, static_cast<std::int64_t>(count), options_.threads,
         [&](std::int64_t k) {
           end_if_asked();
           return made(static_cast<std::size_t>(k));
@@ -147,6 +148,13 @@ class Surfaces {
           const double done = static_cast<double>(k + 1), all_of_them = static_cast<double>(count);
           tell_progress((all_of_them - done) * std::max(fits, 1.0) / done +
                         (has_images ? images_of_one * static_cast<double>(count_within()) : 0.0));
+        },
+        [](StateBytes& bytes, std::vector<SurfaceFound>& all) {
+          bytes.list(all, [&](SurfaceFound& one) {
+            serialize(bytes, one.solution);
+            serialize(bytes, one.convex);
+            serialize(bytes, one.start);
+          });
         });
   }
 
@@ -188,6 +196,7 @@ class Surfaces {
     how.most_iterations = asked_.most_iterations;
     how.seed = asked_.seed;
     how.threads = asked_.threads;
+    how.journal = options_.journal;
     std::mutex mutex;
     std::size_t begun = 0;
     const std::size_t tried = how.starts * how.tries, fits = how.finalists * how.periods.size();

@@ -206,7 +206,7 @@ std::vector<Seen> motion_of(const Scenario& scenario) {
   const Quaternion f = rotation.q_file;
   std::vector<Seen> all;
   if (!propagation_method(rotation)) {
-    const FreeRotation motion = free_rotation(rotation);
+    const FreeRotation& motion = free_rotation(rotation);
     const SaveAt& times = *rotation.time;
     for (std::int64_t k = 0; k < times.size(); ++k) {
       const RotorState s = motion.at(times[k]);

@@ -32,13 +32,15 @@ constexpr std::array keys_of_vary = {
     text_key<&VaryTable::key>(
         "key",
         "A number of this file by its keys, also one with a fallback; perturbation[0] is the "
-        "first of its tables, omega_body[2] the third number of an array.")
+        "first of its tables, omega_body[2] the third number of an array, body.tensor[0][1] a "
+        "product of inertia with its mirror.")
         .required()
         .example("\"state.attitude-rate.omega_body[2]\"")
         .of_kinds("normal|uniform|log-uniform|grid"),
     key_list_key<&VaryTable::keys>(
         "keys",
-        "Several numbers, an array by its name. A direction has the three components of a "
+        "Several numbers, an array by its name: of body.tensor the six of its upper half, row by "
+        "row. A direction has the three components of a "
         "vector, which keeps its length, or two angles in either order, which are known by their "
         "names: longitude, ra or node, and latitude, dec or inclination; an attitude the four "
         "components of a quaternion.")
@@ -322,12 +324,6 @@ class Drawn {
   const Placed<VaryTable>& from_;
   const VariedNumbers& numbers_;
 };
-
-// "body.moments[1]"
-std::string key_text(const Values& values, const NumberLocation& place) {
-  const bool is_one = value_at(values, place.path).key->type == KeyType::number;
-  return is_one ? place.path : place.path + "[" + std::to_string(place.index) + "]";
-}
 
 // Keys that are there and hold something else than a number, or are not the members' own.
 void require_can_vary(const KeyValues& table, std::string_view name, const std::string& key) {

@@ -64,16 +64,14 @@ FitPlan fit_plan(const FileValues& at, const Rotation& rotation) {
 
 }  // namespace detail
 
-const FitPlan* fit_plan(const Scenario& scenario) { return scenario.document.checked->fit.get(); }
-
 const FitPlan& require_fit(const Scenario& scenario) {
-  if (const FitPlan* const plan = fit_plan(scenario)) return *plan;
+  if (scenario.fit != nullptr) return *scenario.fit;
   throw DomainError(scenario.document.name + ": kind: got \"" + scenario.document.kind +
                     "\"; expected \"fit\"");
 }
 
 SpinState spin_state(const Rotation& rotation) {
-  const RotorState s = initial_state(rotation);
+  const RotorState& s = initial_state(rotation);
   const Quaternion& f = rotation.q_file;
   const Vec3& I = rotation.body.moments();
   const Mat3 R = rotation_matrix(f);

@@ -93,7 +93,8 @@ constexpr std::array keys_of_axis = {
     text_key<&MapAxis::key>(
         "key",
         "A number of this file by its keys, also one with a fallback; perturbation[0] is the "
-        "first of its tables, omega_body[2] the third number of an array.")
+        "first of its tables, omega_body[2] the third number of an array, body.tensor[0][1] a "
+        "product of inertia with its mirror.")
         .required()
         .example("\"state.attitude-rate.omega_body[2]\""),
     quantity_key<&MapAxis::from>(

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// FitCheckpoint: what a fit has found so far, kept in FIRST_OUTPUT.checkpoint, so that a fit that
+// was stopped or killed continues, as runs do (polhode/run/scenario_run.hpp).
+//
+// Domain      starts, scans and fits that are done are not computed again; those that were begun
+//             are. Without an output that is a file there is no checkpoint.
+// Accuracy    a fit that was interrupted and continued finds what a fit in one go finds, to the
+//             last bit (same build of polhode).
+// Errors      the constructor throws DomainError as that of ScenarioRun.
+// Cost        the bytes of all results, chi-square of each pair of a scan included; at most a
+//             twentieth of the time of the fit.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "polhode/ensemble/cell_journal.hpp"
+#include "polhode/run/scenario_run.hpp"
+#include "polhode/scenario/scenario.hpp"
+
+namespace polhode {
+inline namespace v0 {
+
+class FitCheckpoint {
+ public:
+  // `outputs` are the files that the fit will write, the first of which gives the checkpoint its
+  // name. `scenario` must outlive it.
+  FitCheckpoint(const Scenario& scenario, const std::vector<std::string>& outputs, RunBegin begin,
+                const BeginWords& words = {}, double seconds = 5.0);
+  ~FitCheckpoint();
+  FitCheckpoint(const FitCheckpoint&) = delete;
+  FitCheckpoint& operator=(const FitCheckpoint&) = delete;
+
+  // Whether there is a fit to continue.
+  bool continues() const;
+  // For the options of the fit. Checkpoints are written while it gets results.
+  CellJournal& journal();
+  // How many results it has.
+  std::size_t results() const;
+  // Writes a checkpoint; false where there is none.
+  bool keep();
+  // All outputs are written: nothing will be continued.
+  void forget();
+
+ private:
+  class Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace v0
+}  // namespace polhode
