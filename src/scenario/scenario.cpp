@@ -170,7 +170,7 @@ Scenario scenario_from_text(std::string_view text, const std::string& path, cons
   const auto made = std::make_shared<const detail::MadeExperiment>(
       detail::made_experiment({file, kinds, output}));
   output.options = detail::format_options_of(file, kinds.formats());
-  std::optional<MapPlan> map = detail::map_plan(file, kinds.charts(), made->experiment);
+  std::optional<MapPlan> map = detail::map_plan(file, kinds.columns(), made->experiment);
   std::optional<EnsemblePlan> ensemble = detail::ensemble_plan(file, made->experiment);
   if (document.kind == "fit")
     read.fit = std::make_shared<const FitPlan>(

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Kinds of perturbations, orbits and experiments that Python describes (python/polhode/kinds.py).
+// Kinds of perturbations, orbits, experiments and columns that Python describes
+// (python/polhode/kinds.py).
 #include <algorithm>
 #include <array>
 #include <deque>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -12,9 +14,12 @@
 #include <variant>
 #include <vector>
 
+#include "interface/batch.hpp"
 #include "interface/choice.hpp"
 #include "interface/python_function.hpp"
 #include "io/io_parts.hpp"
+#include "motion/samples.hpp"
+#include "motion/system_value.hpp"
 #include "polhode/error.hpp"
 #include "polhode/scenario/kinds.hpp"
 #include "polhode/text/detail/key_form.hpp"
@@ -252,6 +257,20 @@ bool is_column_name(std::string_view name) {
   return !name.empty() && name != "t" && std::ranges::all_of(name, is_plain);
 }
 
+// The numbers that a function has returned, as many as there is room for.
+void read_numbers(const nb::object& returned, std::span<double> row, const PythonFunction& function,
+                  const std::string& expected) {
+  try {
+    const Numbers numbers(returned, "");
+    if (size_of(numbers.shape()) == row.size()) {
+      std::copy_n(numbers.at(0), row.size(), row.begin());
+      return;
+    }
+  } catch (const nb::builtin_exception&) {
+  }
+  function.refuse(returned, (counted(row.size(), "number") + expected).c_str());
+}
+
 // {"columns": [(name, dimension), ...], "formula": f(t) -> numbers}
 CustomExperiment experiment_of(const nb::object& made, const PythonFunction& function,
                                const ExperimentContext& at, std::string_view kind) {
@@ -276,18 +295,7 @@ CustomExperiment experiment_of(const nb::object& made, const PythonFunction& fun
                                                         function.label() + ": formula");
   own.formula = [formula](double t, std::span<double> row) {
     const WithGil acquired;
-    const nb::object returned = (*formula)(t);
-    const std::string expected =
-        std::to_string(row.size()) + " numbers, those of the columns at that time";
-    try {
-      const Numbers numbers(returned, "");
-      if (size_of(numbers.shape()) == row.size()) {
-        for (std::size_t k = 0; k < row.size(); ++k) row[k] = numbers.at(0)[k];
-        return;
-      }
-    } catch (const nb::builtin_exception&) {
-    }
-    formula->refuse(returned, expected.c_str());
+    read_numbers((*formula)(t), row, *formula, ", those of the columns at that time");
   };
   return own;
 }
@@ -342,6 +350,100 @@ Kinds with_experiment(const Kinds& kinds, nb::handle kind) {
                                              });
                                        },
                                    .citations = texts->citations});
+}
+
+// An argument of the function of a group of columns: numbers of another group, which are computed
+// without the GIL, and the object that is made of these or of the row.
+struct RowInput {
+  std::function<ColumnNumbers(const RowSample&)> numbers;
+  std::function<nb::object(const RowSample&, const ColumnNumbers&)> object;
+};
+
+RowInput group_input(const ColumnKind& group) {
+  return {group.numbers, [width = group.columns.size()](const RowSample&, const ColumnNumbers& x) {
+            return nb::cast(array_of(std::span(x).first(width)));
+          }};
+}
+RowInput column_input(const ColumnKind& group, std::string_view column) {
+  const auto place = static_cast<std::size_t>(
+      std::ranges::find(group.columns, column, &GroupColumn::name) - group.columns.begin());
+  return {group.numbers, [place](const RowSample&, const ColumnNumbers& x) -> nb::object {
+            return nb::float_(x[place]);
+          }};
+}
+
+// What a parameter of this name is given.
+RowInput input_of(const std::string& name, const ColumnKinds& known, const std::string& shown) {
+  if (name == "t")
+    return {{}, [](const RowSample& row, const ColumnNumbers&) -> nb::object {
+              return nb::float_(row.t);
+            }};
+  if (name == "state")
+    return {{}, [](const RowSample& row, const ColumnNumbers&) {
+              return nb::cast(Batch<RotorState>::one(row.state));
+            }};
+  if (name == "system")
+    return {{}, [](const RowSample& row, const ColumnNumbers&) {
+              return nb::cast(PythonSystem(row.system));
+            }};
+  const ColumnKind* const group = known.group(name);
+  if (group != nullptr && !group->is_date) return group_input(*group);
+  if (const ColumnKind* const owner = known.of_column(name)) return column_input(*owner, name);
+  throw DomainError(shown + ": function: got the parameter \"" + name +
+                    "\"; expected t, state, system, or the name of a group or a column of numbers");
+}
+
+ColumnNumbers called_on_row(const RowSample& row, const PythonFunction& function,
+                            const std::vector<RowInput>& inputs, std::size_t width) {
+  std::vector<ColumnNumbers> given(inputs.size());
+  for (std::size_t i = 0; i < inputs.size(); ++i)
+    if (inputs[i].numbers) given[i] = inputs[i].numbers(row);
+  const WithGil acquired;
+  nb::list arguments;
+  for (std::size_t i = 0; i < inputs.size(); ++i) arguments.append(inputs[i].object(row, given[i]));
+  ColumnNumbers numbers{};
+  read_numbers(function(*nb::tuple(arguments)), std::span(numbers).first(width), function,
+               ", one for each column");
+  return numbers;
+}
+
+Kinds with_columns(const Kinds& kinds, nb::handle kind) {
+  const auto texts = std::make_shared<KindTexts>();
+  ColumnKind made{.name = texts->own(kind.attr("name")),
+                  .help = texts->own(kind.attr("help")),
+                  .columns = {},
+                  .numbers = {}};
+  for (const nb::handle column : nb::iter(kind.attr("columns")))
+    made.columns.emplace_back(texts->own(column[0]), nb::cast<Dimension>(column[1]));
+  for (const nb::handle c : nb::iter(kind.attr("citations")))
+    made.citations.push_back({texts->own(c[0]), texts->own(c[1]), texts->own(c[2])});
+  const std::string shown = "column group \"" + std::string(made.name) + "\"";
+  std::vector<RowInput> inputs;
+  for (const nb::handle input : nb::iter(kind.attr("_inputs"))) {
+    const auto name = nb::cast<std::string>(input);
+    inputs.push_back(input_of(name, kinds.columns(), "Kinds: " + shown));
+    made.needs_energy = made.needs_energy || kinds.columns().needs_energy(name);
+    made.needs_damper = made.needs_damper || kinds.columns().needs_damper(name);
+  }
+  made.numbers = [function = std::make_shared<PythonFunction>(kind.attr("function"), shown), inputs,
+                  texts, width = made.columns.size()](const RowSample& row) {
+    return called_on_row(row, *function, inputs, width);
+  };
+  return kinds.with(std::move(made));
+}
+
+// Calls the function of a group of columns once, for a free rotation: another number of numbers
+// than it has columns is an error. What the function raises is not, since it may need another
+// motion.
+void try_columns(const Kinds& kinds, const std::string& name) {
+  const System system(Body(1.0, 2.0, 3.0));
+  const RotorState state{{0.5, 0.5, -0.5, 0.5}, {0.1, 0.7, 1.3}};
+  const ColumnKind* const kind = kinds.columns().group(name);
+  if (kind == nullptr) return;
+  try {
+    static_cast<void>(kind->numbers({system, energy(system, 0.0, state), 0.0, state}));
+  } catch (const nb::python_error&) {
+  }
 }
 
 void bind_table(nb::module_& m) {
@@ -410,6 +512,12 @@ void bind_kinds(nb::module_& m) {
       .def("with_perturbation", with_perturbation)
       .def("with_orbit", with_orbit)
       .def("with_experiment", with_experiment)
+      .def("with_columns", with_columns)
+      .def("try_columns", try_columns)
+      .def("column_names",
+           [](const Kinds& kinds) { return names_list(column_names(kinds.columns())); })
+      .def("column_group_names",
+           [](const Kinds& kinds) { return names_list(column_group_names(kinds.columns())); })
       .def("schema", [](const Kinds& kinds) { return json_schema(kinds.schema()); })
       .def("template", [](const Kinds& kinds, const std::string& word) {
         return scenario_template(word, kinds.schema());
