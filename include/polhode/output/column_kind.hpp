@@ -14,6 +14,7 @@
 // Cost        that of the function, once a row.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -60,6 +61,9 @@ struct GroupColumn {
       : name(its_name), dimension(of), shown(in) {}
 };
 
+constexpr std::size_t most_columns = 16;  // of a group
+using ColumnNumbers = std::array<double, most_columns>;
+
 // Texts are constant data: they outlive every kind.
 struct ColumnKind {
   std::string_view name;             // of the group, "omega"
@@ -89,7 +93,9 @@ ColumnKind column_kind(std::string_view name, std::string_view help,
           .help = help,
           .columns = {columns, columns + N},
           .numbers = [function = std::move(function)](const RowSample& row) {
-            return detail::column_numbers(function(row));
+            ColumnNumbers numbers{};
+            detail::put_columns(function(row), numbers);
+            return numbers;
           }};
 }
 

@@ -5,16 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <span>
 
 #include "polhode/math/quaternion.hpp"
 #include "polhode/math/vector.hpp"
 
 namespace polhode {
 inline namespace v0 {
-
-constexpr std::size_t most_columns = 16;  // of a group
-using ColumnNumbers = std::array<double, most_columns>;
-
 namespace detail {
 
 template <class T>
@@ -28,14 +25,16 @@ inline constexpr std::size_t column_count<Quaternion> = 4;
 template <std::size_t N>
 constexpr std::size_t column_count<std::array<double, N>> = N;
 
-inline ColumnNumbers column_numbers(double x) { return {x}; }
-inline ColumnNumbers column_numbers(const Vec3& v) { return {v.x, v.y, v.z}; }
-inline ColumnNumbers column_numbers(const Quaternion& q) { return {q.w, q.x, q.y, q.z}; }
 template <std::size_t N>
-ColumnNumbers column_numbers(const std::array<double, N>& x) {
-  ColumnNumbers numbers{};
-  std::copy(x.begin(), x.end(), numbers.begin());
-  return numbers;
+void put_columns(const std::array<double, N>& x, std::span<double> out) {
+  std::copy(x.begin(), x.end(), out.begin());
+}
+inline void put_columns(double x, std::span<double> out) { out[0] = x; }
+inline void put_columns(const Vec3& v, std::span<double> out) {
+  put_columns(std::array{v.x, v.y, v.z}, out);
+}
+inline void put_columns(const Quaternion& q, std::span<double> out) {
+  put_columns(std::array{q.w, q.x, q.y, q.z}, out);
 }
 
 }  // namespace detail
