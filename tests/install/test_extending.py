@@ -399,7 +399,7 @@ def test_columns_of_your_own_are_those_of_rows_and_events(built, root, tmp_path)
     assert '"wobble"' in sh(program, "schema")
     wrong = tmp_path / "wrong.toml"
     wrong.write_text(scenario.read_text().replace('["wobble"]', '["wobbles"]'))
-    assert "did you mean wobble?" in sh(program, "info", wrong, status=2)
+    assert 'did you mean "wobble"?' in sh(program, "info", wrong, status=2)
 
 
 def test_pages_show_the_files_of_their_examples(root):

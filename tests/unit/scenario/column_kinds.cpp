@@ -131,7 +131,7 @@ count = 2
   EXPECT_THAT(json_schema(kinds().schema()), HasSubstr("\"spin-vector\", \"total_rate\""));
   EXPECT_THAT(markdown_columns(kinds().columns()), HasSubstr("| `spin-vector` | `twice_E,tilt` |"));
   EXPECT_THAT(error_of(head + "[output]\ncolumns = [\"spin-vectors\"]\n"),
-              HasSubstr("did you mean spin-vector?"));
+              HasSubstr("did you mean \"spin-vector\"?"));
   EXPECT_THAT(error_of(head + "[[event]]\ncolumn = \"tlit\"\nvalue = 1\n"),
               HasSubstr("did you mean tilt?"));
 }
