@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""Perturbations, orbits, experiments and output columns of your own in scenario files.
+"""Perturbations, orbits, experiments, observations and columns of your own in scenario files.
 
-A kind is described once: its name, its keys and a function that makes a term, an orbit or an
-experiment from their values; or the names and dimensions of columns and a function of a row. After
-`register`, files may name it: `load`, `Scenario.run`, maps, ensembles, fits, error messages and the
-JSON Schema know it.
+A kind is described once: its name, its keys and a function that makes a term, an orbit, an
+experiment or an observation from their values; or the names and dimensions of columns and a
+function of a row. After `register`, files may name it: `load`, `Scenario.run`, maps, ensembles,
+fits, error messages and the JSON Schema know it.
 """
 
 from __future__ import annotations
@@ -25,6 +25,7 @@ __all__ = [
     "ExperimentKind",
     "Key",
     "KindTable",
+    "ObservationKind",
     "OrbitKind",
     "PerturbationKind",
     "register",
@@ -225,6 +226,21 @@ class ExperimentKind(_Kind):
                  f'ExperimentKind "{self.name}": sets: got {self.sets!r}; expected none')
 
 
+class ObservationKind(_Kind):
+    """A kind of [[observation]] of fits and simulations: numbers that depend on the motion.
+
+    Parameters
+    ----------
+    name, help, keys, sets, citations : as those of a PerturbationKind. Each table also has the keys
+        of all kinds: name, file and those of the times.
+    made : f(table) -> {"columns": [(name, dimension), ...], "sigma": numbers, "function": f}: the
+        columns of its files after t, the standard error of each in core units, and a function of
+        the motion that returns one number for each. Its parameters are among `t`, `q` (4,), the
+        attitude from body axes of the file to inertial ones, and `omega` (3,), the angular velocity
+        along body axes. Angles are compared modulo a turn.
+    """
+
+
 @dataclass(frozen=True)
 class ColumnKind:
     """A group of output columns of rotations.
@@ -266,37 +282,41 @@ class ColumnKind:
             columns.append((name, _dimension(f'{where}, column "{name}"', dimension)))
         object.__setattr__(self, "columns", tuple(columns))
         object.__setattr__(self, "citations", _citations(where, self.citations))
-        object.__setattr__(self, "_inputs", _parameters(where, self.function))
+        inputs = _parameters(f"{where}: function", self.function,
+                             "t, state, system, groups or columns")
+        object.__setattr__(self, "_inputs", inputs)
 
 
-def _parameters(where: str, function: Any) -> tuple[str, ...]:
+def _parameters(where: str, function: Any, given: str = "t, q or omega") -> tuple[str, ...]:
     """The names of the parameters without defaults."""
-    expected = ("expected a function whose parameters are named after what they are given: t, "
-                "state, system, groups or columns")
+    expected = ("expected a function whose parameters are named after what they are given: "
+                f"{given}")
     if not callable(function):
-        raise TypeError(f"{where}: function: got {function!r}; {expected}")
+        raise TypeError(f"{where}: got {function!r}; {expected}")
     try:
         parameters = inspect.signature(function).parameters.values()
     except ValueError:
-        raise TypeError(f"{where}: function: got {function!r}, which tells no parameters; "
+        raise TypeError(f"{where}: got {function!r}, which tells no parameters; "
                         f"{expected}") from None
     named = (inspect.Parameter.POSITIONAL_ONLY, inspect.Parameter.POSITIONAL_OR_KEYWORD)
     needed = [one for one in parameters if one.default is inspect.Parameter.empty]
     for one in needed:
         if one.kind not in named:
-            raise TypeError(f"{where}: function: got the parameter {one}; {expected}")
+            raise TypeError(f"{where}: got the parameter {one}; {expected}")
     return tuple(one.name for one in needed)
 
 
 _FAMILIES = {
     PerturbationKind: "with_perturbation", OrbitKind: "with_orbit",
-    ExperimentKind: "with_experiment", ColumnKind: "with_columns",
+    ExperimentKind: "with_experiment", ObservationKind: "with_observation",
+    ColumnKind: "with_columns",
 }
 _registered: dict[tuple[type, str], _Kind | ColumnKind] = {}
 
 
 def register(
-    kind: PerturbationKind | OrbitKind | ExperimentKind | ColumnKind, *, replace: bool = False
+    kind: PerturbationKind | OrbitKind | ExperimentKind | ObservationKind | ColumnKind, *,
+    replace: bool = False,
 ) -> None:
     """Registers a kind for all scenarios that are read from now on.
 
@@ -305,8 +325,8 @@ def register(
 
     Parameters
     ----------
-    kind : a PerturbationKind, an OrbitKind, an ExperimentKind or a ColumnKind. The function of a
-        ColumnKind is called once, for a free rotation.
+    kind : a PerturbationKind, an OrbitKind, an ExperimentKind, an ObservationKind or a ColumnKind.
+        The function of a ColumnKind is called once, for a free rotation.
     replace : whether it may take the place of one that was registered under this name, as when a
         cell of a notebook runs again. Kinds of the library are not replaced.
 
@@ -325,7 +345,7 @@ def register(
     """
     if type(kind) not in _FAMILIES:
         raise TypeError(f"register: got {kind!r}; expected a PerturbationKind, an OrbitKind, an "
-                        "ExperimentKind or a ColumnKind")
+                        "ExperimentKind, an ObservationKind or a ColumnKind")
     own = (type(kind), kind.name)
     _require(replace or own not in _registered,
              f'register: "{kind.name}" was registered before; expected another name or '

@@ -14,7 +14,14 @@ import numpy as np
 import polhode
 import pytest
 from closeness import assert_allclose
-from polhode.kinds import ColumnKind, ExperimentKind, Key, OrbitKind, PerturbationKind
+from polhode.kinds import (
+    ColumnKind,
+    ExperimentKind,
+    Key,
+    ObservationKind,
+    OrbitKind,
+    PerturbationKind,
+)
 
 HEAD = """schema = 1
 units = { time = "s", angle = "deg", moment = "kg m2", length = "km" }
@@ -137,6 +144,27 @@ polhode.kinds.register(ColumnKind(
                                               np.degrees(py_angle))))
 GRAVITY = ('[orbit.o]\ngm = "398600.4418 km3/s2"\npericentre = 7000\n[[perturbation]]\n'
            'kind = "gravity-gradient"\norbit = "o"\n')
+def sun_angle(table):
+    sun = table["sun"] / np.linalg.norm(table["sun"])
+
+    def angle(q, omega):
+        w, v = q[0], q[1:]
+        axis = np.array([0.0, 0.0, 1.0])
+        turned = axis + 2 * np.cross(v, np.cross(v, axis) + w * axis)  # axis 3 in inertial axes
+        return np.arccos(turned @ sun), np.linalg.norm(omega)
+
+    return {"columns": [("angle", "angle"), ("spin", "rate")],
+            "sigma": [table["sigma"], table["sigma_spin"]], "function": angle}
+
+
+polhode.kinds.register(ObservationKind(
+    "py-sun-angle", "The angle from body axis 3 to the Sun, and the rate of rotation.",
+    [Key("sun", "Direction of the Sun.", "number", form="numbers", length=3, default=[1, 0, 0]),
+     Key("sigma", "Error of the angle.", "angle", required=True, range="positive",
+         example="0.1 deg"),
+     Key("sigma_spin", "Error of the rate.", "rate", required=True, range="positive",
+         example="0.01 deg/s")],
+    sun_angle, citations=[("sun2026", "C. Author (2026). On Suns.", "the angle to the Sun")]))
 COLUMNS = '[output]\ncolumns = ["omega", "g", "energy", "py-wobble", "py_parts"]\n'
 
 
@@ -250,6 +278,92 @@ def test_a_scenario_that_is_alive_at_exit_is_no_leak():
     assert (done.returncode, done.stderr) == (0, "")
 
 
+FITTED = HEAD.replace("schema = 1\n", 'schema = 1\nkind = "fit"\n') + (
+    '[free]\nunknowns = ["attitude", "rate"]\n')
+SUN = ('[[observation]]\nkind = "py-sun-angle"\nfile = "{}.csv"\ntimes = "at-body"\n'
+       'sigma = 0.1\nsigma_spin = 0.01\nsun = {}\n')
+
+
+def sun_fit(folder, *suns, text=FITTED):
+    path = folder / "sun.toml"
+    path.write_text(text + "".join(SUN.format(f"seen{i}", sun) for i, sun in enumerate(suns)))
+    return path
+
+
+@pytest.mark.parametrize("part", ["", PUSH])
+def test_a_registered_observation_is_simulated_and_fitted(tmp_path, part):
+    path = sun_fit(tmp_path, [1, 0, 0], [0, 1, 0.2], [0.3, 0.2, 1], text=FITTED + part)
+    polhode.simulate(path, tmp_path)
+    lines = (tmp_path / "seen1.csv").read_text().splitlines()
+    assert "t,angle,spin" in lines and len([x for x in lines if x[0] != "#"]) == 14
+    found = polhode.fit(path)
+    solution = found[0]
+    true = dict(w_x=1.0, w_y=2.0, w_z=30.0)
+    for name, value in true.items():
+        unknown = solution.unknowns[name]
+        assert abs(unknown.value - value) < 5 * unknown.error < 1.0
+    residuals = solution.residuals
+    assert {"r1", "r2"} <= set(residuals) and np.all(np.isnan(residuals["r3"]))
+    r = np.concatenate([residuals["r1"], residuals["r2"]])
+    assert 0.6 < np.sqrt(np.mean(r**2)) < 1.4
+    assert "13 rows of py-sun-angle" in str(found)
+
+
+def test_derivatives_of_a_registered_observation_are_those_of_the_built_in_one(tmp_path):
+    def rate(table):
+        return {"columns": [("w1", "rate"), ("w2", "rate"), ("w3", "rate")],
+                "sigma": 3 * [table["sigma"]], "function": lambda omega: omega}
+
+    polhode.kinds.register(ObservationKind("py-rate", "Rates.", [
+        Key("sigma", "Its error.", "rate", required=True, range="positive", example=1)], rate))
+    attitude = ('[[observation]]\nkind = "attitude"\nfile = "q.csv"\ntimes = "at-body"\n'
+                "sigma = 0.1\n")
+    fits = []
+    for kind in ("rate", "py-rate"):
+        path = tmp_path / f"{kind}.toml"
+        path.write_text(FITTED + attitude + f'[[observation]]\nkind = "{kind}"\nfile = "w.csv"\n'
+                        'times = "at-body"\nsigma = 0.02\n')
+        if kind == "rate":
+            polhode.simulate(path, tmp_path)
+        fits.append(polhode.fit(path)[0])
+    for name in ("w_x", "w_y", "w_z", "turn_x"):
+        ours, theirs = (fit.unknowns[name] for fit in fits)
+        assert_allclose(ours.value, theirs.value, rtol=0, atol=budgets.measured_fit * theirs.error)
+        assert_allclose(ours.error, theirs.error, rtol=budgets.measured_fit)
+
+
+@pytest.mark.parametrize("made, message", [
+    ([], '{"columns": [(name, dimension), ...], "sigma": numbers'),
+    ({"columns": [("x", "angle")], "sigma": [1, 2], "function": lambda t: t},
+     "expected 1 positive numbers, one for each column"),
+    ({"columns": [("x", "angle")], "sigma": 0, "function": lambda t: t},
+     "expected 1 positive numbers"),
+    ({"columns": [("x", "angel")], "sigma": 1, "function": lambda t: t},
+     "dimension: got 'angel'"),
+    ({"columns": [("x", "angle")], "sigma": 1, "function": lambda w: w},
+     'got the parameter "w"; expected t, q or omega'),
+])
+def test_what_an_observation_returns_is_checked(made, message):
+    polhode.kinds.register(ObservationKind("py-seen", "A kind.", [], lambda table: made),
+                           replace=True)
+    text = FITTED + ('[[observation]]\nkind = "py-seen"\nfile = "x.csv"\ntimes = "at-body"\n')
+    with pytest.raises((polhode.ScenarioError, TypeError, ValueError)) as raised:
+        polhode.Scenario.from_text(text, "seen.toml")
+    assert message in str(raised.value)
+
+
+def test_a_registered_observation_is_in_schema_template_and_citations(tmp_path):
+    assert '"py-sun-angle"' in polhode.kinds.schema()
+    made = polhode.Scenario.from_text(polhode.kinds.template("py-sun-angle"), "sun.toml")
+    assert "sun2026" in [citation.key for citation in made.citations]
+    with pytest.raises(ValueError, match='key "file" is one of all observations'):
+        polhode.kinds.register(ObservationKind("py-x", "A kind.", [
+            Key("file", "A file.", form="file")], sun_angle))
+    with pytest.raises(polhode.ScenarioError, match="sigma: got nothing; expected an angle"):
+        polhode.Scenario.from_text(FITTED + SUN.format("x", [1, 0, 0]).replace("sigma = 0.1\n", ""),
+                                   "sun.toml")
+
+
 def test_registered_columns_are_functions_of_the_others():
     made = scenario(COLUMNS, GRAVITY)
     rows = made.run()
@@ -285,7 +399,8 @@ def test_events_and_maps_have_registered_columns(method):
     assert found and all(one.name == "py_angle" for one in found)
     for one in found:
         omega = polhode.angular_velocity(polhode.Body(4, 5, 6), one.s)
-        assert_allclose(np.degrees(wobble(omega, one.s.g)[1]), 1.0, rtol=budgets.numpy_formula)
+        assert_allclose(np.degrees(wobble(omega, one.s.g)[1]), 1.0,
+                        rtol=budgets.small_arccosine)
     grid = ('[map]\nkind = "column"\ncolumn = "py_rate"\n[[map.axis]]\n'
             'key = "state.attitude-rate.omega_body[2]"\nfrom = 20\nto = 30\ncount = 3\n')
     made = scenario(grid, method)

@@ -174,7 +174,7 @@ Scenario scenario_from_text(std::string_view text, const std::string& path, cons
   std::optional<EnsemblePlan> ensemble = detail::ensemble_plan(file, made->experiment);
   if (document.kind == "fit")
     read.fit = std::make_shared<const FitPlan>(
-        detail::fit_plan(file, detail::rotation_of(made->experiment)));
+        detail::fit_plan(file, kinds, detail::rotation_of(made->experiment)));
   read.made = made;
   document.checked = std::make_shared<const detail::ReadFile>(std::move(read));
   return {std::move(document), made->experiment, std::move(output), std::move(map),

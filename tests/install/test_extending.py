@@ -402,6 +402,28 @@ def test_columns_of_your_own_are_those_of_rows_and_events(built, root, tmp_path)
     assert 'did you mean "wobble"?' in sh(program, "info", wrong, status=2)
 
 
+def test_an_observation_of_your_own_is_simulated_and_fitted(built, root, tmp_path):
+    source = built("observation")
+    program = source / "build/sun-angle"
+    sh(program, "simulate", source / "night.toml", cwd=source)
+    lines = [x for x in (source / "front.csv").read_text().splitlines() if x[0] != "#"]
+    assert f"```\n{lines[0]}\n```" in (root / "docs/extending/observation.md").read_text()
+    assert len(lines) == 62
+    out = tmp_path / "residuals.csv"
+    said = sh(program, "fit", source / "night.toml", "--residuals", out, cwd=source)
+    assert "61 directions, 61 rows of sun-angle, 61 rows of sun-angle (244 numbers)" in said
+    names, rows = rows_of(out)
+    r = [row[names.index("r1")] for row in rows if row[names.index("table")] < 3]
+    assert len(r) == 122 and 0.7 < math.sqrt(sum(x * x for x in r) / len(r)) < 1.3
+    assert '"sun-angle"' in sh(program, "schema")
+    assert "kind = \"sun-angle\"" in sh(program, "init", "sun-angle")
+    wrong = tmp_path / "wrong.toml"
+    wrong.write_text((source / "night.toml").read_text().replace("sun = [1, 0, 0]",
+                                                                "sun = [0, 0, 0]"))
+    assert "observation[0].sun: got [0, 0, 0]; expected a vector that is not 0" in sh(
+        program, "info", wrong, status=2)
+
+
 def test_pages_show_the_files_of_their_examples(root):
     # what is added from Python is a page alone, which tests/docs runs
     pages = {path.stem: path.read_text() for path in (root / "docs/extending").glob("*.md")

@@ -23,6 +23,7 @@
 #include "polhode/scenario/experiment_kind.hpp"
 #include "polhode/scenario/frame_kind.hpp"
 #include "polhode/scenario/method_kind.hpp"
+#include "polhode/scenario/observation_kind.hpp"
 #include "polhode/scenario/orbit_kind.hpp"
 #include "polhode/scenario/perturbation_kind.hpp"
 #include "polhode/scenario/schema.hpp"
@@ -41,6 +42,7 @@ class Kinds {
   Kinds with(OutputFormat format) const;
   Kinds with(const ChartKind& chart) const;
   Kinds with(ColumnKind kind) const;
+  Kinds with(ObservationKind kind) const;
 
   std::span<const PerturbationKind> perturbations() const;
   // Null where there is none of this name.
@@ -53,6 +55,8 @@ class Kinds {
   // Those from outside: what a file may be next to a rotation.
   std::span<const ExperimentKind> experiments() const;
   const ExperimentKind* experiment(std::string_view name) const;
+  std::span<const ObservationKind> observations() const;
+  const ObservationKind* observation(std::string_view name) const;
   const OutputFormats& formats() const;
   // Of tables to convert; those that are in scenarios also of [state.CHART] and of columns.
   std::span<const ChartKind> charts() const;

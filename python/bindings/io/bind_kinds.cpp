@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Kinds of perturbations, orbits, experiments and columns that Python describes
+// Kinds of perturbations, orbits, experiments, columns and observations that Python describes
 // (python/polhode/kinds.py).
 #include <algorithm>
 #include <array>
@@ -113,7 +113,8 @@ class KindTable {
   const KeyValues& values() const { return *table().values; }
   const TermContext& term() const {
     if (table().term == nullptr)
-      throw nb::attribute_error("only the table of a perturbation has body and orbits");
+      throw nb::attribute_error(
+          "only the table of a perturbation or an observation has body and orbits");
     return *table().term;
   }
 
@@ -271,6 +272,26 @@ void read_numbers(const nb::object& returned, std::span<double> row, const Pytho
   function.refuse(returned, (counted(row.size(), "number") + expected).c_str());
 }
 
+// [(name, dimension), ...], as a list of structs with these members.
+template <class Column>
+std::vector<Column> columns_of(nb::handle given, const nb::object& made,
+                               const PythonFunction& function) {
+  std::vector<Column> columns;
+  for (const nb::handle column : nb::iter(given)) {
+    std::string name;
+    if (!nb::isinstance<nb::sequence>(column) || nb::len(column) != 2 ||
+        !nb::try_cast(nb::object(column[0]), name) || !is_column_name(name) ||
+        std::ranges::count(columns, name, &Column::name) > 0)
+      function.refuse(
+          made,
+          "columns of (name, dimension), each name of letters, digits and _, other than "
+          "t, and there once");
+    columns.push_back({std::move(name), choice<Dimension>(column[1], "dimension")});
+  }
+  if (columns.empty()) function.refuse(made, "at least one column");
+  return columns;
+}
+
 // {"columns": [(name, dimension), ...], "formula": f(t) -> numbers}
 CustomExperiment experiment_of(const nb::object& made, const PythonFunction& function,
                                const ExperimentContext& at, std::string_view kind) {
@@ -278,19 +299,10 @@ CustomExperiment experiment_of(const nb::object& made, const PythonFunction& fun
   if (!nb::try_cast(made, parts) || parts.size() != 2 || !parts.contains("columns") ||
       !parts.contains("formula"))
     function.refuse(made, R"({"columns": [(name, dimension), ...], "formula": f(t) -> numbers})");
-  CustomExperiment own{.kind = std::string(kind), .rows = at.rows(), .columns = {}};
-  for (const nb::handle column : nb::iter(parts["columns"])) {
-    std::string name;
-    if (!nb::isinstance<nb::sequence>(column) || nb::len(column) != 2 ||
-        !nb::try_cast(nb::object(column[0]), name) || !is_column_name(name) ||
-        std::ranges::count(own.columns, name, &CustomColumn::name) > 0)
-      function.refuse(
-          made,
-          "columns of (name, dimension), each name of letters, digits and _, other than "
-          "t, and there once");
-    own.columns.push_back({std::move(name), choice<Dimension>(column[1], "dimension")});
-  }
-  if (own.columns.empty()) function.refuse(made, "at least one column");
+  CustomExperiment own{
+      .kind = std::string(kind),
+      .rows = at.rows(),
+      .columns = columns_of<CustomColumn>(nb::object(parts["columns"]), made, function)};
   const auto formula = std::make_shared<PythonFunction>(nb::object(parts["formula"]),
                                                         function.label() + ": formula");
   own.formula = [formula](double t, std::span<double> row) {
@@ -298,6 +310,52 @@ CustomExperiment experiment_of(const nb::object& made, const PythonFunction& fun
     read_numbers((*formula)(t), row, *formula, ", those of the columns at that time");
   };
   return own;
+}
+
+// The names of the parameters of a function that have no default, in their order.
+std::vector<std::string> parameters_of(nb::handle function, const std::string& label) {
+  const nb::object names =
+      nb::module_::import_("polhode.kinds").attr("_parameters")(label, function);
+  std::vector<std::string> all;
+  for (const nb::handle name : nb::iter(names)) all.push_back(nb::cast<std::string>(name));
+  return all;
+}
+
+MotionFunction motion_function(const nb::object& given, const std::string& label) {
+  const std::vector<std::string> inputs = parameters_of(given, label);
+  for (const std::string& name : inputs)
+    if (name != "t" && name != "q" && name != "omega")
+      throw DomainError(label + ": got the parameter \"" + name + "\"; expected t, q or omega");
+  const auto function = std::make_shared<PythonFunction>(given, label);
+  return [function, inputs](double t, const Quaternion& q, const Vec3& w_F,
+                            std::span<double> numbers) {
+    const WithGil acquired;
+    nb::list arguments;
+    for (const std::string& name : inputs)
+      arguments.append(name == "t"   ? nb::object(nb::float_(t))
+                       : name == "q" ? nb::cast(array_of(q))
+                                     : nb::cast(array_of(w_F)));
+    read_numbers((*function)(*nb::tuple(arguments)), numbers, *function, ", one for each column");
+  };
+}
+
+// {"columns": [(name, dimension), ...], "sigma": numbers, "function": f(...) -> numbers}
+ObservedRows observation_of(const nb::object& made, const PythonFunction& function,
+                            const TermContext& at) {
+  nb::dict parts;
+  if (!nb::try_cast(made, parts) || parts.size() != 3 || !parts.contains("columns") ||
+      !parts.contains("sigma") || !parts.contains("function"))
+    function.refuse(made, R"({"columns": [(name, dimension), ...], "sigma": numbers, )"
+                          R"("function": f(t, q, omega) -> numbers})");
+  MeasuredRows rows{
+      .columns = columns_of<MeasuredColumn>(nb::object(parts["columns"]), made, function),
+      .sigmas = {},
+      .numbers = {}};
+  const nb::object sigma = parts["sigma"];
+  const Numbers sigmas(sigma, "sigma");
+  for (std::size_t i = 0; i < size_of(sigmas.shape()); ++i) rows.sigmas.push_back(sigmas.at(0)[i]);
+  rows.numbers = motion_function(nb::object(parts["function"]), function.label() + ": function");
+  return observed_rows(std::move(rows), at);
 }
 
 Kinds with_perturbation(const Kinds& kinds, nb::handle kind) {
@@ -350,6 +408,24 @@ Kinds with_experiment(const Kinds& kinds, nb::handle kind) {
                                              });
                                        },
                                    .citations = texts->citations});
+}
+
+Kinds with_observation(const Kinds& kinds, nb::handle kind) {
+  const auto texts = texts_of(kind);
+  const KindFunction function(kind, "observation", texts);
+  return kinds.with(ObservationKind{
+      .name = texts->own(kind.attr("name")),
+      .help = texts->own(kind.attr("help")),
+      .keys = texts->keys,
+      .sets = texts->sets,
+      .made =
+          [function](Observation& of, const TermContext& at) {
+            of.rows = function.call({.texts = nullptr, .values = &at, .term = &at},
+                                    [&](const nb::object& made, const PythonFunction& by) {
+                                      return observation_of(made, by, at);
+                                    });
+          },
+      .citations = texts->citations});
 }
 
 // An argument of the function of a group of columns: numbers of another group, which are computed
@@ -513,6 +589,7 @@ void bind_kinds(nb::module_& m) {
       .def("with_orbit", with_orbit)
       .def("with_experiment", with_experiment)
       .def("with_columns", with_columns)
+      .def("with_observation", with_observation)
       .def("try_columns", try_columns)
       .def("column_names",
            [](const Kinds& kinds) { return names_list(column_names(kinds.columns())); })

@@ -19,6 +19,7 @@
 #include "scenario/detail/history_keys.hpp"
 #include "scenario/detail/kind_rows.hpp"
 #include "scenario/detail/schema_table.hpp"
+#include "scenario/fit/observation_rows.hpp"
 #include "scenario/tables/state.hpp"
 #include "scenario/values.hpp"
 #include "text/words.hpp"
@@ -164,6 +165,10 @@ detail::KindOfTable row_of(const OrbitKind& kind) {
           kind.sets};
 }
 constexpr std::string_view sort_of(const OrbitKind&) { return "orbit"; }
+detail::KindOfTable row_of(const ObservationKind& kind) {
+  return {{{}, kind.name, kind.help}, kind.keys, kind.sets};
+}
+constexpr std::string_view sort_of(const ObservationKind&) { return "observation"; }
 detail::KindOfTable row_of(const FrameKind& kind) {
   return {{{}, kind.name, kind.help}, kind.keys, kind.sets};
 }
@@ -299,6 +304,7 @@ struct Lists {
   OutputFormats formats;
   std::optional<std::vector<ChartKind>> own_charts = std::nullopt;  // left out: ours as they are
   std::vector<ColumnKind> own_columns = {};
+  std::vector<ObservationKind> observations = {};
 
   std::span<const ChartKind> charts() const { return own_charts ? *own_charts : default_charts(); }
 };
@@ -336,6 +342,7 @@ struct Kinds::Parts {
         orbits(orbit_table, orbit_kind_key, rows_of(lists.orbits)),
         frames(frame_table, rows_of(lists.frames)),
         methods(method_table, method_kind_key, rows_of(lists.methods)),
+        observations(lists.observations),
         state(lists.charts()),
         columns(lists.charts(), lists.own_columns),
         output(columns),
@@ -346,7 +353,8 @@ struct Kinds::Parts {
                                methods.part(),
                                {{&orbits_table, 1}, {}},
                                orbits.part(),
-                               frames.part()}),
+                               frames.part(),
+                               observations.part()}),
               output.part(), lists.formats),
         schema(table.schema()) {}
 
@@ -355,6 +363,7 @@ struct Kinds::Parts {
   detail::KindRows orbits;
   detail::TablesOfKinds frames;
   detail::KindRows methods;
+  detail::ObservationRows observations;
   detail::StateRows state;
   ColumnKinds columns;
   detail::OutputRows output;
@@ -374,7 +383,11 @@ Kinds default_kinds() {
       {detail::adaptive_kind(), detail::collocation_kind(), detail::splitting_kind(),
        detail::variation_of_constants_kind()},
       {detail::nutation_kind()},
-      default_output_formats()});
+      default_output_formats(),
+      std::nullopt,
+      {},
+      {detail::attitude_kind(), detail::direction_kind(), detail::rate_kind(),
+       detail::light_curve_kind()}});
   return Kinds(ours);
 }
 
@@ -435,6 +448,17 @@ Kinds Kinds::with(const ChartKind& chart) const {
   return Kinds(std::make_shared<const Parts>(std::move(lists)));
 }
 
+Kinds Kinds::with(ObservationKind kind) const {
+  for (const Key& key : kind.keys)
+    if (detail::is_shared_observation_key(key.path))
+      throw DomainError(detail::shown_kind("observation", kind.name) + ", key " +
+                        detail::quoted(key.path) +
+                        " is one of all observations; expected another name");
+  Lists lists = parts_->lists;
+  lists.observations = extended(std::move(lists.observations), std::move(kind));
+  return Kinds(std::make_shared<const Parts>(std::move(lists)));
+}
+
 Kinds Kinds::with(ColumnKind kind) const {
   const std::string shown = detail::shown_kind("column group", kind.name);
   require_own_columns(*this, kind);
@@ -466,6 +490,10 @@ const MethodKind* Kinds::method(std::string_view name) const {
 std::span<const ExperimentKind> Kinds::experiments() const { return parts_->lists.experiments; }
 const ExperimentKind* Kinds::experiment(std::string_view name) const {
   return named(parts_->lists.experiments, name);
+}
+std::span<const ObservationKind> Kinds::observations() const { return parts_->lists.observations; }
+const ObservationKind* Kinds::observation(std::string_view name) const {
+  return named(parts_->lists.observations, name);
 }
 const OutputFormats& Kinds::formats() const { return parts_->lists.formats; }
 std::span<const ChartKind> Kinds::charts() const { return parts_->lists.charts(); }
