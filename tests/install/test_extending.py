@@ -405,7 +405,7 @@ def test_columns_of_your_own_are_those_of_rows_and_events(built, root, tmp_path)
 def test_an_observation_of_your_own_is_simulated_and_fitted(built, root, tmp_path):
     source = built("observation")
     program = source / "build/sun-angle"
-    sh(program, "simulate", source / "night.toml", cwd=source)
+    sh(program, "simulate", source / "night.toml", "--into", source)
     lines = [x for x in (source / "front.csv").read_text().splitlines() if x[0] != "#"]
     assert f"```\n{lines[0]}\n```" in (root / "docs/extending/observation.md").read_text()
     assert len(lines) == 62
