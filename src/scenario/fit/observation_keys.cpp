@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The keys of all kinds of [[observation]], and the observation that a table describes.
+#include "scenario/fit/observation_keys.hpp"
+
 #include <algorithm>
 #include <array>
 #include <deque>
@@ -11,7 +13,6 @@
 
 #include "polhode/scenario/observation_kind.hpp"
 #include "polhode/text/kind_key.hpp"
-#include "scenario/fit/observation_rows.hpp"
 #include "scenario/fit/observation_table.hpp"
 #include "scenario/kinds/observations/shared_keys.hpp"
 #include "scenario/tables/state.hpp"

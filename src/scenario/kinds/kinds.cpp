@@ -19,7 +19,7 @@
 #include "scenario/detail/history_keys.hpp"
 #include "scenario/detail/kind_rows.hpp"
 #include "scenario/detail/schema_table.hpp"
-#include "scenario/fit/observation_rows.hpp"
+#include "scenario/fit/observation_keys.hpp"
 #include "scenario/tables/state.hpp"
 #include "scenario/values.hpp"
 #include "text/words.hpp"
