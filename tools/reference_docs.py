@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Writes the generated parts of docs/reference from the table of scenario keys: the JSON Schema,
-and the lists of keys and units in scenario.md. tests/cli/test_reference.py fails when they are
-stale.
+the lists of keys and units in scenario.md and that of columns in files.md.
+tests/cli/test_reference.py fails when they are stale.
 
 Usage: tools/reference_docs.py [--check]   (after make build)"""
 
@@ -22,15 +22,18 @@ def schema(polhode, part):
 
 def documents(polhode):
     """Path -> what it must hold."""
-    page = (REFERENCE / "scenario.md").read_text(encoding="utf-8")
-    for part in ("units", "keys"):
-        text = schema(polhode, part).strip("\n")
-        pattern = re.compile(rf"(<!-- {part}: [^\n]*-->\n).*?(<!-- end of {part} -->)", re.DOTALL)
-        page, count = pattern.subn(lambda m, t=text: m[1] + "\n" + t + "\n\n" + m[2], page)
-        if count != 1:
-            sys.exit(f"docs/reference/scenario.md: {count} places for {part}, expected one")
-    return {REFERENCE / "scenario.md": page,
-            REFERENCE / "scenario.schema.json": schema(polhode, "json")}
+    result = {REFERENCE / "scenario.schema.json": schema(polhode, "json")}
+    for name, parts in {"scenario.md": ("units", "keys"), "files.md": ("columns",)}.items():
+        page = (REFERENCE / name).read_text(encoding="utf-8")
+        for part in parts:
+            text = schema(polhode, part).strip("\n")
+            pattern = re.compile(rf"(<!-- {part}: [^\n]*-->\n).*?(<!-- end of {part} -->)",
+                                 re.DOTALL)
+            page, count = pattern.subn(lambda m, t=text: m[1] + "\n" + t + "\n\n" + m[2], page)
+            if count != 1:
+                sys.exit(f"docs/reference/{name}: {count} places for {part}, expected one")
+        result[REFERENCE / name] = page
+    return result
 
 
 def stale(polhode):

@@ -1,13 +1,15 @@
 # SPDX-License-Identifier: MIT
-"""Perturbations, orbits and experiments of your own in scenario files.
+"""Perturbations, orbits, experiments, observations and columns of your own in scenario files.
 
-A kind is described once: its name, its keys and a function that makes a term, an orbit or an
-experiment from their values. After `register`, files may name it: `load`, `Scenario.run`, maps,
-ensembles, fits, error messages and the JSON Schema know it.
+A kind is described once: its name, its keys and a function that makes a term, an orbit, an
+experiment or an observation from their values; or the names and dimensions of columns and a
+function of a row. After `register`, files may name it: `load`, `Scenario.run`, maps, ensembles,
+fits, error messages and the JSON Schema know it.
 """
 
 from __future__ import annotations
 
+import inspect
 import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -19,9 +21,11 @@ KindTable = _core.KindTable
 KindTable.__module__ = __name__
 
 __all__ = [
+    "ColumnKind",
     "ExperimentKind",
     "Key",
     "KindTable",
+    "ObservationKind",
     "OrbitKind",
     "PerturbationKind",
     "register",
@@ -44,6 +48,26 @@ def _require_text(where: str, what: str, value: Any, expected: str) -> None:
     if not isinstance(value, str):
         raise TypeError(f"{where}: {what}: got {value!r}; expected a str")
     _require(bool(value), f"{where}: got no {what}; expected {expected}")
+
+
+def _dimension(where: str, value: Any) -> Any:
+    names = ", ".join(one.name for one in _core.Dimension)
+    _require(value is not None, f"{where}: got no dimension; expected one of {names}")
+    if isinstance(value, str):
+        _require(hasattr(_core.Dimension, value),
+                 f"{where}: dimension: got {value!r}; expected one of {names}")
+        return getattr(_core.Dimension, value)
+    if not isinstance(value, _core.Dimension):
+        raise TypeError(f"{where}: dimension: got {value!r}; expected a Dimension or its name")
+    return value
+
+
+def _citations(where: str, given: Sequence[tuple[str, str, str]]) -> tuple[Any, ...]:
+    citations = tuple(tuple(one) for one in given)
+    for citation in citations:
+        _require(len(citation) == 3 and all(isinstance(text, str) for text in citation),
+                 f"{where}: citations: got {citation!r}; expected (key, text, reason)")
+    return citations
 
 
 def _toml_of(value: Any, where: str) -> str:
@@ -93,16 +117,7 @@ class Key:
         _require(self.form in _FORMS,
                  f"{where}: form: got {self.form!r}; expected one of {', '.join(_FORMS)}")
         if self.form in _NUMERIC:
-            names = ", ".join(one.name for one in _core.Dimension)
-            _require(self.dimension is not None,
-                     f"{where}: got no dimension; expected one of {names}")
-            if isinstance(self.dimension, str):
-                _require(hasattr(_core.Dimension, self.dimension),
-                         f"{where}: dimension: got {self.dimension!r}; expected one of {names}")
-                object.__setattr__(self, "dimension", getattr(_core.Dimension, self.dimension))
-            if not isinstance(self.dimension, _core.Dimension):
-                raise TypeError(f"{where}: dimension: got {self.dimension!r}; expected a Dimension "
-                                "or its name")
+            object.__setattr__(self, "dimension", _dimension(where, self.dimension))
         else:
             _require(self.dimension is None,
                      f"{where}: dimension: got {self.dimension!r}; expected none for a {self.form}")
@@ -162,10 +177,7 @@ class _Kind:
                      "sets")
         if not callable(self.made):
             raise TypeError(f"{where}: made: got {self.made!r}; expected a function of a KindTable")
-        object.__setattr__(self, "citations", tuple(tuple(c) for c in self.citations))
-        for citation in self.citations:
-            _require(len(citation) == 3 and all(isinstance(text, str) for text in citation),
-                     f"{where}: citations: got {citation!r}; expected (key, text, reason)")
+        object.__setattr__(self, "citations", _citations(where, self.citations))
 
 
 class PerturbationKind(_Kind):
@@ -214,15 +226,97 @@ class ExperimentKind(_Kind):
                  f'ExperimentKind "{self.name}": sets: got {self.sets!r}; expected none')
 
 
+class ObservationKind(_Kind):
+    """A kind of [[observation]] of fits and simulations: numbers that depend on the motion.
+
+    Parameters
+    ----------
+    name, help, keys, sets, citations : as those of a PerturbationKind. Each table also has the keys
+        of all kinds: name, file and those of the times.
+    made : f(table) -> {"columns": [(name, dimension), ...], "sigma": numbers, "function": f}: the
+        columns of its files after t, the standard error of each in core units, and a function of
+        the motion that returns one number for each. Its parameters are among `t`, `q` (4,), the
+        attitude from body axes of the file to inertial ones, and `omega` (3,), the angular velocity
+        along body axes. Angles are compared modulo a turn.
+    """
+
+
+@dataclass(frozen=True)
+class ColumnKind:
+    """A group of output columns of rotations.
+
+    Parameters
+    ----------
+    name : the word for `output.columns` in files, of letters, digits, - and _.
+    help : one sentence: what the numbers are.
+    columns : (name, dimension) of each column, 1 to 16 of them. Names are of letters, digits and _,
+        and differ from those of all other groups and columns.
+    function : f(...) -> one number for each column, in core units; a float for a single one. Its
+        parameters are named after what they are given: `t`, a group or a column of numbers such as
+        `omega`, `axis3`, `theta` or `E` (one of yours, too, if it was registered before), `state`
+        (a RotorState along principal axes) or `system`. Parameters with a default are left alone.
+    citations : references, (key, text, reason).
+
+    Examples
+    --------
+    >>> register(ColumnKind("spin", "Rate of rotation.", [("spin_rate", "rate")],
+    ...                     lambda omega: numpy.linalg.norm(omega)))
+    """
+
+    name: str
+    help: str
+    columns: Sequence[tuple[str, Any]]
+    function: Callable[..., Any]
+    citations: Sequence[tuple[str, str, str]] = ()
+
+    def __post_init__(self) -> None:
+        _require_text("ColumnKind", "name", self.name, "letters, digits, - and _")
+        where = f'ColumnKind "{self.name}"'
+        _require_text(where, "help", self.help, "one sentence that says what the numbers are")
+        columns = []
+        for column in self.columns:
+            if isinstance(column, str) or not isinstance(column, Sequence) or len(column) != 2:
+                raise TypeError(f"{where}: columns: got {column!r}; expected (name, dimension)")
+            name, dimension = column
+            _require_text(where, "name of a column", name, "letters, digits and _")
+            columns.append((name, _dimension(f'{where}, column "{name}"', dimension)))
+        object.__setattr__(self, "columns", tuple(columns))
+        object.__setattr__(self, "citations", _citations(where, self.citations))
+        inputs = _parameters(f"{where}: function", self.function,
+                             "t, state, system, groups or columns")
+        object.__setattr__(self, "_inputs", inputs)
+
+
+def _parameters(where: str, function: Any, given: str = "t, q or omega") -> tuple[str, ...]:
+    """The names of the parameters without defaults."""
+    expected = ("expected a function whose parameters are named after what they are given: "
+                f"{given}")
+    if not callable(function):
+        raise TypeError(f"{where}: got {function!r}; {expected}")
+    try:
+        parameters = inspect.signature(function).parameters.values()
+    except ValueError:
+        raise TypeError(f"{where}: got {function!r}, which tells no parameters; "
+                        f"{expected}") from None
+    named = (inspect.Parameter.POSITIONAL_ONLY, inspect.Parameter.POSITIONAL_OR_KEYWORD)
+    needed = [one for one in parameters if one.default is inspect.Parameter.empty]
+    for one in needed:
+        if one.kind not in named:
+            raise TypeError(f"{where}: got the parameter {one}; {expected}")
+    return tuple(one.name for one in needed)
+
+
 _FAMILIES = {
     PerturbationKind: "with_perturbation", OrbitKind: "with_orbit",
-    ExperimentKind: "with_experiment",
+    ExperimentKind: "with_experiment", ObservationKind: "with_observation",
+    ColumnKind: "with_columns",
 }
-_registered: dict[tuple[type, str], _Kind] = {}
+_registered: dict[tuple[type, str], _Kind | ColumnKind] = {}
 
 
 def register(
-    kind: PerturbationKind | OrbitKind | ExperimentKind, *, replace: bool = False
+    kind: PerturbationKind | OrbitKind | ExperimentKind | ObservationKind | ColumnKind, *,
+    replace: bool = False,
 ) -> None:
     """Registers a kind for all scenarios that are read from now on.
 
@@ -231,15 +325,17 @@ def register(
 
     Parameters
     ----------
-    kind : a PerturbationKind, an OrbitKind or an ExperimentKind.
+    kind : a PerturbationKind, an OrbitKind, an ExperimentKind, an ObservationKind or a ColumnKind.
+        The function of a ColumnKind is called once, for a free rotation.
     replace : whether it may take the place of one that was registered under this name, as when a
         cell of a notebook runs again. Kinds of the library are not replaced.
 
     Raises
     ------
     ValueError
-        For a name that exists, a key that is there twice, and a default or an example that its key
-        does not take.
+        For a name that exists, a key that is there twice, a default or an example that its key
+        does not take, and a function of columns that returns another number of numbers or has a
+        parameter that names nothing.
 
     Examples
     --------
@@ -248,8 +344,8 @@ def register(
     ...                           lambda t: ConstantTorque.in_body([0, 0, t["torque"]])))
     """
     if type(kind) not in _FAMILIES:
-        raise TypeError(f"register: got {kind!r}; expected a PerturbationKind, an OrbitKind or an "
-                        "ExperimentKind")
+        raise TypeError(f"register: got {kind!r}; expected a PerturbationKind, an OrbitKind, an "
+                        "ExperimentKind, an ObservationKind or a ColumnKind")
     own = (type(kind), kind.name)
     _require(replace or own not in _registered,
              f'register: "{kind.name}" was registered before; expected another name or '
@@ -258,6 +354,8 @@ def register(
     known = _core._default_kinds()
     for (family, _), one in kinds.items():
         known = getattr(known, _FAMILIES[family])(one)
+    if isinstance(kind, ColumnKind):
+        known.try_columns(kind.name)
     _core._allow_alive_at_exit()
     _toml.set_known_kinds(known)
     _registered.update(kinds)

@@ -9,7 +9,7 @@ import os
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from polhode import _core, _tables
+from polhode import _core, _tables, _toml
 from polhode._columns import Columns, restored
 from polhode._notebook import html_rows
 from polhode._summary import Summary
@@ -157,7 +157,8 @@ class RunColumns(Columns):
         if name in self._spans:
             names = ", ".join(list(self._where)[self._spans[name]])
             return f"\"{name}\" is a group of columns: results.groups[\"{name}\"], or {names}"
-        known = [*_core._column_names(), *_core._column_group_names()]
+        kinds = _toml.known_kinds()
+        known = [*kinds.column_names(), *kinds.column_group_names()]
         remedy = "[output] columns must name it; "
         if name in known:
             has = f"these results have {', '.join(self._where)}"

@@ -9,11 +9,19 @@ import pickle
 import subprocess
 import sys
 
+import budgets
 import numpy as np
 import polhode
 import pytest
 from closeness import assert_allclose
-from polhode.kinds import ExperimentKind, Key, OrbitKind, PerturbationKind
+from polhode.kinds import (
+    ColumnKind,
+    ExperimentKind,
+    Key,
+    ObservationKind,
+    OrbitKind,
+    PerturbationKind,
+)
 
 HEAD = """schema = 1
 units = { time = "s", angle = "deg", moment = "kg m2", length = "km" }
@@ -117,6 +125,47 @@ polhode.kinds.register(PerturbationKind(
     [Key("first", "One way.", "torque", example=0.1), Key("second", "Another way.", "torque",
                                                            example=0.2)],
     pair, sets="first|second"))
+
+
+def wobble(omega, g):
+    rate = np.linalg.norm(omega)
+    return rate, np.arccos(omega @ g / rate / np.linalg.norm(g))
+
+
+polhode.kinds.register(ColumnKind(
+    "py-wobble", "Rate of rotation, and the angle from the angular momentum to its axis.",
+    [("py_rate", "rate"), ("py_angle", "angle")], wobble,
+    citations=[("wobble2026", "B. Author (2026). On wobbles.", "the wobble")]))
+polhode.kinds.register(ColumnKind(
+    "py_parts", "The time, twice an energy, the momentum and a column of another kind.",
+    [("py_time", "time"), ("py_energy", "energy"), ("py_momentum", "momentum"),
+     ("py_degrees", polhode.Dimension.number)],
+    lambda t, E, state, py_angle, scale=2.0: (t, scale * E, np.linalg.norm(state.g),
+                                              np.degrees(py_angle))))
+GRAVITY = ('[orbit.o]\ngm = "398600.4418 km3/s2"\npericentre = 7000\n[[perturbation]]\n'
+           'kind = "gravity-gradient"\norbit = "o"\n')
+def sun_angle(table):
+    sun = table["sun"] / np.linalg.norm(table["sun"])
+
+    def angle(q, omega):
+        w, v = q[0], q[1:]
+        axis = np.array([0.0, 0.0, 1.0])
+        turned = axis + 2 * np.cross(v, np.cross(v, axis) + w * axis)  # axis 3 in inertial axes
+        return np.arccos(turned @ sun), np.linalg.norm(omega)
+
+    return {"columns": [("angle", "angle"), ("spin", "rate")],
+            "sigma": [table["sigma"], table["sigma_spin"]], "function": angle}
+
+
+polhode.kinds.register(ObservationKind(
+    "py-sun-angle", "The angle from body axis 3 to the Sun, and the rate of rotation.",
+    [Key("sun", "Direction of the Sun.", "number", form="numbers", length=3, default=[1, 0, 0]),
+     Key("sigma", "Error of the angle.", "angle", required=True, range="positive",
+         example="0.1 deg"),
+     Key("sigma_spin", "Error of the rate.", "rate", required=True, range="positive",
+         example="0.01 deg/s")],
+    sun_angle, citations=[("sun2026", "C. Author (2026). On Suns.", "the angle to the Sun")]))
+COLUMNS = '[output]\ncolumns = ["omega", "g", "energy", "py-wobble", "py_parts"]\n'
 
 
 def scenario(*parts, name="made.toml"):
@@ -229,6 +278,175 @@ def test_a_scenario_that_is_alive_at_exit_is_no_leak():
     assert (done.returncode, done.stderr) == (0, "")
 
 
+FITTED = HEAD.replace("schema = 1\n", 'schema = 1\nkind = "fit"\n') + (
+    '[free]\nunknowns = ["attitude", "rate"]\n')
+SUN = ('[[observation]]\nkind = "py-sun-angle"\nfile = "{}.csv"\ntimes = "at-body"\n'
+       'sigma = 0.1\nsigma_spin = 0.01\nsun = {}\n')
+
+
+def sun_fit(folder, *suns, text=FITTED):
+    path = folder / "sun.toml"
+    path.write_text(text + "".join(SUN.format(f"seen{i}", sun) for i, sun in enumerate(suns)))
+    return path
+
+
+@pytest.mark.parametrize("part", ["", PUSH])
+def test_a_registered_observation_is_simulated_and_fitted(tmp_path, part):
+    path = sun_fit(tmp_path, [1, 0, 0], [0, 1, 0.2], [0.3, 0.2, 1], text=FITTED + part)
+    polhode.simulate(path, tmp_path)
+    lines = (tmp_path / "seen1.csv").read_text().splitlines()
+    assert "t,angle,spin" in lines and len([x for x in lines if x[0] != "#"]) == 14
+    found = polhode.fit(path)
+    solution = found[0]
+    true = dict(w_x=1.0, w_y=2.0, w_z=30.0)
+    for name, value in true.items():
+        unknown = solution.unknowns[name]
+        assert abs(unknown.value - value) < 5 * unknown.error < 1.0
+    residuals = solution.residuals
+    assert {"r1", "r2"} <= set(residuals) and np.all(np.isnan(residuals["r3"]))
+    r = np.concatenate([residuals["r1"], residuals["r2"]])
+    assert 0.6 < np.sqrt(np.mean(r**2)) < 1.4
+    assert "13 rows of py-sun-angle" in str(found)
+
+
+def test_derivatives_of_a_registered_observation_are_those_of_the_built_in_one(tmp_path):
+    def rate(table):
+        return {"columns": [("w1", "rate"), ("w2", "rate"), ("w3", "rate")],
+                "sigma": 3 * [table["sigma"]], "function": lambda omega: omega}
+
+    polhode.kinds.register(ObservationKind("py-rate", "Rates.", [
+        Key("sigma", "Its error.", "rate", required=True, range="positive", example=1)], rate))
+    attitude = ('[[observation]]\nkind = "attitude"\nfile = "q.csv"\ntimes = "at-body"\n'
+                "sigma = 0.1\n")
+    fits = []
+    for kind in ("rate", "py-rate"):
+        path = tmp_path / f"{kind}.toml"
+        path.write_text(FITTED + attitude + f'[[observation]]\nkind = "{kind}"\nfile = "w.csv"\n'
+                        'times = "at-body"\nsigma = 0.02\n')
+        if kind == "rate":
+            polhode.simulate(path, tmp_path)
+        fits.append(polhode.fit(path)[0])
+    for name in ("w_x", "w_y", "w_z", "turn_x"):
+        ours, theirs = (fit.unknowns[name] for fit in fits)
+        assert_allclose(ours.value, theirs.value, rtol=0, atol=budgets.measured_fit * theirs.error)
+        assert_allclose(ours.error, theirs.error, rtol=budgets.measured_fit)
+
+
+@pytest.mark.parametrize("made, message", [
+    ([], '{"columns": [(name, dimension), ...], "sigma": numbers'),
+    ({"columns": [("x", "angle")], "sigma": [1, 2], "function": lambda t: t},
+     "expected 1 positive numbers, one for each column"),
+    ({"columns": [("x", "angle")], "sigma": 0, "function": lambda t: t},
+     "expected 1 positive numbers"),
+    ({"columns": [("x", "angel")], "sigma": 1, "function": lambda t: t},
+     "dimension: got 'angel'"),
+    ({"columns": [("x", "angle")], "sigma": 1, "function": lambda w: w},
+     'got the parameter "w"; expected t, q or omega'),
+])
+def test_what_an_observation_returns_is_checked(made, message):
+    polhode.kinds.register(ObservationKind("py-seen", "A kind.", [], lambda table: made),
+                           replace=True)
+    text = FITTED + ('[[observation]]\nkind = "py-seen"\nfile = "x.csv"\ntimes = "at-body"\n')
+    with pytest.raises((polhode.ScenarioError, TypeError, ValueError)) as raised:
+        polhode.Scenario.from_text(text, "seen.toml")
+    assert message in str(raised.value)
+
+
+def test_a_registered_observation_is_in_schema_template_and_citations(tmp_path):
+    assert '"py-sun-angle"' in polhode.kinds.schema()
+    made = polhode.Scenario.from_text(polhode.kinds.template("py-sun-angle"), "sun.toml")
+    assert "sun2026" in [citation.key for citation in made.citations]
+    with pytest.raises(ValueError, match='key "file" is one of all observations'):
+        polhode.kinds.register(ObservationKind("py-x", "A kind.", [
+            Key("file", "A file.", form="file")], sun_angle))
+    with pytest.raises(polhode.ScenarioError, match="sigma: got nothing; expected an angle"):
+        polhode.Scenario.from_text(FITTED + SUN.format("x", [1, 0, 0]).replace("sigma = 0.1\n", ""),
+                                   "sun.toml")
+
+
+def test_registered_columns_are_functions_of_the_others():
+    made = scenario(COLUMNS, GRAVITY)
+    rows = made.run()
+    omega = np.radians(np.stack([rows["w1"], rows["w2"], rows["w3"]], 1))
+    g = np.stack([rows["g1"], rows["g2"], rows["g3"]], 1)
+    rate, size = np.linalg.norm(omega, axis=1), np.linalg.norm(g, axis=1)
+    assert_allclose(rows["py_rate"], np.degrees(rate), rtol=budgets.numpy_formula)
+    cosine = np.einsum("ij,ij->i", omega, g) / rate / size
+    assert_allclose(np.cos(np.radians(rows["py_angle"])), cosine, rtol=budgets.numpy_formula)
+    assert np.array_equal(rows["py_time"], rows["t"])
+    assert_allclose(rows["py_energy"], 2 * rows["E"], rtol=budgets.numpy_rounding)
+    assert_allclose(rows["py_momentum"], size, rtol=budgets.numpy_formula)
+    assert_allclose(rows["py_degrees"], rows["py_angle"], rtol=budgets.numpy_formula)
+    assert rows.units["py_rate"] == "deg/s" and rows.units["py_degrees"] == "1"
+    assert [citation.key for citation in made.citations][-1] == "wobble2026"
+    assert '"py-wobble"' in polhode.kinds.schema()
+
+
+def test_registered_columns_are_those_of_a_trajectory():
+    made = scenario(COLUMNS, GRAVITY)
+    trajectory = polhode.integrate(
+        polhode.Problem(made.system, made.initial_state, 0.0, 60.0), made.time)
+    columns = trajectory.columns(["py-wobble", "py_energy"], system=made.system)
+    rows = made.run()
+    assert_allclose(np.degrees(columns["py_rate"]), rows["py_rate"], rtol=budgets.numpy_formula)
+    assert_allclose(columns["py_energy"], rows["py_energy"], rtol=budgets.numpy_formula)
+
+
+@pytest.mark.parametrize("method", ["", '[method]\nkind = "adaptive"\n'])
+def test_events_and_maps_have_registered_columns(method):
+    event = '[[event]]\ncolumn = "py_angle"\nvalue = 1\n'
+    found = scenario(COLUMNS, event, method).run().events
+    assert found and all(one.name == "py_angle" for one in found)
+    for one in found:
+        omega = polhode.angular_velocity(polhode.Body(4, 5, 6), one.s)
+        assert_allclose(np.degrees(wobble(omega, one.s.g)[1]), 1.0,
+                        rtol=budgets.small_arccosine)
+    grid = ('[map]\nkind = "column"\ncolumn = "py_rate"\n[[map.axis]]\n'
+            'key = "state.attitude-rate.omega_body[2]"\nfrom = 20\nto = 30\ncount = 3\n')
+    made = scenario(grid, method)
+    serial, threads = made.map(threads=1), made.map(threads=2)
+    assert np.array_equal(serial["py_rate_last"], threads["py_rate_last"])
+    assert np.all(np.diff(serial["py_rate_smallest"]) > 0)
+
+
+@pytest.mark.parametrize("part", ["", GRAVITY])
+def test_members_on_threads_have_registered_columns(part):
+    vary = {"state.attitude-rate.omega_body[2]": polhode.vary.normal(30.0, 3.0)}
+    made = scenario(COLUMNS, part)
+    one, two = (polhode.ensemble(made, vary, size=20, threads=n, keep="final") for n in (1, 2))
+    for name in ("py_rate", "py_angle", "py_energy"):
+        assert np.array_equal(one[name], two[name])
+    rates = np.linalg.norm([one["w1"], one["w2"], one["w3"]], axis=0)
+    assert_allclose(one["py_rate"], rates, rtol=budgets.numpy_formula)
+    assert np.ptp(rates) > 1
+
+
+def test_columns_of_an_energy_are_rejected_if_a_perturbation_has_none():
+    with pytest.raises(polhode.ScenarioError, match="expected no energy"):
+        scenario('[output]\ncolumns = ["py_parts"]\n',
+                 '[[perturbation]]\nkind = "py-brake"\nlimit = 1\n')
+
+
+def test_what_a_function_of_columns_raises_ends_the_run():
+    calls = []
+
+    def fails(t):
+        calls.append(t)
+        if t == 0.0:
+            raise ArithmeticError("not at t = 0")
+        return [1.0, 2.0] if t == 15.0 else 1.0
+
+    kind = ColumnKind("py_fails", "A column that fails.", [("py_failing", "number")], fails)
+    polhode.kinds.register(kind, replace=True)
+    assert calls == [0.0]
+    output = '[output]\ncolumns = ["py_fails"]\n'
+    with pytest.raises(ArithmeticError, match="not at t = 0"):
+        scenario(output).run()
+    with pytest.raises(ValueError, match=r'group "py_fails": the function returned \[1.0, 2.0\]; '
+                                         "expected 1 number, one for each column"):
+        polhode.Scenario.from_text(HEAD.replace("stop", "start = 5\nstop") + output, "s.toml").run()
+
+
 @pytest.mark.parametrize("columns, message", [
     ([("t", "time")], "other than t"), ([("x", "angle"), ("x", "rate")], "there once"),
     ([("x,y", "angle")], "letters, digits and _"), (["x"], "columns of (name, dimension)"),
@@ -331,6 +549,35 @@ def test_schema_template_and_citations_know_it():
      'key "torque": got required=True; expected False for a key of sets'),
     (lambda: ExperimentKind("py-x", "A kind.", [], pendulum, sets="a|b"), ValueError,
      "expected none"),
+    (lambda: ColumnKind("py-x", "A kind.", ["x"], wobble), TypeError,
+     'ColumnKind "py-x": columns: got \'x\'; expected (name, dimension)'),
+    (lambda: ColumnKind("py-x", "A kind.", [("x", None)], wobble), ValueError,
+     'column "x": got no dimension; expected one of number'),
+    (lambda: ColumnKind("py-x", "A kind.", [("x", "angel")], wobble), ValueError,
+     "dimension: got 'angel'"),
+    (lambda: ColumnKind("py-x", "A kind.", [("x", "angle")], 3), TypeError,
+     "function: got 3; expected a function whose parameters are named after"),
+    (lambda: ColumnKind("py-x", "A kind.", [("x", "angle")], lambda *a: 1), TypeError,
+     "function: got the parameter *a; expected a function whose parameters"),
+    (lambda: polhode.kinds.register(ColumnKind("py-x", "A kind.", [("x", "angle")],
+                                               lambda omga: 1)), ValueError,
+     'column group "py-x": function: got the parameter "omga"; expected t, state, system, or the'),
+    (lambda: polhode.kinds.register(ColumnKind("py-x", "A kind.", [("x", "angle")], wobble)),
+     ValueError, "expected 1 number, one for each column"),
+    (lambda: polhode.kinds.register(ColumnKind("py-x", "A kind.", [("x", "angle")],
+                                               lambda t: None)), TypeError,
+     "the function returned None; expected 1 number, one for each column"),
+    (lambda: polhode.kinds.register(ColumnKind("py-x", "A kind.", [], lambda t: [])), ValueError,
+     "got 0 columns; expected 1 to 16"),
+    (lambda: polhode.kinds.register(ColumnKind("omega", "A kind.", [("x", "angle")],
+                                               lambda t: t)), ValueError,
+     'column group "omega" is there; expected another name'),
+    (lambda: polhode.kinds.register(ColumnKind("py-x", "A kind.", [("w3", "rate")],
+                                               lambda t: t)), ValueError,
+     'column "w3" is there; expected another name'),
+    (lambda: polhode.kinds.register(ColumnKind("py-wobble", "A kind.", [("x", "rate")],
+                                               lambda t: t)), ValueError,
+     '"py-wobble" was registered before; expected another name or replace=True'),
     (lambda: polhode.kinds.register(PerturbationKind("damping", "A kind.", [], push)), ValueError,
      'perturbation "damping" is there; expected another name'),
     (lambda: polhode.kinds.register(PerturbationKind("py-x", "A kind.", [TORQUE, TORQUE], push)),

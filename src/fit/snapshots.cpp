@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "fit/detail/rotation_vector.hpp"
 #include "fit/detail/scaling.hpp"
@@ -55,6 +56,24 @@ void require_direction(const std::string& what, const char* which, const Vec3& v
   }
 }
 
+void require_measurement(const std::string& what, const Measurement& m) {
+  require_time(what, m.t);
+  if (m.function == nullptr || !*m.function)
+    throw DomainError(what + ": there is no function of the motion; expected one");
+  const bool has_angles = m.are_angles.empty() || m.are_angles.size() == m.seen.size();
+  if (m.seen.empty() || m.sigmas.size() != m.seen.size() || !has_angles)
+    throw DomainError(what + ": " + std::to_string(m.seen.size()) + " numbers and " +
+                      std::to_string(m.sigmas.size()) +
+                      " errors; expected one error for each number, and one number or more");
+  for (std::size_t i = 0; i < m.seen.size(); ++i) {
+    if (!std::isfinite(m.seen[i]))
+      throw DomainError(what + ": " + detail::number_text(m.seen[i]) + " must be finite");
+    if (!(m.sigmas[i] > 0.0) || !std::isfinite(m.sigmas[i]))
+      throw DomainError(what + ": sigma = " + detail::number_text(m.sigmas[i]) +
+                        " must be positive and finite");
+  }
+}
+
 template <class Seen>
 void add_repeated(std::vector<std::string>& found, const char* kind, const std::vector<Seen>& seen,
                   const auto& same) {
@@ -78,6 +97,7 @@ std::vector<double> times_of(const Snapshots& seen) {
   for (const ObservedAttitude& one : seen.attitudes) times.push_back(one.t);
   for (const ObservedDirection& one : seen.directions) times.push_back(one.t);
   for (const ObservedRate& one : seen.rates) times.push_back(one.t);
+  for (const Measurement& one : seen.measurements) times.push_back(one.t);
   return times;
 }
 
@@ -119,6 +139,8 @@ void check(const Snapshots& seen) {
     if (!detail::is_finite(r.w_F)) throw DomainError(what + ": " + text(r.w_F) + " must be finite");
     require_covariance(what, r.covariance);
   }
+  for (std::size_t i = 0; i < seen.measurements.size(); ++i)
+    require_measurement(name("measurement", i), seen.measurements[i]);
 }
 
 std::vector<std::string> repeated(const Snapshots& seen) {
@@ -130,6 +152,9 @@ std::vector<std::string> repeated(const Snapshots& seen) {
   });
   add_repeated(found, "rate", seen.rates,
                [](const auto& a, const auto& b) { return a.w_F == b.w_F; });
+  add_repeated(found, "measurement", seen.measurements, [](const auto& a, const auto& b) {
+    return a.seen == b.seen && a.function == b.function;
+  });
   return found;
 }
 
@@ -149,6 +174,8 @@ Mat3 whitening(const Mat3& covariance) {
   }
   return found;
 }
+
+constexpr double whole_turn = 2.0 * std::numbers::pi;
 
 Vec3 unit(const Vec3& v) { return (1.0 / norm(v)) * v; }
 
@@ -170,6 +197,58 @@ Stretch stretch(double sine, double cosine) {
   }
   const double k = std::atan2(sine, cosine) / sine;
   return {k, (cosine * k - 1.0) / s2};
+}
+
+}  // namespace
+
+namespace {
+
+// The numbers of a measurement, and their derivatives by a turn in body axes and by the rate.
+struct MeasuredPoint {
+  std::vector<double> numbers;
+  std::vector<Vec3> by_turn, by_rate;
+};
+MeasuredPoint measured_point(const Measurement& m, const MovedPoint& at, bool has_derivatives) {
+  const std::size_t n = m.seen.size();
+  const auto numbers_at = [&](const Quaternion& q, const Vec3& w) {
+    std::vector<double> numbers(n);
+    (*m.function)(m.t, q, w, numbers);
+    return numbers;
+  };
+  MeasuredPoint point{numbers_at(at.q, at.w_F), {}, {}};
+  if (!has_derivatives) return point;
+  constexpr double turn = 6e-6;  // the third root of a rounding
+  const double rate = turn * norm(at.w_F);
+  point.by_turn.resize(n);
+  point.by_rate.resize(n);
+  for (int j = 0; j < 3; ++j) {
+    Vec3 step;
+    step[j] = 1.0;
+    const auto difference = [&](const std::vector<double>& up, const std::vector<double>& down,
+                                double h, std::vector<Vec3>& into) {
+      for (std::size_t i = 0; i < n; ++i) {
+        double change = up[i] - down[i];
+        if (!m.are_angles.empty() && m.are_angles[i]) change = std::remainder(change, whole_turn);
+        into[i][j] = change / (2.0 * h);
+      }
+    };
+    difference(numbers_at(normalized(at.q * turn_by(turn * step)), at.w_F),
+               numbers_at(normalized(at.q * turn_by(-turn * step)), at.w_F), turn, point.by_turn);
+    difference(numbers_at(at.q, at.w_F + rate * step), numbers_at(at.q, at.w_F - rate * step), rate,
+               point.by_rate);
+  }
+  return point;
+}
+
+void add_measurement(auto& rows, const Measurement& m, const MovedPoint& at) {
+  const MeasuredPoint point = measured_point(m, at, rows.has_derivatives());
+  for (std::size_t i = 0; i < m.seen.size(); ++i) {
+    double r = point.numbers[i] - m.seen[i];
+    if (!m.are_angles.empty() && m.are_angles[i]) r = std::remainder(r, whole_turn);
+    rows.add(r / m.sigmas[i], [&](std::size_t k) {
+      return (dot(point.by_turn[i], at.turn[k]) + dot(point.by_rate[i], at.rate[k])) / m.sigmas[i];
+    });
+  }
 }
 
 }  // namespace
@@ -218,6 +297,7 @@ SnapshotRows::SnapshotRows(const Snapshots& seen, const std::optional<ObservedAt
     times_.push_back(r.t);
     rate_roots_.push_back(whitening(r.covariance));
   }
+  for (const Measurement& m : seen.measurements) times_.push_back(m.t);
   if (prior) prior_root_ = whitening(prior->covariance);
 }
 
@@ -225,6 +305,7 @@ std::vector<std::size_t> SnapshotRows::blocks() const {
   std::vector<std::size_t> found(seen_.attitudes.size(), 3);
   found.insert(found.end(), seen_.directions.size(), 2);
   found.insert(found.end(), seen_.rates.size(), 3);
+  for (const Measurement& m : seen_.measurements) found.push_back(m.seen.size());
   return found;
 }
 
@@ -263,6 +344,7 @@ void SnapshotRows::at(std::span<const MovedPoint> points, const MovedPoint& t0,
     rows.add(rate_roots_[i], points[n].w_F - seen_.rates[i].w_F,
              [&](std::size_t k) { return points[n].rate[k]; });
   }
+  for (const Measurement& m : seen_.measurements) add_measurement(rows, m, points[n++]);
   if (prior_) {
     const Vec3 r = attitude_residual(prior_->q, t0.q);
     const Mat3 slope = log_derivative(r);

@@ -164,7 +164,7 @@ void require_start(const SpinFit& fit) {
   }
   ObservedAttitude prior = *fit.attitude_prior;
   prior.t = s.t0;
-  check(Snapshots{{prior}, {}, {}});
+  check(Snapshots{{prior}, {}, {}, {}});
 }
 
 LeastSquares problem_of(const SpinFit& fit) {

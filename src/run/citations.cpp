@@ -216,6 +216,13 @@ std::vector<Citation> citations_of_kinds(const Scenario& scenario) {
     const MethodKind* const kind = kinds.method(method_traits(*method).kind);
     if (kind != nullptr && kind->cited) add_each_once(all, kind->cited(*method));
   }
+  if (const FitPlan* const plan = fit_plan(scenario))
+    for (const Observation& one : plan->observations)
+      if (const ObservationKind* const kind = kinds.observation(one.kind))
+        add_each_once(all, kind->citations);
+  for (const ColumnKind& kind : kinds.columns().all())
+    if (std::ranges::find(scenario.output.columns, kind.name) != scenario.output.columns.end())
+      add_each_once(all, kind.citations);
   for (const OutputFormat& format : kinds.formats().all())
     if (scenario.output.options.contains(format.name)) add_each_once(all, format.citations);
   return all;

@@ -41,7 +41,7 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 struct CellContext {
   const MapPlan& plan;
   const Units& units;
-  std::span<const ChartKind> charts;
+  const ColumnKinds& columns;
 };
 
 // The least, the largest and the last value.
@@ -85,7 +85,7 @@ MapCell chaos_cell(const DampedProblem& given, const Progress& progress) {
 MapCell column_cell(const DampedProblem& problem, const SaveAt& rows, const CellContext& of,
                     const Progress& progress) {
   const ScalarColumn column =
-      scalar_column(of.plan.column, problem.system, initial_energy(problem), of.charts);
+      scalar_column(of.plan.column, problem.system, initial_energy(problem), of.columns);
   Extremes extremes;
   const DampedTrajectory trajectory = integrate(
       problem, rows,
@@ -358,11 +358,11 @@ MapCell ScenarioMap::cell(std::int64_t index, const Progress& progress) const {
   const Document& of = scenario().document;
   try {
     const Experiment experiment = parts_->base.experiment(axis_values(index));
-    const std::span<const ChartKind> charts = of.kinds->charts();
-    detail::require_map(detail::file_values(of), charts, experiment);
+    const ColumnKinds& columns = of.kinds->columns();
+    detail::require_map(detail::file_values(of), columns, experiment);
     return std::visit(
         [&](const auto& made) {
-          return detail::map_cell(made, {plan(), of.units, charts}, progress);
+          return detail::map_cell(made, {plan(), of.units, columns}, progress);
         },
         experiment);
   } catch (const DomainError& error) {

@@ -38,8 +38,8 @@ bool has_constants(const Rotation& rotation) {
   return is_free(rotation) && rotation.frame.is_inertial();
 }
 
-std::span<const ChartKind> charts_of(const Scenario& scenario) {
-  return scenario.document.kinds->charts();
+const ColumnKinds& columns_of(const Scenario& scenario) {
+  return scenario.document.kinds->columns();
 }
 
 // What the numbers of a group do not say themselves: it is constant along the motion.
@@ -48,8 +48,9 @@ std::vector<std::string> branch_notes(const Rotation& rotation, const Scenario& 
   if (!has_constants(rotation)) return notes;
   const FreeRotation& motion = free_rotation(rotation);
   for (const std::string& group : scenario.output.columns)
-    if (std::string note = branch_note(group, motion, charts_of(scenario)); !note.empty())
-      notes.push_back(std::move(note));
+    if (const ColumnKind* const kind = columns_of(scenario).group(group);
+        kind != nullptr && kind->branch)
+      notes.push_back(kind->branch(motion));
   return notes;
 }
 
@@ -59,7 +60,8 @@ std::vector<BasicEvent<S>> events_of(const Scenario& scenario, const System& sys
                                      double energy_0) {
   std::vector<BasicEvent<S>> events;
   for (const ScenarioEvent& wanted : scenario.rotation().events) {
-    const ScalarColumn column = scalar_column(wanted.column, system, energy_0, charts_of(scenario));
+    const ScalarColumn column =
+        scalar_column(wanted.column, system, energy_0, columns_of(scenario));
     const double turn = column.dimension == Dimension::angle ? 2.0 * std::numbers::pi : 0.0;
     events.push_back(
         {wanted.name,
@@ -239,25 +241,13 @@ RunReport run_integrated(const Scenario& scenario, const RowLayout& layout, RowW
   return report;
 }
 
-// Which angular velocity, pole and periods the written columns are.
+// Which angular velocity, pole and periods the written columns are, in the order of documents.
 std::vector<std::string> column_notes(const Scenario& scenario) {
-  constexpr std::pair<std::string_view, std::string_view> groups[] = {
-      {"omega", "w1, w2, w3: angular velocity relative to inertial axes, body components"},
-      {"omega_inertial",
-       "W1, W2, W3: angular velocity relative to inertial axes, inertial components"},
-      {"omega_rel",
-       "w1_rel, w2_rel, w3_rel: angular velocity relative to the reference frame, body "
-       "components"},
-      {"pole", "pole: direction of the angular momentum in the inertial axes"},
-      {"tumbler",
-       "P_phi, P_psi, P_short, psi_max, mode: mean period of precession of the long axis, period "
-       "of the polhode, mean period of precession of the short axis, of the free rotation through "
-       "the row; mode 1: SAM, -1: LAM"},
-      {"date", "date: ISO 8601, in the time scale of the epoch"}};
   std::vector<std::string> notes;
-  for (const auto& [group, note] : groups)
-    if (std::ranges::find(scenario.output.columns, group) != scenario.output.columns.end())
-      notes.emplace_back(note);
+  for (const ColumnKind& kind : columns_of(scenario).all())
+    if (!kind.note.empty() &&
+        std::ranges::find(scenario.output.columns, kind.name) != scenario.output.columns.end())
+      notes.emplace_back(kind.note);
   return notes;
 }
 
@@ -273,7 +263,7 @@ void detail::add_facts(const Rotation& rotation, RunFacts& facts) {
 RowLayout detail::row_layout(const Rotation& rotation, const Scenario& scenario) {
   return RowLayout(scenario.output.columns, scenario.units(),
                    has_constants(rotation) ? Branch::in_notes : Branch::in_columns,
-                   charts_of(scenario),
+                   columns_of(scenario),
                    {.is_equatorial = rotation.axes == "equator-J2000",
                     .time_scale = std::string(detail::scale_of_epoch(rotation.epoch))});
 }

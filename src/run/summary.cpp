@@ -300,7 +300,7 @@ void add_meshes(Lines& lines, const Rotation& rotation, const Units& units) {
 
 // What moves the body, apart from its own spin.
 void add_motion(Lines& lines, const Rotation& rotation, const Units& units,
-                std::span<const ChartKind> charts) {
+                const ColumnKinds& columns) {
   if (!rotation.frame.is_inertial()) lines.text("frame", "reference frame", rotation.frame_text);
   for (const ScenarioOrbit& orbit : rotation.orbits) {
     const std::string key = "orbit_" + orbit.name, label = "orbit " + orbit.name;
@@ -322,7 +322,7 @@ void add_motion(Lines& lines, const Rotation& rotation, const Units& units,
   lines.text("method", "method", detail::propagation_text(rotation, units));
   for (std::size_t i = 0; i < rotation.events.size(); ++i) {
     const ScenarioEvent& event = rotation.events[i];
-    const Dimension dimension = column_dimension(event.column, charts);
+    const Dimension dimension = column_dimension(event.column, columns);
     lines.text("event_" + std::to_string(i + 1), "event " + event.name,
                event.column + " = " +
                    fmt::format("{:.10g}", units.from_core(event.value, dimension)) +
@@ -387,7 +387,7 @@ std::vector<SummaryLine> detail::summary(const Rotation& rotation, const Scenari
   if (!(q == Quaternion{}))
     lines.numbers("principal_axes", "principal axes in those of the tensor (quaternion)",
                   {q.w, q.x, q.y, q.z}, Dimension::number);
-  add_motion(lines, rotation, scenario.units(), scenario.document.kinds->charts());
+  add_motion(lines, rotation, scenario.units(), scenario.document.kinds->columns());
   add_meshes(lines, rotation, scenario.units());
   add_table_values(lines, scenario);
   add_doubts(lines, rotation, scenario);

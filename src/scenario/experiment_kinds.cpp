@@ -77,7 +77,7 @@ ExperimentRow fit_row(const DescribedParts& described) {
   ExperimentRow row = rotation_row(described);
   row.name = "fit";
   for (const SchemaPart& part :
-       {observation_keys(), free_keys(), prior_keys(), fit_keys(), light_keys(), drive_keys()})
+       {described.observations, free_keys(), prior_keys(), fit_keys(), light_keys(), drive_keys()})
     row.parts.push_back(part);
   return row;
 }

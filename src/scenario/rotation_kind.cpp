@@ -50,7 +50,8 @@ class RotationBuilder {
     add_orbits(made);
     Rotation& rotation = made.rotation;
     rotation.method = method_of(at_);
-    rotation.events = keeps({"event["}) ? base_->rotation.events : events_of(at_, charts);
+    rotation.events =
+        keeps({"event["}) ? base_->rotation.events : events_of(at_, at_.kinds.columns());
     if (base_ == nullptr)  // reported here, between the state and what acts on it
       static_cast<void>(format_options_of(at_, at_.output.formats));
     add_frame(rotation, at_);
@@ -167,7 +168,7 @@ class RotationBuilder {
 MadeRotation made_rotation(const KindContext& at, const MadeRotation* base,
                            std::span<const std::string> changed) {
   MadeRotation made = RotationBuilder(at, base, changed).made();
-  check_motion(made.rotation, at.output, at);
+  check_motion(made.rotation, at);
   return made;
 }
 

@@ -170,12 +170,12 @@ Scenario scenario_from_text(std::string_view text, const std::string& path, cons
   const auto made = std::make_shared<const detail::MadeExperiment>(
       detail::made_experiment({file, kinds, output}));
   output.options = detail::format_options_of(file, kinds.formats());
-  std::optional<MapPlan> map = detail::map_plan(file, kinds.charts(), made->experiment);
+  std::optional<MapPlan> map = detail::map_plan(file, kinds.columns(), made->experiment);
   std::optional<EnsemblePlan> ensemble = detail::ensemble_plan(file, made->experiment);
   std::shared_ptr<const FitPlan> fit;
   if (document.kind == "fit")
     fit = std::make_shared<const FitPlan>(
-        detail::fit_plan(file, detail::rotation_of(made->experiment)));
+        detail::fit_plan(file, kinds, detail::rotation_of(made->experiment)));
   read.made = made;
   document.checked = std::make_shared<const detail::ReadFile>(std::move(read));
   return {std::move(document), made->experiment,    std::move(output),

@@ -5,7 +5,6 @@
 #include <stdexcept>
 
 #include "output/obliquity_columns.hpp"
-#include "polhode/output/columns.hpp"
 #include "polhode/scenario/schema.hpp"
 #include "scenario/scenario_parts.hpp"
 #include "scenario/tables/event.hpp"
@@ -37,9 +36,8 @@ void check_step(const Rotation& rotation, const FileValues& file) {
 }
 
 // A date needs one of t = 0, in a scale that runs evenly.
-void check_dates(const Rotation& rotation, const OutputPlan& output, const FileValues& file) {
-  if (std::find(output.columns.begin(), output.columns.end(), "date") == output.columns.end())
-    return;
+void check_dates(const Rotation& rotation, const KindContext& file) {
+  if (std::ranges::find(file.output.columns, "date") == file.output.columns.end()) return;
   if (rotation.epoch.empty()) refuse_columns(file, "expected epoch in [state] for date");
   if (scale_of_epoch(rotation.epoch) == "UT1")
     refuse_columns(file, "expected no date with an epoch in UT1, which does not run evenly");
@@ -61,13 +59,11 @@ void check_pole(const Rotation& rotation, const FileValues& file) {
 }
 
 // The word is known, but to another kind of file.
-void check_columns(const OutputPlan& output, const FileValues& file) {
-  const std::vector<std::string_view> ours = column_group_names(), of_spin = spin_column_groups();
-  const auto is_in = [](const std::vector<std::string_view>& words, const std::string& word) {
-    return std::find(words.begin(), words.end(), word) != words.end();
-  };
-  for (const std::string& column : output.columns)
-    if (is_in(of_spin, column) && !is_in(ours, column))
+void check_columns(const KindContext& file) {
+  const std::vector<std::string_view> of_spin = spin_column_groups();
+  for (const std::string& column : file.output.columns)
+    if (file.kinds.columns().group(column) == nullptr &&
+        std::ranges::find(of_spin, column) != of_spin.end())
       refuse_columns(
           file, "expected columns of a rotation: " + column + " is one of kind = \"obliquity\"");
 }
@@ -96,7 +92,7 @@ void check_times(const Rotation& rotation, const FileValues& file) {
 }
 
 // Its own state asks for a method that carries it, and the columns of that state for a damper.
-void check_damper(const Rotation& rotation, const OutputPlan& output, const FileValues& file) {
+void check_damper(const Rotation& rotation, const KindContext& file) {
   if (rotation.damper) {
     if (rotation.method && !moves_any_state(*rotation.method))
       refuse_method(
@@ -104,12 +100,11 @@ void check_damper(const Rotation& rotation, const OutputPlan& output, const File
           "expected \"adaptive\" or \"collocation\", since a Kane damper has a state of its own");
     return;
   }
-  const auto is_its_own = [](std::string_view column) {
-    return column == "damper" || column == "s1" || column == "s2" || column == "s3";
+  const auto is_its_own = [&](std::string_view column) {
+    return file.kinds.columns().needs_damper(column);
   };
   const char* const message = "expected a perturbation of kind \"kane-damper\" for it";
-  if (std::any_of(output.columns.begin(), output.columns.end(), is_its_own))
-    refuse_columns(file, message);
+  if (std::ranges::any_of(file.output.columns, is_its_own)) refuse_columns(file, message);
   for (std::size_t i = 0; i < rotation.events.size(); ++i)
     if (is_its_own(rotation.events[i].column)) refuse_event_column(file, i, message);
 }
@@ -170,13 +165,13 @@ void check_frame(const Rotation& rotation, const FileValues& file) {
 
 }  // namespace
 
-void check_motion(const Rotation& rotation, const OutputPlan& output, const FileValues& file) {
+void check_motion(const Rotation& rotation, const KindContext& file) {
   check_times(rotation, file);
   check_frame(rotation, file);
   check_step(rotation, file);
-  check_damper(rotation, output, file);
-  check_columns(output, file);
-  check_dates(rotation, output, file);
+  check_damper(rotation, file);
+  check_columns(file);
+  check_dates(rotation, file);
   check_pole(rotation, file);
   if (rotation.method && method_traits(*rotation.method).needs_flows)
     for (const AnyPerturbation& term : rotation.terms)
@@ -187,7 +182,10 @@ void check_motion(const Rotation& rotation, const OutputPlan& output, const File
             "exact flow: " +
                 term.name());
   if (is_energy_there(rotation)) return;
-  if (std::any_of(output.columns.begin(), output.columns.end(), needs_energy))
+  const auto needs_energy = [&](std::string_view column) {
+    return file.kinds.columns().needs_energy(column);
+  };
+  if (std::ranges::any_of(file.output.columns, needs_energy))
     refuse_columns(file, without_energy(rotation));
   for (std::size_t i = 0; i < rotation.events.size(); ++i)
     if (needs_energy(rotation.events[i].column))

@@ -17,9 +17,6 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-// "; did you mean moon?", or nothing.
-std::string did_you_mean(std::string_view word, std::span<const std::string_view> known);
-
 // Each throws a ScenarioError at the place of what is wrong. `name` stands for the file.
 struct OrbitsContext : FileValues {
   const std::optional<SaveAt>& time;
@@ -49,7 +46,7 @@ void prepare_motion(Rotation& rotation, const FileValues& file);
 // The energy where it starts; 0 where a term has none.
 double initial_energy(const DampedProblem& problem);
 // What method, events, rows and columns ask of the system.
-void check_motion(const Rotation& rotation, const OutputPlan& output, const FileValues& file);
+void check_motion(const Rotation& rotation, const KindContext& at);
 
 }  // namespace detail
 }  // namespace v0

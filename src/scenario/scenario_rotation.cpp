@@ -48,11 +48,6 @@ std::optional<TimeSpan> OrbitContext::run_span() const {
 
 namespace detail {
 
-std::string did_you_mean(std::string_view word, std::span<const std::string_view> known) {
-  const std::string_view near = nearest(word, known);
-  return near.empty() ? "" : "; did you mean " + std::string(near) + "?";
-}
-
 const ScenarioOrbit& orbit_named(const std::vector<ScenarioOrbit>& orbits, const Values& values,
                                  const std::string& path, const std::string& name) {
   const std::string& wanted = word(values, path);

@@ -130,6 +130,11 @@ std::string_view nearest(std::string_view word, std::span<const std::string_view
   return best;
 }
 
+std::string did_you_mean(std::string_view word, std::span<const std::string_view> known) {
+  const std::string_view near = nearest(word, known);
+  return near.empty() ? "" : "; did you mean " + std::string(near) + "?";
+}
+
 }  // namespace detail
 }  // namespace v0
 }  // namespace polhode

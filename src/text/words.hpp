@@ -31,6 +31,8 @@ int edit_distance(std::string_view a, std::string_view b);
 
 // The nearest of `known`, or an empty view when none is near enough to be a slip.
 std::string_view nearest(std::string_view word, std::span<const std::string_view> known);
+// "; did you mean moon?", or nothing.
+std::string did_you_mean(std::string_view word, std::span<const std::string_view> known);
 
 }  // namespace detail
 }  // namespace v0

@@ -12,6 +12,9 @@ inline constexpr double io_elements = 4e-14;
 // Columns of a row of `convert` after a round trip through another chart, numbers of order one.
 inline constexpr double io_convert = 4e-15;
 
+// The rate of a fit to 41 rates and angles with noise, rad/s: some errors of it.
+inline constexpr double measured_rate = 0.002;
+
 // --- ensembles: numbers of a file in their units, lengths of directions ---
 inline constexpr double ensemble_rounding = 1e-14;
 

@@ -12,6 +12,11 @@ inline constexpr double turning_plate = 1e-6;
 // The same few operations, in another order or none.
 inline constexpr double numpy_rounding = 1e-15;
 inline constexpr double numpy_formula = 2e-14;
+// An arccosine of an angle of one degree: a rounding over the square of the angle.
+inline constexpr double small_arccosine = 2e-12;
+// A fit of numbers with central differences against one with exact derivatives, in errors of the
+// unknowns: the tolerance of the fit.
+inline constexpr double measured_fit = 1e-5;
 // of states drawn at random, some next to a pole of a chart
 inline constexpr double numpy_random = 5e-12;
 // central differences of sixth order, step 2^-10

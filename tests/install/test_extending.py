@@ -376,6 +376,54 @@ def test_a_chart_of_your_own_is_a_state_and_columns_of_a_run(spherical, root, tm
     assert ":9:1: state.spherical: andoyer_state: L = " in sh(spherical, "info", wrong, status=2)
 
 
+def test_columns_of_your_own_are_those_of_rows_and_events(built, root, tmp_path):
+    source = built("column")
+    program, scenario = source / "build/wobble", source / "wobble.toml"
+    out, events = tmp_path / "rows.csv", tmp_path / "events.csv"
+    sh(program, "run", scenario, "--out", out, "--events", events)
+    written = out.read_text()
+    shown = "".join(line for line in written.splitlines(keepends=True)
+                    if line.startswith(("# units", "t,")))
+    assert f"```\n{shown}```" in (root / "docs/extending/column.md").read_text()
+    w, moments = (1, 30, 2), (1, 2, 2.5)
+    g = [a * b for a, b in zip(w, moments, strict=True)]
+    cosine = sum(a * b for a, b in zip(w, g, strict=True)) / math.hypot(*w) / math.hypot(*g)
+    names, rows = rows_of(out)
+    assert rows[0] == pytest.approx([0, math.hypot(*w), math.degrees(math.acos(cosine))],
+                                    rel=budgets.cli_carried)
+    found = [line.split(",") for line in events.read_text().splitlines() if line[0] != "#"]
+    at = found[0].index("wobble_angle")
+    assert len(found) > 1
+    for line in found[1:]:
+        assert float(line[at]) == pytest.approx(20, rel=budgets.cli_carried)
+    assert '"wobble"' in sh(program, "schema")
+    wrong = tmp_path / "wrong.toml"
+    wrong.write_text(scenario.read_text().replace('["wobble"]', '["wobbles"]'))
+    assert 'did you mean "wobble"?' in sh(program, "info", wrong, status=2)
+
+
+def test_an_observation_of_your_own_is_simulated_and_fitted(built, root, tmp_path):
+    source = built("observation")
+    program = source / "build/sun-angle"
+    sh(program, "simulate", source / "night.toml", "--into", source)
+    lines = [x for x in (source / "front.csv").read_text().splitlines() if x[0] != "#"]
+    assert f"```\n{lines[0]}\n```" in (root / "docs/extending/observation.md").read_text()
+    assert len(lines) == 62
+    out = tmp_path / "residuals.csv"
+    said = sh(program, "fit", source / "night.toml", "--residuals", out, cwd=source)
+    assert "61 directions, 61 rows of sun-angle, 61 rows of sun-angle (244 numbers)" in said
+    names, rows = rows_of(out)
+    r = [row[names.index("r1")] for row in rows if row[names.index("table")] < 3]
+    assert len(r) == 122 and 0.7 < math.sqrt(sum(x * x for x in r) / len(r)) < 1.3
+    assert '"sun-angle"' in sh(program, "schema")
+    assert "kind = \"sun-angle\"" in sh(program, "init", "sun-angle")
+    wrong = tmp_path / "wrong.toml"
+    wrong.write_text((source / "night.toml").read_text().replace("sun = [1, 0, 0]",
+                                                                "sun = [0, 0, 0]"))
+    assert "observation[0].sun: got [0, 0, 0]; expected a vector that is not 0" in sh(
+        program, "info", wrong, status=2)
+
+
 def test_pages_show_the_files_of_their_examples(root):
     # what is added from Python is a page alone, which tests/docs runs
     pages = {path.stem: path.read_text() for path in (root / "docs/extending").glob("*.md")

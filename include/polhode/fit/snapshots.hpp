@@ -8,13 +8,17 @@
 //             time; covariances the squares of these.
 // Domain      times finite, in any order; several observations may have the same time, and are
 //             independent. Quaternions and vectors of any length but 0.
-// Accuracy    values are kept as given.
+// Accuracy    values are kept as given. Derivatives of measurements are central differences, to
+//             about 1e-10.
 // Errors      check: DomainError that names the observation (counted from 1), its value and what is
 //             expected: finite numbers, covariances symmetric and positive definite.
 // Cost        a few numbers each.
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -45,18 +49,34 @@ struct ObservedRate {
   Mat3 covariance = Mat3::identity();
 };
 
+// Writes numbers of the motion at a time: q as that of attitudes, w in body axes.
+using MotionFunction =
+    std::function<void(double t, const Quaternion& q, const Vec3& w_F, std::span<double> numbers)>;
+
+// Numbers that are any function of the motion, with independent errors.
+struct Measurement {
+  double t = 0.0;
+  std::vector<double> seen;
+  std::vector<double> sigmas;
+  std::shared_ptr<const MotionFunction> function;
+  std::vector<bool> are_angles = {};  // compared modulo a turn; empty: none is
+};
+
 struct Snapshots {
   std::vector<ObservedAttitude> attitudes;
   std::vector<ObservedDirection> directions;
   std::vector<ObservedRate> rates;
+  std::vector<Measurement> measurements = {};
 
   // How many numbers they are.
   std::size_t numbers() const {
-    return 3 * attitudes.size() + 2 * directions.size() + 3 * rates.size();
+    std::size_t count = 3 * attitudes.size() + 2 * directions.size() + 3 * rates.size();
+    for (const Measurement& one : measurements) count += one.seen.size();
+    return count;
   }
 };
 
-// Of attitudes, then directions, then rates, each in its order.
+// Of attitudes, then directions, rates and measurements, each in its order.
 std::vector<double> times_of(const Snapshots& seen);
 
 // The covariance of three independent errors, and of three of one size.

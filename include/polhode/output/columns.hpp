@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a row of output holds: t, then the column groups that a scenario asks for.
+// What a row of output holds: t, then the column groups that a scenario asks for
+// (polhode/output/column_kind.hpp).
 //
 // Equations   those of the charts. Attitudes and elements are those in the reference frame S; omega
 //             and omega_inertial are the inertial angular velocity I^-1 g + v(terms), omega_rel the
@@ -24,7 +25,6 @@
 
 #include <cstddef>
 #include <functional>
-#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -32,17 +32,12 @@
 
 #include "polhode/dynamics/problem.hpp"
 #include "polhode/free/free_rotation.hpp"
+#include "polhode/output/column_kind.hpp"
 #include "polhode/system/system.hpp"
-#include "polhode/tables/chart_kind.hpp"
 #include "polhode/text/units.hpp"
 
 namespace polhode {
 inline namespace v0 {
-
-struct RowSample;
-namespace detail {
-class ColumnTable;
-}  // namespace detail
 
 struct Column {
   std::string name;
@@ -61,17 +56,6 @@ inline std::size_t row_width(std::span<const ColumnGroup> groups) {
   return width;
 }
 
-// The names that [output] columns may list, and those of all their columns but for date, which is
-// no number: those of the charts stand between g and q_inertial.
-std::vector<std::string_view> column_group_names(
-    std::span<const ChartKind> charts = default_charts());
-std::vector<std::string_view> column_names(std::span<const ChartKind> charts = default_charts());
-// DomainError for an unknown column.
-Dimension column_dimension(std::string_view column,
-                           std::span<const ChartKind> charts = default_charts());
-// Whether a group (or one of its columns) is an energy, which not every system has.
-bool needs_energy(std::string_view group_or_column);
-
 // What every row of a motion shares.
 struct RowOrigin {
   const System& system;
@@ -84,15 +68,12 @@ struct ScalarColumn {
   std::function<double(const DampedSample&)> value;
 };
 ScalarColumn scalar_column(std::string_view name, const System& system, double initial_energy,
-                           std::span<const ChartKind> charts = default_charts());
+                           const ColumnKinds& kinds = default_columns());
 
 // Sadov's and Serret's sets have a branch (region, lobe, signs), the options of a chart. It is
 // constant along a free motion, and a note of the output says it; another motion changes it, and
 // then it has columns.
 enum class Branch { in_notes, in_columns };
-// "sadov: region LAM, lobe 1"; empty of a group that has no branch.
-std::string branch_note(std::string_view group, const FreeRotation& motion,
-                        std::span<const ChartKind> charts = default_charts());
 
 // What columns are called after: whether the inertial axes are those of an equator, where the pole
 // is pole_ra, pole_dec instead of pole_lon, pole_lat; and the scale of the epoch, without which
@@ -105,7 +86,7 @@ struct RowReference {
 class RowLayout {
  public:
   RowLayout(std::span<const std::string> groups, const Units& units,
-            Branch branch = Branch::in_notes, std::span<const ChartKind> charts = default_charts(),
+            Branch branch = Branch::in_notes, const ColumnKinds& kinds = default_columns(),
             const RowReference& reference = {});
 
   // "t" first, then as asked for, without columns that an earlier group has.
@@ -120,14 +101,16 @@ class RowLayout {
                   std::span<double> out) const;
 
  private:
-  void write_row(const RowSample& sample, std::span<double> out) const;
+  // `constants`: numbers, by group, of those that are constant along the motion, or none.
+  void write_row(const RowSample& sample, std::span<const ColumnNumbers> constants,
+                 std::span<double> out) const;
 
   struct Cell {
-    std::size_t group;  // in the table of groups
+    std::size_t group;  // among all kinds
     std::size_t place;  // among its numbers
     Dimension dimension;
   };
-  std::shared_ptr<const detail::ColumnTable> table_;
+  ColumnKinds kinds_;
   std::vector<ColumnGroup> groups_;
   std::vector<Cell> cells_;
   std::size_t width_ = 0;

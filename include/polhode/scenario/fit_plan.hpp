@@ -43,9 +43,7 @@ struct FitPlan {
   FitDrive drive;  // what of torques is unknown
 
   // Whether light curves are observed, and then nothing else is.
-  bool has_light() const {
-    return !observations.empty() && observations.front().kind == Observation::Kind::light_curve;
-  }
+  bool has_light() const { return !observations.empty() && observations.front().light.has_value(); }
 };
 
 // DomainError if the kind of the scenario is another than "fit".

@@ -9,7 +9,8 @@
 // Errors      DomainError from with() for a name or an extension that is taken, or not plain, and
 //             for a kind that is not sound: no text, nothing that makes it, two keys of one name,
 //             an example or what stands for a missing key that the key does not take; and for a
-//             chart with a word or a column that scenarios could not tell from another.
+//             chart or a group of columns with a word or a column that scenarios could not tell
+//             from another.
 // Cost        copies share. with() makes the table of keys anew: some ten microseconds.
 #pragma once
 
@@ -17,10 +18,12 @@
 #include <span>
 #include <string_view>
 
+#include "polhode/output/column_kind.hpp"
 #include "polhode/output/output_format.hpp"
 #include "polhode/scenario/experiment_kind.hpp"
 #include "polhode/scenario/frame_kind.hpp"
 #include "polhode/scenario/method_kind.hpp"
+#include "polhode/scenario/observation_kind.hpp"
 #include "polhode/scenario/orbit_kind.hpp"
 #include "polhode/scenario/perturbation_kind.hpp"
 #include "polhode/scenario/schema.hpp"
@@ -38,6 +41,8 @@ class Kinds {
   Kinds with(ExperimentKind kind) const;
   Kinds with(OutputFormat format) const;
   Kinds with(const ChartKind& chart) const;
+  Kinds with(ColumnKind kind) const;
+  Kinds with(ObservationKind kind) const;
 
   std::span<const PerturbationKind> perturbations() const;
   // Null where there is none of this name.
@@ -50,9 +55,13 @@ class Kinds {
   // Those from outside: what a file may be next to a rotation.
   std::span<const ExperimentKind> experiments() const;
   const ExperimentKind* experiment(std::string_view name) const;
+  std::span<const ObservationKind> observations() const;
+  const ObservationKind* observation(std::string_view name) const;
   const OutputFormats& formats() const;
   // Of tables to convert; those that are in scenarios also of [state.CHART] and of columns.
   std::span<const ChartKind> charts() const;
+  // Of a rotation.
+  const ColumnKinds& columns() const;
   // The keys of a scenario file.
   const Schema& schema() const;
 

@@ -18,53 +18,70 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "polhode/ephemeris/date.hpp"
 #include "polhode/fit/snapshots.hpp"
 #include "polhode/light/light_curve.hpp"
 #include "polhode/light/light_time.hpp"
+#include "polhode/math/quaternion.hpp"
 #include "polhode/math/vector.hpp"
 
 namespace polhode {
 inline namespace v0 {
 struct Scenario;
 
-struct Observation {
-  enum class Kind { attitude, direction, rate, light_curve };
-  // The numbers of a row after its time.
-  enum class Form { quaternion, euler, matrix, vector, angles };
-  enum class TimeFormat { number, julian, modified_julian, date };
-  enum class Axes { inertial, ecliptic, equator };
-  enum class LightFormat { columns, lc, alcdef };
+// The motion at one time, as a simulation observes it.
+struct BodyMotion {
+  double t;
+  Quaternion q;  // body axes of the file to inertial ones
+  Vec3 w_F;      // along these body axes
+};
+// A row of a file: its time and errors in core units, the numbers between them as they stand there.
+struct FileRow {
+  double t;
+  std::vector<double> numbers;
+  std::vector<double> sigmas = {};
+};
+// Standard normal numbers of a row, by their places.
+using RowNoise = std::function<double(std::size_t)>;
+
+// What the rows of a table are, as its kind has made it of its keys (observation_kind.hpp). The
+// functions may be called from any thread.
+struct ObservedRows {
+  std::vector<std::string> columns;               // time first
+  std::vector<std::string> sigma_columns;         // one, or one for each error
+  std::vector<double> sigmas;                     // core units; empty: in columns
+  std::size_t numbers = 0;                        // behind the time
+  std::vector<double> error_units;                // core units of each error in a column
+  std::vector<std::size_t> turning_degrees = {};  // numbers in degrees that run through a turn
+  // Adds what was read; a DomainError gets the line of the file.
+  std::function<void(const FileRow&, Snapshots&)> read;
+  // Adds what is seen of a motion, with noise of these errors.
+  std::function<void(const BodyMotion&, const RowNoise&, const std::vector<double>& sigmas,
+                     Snapshots&)>
+      simulate;
+  // The rows of a file.
+  std::function<std::vector<FileRow>(const Snapshots&)> written;
+};
+
+enum class ObservedAxes { inertial, ecliptic, equator };
+
+// Light curves. Errors without a column are parts of the mean flux, or magnitudes.
+struct LightObservation {
+  enum class Format { columns, lc, alcdef };
   enum class Brightness { flux, magnitude };
 
-  Kind kind = Kind::attitude;
-  std::string name;                  // of the table; may be empty
-  std::string file;                  // as the scenario names it
-  std::vector<std::string> columns;  // time first; never empty
-  Form form = Form::quaternion;
-  TimeFormat time_format = TimeFormat::number;
-  std::optional<TimeScale> time_scale = std::nullopt;  // of dates
-  std::string time_unit;                               // of numbers; empty: that of the file
-  std::string value_unit;                              // of angles or rates; empty: the same
-  LightTime times = LightTime::at_body;
-  // Of times at the observer; of light curves without one each point has that of its distance.
-  std::optional<double> light_time = std::nullopt;
-  std::optional<Axes> axes = std::nullopt;
-  Vec3 axis{0.0, 0.0, 1.0};  // of the body, of directions
-  // One of the three.
-  std::optional<double> sigma = std::nullopt;
-  std::optional<Vec3> sigmas = std::nullopt;  // along the body axes
-  std::vector<std::string> sigma_columns;
-
-  // Of light curves. Errors without a column are parts of the mean flux, or magnitudes.
-  LightFormat light_format = LightFormat::columns;
+  std::optional<ObservedAxes> axes = std::nullopt;
+  Format format = Format::columns;
   Brightness brightness = Brightness::flux;
+  std::vector<std::string> columns;  // time first; never empty
+  std::optional<double> sigma = std::nullopt;
+  std::vector<std::string> sigma_columns;
   std::vector<std::string> session_column, sun_columns, observer_columns;  // 1, 3 and 3, or none
   std::vector<std::string> sessions;   // whole numbers from 1: those that are taken; empty: all
   std::vector<std::string> leave_out;  // whole numbers from 1: lines without their points
@@ -75,12 +92,27 @@ struct Observation {
   bool is_calibrated = false;
   bool sorts = false;           // points by time, as they are read
   bool is_of_the_time = false;  // fluxes from the distances of the vectors, not from unit ones
+};
+
+struct Observation {
+  enum class TimeFormat { number, julian, modified_julian, date };
+
+  std::string kind;  // "attitude"
+  std::string name;  // of the table; may be empty
+  std::string file;  // as the scenario names it
+  TimeFormat time_format = TimeFormat::number;
+  std::optional<TimeScale> time_scale = std::nullopt;  // of dates
+  std::string time_unit;                               // of numbers; empty: that of the file
+  LightTime times = LightTime::at_body;
+  // Of times at the observer; of light curves without one each point has that of its distance.
+  std::optional<double> light_time = std::nullopt;
+  // One of the two.
+  ObservedRows rows = {};
+  std::optional<LightObservation> light = std::nullopt;
 
   // For messages: its name, or else its file.
   const std::string& shown() const { return name.empty() ? file : name; }
 };
-// The word of the key `kind`.
-std::string_view kind_word(Observation::Kind kind);
 
 // Where a row was read.
 struct ObservedRow {
@@ -90,7 +122,7 @@ struct ObservedRow {
 struct ReadObservations {
   Snapshots seen;
   // As those of `seen`.
-  std::vector<ObservedRow> attitudes, directions, rates;
+  std::vector<ObservedRow> attitudes, directions, rates, measurements;
   std::vector<LightCurve> curves;  // times at the body, vectors along the axes of the state
   std::vector<std::vector<ObservedRow>> curve_rows;  // of their points
   std::vector<std::string> notes = {};               // on numbers that may not be what they seem

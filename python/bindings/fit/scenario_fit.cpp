@@ -78,6 +78,7 @@ double middle_of(const Snapshots& seen) {
   reach(seen.attitudes);
   reach(seen.directions);
   reach(seen.rates);
+  reach(seen.measurements);
   return 0.5 * (first + last);
 }
 

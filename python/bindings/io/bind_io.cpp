@@ -19,13 +19,6 @@ namespace {
 
 nb::str text(std::string_view words) { return nb::str(words.data(), words.size()); }
 
-template <class Names>
-nb::list names_list(const Names& names) {
-  nb::list list;
-  for (const std::string_view name : names) list.append(text(name));
-  return list;
-}
-
 // Of the class that the chart names; its numbers by name where there is none.
 nb::object state_of(const ChartState& state) {
   nb::dict fields;
@@ -129,6 +122,12 @@ nb::list citations_of(const Scenario& scenario) {
 
 }  // namespace
 
+nb::list names_list(const std::vector<std::string_view>& names) {
+  nb::list list;
+  for (const std::string_view name : names) list.append(text(name));
+  return list;
+}
+
 nb::list lines_of(const std::vector<SummaryLine>& lines) {
   nb::list list;
   for (const SummaryLine& line : lines)
@@ -191,10 +190,8 @@ void bind_io(nb::module_& m) {
   });
   m.def("_shown_number", &shown_number);
   m.def("_changed_text", changed_by);
-  m.def("_column_names", [] { return names_list(column_names()); });
   m.def("_state_charts", state_charts_list);
   m.def("_method_table", method_table);
-  m.def("_column_group_names", [] { return names_list(column_group_names()); });
 }
 
 }  // namespace polhode::python

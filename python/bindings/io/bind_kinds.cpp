@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Kinds of perturbations, orbits and experiments that Python describes (python/polhode/kinds.py).
+// Kinds of perturbations, orbits, experiments, columns and observations that Python describes
+// (python/polhode/kinds.py).
 #include <algorithm>
 #include <array>
 #include <deque>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -12,9 +14,12 @@
 #include <variant>
 #include <vector>
 
+#include "interface/batch.hpp"
 #include "interface/choice.hpp"
 #include "interface/python_function.hpp"
 #include "io/io_parts.hpp"
+#include "motion/samples.hpp"
+#include "motion/system_value.hpp"
 #include "polhode/error.hpp"
 #include "polhode/scenario/kinds.hpp"
 #include "polhode/text/detail/key_form.hpp"
@@ -108,7 +113,8 @@ class KindTable {
   const KeyValues& values() const { return *table().values; }
   const TermContext& term() const {
     if (table().term == nullptr)
-      throw nb::attribute_error("only the table of a perturbation has body and orbits");
+      throw nb::attribute_error(
+          "only the table of a perturbation or an observation has body and orbits");
     return *table().term;
   }
 
@@ -252,6 +258,40 @@ bool is_column_name(std::string_view name) {
   return !name.empty() && name != "t" && std::ranges::all_of(name, is_plain);
 }
 
+// The numbers that a function has returned, as many as there is room for.
+void read_numbers(const nb::object& returned, std::span<double> row, const PythonFunction& function,
+                  const std::string& expected) {
+  try {
+    const Numbers numbers(returned, "");
+    if (size_of(numbers.shape()) == row.size()) {
+      std::copy_n(numbers.at(0), row.size(), row.begin());
+      return;
+    }
+  } catch (const nb::builtin_exception&) {
+  }
+  function.refuse(returned, (counted(row.size(), "number") + expected).c_str());
+}
+
+// [(name, dimension), ...], as a list of structs with these members.
+template <class Column>
+std::vector<Column> columns_of(nb::handle given, const nb::object& made,
+                               const PythonFunction& function) {
+  std::vector<Column> columns;
+  for (const nb::handle column : nb::iter(given)) {
+    std::string name;
+    if (!nb::isinstance<nb::sequence>(column) || nb::len(column) != 2 ||
+        !nb::try_cast(nb::object(column[0]), name) || !is_column_name(name) ||
+        std::ranges::count(columns, name, &Column::name) > 0)
+      function.refuse(
+          made,
+          "columns of (name, dimension), each name of letters, digits and _, other than "
+          "t, and there once");
+    columns.push_back({std::move(name), choice<Dimension>(column[1], "dimension")});
+  }
+  if (columns.empty()) function.refuse(made, "at least one column");
+  return columns;
+}
+
 // {"columns": [(name, dimension), ...], "formula": f(t) -> numbers}
 CustomExperiment experiment_of(const nb::object& made, const PythonFunction& function,
                                const ExperimentContext& at, std::string_view kind) {
@@ -259,37 +299,63 @@ CustomExperiment experiment_of(const nb::object& made, const PythonFunction& fun
   if (!nb::try_cast(made, parts) || parts.size() != 2 || !parts.contains("columns") ||
       !parts.contains("formula"))
     function.refuse(made, R"({"columns": [(name, dimension), ...], "formula": f(t) -> numbers})");
-  CustomExperiment own{.kind = std::string(kind), .rows = at.rows(), .columns = {}};
-  for (const nb::handle column : nb::iter(parts["columns"])) {
-    std::string name;
-    if (!nb::isinstance<nb::sequence>(column) || nb::len(column) != 2 ||
-        !nb::try_cast(nb::object(column[0]), name) || !is_column_name(name) ||
-        std::ranges::count(own.columns, name, &CustomColumn::name) > 0)
-      function.refuse(
-          made,
-          "columns of (name, dimension), each name of letters, digits and _, other than "
-          "t, and there once");
-    own.columns.push_back({std::move(name), choice<Dimension>(column[1], "dimension")});
-  }
-  if (own.columns.empty()) function.refuse(made, "at least one column");
+  CustomExperiment own{
+      .kind = std::string(kind),
+      .rows = at.rows(),
+      .columns = columns_of<CustomColumn>(nb::object(parts["columns"]), made, function)};
   const auto formula = std::make_shared<PythonFunction>(nb::object(parts["formula"]),
                                                         function.label() + ": formula");
   own.formula = [formula](double t, std::span<double> row) {
     const WithGil acquired;
-    const nb::object returned = (*formula)(t);
-    const std::string expected =
-        std::to_string(row.size()) + " numbers, those of the columns at that time";
-    try {
-      const Numbers numbers(returned, "");
-      if (size_of(numbers.shape()) == row.size()) {
-        for (std::size_t k = 0; k < row.size(); ++k) row[k] = numbers.at(0)[k];
-        return;
-      }
-    } catch (const nb::builtin_exception&) {
-    }
-    formula->refuse(returned, expected.c_str());
+    read_numbers((*formula)(t), row, *formula, ", those of the columns at that time");
   };
   return own;
+}
+
+// The names of the parameters of a function that have no default, in their order.
+std::vector<std::string> parameters_of(nb::handle function, const std::string& label) {
+  const nb::object names =
+      nb::module_::import_("polhode.kinds").attr("_parameters")(label, function);
+  std::vector<std::string> all;
+  for (const nb::handle name : nb::iter(names)) all.push_back(nb::cast<std::string>(name));
+  return all;
+}
+
+MotionFunction motion_function(const nb::object& given, const std::string& label) {
+  const std::vector<std::string> inputs = parameters_of(given, label);
+  for (const std::string& name : inputs)
+    if (name != "t" && name != "q" && name != "omega")
+      throw DomainError(label + ": got the parameter \"" + name + "\"; expected t, q or omega");
+  const auto function = std::make_shared<PythonFunction>(given, label);
+  return [function, inputs](double t, const Quaternion& q, const Vec3& w_F,
+                            std::span<double> numbers) {
+    const WithGil acquired;
+    nb::list arguments;
+    for (const std::string& name : inputs)
+      arguments.append(name == "t"   ? nb::object(nb::float_(t))
+                       : name == "q" ? nb::cast(array_of(q))
+                                     : nb::cast(array_of(w_F)));
+    read_numbers((*function)(*nb::tuple(arguments)), numbers, *function, ", one for each column");
+  };
+}
+
+// {"columns": [(name, dimension), ...], "sigma": numbers, "function": f(...) -> numbers}
+ObservedRows observation_of(const nb::object& made, const PythonFunction& function,
+                            const TermContext& at) {
+  nb::dict parts;
+  if (!nb::try_cast(made, parts) || parts.size() != 3 || !parts.contains("columns") ||
+      !parts.contains("sigma") || !parts.contains("function"))
+    function.refuse(made, R"({"columns": [(name, dimension), ...], "sigma": numbers, )"
+                          R"("function": f(t, q, omega) -> numbers})");
+  MeasuredRows rows{
+      .columns = columns_of<MeasuredColumn>(nb::object(parts["columns"]), made, function),
+      .sigmas = {},
+      .numbers = {}};
+  const nb::object sigma = parts["sigma"];
+  const Numbers sigmas(sigma, "sigma");
+  for (std::size_t i = 0; i < size_of(sigmas.shape()); ++i) rows.sigmas.push_back(sigmas.at(0)[i]);
+  rows.numbers = motion_function(nb::object(parts["function"]), function.label() + ": function");
+  return observed_rows(std::move(rows), at);
 }
 
 Kinds with_perturbation(const Kinds& kinds, nb::handle kind) {
@@ -342,6 +408,118 @@ Kinds with_experiment(const Kinds& kinds, nb::handle kind) {
                                              });
                                        },
                                    .citations = texts->citations});
+}
+
+Kinds with_observation(const Kinds& kinds, nb::handle kind) {
+  const auto texts = texts_of(kind);
+  const KindFunction function(kind, "observation", texts);
+  return kinds.with(ObservationKind{
+      .name = texts->own(kind.attr("name")),
+      .help = texts->own(kind.attr("help")),
+      .keys = texts->keys,
+      .sets = texts->sets,
+      .made =
+          [function](Observation& of, const TermContext& at) {
+            of.rows = function.call({.texts = nullptr, .values = &at, .term = &at},
+                                    [&](const nb::object& made, const PythonFunction& by) {
+                                      return observation_of(made, by, at);
+                                    });
+          },
+      .citations = texts->citations});
+}
+
+// An argument of the function of a group of columns: numbers of another group, which are computed
+// without the GIL, and the object that is made of these or of the row.
+struct RowInput {
+  std::function<ColumnNumbers(const RowSample&)> numbers;
+  std::function<nb::object(const RowSample&, const ColumnNumbers&)> object;
+};
+
+RowInput group_input(const ColumnKind& group) {
+  return {group.numbers, [width = group.columns.size()](const RowSample&, const ColumnNumbers& x) {
+            return nb::cast(array_of(std::span(x).first(width)));
+          }};
+}
+RowInput column_input(const ColumnKind& group, std::string_view column) {
+  const auto place = static_cast<std::size_t>(
+      std::ranges::find(group.columns, column, &GroupColumn::name) - group.columns.begin());
+  return {group.numbers, [place](const RowSample&, const ColumnNumbers& x) -> nb::object {
+            return nb::float_(x[place]);
+          }};
+}
+
+// What a parameter of this name is given.
+RowInput input_of(const std::string& name, const ColumnKinds& known, const std::string& shown) {
+  if (name == "t")
+    return {{}, [](const RowSample& row, const ColumnNumbers&) -> nb::object {
+              return nb::float_(row.t);
+            }};
+  if (name == "state")
+    return {{}, [](const RowSample& row, const ColumnNumbers&) {
+              return nb::cast(Batch<RotorState>::one(row.state));
+            }};
+  if (name == "system")
+    return {{}, [](const RowSample& row, const ColumnNumbers&) {
+              return nb::cast(PythonSystem(row.system));
+            }};
+  const ColumnKind* const group = known.group(name);
+  if (group != nullptr && !group->is_date) return group_input(*group);
+  if (const ColumnKind* const owner = known.of_column(name)) return column_input(*owner, name);
+  throw DomainError(shown + ": function: got the parameter \"" + name +
+                    "\"; expected t, state, system, or the name of a group or a column of numbers");
+}
+
+ColumnNumbers called_on_row(const RowSample& row, const PythonFunction& function,
+                            const std::vector<RowInput>& inputs, std::size_t width) {
+  std::vector<ColumnNumbers> given(inputs.size());
+  for (std::size_t i = 0; i < inputs.size(); ++i)
+    if (inputs[i].numbers) given[i] = inputs[i].numbers(row);
+  const WithGil acquired;
+  nb::list arguments;
+  for (std::size_t i = 0; i < inputs.size(); ++i) arguments.append(inputs[i].object(row, given[i]));
+  ColumnNumbers numbers{};
+  read_numbers(function(*nb::tuple(arguments)), std::span(numbers).first(width), function,
+               ", one for each column");
+  return numbers;
+}
+
+Kinds with_columns(const Kinds& kinds, nb::handle kind) {
+  const auto texts = std::make_shared<KindTexts>();
+  ColumnKind made{.name = texts->own(kind.attr("name")),
+                  .help = texts->own(kind.attr("help")),
+                  .columns = {},
+                  .numbers = {}};
+  for (const nb::handle column : nb::iter(kind.attr("columns")))
+    made.columns.emplace_back(texts->own(column[0]), nb::cast<Dimension>(column[1]));
+  for (const nb::handle c : nb::iter(kind.attr("citations")))
+    made.citations.push_back({texts->own(c[0]), texts->own(c[1]), texts->own(c[2])});
+  const std::string shown = "column group \"" + std::string(made.name) + "\"";
+  std::vector<RowInput> inputs;
+  for (const nb::handle input : nb::iter(kind.attr("_inputs"))) {
+    const auto name = nb::cast<std::string>(input);
+    inputs.push_back(input_of(name, kinds.columns(), "Kinds: " + shown));
+    made.needs_energy = made.needs_energy || kinds.columns().needs_energy(name);
+    made.needs_damper = made.needs_damper || kinds.columns().needs_damper(name);
+  }
+  made.numbers = [function = std::make_shared<PythonFunction>(kind.attr("function"), shown), inputs,
+                  texts, width = made.columns.size()](const RowSample& row) {
+    return called_on_row(row, *function, inputs, width);
+  };
+  return kinds.with(std::move(made));
+}
+
+// Calls the function of a group of columns once, for a free rotation: another number of numbers
+// than it has columns is an error. What the function raises is not, since it may need another
+// motion.
+void try_columns(const Kinds& kinds, const std::string& name) {
+  const System system(Body(1.0, 2.0, 3.0));
+  const RotorState state{{0.5, 0.5, -0.5, 0.5}, {0.1, 0.7, 1.3}};
+  const ColumnKind* const kind = kinds.columns().group(name);
+  if (kind == nullptr) return;
+  try {
+    static_cast<void>(kind->numbers({system, energy(system, 0.0, state), 0.0, state}));
+  } catch (const nb::python_error&) {
+  }
 }
 
 void bind_table(nb::module_& m) {
@@ -410,6 +588,13 @@ void bind_kinds(nb::module_& m) {
       .def("with_perturbation", with_perturbation)
       .def("with_orbit", with_orbit)
       .def("with_experiment", with_experiment)
+      .def("with_columns", with_columns)
+      .def("with_observation", with_observation)
+      .def("try_columns", try_columns)
+      .def("column_names",
+           [](const Kinds& kinds) { return names_list(column_names(kinds.columns())); })
+      .def("column_group_names",
+           [](const Kinds& kinds) { return names_list(column_group_names(kinds.columns())); })
       .def("schema", [](const Kinds& kinds) { return json_schema(kinds.schema()); })
       .def("template", [](const Kinds& kinds, const std::string& word) {
         return scenario_template(word, kinds.schema());

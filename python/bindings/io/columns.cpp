@@ -8,14 +8,16 @@
 
 #include "polhode/error.hpp"
 #include "polhode/output/columns.hpp"
+#include "polhode/scenario/kinds.hpp"
 
 namespace polhode::python {
 
 namespace {
 
-bool is_group(const std::string& name) {
-  const std::vector<std::string_view> groups = column_group_names();
-  return std::find(groups.begin(), groups.end(), name) != groups.end();
+// Those of polhode.kinds.register too.
+ColumnKinds known_columns() {
+  const nb::object kinds = nb::module_::import_("polhode._toml").attr("known_kinds")();
+  return nb::cast<const Kinds&>(kinds).columns();
 }
 
 // The tensor's axes are those of files; here everything is along principal axes, as in the states.
@@ -27,14 +29,15 @@ System along_principal_axes(const System& system) {
 // All columns of a group, or the one asked for.
 class Part {
  public:
-  Part(const std::string& name, const System& system, double initial_energy)
+  Part(const std::string& name, const ColumnKinds& known, const System& system,
+       double initial_energy)
       : origin_{system, initial_energy} {
-    if (is_group(name)) {
-      layout_.emplace(std::vector<std::string>{name}, Units(), Branch::in_columns);
+    if (known.group(name) != nullptr) {
+      layout_.emplace(std::vector<std::string>{name}, Units(), Branch::in_columns, known);
       for (const Column& column : layout_->groups().at(1).columns) names_.push_back(column.name);
       row_.resize(layout_->width());
     } else {
-      one_ = scalar_column(name, system, initial_energy).value;
+      one_ = scalar_column(name, system, initial_energy, known).value;
       names_.push_back(name);
     }
   }
@@ -63,9 +66,10 @@ class Part {
 nb::dict columns_of(const System& system, std::span<const DampedSample> rows,
                     const std::vector<std::string>& names, double initial_energy) {
   const System principal = along_principal_axes(system);
+  const ColumnKinds known = known_columns();
   nb::dict table;
   for (const std::string& name : names) {
-    Part part(name, principal, initial_energy);
+    Part part(name, known, principal, initial_energy);
     std::vector<Result> numbers;
     for (std::size_t i = 0; i < part.names().size(); ++i) numbers.emplace_back(Shape{rows.size()});
     for_each(rows.size(), [&](std::size_t k) { part.write(rows[k], k, numbers); });
@@ -91,8 +95,9 @@ std::vector<std::string> names_of(nb::handle names) {
 }
 
 bool any_needs_energy(const std::vector<std::string>& names) {
-  return std::any_of(names.begin(), names.end(),
-                     [](const std::string& name) { return needs_energy(name); });
+  const ColumnKinds known = known_columns();
+  return std::ranges::any_of(names,
+                             [&](const std::string& name) { return known.needs_energy(name); });
 }
 
 }  // namespace polhode::python

@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "bindings.hpp"
@@ -24,6 +25,8 @@ void bind_golden(nb::module_& m);
 void bind_aem(nb::module_& m);
 // NutationTheory, PlanetAxis, nutation_theory.
 void bind_nutation(nb::module_& m);
+// A list of str.
+nb::list names_list(const std::vector<std::string_view>& names);
 // KindTable, _Kinds and _default_kinds.
 void bind_kinds(nb::module_& m);
 // _command_line.

@@ -219,7 +219,7 @@ void require_state(const SpinFit& fit, const SpinDrive& drive) {
     refuse("a prior of the attitude, which is not an unknown of this fit");
   ObservedAttitude prior = *fit.attitude_prior;
   prior.t = s.t0;
-  check(Snapshots{{prior}, {}, {}});
+  check(Snapshots{{prior}, {}, {}, {}});
 }
 
 void require_drive(const SpinFit& fit, const SpinDrive& drive) {

@@ -46,7 +46,8 @@ std::vector<std::string> notes_of(const ScenarioEnsemble& ensemble) {
 void add_branches(const Scenario& scenario, std::vector<std::string>& notes) {
   const std::size_t own = notes.size();
   for (const std::string& group : scenario.output.columns)
-    if (chart_named(group, scenario.document.kinds->charts()) != nullptr &&
+    if (const ColumnKind* const kind = scenario.document.kinds->columns().group(group);
+        kind != nullptr && kind->branch &&
         std::any_of(notes.begin(), notes.begin() + static_cast<std::ptrdiff_t>(own),
                     [&](const std::string& note) { return note.starts_with(group + ": "); }))
       notes.push_back("the branch of " + group +

@@ -87,7 +87,8 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 struct Residual {
   double t;
   ObservedRow place;
-  Vec3 turn{none, none, none}, rate{none, none, none}, sigmas{none, none, none};
+  Vec3 turn{none, none, none}, rate{none, none, none};
+  std::vector<double> sigmas = {};
 };
 
 // The smallest rotation, in body axes, that takes the direction that is predicted to the one seen.
@@ -106,8 +107,7 @@ std::vector<Residual> residuals_of(const FitReport& report, const SpinSolution& 
   std::size_t k = 0, number = 0;
   const auto add = [&](const ObservedRow& place, std::size_t size) -> Residual& {
     Residual& one = all.emplace_back(Residual{times[k++], place});
-    for (std::size_t i = 0; i < size; ++i)
-      one.sigmas[static_cast<int>(i)] = found.result.numbers.at(number++);
+    for (std::size_t i = 0; i < size; ++i) one.sigmas.push_back(found.result.numbers.at(number++));
     return one;
   };
   for (std::size_t i = 0; i < seen.attitudes.size(); ++i) {
@@ -124,6 +124,8 @@ std::vector<Residual> residuals_of(const FitReport& report, const SpinSolution& 
     const Vec3 rate = at[k].w_F - seen.rates[i].w_F;
     add(observed.rates[i], 3).rate = rate;
   }
+  for (std::size_t i = 0; i < seen.measurements.size(); ++i)
+    add(observed.measurements[i], seen.measurements[i].seen.size());
   std::stable_sort(all.begin(), all.end(), [](const Residual& a, const Residual& b) {
     return std::pair(a.place.table, a.place.line) < std::pair(b.place.table, b.place.line);
   });
@@ -154,26 +156,32 @@ void write_residuals(const Scenario& scenario, const FitReport& report, std::siz
                      const std::string& path) {
   const Units& units = scenario.units();
   const std::string angle = units.label(Dimension::angle), rate = units.label(Dimension::rate);
-  const std::vector<ColumnGroup> groups = {
+  const std::vector<Residual> residuals = residuals_of(report, report.solutions.at(solution).raw);
+  std::size_t widest = 3;
+  for (const Residual& one : residuals) widest = std::max(widest, one.sigmas.size());
+  std::vector<ColumnGroup> groups = {
       {"t", {{"t", units.time()}}},
       {"observation", {{"table", "1"}, {"line", "1"}}},
       {"turn", {{"turn_x", angle}, {"turn_y", angle}, {"turn_z", angle}}},
       {"rate", {{"dw_x", rate}, {"dw_y", rate}, {"dw_z", rate}}},
-      {"sigmas", {{"r1", "1"}, {"r2", "1"}, {"r3", "1"}}}};
+      {"sigmas", {}}};
+  for (std::size_t i = 1; i <= widest; ++i)
+    groups.back().columns.push_back({"r" + std::to_string(i), "1"});
   std::vector<double> rows;
-  for (const Residual& one : residuals_of(report, report.solutions.at(solution).raw)) {
+  for (const Residual& one : residuals) {
     rows.insert(rows.end(),
                 {units.from_core(one.t, Dimension::time), static_cast<double>(one.place.table + 1),
                  static_cast<double>(one.place.line)});
     for (int i = 0; i < 3; ++i) rows.push_back(units.from_core(one.turn[i], Dimension::angle));
     for (int i = 0; i < 3; ++i) rows.push_back(units.from_core(one.rate[i], Dimension::rate));
-    for (int i = 0; i < 3; ++i) rows.push_back(one.sigmas[i]);
+    for (std::size_t i = 0; i < widest; ++i)
+      rows.push_back(i < one.sigmas.size() ? one.sigmas[i] : none);
   }
   std::vector<std::string> notes;
   for (std::size_t i = 0; i < require_fit(scenario).observations.size(); ++i) {
     const Observation& of = require_fit(scenario).observations[i];
-    notes.push_back("table " + std::to_string(i + 1) + ": " + std::string(kind_word(of.kind)) +
-                    ", " + detail::printable(of.shown(), 500));
+    notes.push_back("table " + std::to_string(i + 1) + ": " + of.kind + ", " +
+                    detail::printable(of.shown(), 500));
   }
   notes.emplace_back(
       "residuals: from what was seen to the solution, in body axes; r1, r2, r3 in standard errors "

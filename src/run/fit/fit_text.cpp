@@ -33,6 +33,12 @@ std::string observed_text(const Scenario& scenario, const FitReport& report) {
   add(seen.attitudes.size(), "attitude", "attitudes");
   add(seen.directions.size(), "direction", "directions");
   add(seen.rates.size(), "rate", "rates");
+  const std::vector<Observation>& tables = require_fit(scenario).observations;
+  for (std::size_t i = 0; i < tables.size(); ++i) {
+    const auto rows = std::ranges::count(report.observed.measurements, i, &ObservedRow::table);
+    add(static_cast<std::size_t>(rows), ("row of " + tables[i].kind).c_str(),
+        ("rows of " + tables[i].kind).c_str());
+  }
   return text + fmt::format(" ({} numbers) of ", seen.numbers()) +
          counted(require_fit(scenario).observations.size(), "table", "tables");
 }
@@ -281,6 +287,8 @@ std::string fit_json(const Scenario& scenario, const FitReport& report,
   json.key("attitudes").value(static_cast<std::int64_t>(seen.attitudes.size()));
   json.key("directions").value(static_cast<std::int64_t>(seen.directions.size()));
   json.key("rates").value(static_cast<std::int64_t>(seen.rates.size()));
+  if (!seen.measurements.empty())
+    json.key("measurements").value(static_cast<std::int64_t>(seen.measurements.size()));
   json.key("starts").value(report.starts).key("failed").value(report.failed);
   if (!report.failure.empty()) json.key("failure").value(report.failure);
   json.key("solutions").begin_array();

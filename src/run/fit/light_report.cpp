@@ -299,21 +299,22 @@ bool begins_like_magnitude(std::string name) {
 
 // Whether numbers of a table look like magnitudes: all of them between those of bright asteroids
 // and the faintest, and near each other.
-std::string magnitude_note(const Observation& of, double least, double most) {
+std::string magnitude_note(const Observation& table, double least, double most) {
+  const LightObservation& of = *table.light;
   constexpr double brightest = 5.0, faintest = 30.0, range = 4.0;
-  const bool is_flux = of.brightness == Observation::Brightness::flux;
+  const bool is_flux = of.brightness == LightObservation::Brightness::flux;
   const std::string column = of.columns.size() > 1 ? of.columns[1] : std::string();
   if (is_flux && begins_like_magnitude(column))
-    return "the column " + column + " of " + of.shown() +
+    return "the column " + column + " of " + table.shown() +
            " was read as fluxes; brightness = \"magnitude\" reads magnitudes";
   if (is_flux && least > brightest && most < faintest && most - least < range)
     return fmt::format(
         "fluxes of {} are from {:.4g} to {:.4g}, as magnitudes are; brightness = \"magnitude\" "
         "reads "
         "magnitudes",
-        of.shown(), least, most);
+        table.shown(), least, most);
   if (!is_flux && column.starts_with("flux"))
-    return "the column " + column + " of " + of.shown() +
+    return "the column " + column + " of " + table.shown() +
            " was read as magnitudes; brightness = \"flux\" reads fluxes";
   return {};
 }
@@ -322,7 +323,7 @@ void add_magnitude_notes(const Scenario& scenario, const ReadObservations& obser
                          std::vector<std::string>& notes) {
   const std::vector<Observation>& tables = require_fit(scenario).observations;
   for (std::size_t t = 0; t < tables.size(); ++t) {
-    if (tables[t].light_format != Observation::LightFormat::columns) continue;
+    if (tables[t].light->format != LightObservation::Format::columns) continue;
     double least = std::numeric_limits<double>::infinity(), most = -least;
     for (std::size_t c = 0; c < observed.curves.size(); ++c) {
       if (observed.curve_rows[c].front().table != t) continue;

@@ -53,11 +53,8 @@ class Noise {
   Noise(std::uint64_t seed, std::size_t table)
       : random_(seed, key_of("observation[" + std::to_string(table) + "]")) {}
 
-  Vec3 at(std::size_t row, const Vec3& sigma) const {
-    Vec3 x;
-    for (int i = 0; i < 3; ++i)
-      x[i] = sigma[i] * random_.normal(row, static_cast<std::uint64_t>(i));
-    return x;
+  double normal(std::size_t row, std::size_t place) const {
+    return random_.normal(row, static_cast<std::uint64_t>(place));
   }
 
  private:
@@ -120,7 +117,8 @@ double sum_of(const LightCurve& curve) {
 std::vector<LightCurve> simulated_sessions(const Scenario& scenario, std::size_t table,
                                            const std::vector<Seen>& motion) {
   const FitPlan& plan = require_fit(scenario);
-  const Observation& of = plan.observations.at(table);
+  const std::string& name = plan.observations.at(table).name;
+  const LightObservation& of = *plan.observations.at(table).light;
   if (!of.sigma)
     refuse_kind(scenario, table,
                 "expected a key sigma, not sigma_columns: a simulation has no file to take errors "
@@ -131,7 +129,7 @@ std::vector<LightCurve> simulated_sessions(const Scenario& scenario, std::size_t
   double sum = 0.0;
   std::size_t points = 0;
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    LightCurve curve{.name = of.name, .is_calibrated = of.is_calibrated, .points = {}};
+    LightCurve curve{.name = name, .is_calibrated = of.is_calibrated, .points = {}};
     for (const std::size_t k : rows[i]) curve.points.push_back({.t = motion[k].t});
     curve = with_vectors_of(scenario, table, std::move(curve));
     for (std::size_t k = 0; k < rows[i].size(); ++k) {
@@ -143,8 +141,8 @@ std::vector<LightCurve> simulated_sessions(const Scenario& scenario, std::size_t
     points += curve.points.size();
     curves.push_back(std::move(curve));
   }
-  const bool is_magnitude = of.brightness == Observation::Brightness::magnitude ||
-                            of.light_format == Observation::LightFormat::alcdef;
+  const bool is_magnitude = of.brightness == LightObservation::Brightness::magnitude ||
+                            of.format == LightObservation::Format::alcdef;
   const Noise noise(plan.noise, table);
   const double mean = sum / static_cast<double>(points);
   for (std::size_t i = 0; i < curves.size(); ++i) {
@@ -155,7 +153,7 @@ std::vector<LightCurve> simulated_sessions(const Scenario& scenario, std::size_t
       p.flux /= unit;
       // a part of the mean of its session, or a magnitude, as it is read
       p.sigma = *of.sigma * (is_magnitude ? magnitude_slope * p.flux : own / unit);
-      p.flux += noise.at(rows[i][k], {p.sigma, 0.0, 0.0}).x;
+      p.flux += p.sigma * noise.normal(rows[i][k], 0);
     }
   }
   return curves;
@@ -229,48 +227,17 @@ std::vector<Seen> motion_of(const Scenario& scenario) {
   return all;
 }
 
-// q exp(turn / 2)
-Quaternion turned(const Quaternion& q, const Vec3& turn) {
-  const double angle = norm(turn), half = 0.5 * angle;
-  const double k = angle > 0.0 ? std::sin(half) / angle : 0.5;
-  return normalized(q * Quaternion{std::cos(half), k * turn.x, k * turn.y, k * turn.z});
-}
-
-Vec3 sigma_of(const Observation& of) {
-  if (of.sigma) return {*of.sigma, *of.sigma, *of.sigma};
-  return of.sigmas.value_or(Vec3{});
-}
-
-void add(Snapshots& rows, const Observation& of, const Seen& seen, const Vec3& noise,
-         const Vec3& sigma) {
-  switch (of.kind) {
-    case Observation::Kind::attitude:
-      rows.attitudes.push_back({seen.t, turned(seen.q, noise), covariance_of(sigma)});
-      break;
-    case Observation::Kind::direction: {
-      const Vec3 axis = (1.0 / norm(of.axis)) * of.axis;
-      const Vec3 other = std::fabs(axis.x) < 0.6 ? Vec3{1.0, 0.0, 0.0} : Vec3{0.0, 1.0, 0.0};
-      const Vec3 across = cross(axis, other);
-      const Vec3 e = (1.0 / norm(across)) * across;
-      const Quaternion q = turned(seen.q, noise.x * e + noise.y * cross(axis, e));
-      rows.directions.push_back({seen.t, of.axis, rotate(q, axis), sigma.x});
-      break;
-    }
-    case Observation::Kind::rate:
-      rows.rates.push_back({seen.t, seen.w + noise, covariance_of(sigma)});
-      break;
-    case Observation::Kind::light_curve:  // simulated_sessions
-      break;
-  }
-}
-
 Snapshots rows_of(const FitPlan& plan, std::size_t table, const std::vector<Seen>& motion) {
-  const Observation& of = plan.observations.at(table);
+  const ObservedRows& of = plan.observations.at(table).rows;
   const Noise noise(plan.noise, table);
-  const Vec3 sigma = sigma_of(of);
+  // errors in columns are rejected when the file is written
+  const std::vector<double> sigmas =
+      of.sigmas.empty() ? std::vector<double>(of.error_units.size(), 0.0) : of.sigmas;
   Snapshots rows;
   for (std::size_t k = 0; k < motion.size(); ++k)
-    add(rows, of, motion[k], noise.at(k, sigma), sigma);
+    of.simulate(
+        {motion[k].t, motion[k].q, motion[k].w},
+        [&](std::size_t place) { return noise.normal(k, place); }, sigmas, rows);
   return rows;
 }
 
@@ -279,13 +246,13 @@ std::vector<std::string> notes_of(const Scenario& scenario, std::size_t table) {
               detail::printable(scenario.document.name, detail::longest_path) + ", seed " +
               std::to_string(require_fit(scenario).noise),
           "observation " + std::to_string(table + 1) + ": " +
-              std::string(kind_word(require_fit(scenario).observations[table].kind))};
+              require_fit(scenario).observations[table].kind};
 }
 
 std::string text_of(const Scenario& scenario, std::size_t table, const std::vector<Seen>& motion) {
   const FitPlan& plan = require_fit(scenario);
   const std::vector<std::string> notes = notes_of(scenario, table);
-  if (plan.observations[table].kind == Observation::Kind::light_curve)
+  if (plan.observations[table].light)
     return light_curve_text(scenario, table, detail::simulated_sessions(scenario, table, motion),
                             notes);
   return observation_text(scenario, table, rows_of(plan, table, motion), notes);
@@ -308,7 +275,7 @@ void require_free(const std::vector<std::string>& paths, const Scenario& scenari
 
 void require_light(const Scenario& scenario, std::size_t table, bool is_light) {
   const Observation& of = simulated_plan(scenario).observations.at(table);
-  if ((of.kind == Observation::Kind::light_curve) == is_light) return;
+  if (of.light.has_value() == is_light) return;
   detail::refuse_kind(scenario, table,
                       is_light
                           ? "expected \"light-curve\"; what else is seen is simulated by simulated"

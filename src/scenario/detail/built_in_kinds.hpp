@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The kinds that polhode has of [frame.NAME], [method], [orbit.NAME], [[perturbation]] and of
-// experiments. A new one is a source in a folder of kinds/, a line here and one in kinds.cpp.
+// The kinds that polhode has of [frame.NAME], [method], [orbit.NAME], [[perturbation]],
+// [[observation]] and of experiments. A new one is a source in a folder of kinds/, a line here and
+// one in kinds.cpp.
 #pragma once
 
 #include <string>
@@ -9,6 +10,7 @@
 #include "polhode/scenario/experiment_kind.hpp"
 #include "polhode/scenario/frame_kind.hpp"
 #include "polhode/scenario/method_kind.hpp"
+#include "polhode/scenario/observation_kind.hpp"
 #include "polhode/scenario/orbit_kind.hpp"
 #include "polhode/scenario/perturbation_kind.hpp"
 
@@ -58,6 +60,11 @@ ScenarioOrbit oem_orbit(const OrbitContext& at, const std::string& file, std::op
                         int order);
 
 ExperimentKind nutation_kind();
+
+ObservationKind attitude_kind();
+ObservationKind direction_kind();
+ObservationKind rate_kind();
+ObservationKind light_curve_kind();
 
 }  // namespace detail
 }  // namespace v0

@@ -24,8 +24,8 @@ struct DescribedParts {
   SchemaPart orbit_table;
   SchemaPart orbits;
   SchemaPart frames;
+  SchemaPart observations;
 };
-SchemaPart observation_keys();
 
 }  // namespace detail
 }  // namespace v0

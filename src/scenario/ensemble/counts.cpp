@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "scenario/scenario_parts.hpp"
+#include "text/words.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -13,6 +13,7 @@
 #include "polhode/tables/number_table.hpp"
 #include "scenario/scenario_parts.hpp"
 #include "text/number_text.hpp"
+#include "text/words.hpp"
 
 namespace polhode {
 inline namespace v0 {

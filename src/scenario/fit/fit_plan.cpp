@@ -17,32 +17,29 @@ namespace detail {
 namespace {
 
 // Light curves are fitted by themselves, and their orbits are those of the file.
-std::vector<Observation> observations_of(const FileValues& at, const Rotation& rotation) {
-  using enum Observation::Kind;
+std::vector<Observation> observations_of(const FileValues& at, const Kinds& kinds,
+                                         const Rotation& rotation) {
   const std::size_t count = array_paths(at.values, "observation").size();
-  std::vector<Placed<Observation>> tables;
   std::vector<Observation> all;
+  for (std::size_t i = 0; i < count; ++i) all.push_back(observation_of(at, i, kinds, rotation));
   for (std::size_t i = 0; i < count; ++i) {
-    tables.push_back(placed_observation(at, i));
-    all.push_back(observation_of(tables.back()));
-  }
-  for (std::size_t i = 0; i < count; ++i) {
-    const Placed<Observation>& table = tables[i];
-    if ((all[i].kind == light_curve) != (all.front().kind == light_curve))
+    const Placed<Observation> table = placed_observation(at, i);
+    if (all[i].light.has_value() != all.front().light.has_value())
       table.refuse<&Observation::kind>(
           "expected light curves alone, or none: they are fitted by themselves");
-    if (all[i].orbit.empty()) continue;
-    static_cast<void>(named_orbit<&Observation::orbit>(rotation, table));
-    static_cast<void>(named_orbit<&Observation::observer_orbit>(rotation, table));
+    if (!all[i].light || all[i].light->orbit.empty()) continue;
+    const Placed<LightObservation> light = placed_light(at, table.at().path());
+    static_cast<void>(named_orbit<&LightObservation::orbit>(rotation, light));
+    static_cast<void>(named_orbit<&LightObservation::observer_orbit>(rotation, light));
   }
   return all;
 }
 
 }  // namespace
 
-FitPlan fit_plan(const FileValues& at, const Rotation& rotation) {
+FitPlan fit_plan(const FileValues& at, const Kinds& kinds, const Rotation& rotation) {
   FitPlan plan;
-  plan.observations = observations_of(at, rotation);
+  plan.observations = observations_of(at, kinds, rotation);
   const Placed<FreeTable> free = free_table(at);
   const Placed<FitTable> fit = fit_table(at);
   require_words(free, fit, plan.has_light());

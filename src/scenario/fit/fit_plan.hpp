@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "polhode/scenario/fit_plan.hpp"
+#include "polhode/scenario/kinds.hpp"
 #include "scenario/detail/schema_parts.hpp"
 #include "scenario/tables/fit.hpp"
 #include "scenario/values.hpp"
@@ -14,7 +15,7 @@ inline namespace v0 {
 namespace detail {
 
 // Throws a ScenarioError at the place of what is wrong. So do all below.
-FitPlan fit_plan(const FileValues& at, const Rotation& rotation);
+FitPlan fit_plan(const FileValues& at, const Kinds& kinds, const Rotation& rotation);
 
 // [light], and what [fit] and [simulate] have for light curves.
 LightPlan light_plan(const FileValues& at, const Rotation& rotation, const Placed<FreeTable>& free,

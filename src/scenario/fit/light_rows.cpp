@@ -19,6 +19,7 @@
 #include "polhode/tables/light_columns.hpp"
 #include "polhode/tables/light_curve_file.hpp"
 #include "scenario/fit/observation_table.hpp"
+#include "scenario/kinds/observations/shared_keys.hpp"
 #include "scenario/scenario_parts.hpp"
 
 namespace polhode {
@@ -27,21 +28,41 @@ namespace {
 
 using detail::ObservationTable;
 using O = Observation;
-using Format = Observation::LightFormat;
+using L = LightObservation;
+using Format = LightObservation::Format;
 using TimeFormat = Observation::TimeFormat;
 
 constexpr double speed_of_light = 299792458.0;  // m/s
+
+// The table of a light curve.
+struct LightCurveTable : ObservationTable {
+  explicit LightCurveTable(const ObservationTable& table)
+      : ObservationTable(table),
+        light(*table.of.light),
+        light_place(detail::placed_light(table.place.at().file_values(), table.place.at().path())),
+        to_state(detail::to_state_axes(
+            light.format == Format::lc ? ObservedAxes::ecliptic : light.axes, table.place.at())) {}
+
+  // Whether points have light times of their own, by their vectors to the observer.
+  bool has_own_light_times() const {
+    return of.times == LightTime::at_observer && light.orbit.empty() && !of.light_time;
+  }
+
+  const LightObservation& light;
+  detail::Placed<LightObservation> light_place;
+  Quaternion to_state;  // from its axes to those of the state
+};
 
 LightColumns::Three three(const std::vector<std::string>& names) {
   return names.size() == 3 ? LightColumns::Three{names[0], names[1], names[2]}
                            : LightColumns::Three{};
 }
 
-LightColumns columns_of(const ObservationTable& of) {
-  const Observation& o = of.of;
+LightColumns columns_of(const LightCurveTable& of) {
+  const LightObservation& o = of.light;
   LightColumns columns;
   columns.time = o.columns.at(0);
-  const bool is_flux = o.brightness == Observation::Brightness::flux;
+  const bool is_flux = o.brightness == L::Brightness::flux;
   (is_flux ? columns.flux : columns.magnitude) = o.columns.at(1);
   if (!o.sigma_columns.empty())
     columns.sigma = o.sigma_columns[0];
@@ -51,29 +72,29 @@ LightColumns columns_of(const ObservationTable& of) {
   columns.to_sun = three(o.sun_columns);
   columns.to_observer = three(o.observer_columns);
   columns.is_calibrated = o.is_calibrated;
-  columns.times = o.times;
+  columns.times = of.of.times;
   columns.distances = o.is_of_the_time ? Distances::of_the_time : Distances::unit;
-  if (o.time_format == TimeFormat::number) return columns;
-  columns.form = o.time_format == TimeFormat::date ? LightColumns::Times::dates
-                                                   : LightColumns::Times::julian_dates;
-  if (o.time_format == TimeFormat::modified_julian) columns.julian_zero = detail::modified_zero;
-  columns.scale = *o.time_scale;
+  if (of.of.time_format == TimeFormat::number) return columns;
+  columns.form = of.of.time_format == TimeFormat::date ? LightColumns::Times::dates
+                                                       : LightColumns::Times::julian_dates;
+  if (of.of.time_format == TimeFormat::modified_julian) columns.julian_zero = detail::modified_zero;
+  columns.scale = *of.of.time_scale;
   columns.epoch = of.clock->epoch;
   return columns;
 }
 
-LightCurveFile file_of(const ObservationTable& of, const std::vector<std::size_t>& leave_out) {
+LightCurveFile file_of(const LightCurveTable& of, const std::vector<std::size_t>& leave_out) {
   const std::string path = of.place.file_at<&Observation::file>();
-  if (of.of.light_format == Format::lc)
+  if (of.light.format == Format::lc)
     return read_lc(path, *of.of.time_scale, of.clock->epoch, leave_out);
-  if (of.of.light_format == Format::alcdef) return read_alcdef(path, of.clock->epoch, leave_out);
+  if (of.light.format == Format::alcdef) return read_alcdef(path, of.clock->epoch, leave_out);
   LightColumns columns = columns_of(of);
   columns.leave_out = leave_out;
   return read_light_columns(path, columns);
 }
 
 // What the file declares and the keys say must be the same.
-void require_declared(const ObservationTable& of, const LightSession& session) {
+void require_declared(const LightCurveTable& of, const LightSession& session) {
   if (session.times && *session.times != of.of.times)
     of.place.refuse<&O::times>(
         std::string("expected ") +
@@ -82,10 +103,9 @@ void require_declared(const ObservationTable& of, const LightSession& session) {
 }
 
 // Errors and vectors that the table has and points have not.
-void complete(LightCurve& curve, const Observation& of) {
-  const bool is_part =
-      of.light_format == Format::lc ||
-      (of.light_format == Format::columns && of.brightness == Observation::Brightness::flux);
+void complete(LightCurve& curve, const LightObservation& of) {
+  const bool is_part = of.format == Format::lc ||
+                       (of.format == Format::columns && of.brightness == L::Brightness::flux);
   const double unit = is_part && of.sigma ? std::fabs(mean_flux(curve)) : 0.0;
   for (LightPoint& p : curve.points) {
     if (of.sigma && p.sigma == 0.0)
@@ -97,7 +117,7 @@ void complete(LightCurve& curve, const Observation& of) {
 
 Vec3 turned(const Quaternion& q, const Vec3& v) { return v == Vec3{} ? v : rotate(q, v); }
 
-double speed_of(const ObservationTable& of) {
+double speed_of(const LightCurveTable& of) {
   return of.scenario.units().to_core(speed_of_light, "m/s", Dimension::speed);
 }
 
@@ -107,9 +127,9 @@ double speed_of(const ObservationTable& of) {
 template <auto key>
 class LightOrbit {
  public:
-  explicit LightOrbit(const ObservationTable& of)
+  explicit LightOrbit(const LightCurveTable& of)
       : of_(of),
-        orbit_(detail::named_orbit<key>(of.scenario.rotation(), of.place)),
+        orbit_(detail::named_orbit<key>(of.scenario.rotation(), of.light_place)),
         motion_(any_orbit(orbit_)),
         table_(std::get_if<TableOrbit>(&orbit_.motion)) {}
 
@@ -132,25 +152,25 @@ class LightOrbit {
       const double rounded = slack * std::round(t / slack) + 0.0;  // no -0
       return fmt::format("{:.10g}", units.from_core(rounded, Dimension::time));
     };
-    of_.place.template refuse<key>(
+    of_.light_place.template refuse<key>(
         "it covers the times " + text(begin) + " to " + text(end) + " " + units.time() +
         "; expected all when light " + event + ", " + text(first) + " to " + text(last) +
         (orbit_.kind == "table" ? "" : " (the table is made for [time])"));
   }
 
  private:
-  const ObservationTable& of_;
+  const LightCurveTable& of_;
   const ScenarioOrbit& orbit_;
   AnyOrbit motion_;
   const TableOrbit* table_;  // null: it has no end
 };
 
 // Vectors, and times at the body where `given` are those at the observer.
-LightCurve with_orbits(const ObservationTable& of, LightCurve curve, LightTime given) {
-  const LightOrbit<&O::orbit> body(of);
-  const LightOrbit<&O::observer_orbit> observer(of);
+LightCurve with_orbits(const LightCurveTable& of, LightCurve curve, LightTime given) {
+  const LightOrbit<&L::orbit> body(of);
+  const LightOrbit<&L::observer_orbit> observer(of);
   const double c = speed_of(of);
-  curve = of.place.built<&O::orbit>([&] {
+  curve = of.light_place.built<&L::orbit>([&] {
     return with_vectors(
         std::move(curve), given, [&](double t) { return body.position(t); },
         [&](double t) { return observer.position(t); }, [](double) { return Vec3{}; }, c);
@@ -167,7 +187,7 @@ LightCurve with_orbits(const ObservationTable& of, LightCurve curve, LightTime g
 }
 
 // From when light arrived to when it left, by the vector to the observer of each point.
-LightCurve after_own_light_times(const ObservationTable& of, LightCurve curve) {
+LightCurve after_own_light_times(const LightCurveTable& of, LightCurve curve) {
   constexpr double unit_length = 1e-9;  // of a direction that was written with ten digits
   if (std::ranges::all_of(curve.points, [](const LightPoint& p) {
         return std::fabs(norm(p.to_observer) - 1.0) < unit_length;
@@ -179,37 +199,37 @@ LightCurve after_own_light_times(const ObservationTable& of, LightCurve curve) {
 }
 
 // In core time at the body, with vectors along the axes of the state.
-LightCurve in_core(const ObservationTable& of, LightCurve curve) {
+LightCurve in_core(const LightCurveTable& of, LightCurve curve) {
   const double unit = of.clock ? of.clock->second : of.time_unit;
   for (LightPoint& p : curve.points) {
     p.t = unit * p.t - of.light_time();
     p.to_sun = turned(of.to_state, p.to_sun);
     p.to_observer = turned(of.to_state, p.to_observer);
   }
-  if (!of.of.orbit.empty()) return with_orbits(of, std::move(curve), of.of.times);
+  if (!of.light.orbit.empty()) return with_orbits(of, std::move(curve), of.of.times);
   if (of.has_own_light_times()) return after_own_light_times(of, std::move(curve));
   return curve;
 }
 
 // Whole numbers from 1; `most` is how many there are.
 template <auto key>
-std::vector<std::size_t> counted_from_1(const ObservationTable& of, std::size_t most) {
+std::vector<std::size_t> counted_from_1(const LightCurveTable& of, std::size_t most) {
   std::vector<std::size_t> all;
-  for (const std::string& one : of.of.*key) {
+  for (const std::string& one : of.light.*key) {
     std::size_t n = 0;
     const auto [end, error] = std::from_chars(one.data(), one.data() + one.size(), n);
     if (error != std::errc() || end != one.data() + one.size() || n < 1 || n > most)
-      of.place.refuse<key>("expected whole numbers from 1 to " + std::to_string(most));
+      of.light_place.refuse<key>("expected whole numbers from 1 to " + std::to_string(most));
     all.push_back(n);
   }
   return all;
 }
 
 // Removes the sessions that the table does not name, and those of which all points are left out.
-void take_wanted(const ObservationTable& of, const std::vector<std::size_t>& left_out,
+void take_wanted(const LightCurveTable& of, const std::vector<std::size_t>& left_out,
                  LightCurveFile& file) {
-  if (!of.of.sessions.empty()) {
-    const std::vector<std::size_t> wanted = counted_from_1<&O::sessions>(of, file.sessions.size());
+  if (!of.light.sessions.empty()) {
+    const std::vector<std::size_t> wanted = counted_from_1<&L::sessions>(of, file.sessions.size());
     std::vector<LightSession> taken;
     for (std::size_t k = 0; k < file.sessions.size(); ++k)
       if (std::ranges::count(wanted, k + 1) > 0) taken.push_back(std::move(file.sessions[k]));
@@ -219,28 +239,29 @@ void take_wanted(const ObservationTable& of, const std::vector<std::size_t>& lef
   for (const LightSession& session : file.sessions)
     for (const std::size_t line : session.left_out) std::erase(unseen, line);
   if (!unseen.empty())
-    of.place.refuse<&O::leave_out>("expected lines with a point of the sessions taken; line " +
-                                   std::to_string(unseen.front()) + " has none");
+    of.light_place.refuse<&L::leave_out>(
+        "expected lines with a point of the sessions taken; line " +
+        std::to_string(unseen.front()) + " has none");
   std::erase_if(file.sessions, [](const LightSession& s) { return s.curve.points.empty(); });
-  if (file.sessions.empty()) of.place.refuse<&O::leave_out>("expected some points to stay");
+  if (file.sessions.empty()) of.light_place.refuse<&L::leave_out>("expected some points to stay");
 }
 
 template <auto... keys>
-void require_names(const ObservationTable& of) {
+void require_names(const LightCurveTable& of) {
   const auto is_number = [](const std::string& name) {
     return name.empty() || (name.front() >= '0' && name.front() <= '9');
   };
-  ((std::ranges::any_of(of.of.*keys, is_number)
-        ? of.place.refuse<keys>("expected names and no numbers of columns to simulate")
+  ((std::ranges::any_of(of.light.*keys, is_number)
+        ? of.light_place.refuse<keys>("expected names and no numbers of columns to simulate")
         : void()),
    ...);
 }
 
 // Those that the keys of the table read, with names of others that are written beside them.
-LightColumns written_columns(const ObservationTable& of, std::size_t sessions, bool has_vectors) {
-  const Observation& o = of.of;
-  require_names<&O::columns, &O::sigma_columns, &O::session_column, &O::sun_columns,
-                &O::observer_columns>(of);
+LightColumns written_columns(const LightCurveTable& of, std::size_t sessions, bool has_vectors) {
+  const LightObservation& o = of.light;
+  require_names<&L::columns, &L::sigma_columns, &L::session_column, &L::sun_columns,
+                &L::observer_columns>(of);
   if (sessions > 1 && o.session_column.empty())
     of.place.refuse<&O::file>(
         "expected session_column = [\"session\"] as well, to simulate more than "
@@ -255,8 +276,8 @@ LightColumns written_columns(const ObservationTable& of, std::size_t sessions, b
 }
 
 // The first flaw of what was read, with the key that mends it.
-void require_usable(const ObservationTable& of, const LightCurveFile& file) {
-  const LightCurveNeeds needs{.vectors = of.of.orbit.empty()};
+void require_usable(const LightCurveTable& of, const LightCurveFile& file) {
+  const LightCurveNeeds needs{.vectors = of.light.orbit.empty()};
   try {
     require_sound(file, needs);
   } catch (const DomainError& error) {
@@ -289,23 +310,25 @@ void sort_points(LightSession& session) {
 
 }  // namespace
 
-void detail::read_light_curves(const ObservationTable& of, std::size_t index,
+void detail::read_light_curves(const ObservationTable& table, std::size_t index,
                                ReadObservations& all) {
-  if (of.of.sigma && !(*of.of.sigma > 0.0))
-    of.place.refuse<&O::sigma>("expected one above 0 for a fit; 0 is for simulations");
-  const std::vector<std::size_t> left_out = counted_from_1<&O::leave_out>(of, 0xffffffff);
+  const LightCurveTable of(table);
+  if (of.light.sigma && !(*of.light.sigma > 0.0))
+    of.light_place.refuse<&L::sigma>("expected one above 0 for a fit; 0 is for simulations");
+  const std::vector<std::size_t> left_out = counted_from_1<&L::leave_out>(of, 0xffffffff);
   LightCurveFile file = file_of(of, left_out);
   take_wanted(of, left_out, file);
   for (LightSession& session : file.sessions) {
     require_declared(of, session);
-    complete(session.curve, of.of);
-    if (of.of.sorts) sort_points(session);
+    complete(session.curve, of.light);
+    if (of.light.sorts) sort_points(session);
   }
   require_usable(of, file);
   for (LightSession& session : file.sessions) {
     LightCurve curve = in_core(of, std::move(session.curve));
-    if (of.of.is_of_the_time)
-      curve = of.place.built<&O::is_of_the_time>([&] { return at_unit_distances(curve, 1.0); });
+    if (of.light.is_of_the_time)
+      curve =
+          of.light_place.built<&L::is_of_the_time>([&] { return at_unit_distances(curve, 1.0); });
     std::vector<ObservedRow> rows;
     for (std::size_t k = 0; k < curve.points.size(); ++k)
       rows.push_back({index, static_cast<std::uint32_t>(k < session.lines.size() ? session.lines[k]
@@ -316,15 +339,15 @@ void detail::read_light_curves(const ObservationTable& of, std::size_t index,
 }
 
 LightCurve with_vectors_of(const Scenario& scenario, std::size_t index, LightCurve curve) {
-  const ObservationTable of = detail::observation_table(scenario, index);
-  if (!of.of.orbit.empty()) return with_orbits(of, std::move(curve), LightTime::at_body);
+  const LightCurveTable of(detail::observation_table(scenario, index));
+  if (!of.light.orbit.empty()) return with_orbits(of, std::move(curve), LightTime::at_body);
   const auto required = [&](const char* key, const std::optional<Vec3>& given) {
     if (given && norm(*given) > 0.0) return turned(of.to_state, *given);
     of.place.refuse<&O::kind>(std::string("expected a key ") + key +
                               " as well, a vector that is not 0, or orbits, for a simulation");
   };
-  const Vec3 sun = required("to_sun", of.of.to_sun);
-  const Vec3 observer = required("to_observer", of.of.to_observer);
+  const Vec3 sun = required("to_sun", of.light.to_sun);
+  const Vec3 observer = required("to_observer", of.light.to_observer);
   for (LightPoint& p : curve.points) {
     p.to_sun = sun;
     p.to_observer = observer;
@@ -335,10 +358,10 @@ LightCurve with_vectors_of(const Scenario& scenario, std::size_t index, LightCur
 std::string light_curve_text(const Scenario& scenario, std::size_t index,
                              std::span<const LightCurve> curves,
                              std::span<const std::string> notes) {
-  const ObservationTable of = detail::observation_table(scenario, index);
-  const bool has_columns = of.of.light_format == Format::columns;
+  const LightCurveTable of(detail::observation_table(scenario, index));
+  const bool has_columns = of.light.format == Format::columns;
   const double unit = has_columns ? 1.0 : of.clock->second;
-  const bool has_orbit = !of.of.orbit.empty();
+  const bool has_orbit = !of.light.orbit.empty();
   std::vector<LightCurve> written(curves.begin(), curves.end());
   for (LightCurve& curve : written)
     for (LightPoint& p : curve.points) {
@@ -352,13 +375,13 @@ std::string light_curve_text(const Scenario& scenario, std::size_t index,
   if (has_columns)
     return light_csv(written, notes, written_columns(of, curves.size(), !has_orbit),
                      [&](double t) { return detail::clock_text(of, t); });
-  if (of.of.light_format == Format::lc)
+  if (of.light.format == Format::lc)
     return lc_text(written, converted(of.clock->epoch, *of.of.time_scale, of.clock->dut1));
   return of.place.built<&O::file>([&] {
     return alcdef_text(written, of.clock->epoch,
                        {.object = of.of.name,
                         .times = of.of.times,
-                        .is_of_the_time = of.of.is_of_the_time,
+                        .is_of_the_time = of.light.is_of_the_time,
                         .notes = {notes.begin(), notes.end()}});
   });
 }

@@ -6,7 +6,6 @@
 #include <optional>
 #include <string_view>
 
-#include "polhode/math/quaternion.hpp"
 #include "polhode/scenario/fit_plan.hpp"
 #include "polhode/scenario/scenario.hpp"
 #include "scenario/detail/clock.hpp"
@@ -19,15 +18,18 @@ namespace detail {
 
 constexpr double modified_zero = 2400000.5;  // of modified Julian dates
 
-// Table `index` of a file. Throws a ScenarioError at the place of what is wrong, as those below.
+// Table `index` of a file, and the keys of a light curve at a path. Throw a ScenarioError at the
+// place of what is wrong, as those below.
 Placed<Observation> placed_observation(const FileValues& file, std::size_t index);
-Observation observation_of(const Placed<Observation>& table);
+Placed<LightObservation> placed_light(const FileValues& file, const std::string& path);
+Observation observation_of(const FileValues& file, std::size_t index, const Kinds& kinds,
+                           const Rotation& rotation);
 [[noreturn]] void refuse_kind(const Scenario& scenario, std::size_t index,
                               std::string_view message);
 
-// The orbit that a key of the table names.
+// The orbit that a key of a light curve names.
 template <auto key>
-const ScenarioOrbit& named_orbit(const Rotation& rotation, const Placed<Observation>& table) {
+const ScenarioOrbit& named_orbit(const Rotation& rotation, const Placed<LightObservation>& table) {
   const KeyValues& at = table.at();
   return orbit_named(rotation.orbits, at.values(), at.key_path(table.name<key>()), at.file());
 }
@@ -38,17 +40,10 @@ struct ObservationTable {
   const Observation& of;
   Placed<Observation> place;
   double time_unit = 1.0;
-  double value_unit = 1.0;
   std::optional<Clock> clock = std::nullopt;
-  Quaternion to_state;  // from its axes to those of the state
 
   double light_time() const {
     return of.times == LightTime::at_observer ? of.light_time.value_or(0.0) : 0.0;
-  }
-  // Whether points of a light curve have light times of their own, by their vectors to the
-  // observer.
-  bool has_own_light_times() const {
-    return of.times == LightTime::at_observer && of.orbit.empty() && !of.light_time;
   }
 };
 

@@ -13,13 +13,13 @@
 
 #include "output/obliquity_columns.hpp"
 #include "polhode/error.hpp"
-#include "polhode/output/columns.hpp"
 #include "polhode/scenario/schema.hpp"
 #include "scenario/detail/built_in_kinds.hpp"
 #include "scenario/detail/experiment_kinds.hpp"
 #include "scenario/detail/history_keys.hpp"
 #include "scenario/detail/kind_rows.hpp"
 #include "scenario/detail/schema_table.hpp"
+#include "scenario/fit/observation_keys.hpp"
 #include "scenario/tables/state.hpp"
 #include "scenario/values.hpp"
 #include "text/words.hpp"
@@ -165,6 +165,10 @@ detail::KindOfTable row_of(const OrbitKind& kind) {
           kind.sets};
 }
 constexpr std::string_view sort_of(const OrbitKind&) { return "orbit"; }
+detail::KindOfTable row_of(const ObservationKind& kind) {
+  return {{{}, kind.name, kind.help}, kind.keys, kind.sets};
+}
+constexpr std::string_view sort_of(const ObservationKind&) { return "observation"; }
 detail::KindOfTable row_of(const FrameKind& kind) {
   return {{{}, kind.name, kind.help}, kind.keys, kind.sets};
 }
@@ -227,7 +231,7 @@ std::vector<PerturbationKind> our_perturbations() {
 // Scenarios have one word for a chart, for its table in [state] and for its columns, and `polhode
 // init` has one for a chart, a perturbation or an experiment.
 void require_own_word(const Kinds& kinds, const ChartKind& chart) {
-  std::vector<std::string_view> taken = column_group_names(kinds.charts());
+  std::vector<std::string_view> taken = column_group_names(kinds.columns());
   for (const std::string_view group : detail::spin_column_groups()) taken.push_back(group);
   for (const Key* key : keys_of(kinds.schema(), "state")) taken.push_back(key_name(key->path));
   for (const PerturbationKind& kind : kinds.perturbations()) taken.push_back(kind.name);
@@ -241,14 +245,40 @@ void require_own_word(const Kinds& kinds, const ChartKind& chart) {
 
 // A column is one number in all groups.
 void require_own_columns(const Kinds& kinds, const ChartKind& chart) {
-  const std::vector<std::string_view> known = column_names(kinds.charts());
+  const std::vector<std::string_view> known = column_names(kinds.columns());
   for (const ChartVariable& variable : chart.variables) {
     const std::string_view column = variable.column;
     const bool is_other = std::find(known.begin(), known.end(), column) != known.end() &&
-                          column_dimension(column, kinds.charts()) != variable.dimension;
+                          column_dimension(column, kinds.columns()) != variable.dimension;
     if (is_other || column == "t")
       throw DomainError(detail::shown_kind("chart", chart.name) + ": the column " +
                         std::string(column) + " is another number; expected another name in rows");
+  }
+}
+
+bool is_in(std::span<const std::string_view> words, std::string_view word) {
+  return std::ranges::find(words, word) != words.end();
+}
+
+// DomainError unless the group and its columns have plain names that nothing else has.
+void require_own_columns(const Kinds& kinds, const ColumnKind& kind) {
+  const std::string shown = detail::shown_kind("column group", kind.name);
+  std::vector<std::string_view> groups = column_group_names(kinds.columns());
+  for (const std::string_view group : detail::spin_column_groups()) groups.push_back(group);
+  const std::vector<std::string_view> columns = column_names(kinds.columns());
+  if (!detail::is_name(kind.name)) throw DomainError(shown + "; expected letters, digits, - and _");
+  if (is_in(groups, kind.name) || is_in(columns, kind.name) || kind.name == "t")
+    throw DomainError(shown + " is there; expected another name");
+  std::vector<std::string_view> own;
+  for (const GroupColumn& column : kind.columns) {
+    const std::string where = shown + ", column " + detail::quoted(column.name);
+    if (!detail::is_name(column.name) || column.name.find('-') != std::string_view::npos)
+      throw DomainError(where + "; expected letters, digits and _");
+    if (is_in(groups, column.name) || is_in(columns, column.name) || column.name == "t")
+      throw DomainError(where + " is there; expected another name");
+    if (is_in(own, column.name))
+      throw DomainError(where + " is there twice; expected another name");
+    own.push_back(column.name);
   }
 }
 
@@ -273,6 +303,8 @@ struct Lists {
   std::vector<ExperimentKind> experiments;
   OutputFormats formats;
   std::optional<std::vector<ChartKind>> own_charts = std::nullopt;  // left out: ours as they are
+  std::vector<ColumnKind> own_columns = {};
+  std::vector<ObservationKind> observations = {};
 
   std::span<const ChartKind> charts() const { return own_charts ? *own_charts : default_charts(); }
 };
@@ -310,8 +342,10 @@ struct Kinds::Parts {
         orbits(orbit_table, orbit_kind_key, rows_of(lists.orbits)),
         frames(frame_table, rows_of(lists.frames)),
         methods(method_table, method_kind_key, rows_of(lists.methods)),
+        observations(lists.observations),
         state(lists.charts()),
-        output(lists.charts()),
+        columns(lists.charts(), lists.own_columns),
+        output(columns),
         own(custom_tables(lists.experiments)),
         table(experiment_rows(lists.experiments, own,
                               {state.part(),
@@ -319,7 +353,8 @@ struct Kinds::Parts {
                                methods.part(),
                                {{&orbits_table, 1}, {}},
                                orbits.part(),
-                               frames.part()}),
+                               frames.part(),
+                               observations.part()}),
               output.part(), lists.formats),
         schema(table.schema()) {}
 
@@ -328,7 +363,9 @@ struct Kinds::Parts {
   detail::KindRows orbits;
   detail::TablesOfKinds frames;
   detail::KindRows methods;
+  detail::ObservationRows observations;
   detail::StateRows state;
+  ColumnKinds columns;
   detail::OutputRows output;
   std::deque<detail::TableRows> own;
   detail::SchemaTable table;
@@ -346,7 +383,11 @@ Kinds default_kinds() {
       {detail::adaptive_kind(), detail::collocation_kind(), detail::splitting_kind(),
        detail::variation_of_constants_kind()},
       {detail::nutation_kind()},
-      default_output_formats()});
+      default_output_formats(),
+      std::nullopt,
+      {},
+      {detail::attitude_kind(), detail::direction_kind(), detail::rate_kind(),
+       detail::light_curve_kind()}});
   return Kinds(ours);
 }
 
@@ -407,6 +448,30 @@ Kinds Kinds::with(const ChartKind& chart) const {
   return Kinds(std::make_shared<const Parts>(std::move(lists)));
 }
 
+Kinds Kinds::with(ObservationKind kind) const {
+  for (const Key& key : kind.keys)
+    if (detail::is_shared_observation_key(key.path))
+      throw DomainError(detail::shown_kind("observation", kind.name) + ", key " +
+                        detail::quoted(key.path) +
+                        " is one of all observations; expected another name");
+  Lists lists = parts_->lists;
+  lists.observations = extended(std::move(lists.observations), std::move(kind));
+  return Kinds(std::make_shared<const Parts>(std::move(lists)));
+}
+
+Kinds Kinds::with(ColumnKind kind) const {
+  const std::string shown = detail::shown_kind("column group", kind.name);
+  require_own_columns(*this, kind);
+  if (kind.help.empty()) throw DomainError(shown + ": got no text; expected one sentence");
+  if (kind.columns.empty() || kind.columns.size() > most_columns)
+    throw DomainError(shown + ": got " + std::to_string(kind.columns.size()) +
+                      " columns; expected 1 to " + std::to_string(most_columns));
+  if (!kind.numbers) throw DomainError(shown + ": got no function of a row; expected one");
+  Lists lists = parts_->lists;
+  lists.own_columns.push_back(std::move(kind));
+  return Kinds(std::make_shared<const Parts>(std::move(lists)));
+}
+
 std::span<const PerturbationKind> Kinds::perturbations() const {
   return parts_->lists.perturbations;
 }
@@ -426,8 +491,13 @@ std::span<const ExperimentKind> Kinds::experiments() const { return parts_->list
 const ExperimentKind* Kinds::experiment(std::string_view name) const {
   return named(parts_->lists.experiments, name);
 }
+std::span<const ObservationKind> Kinds::observations() const { return parts_->lists.observations; }
+const ObservationKind* Kinds::observation(std::string_view name) const {
+  return named(parts_->lists.observations, name);
+}
 const OutputFormats& Kinds::formats() const { return parts_->lists.formats; }
 std::span<const ChartKind> Kinds::charts() const { return parts_->lists.charts(); }
+const ColumnKinds& Kinds::columns() const { return parts_->columns; }
 
 const Schema& Kinds::schema() const { return parts_->schema; }
 

@@ -5,8 +5,8 @@
 #include <array>
 #include <string>
 
-#include "polhode/output/columns.hpp"
 #include "scenario/scenario_parts.hpp"
+#include "text/words.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -53,8 +53,8 @@ constexpr Table<EventTable> event_description = {
 
 SchemaPart event_keys() { return part_of<event_description>(); }
 
-std::vector<ScenarioEvent> events_of(const FileValues& file, std::span<const ChartKind> charts) {
-  const std::vector<std::string_view> known = column_names(charts);
+std::vector<ScenarioEvent> events_of(const FileValues& file, const ColumnKinds& columns) {
+  const std::vector<std::string_view> known = column_names(columns);
   std::vector<ScenarioEvent> events;
   for (const Placed<EventTable>& one : placed_tables(event_description, file)) {
     if (std::find(known.begin(), known.end(), one->column) == known.end())
@@ -69,7 +69,7 @@ std::vector<ScenarioEvent> events_of(const FileValues& file, std::span<const Cha
       one.refuse<&EventTable::name>(message);
     }
     events.push_back({own, one->column,
-                      file.units.to_core(one->value, column_dimension(one->column, charts)),
+                      file.units.to_core(one->value, column_dimension(one->column, columns)),
                       one->crossing, one->stops, one->interval});
   }
   return events;

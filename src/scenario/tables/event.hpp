@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "polhode/output/column_kind.hpp"
 #include "polhode/scenario/rotation.hpp"
-#include "polhode/tables/chart_kind.hpp"
 #include "scenario/table.hpp"
 
 namespace polhode {
@@ -16,7 +16,7 @@ inline namespace v0 {
 namespace detail {
 
 SchemaPart event_keys();
-std::vector<ScenarioEvent> events_of(const FileValues& file, std::span<const ChartKind> charts);
+std::vector<ScenarioEvent> events_of(const FileValues& file, const ColumnKinds& columns);
 // Throws a ScenarioError at the column of event i.
 [[noreturn]] void refuse_event_column(const FileValues& file, std::size_t i,
                                       std::string_view message);

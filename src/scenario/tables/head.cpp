@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "output/obliquity_columns.hpp"
-#include "polhode/output/columns.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -76,8 +75,8 @@ std::vector<Key> with_words(const Table<A>& table, std::string_view name, std::s
   return keys;
 }
 
-std::string groups_of(std::span<const ChartKind> charts) {
-  std::vector<std::string_view> names = column_group_names(charts);
+std::string groups_of(const ColumnKinds& columns) {
+  std::vector<std::string_view> names = column_group_names(columns);
   for (const std::string_view name : spin_column_groups())
     if (std::ranges::find(names, name) == names.end()) names.push_back(name);
   std::string words;
@@ -93,8 +92,8 @@ HeadRows::HeadRows(std::string kinds) {
 }
 Placed<HeadTable> head_table(const FileValues& file) { return {head_description, file}; }
 
-OutputRows::OutputRows(std::span<const ChartKind> charts) {
-  add(output_description.row, with_words(output_description, "columns", own(groups_of(charts))));
+OutputRows::OutputRows(const ColumnKinds& columns) {
+  add(output_description.row, with_words(output_description, "columns", own(groups_of(columns))));
 }
 Placed<OutputTable> output_table(const FileValues& file) { return {output_description, file}; }
 void refuse_columns(const FileValues& file, std::string_view message) {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "polhode/tables/chart_kind.hpp"
+#include "polhode/output/column_kind.hpp"
 #include "scenario/table.hpp"
 
 namespace polhode {
@@ -32,7 +32,7 @@ struct OutputTable {
 };
 class OutputRows : public TableRows {
  public:
-  explicit OutputRows(std::span<const ChartKind> charts);
+  explicit OutputRows(const ColumnKinds& columns);
 };
 Placed<OutputTable> output_table(const FileValues& file);
 // Throws a ScenarioError at output.columns.

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "output/obliquity_columns.hpp"
-#include "polhode/output/columns.hpp"
+#include "polhode/output/column_kind.hpp"
 #include "scenario/number_location.hpp"
 #include "scenario/scenario_parts.hpp"
 #include "scenario/tables/state.hpp"
@@ -133,15 +133,17 @@ MapAxis axis_of(const Placed<MapAxis>& from) {
 }
 
 std::string column_of(const Placed<MapTable>& map, const System& system,
-                      std::span<const ChartKind> charts) {
+                      const ColumnKinds& columns) {
   const std::string& column = map->column;
-  const std::vector<std::string_view> known = column_names(charts);
+  const std::vector<std::string_view> known = column_names(columns);
   if (std::ranges::find(known, column) == known.end())
     map.refuse<&MapTable::column>(
         "expected a column such as \"theta\", \"L\" or \"w3\" (docs/reference/files.md)" +
         did_you_mean(column, known));
-  if (needs_energy(column) && !system.has_energy())
+  if (columns.needs_energy(column) && !system.has_energy())
     map.refuse<&MapTable::column>("expected another column, since a perturbation has no energy");
+  if (columns.needs_damper(column) && !system.damper())
+    map.refuse<&MapTable::column>("expected a perturbation of kind \"kane-damper\" for it");
   const bool equator = state_table(map.at().file_values())->axes == "equator-J2000";
   if (column.starts_with("pole_") && equator != (column == "pole_ra" || column == "pole_dec"))
     map.refuse<&MapTable::column>(std::string("expected ") +
@@ -171,8 +173,7 @@ std::string section_orbit(const Placed<MapTable>& map, const std::vector<Scenari
 }
 
 // The plan without its axes.
-MapPlan plan_of(const Rotation& rotation, const Placed<MapTable>& map,
-                std::span<const ChartKind> charts) {
+MapPlan plan_of(const Rotation& rotation, const Placed<MapTable>& map, const ColumnKinds& columns) {
   MapPlan plan{.kind = map->kind};
   switch (map->kind) {
     case MapKind::chaos:
@@ -181,8 +182,8 @@ MapPlan plan_of(const Rotation& rotation, const Placed<MapTable>& map,
             "expected another kind, since the state of a Kane damper has no indicator of chaos");
       break;
     case MapKind::column:
-      plan.column = column_of(map, rotor_system(rotation), charts);
-      plan.unit = map.at().units().label(column_dimension(plan.column, charts));
+      plan.column = column_of(map, rotor_system(rotation), columns);
+      plan.unit = map.at().units().label(column_dimension(plan.column, columns));
       break;
     case MapKind::andoyer_section:
       plan.surface = surface_of(map);
@@ -198,7 +199,7 @@ MapPlan plan_of(const Rotation& rotation, const Placed<MapTable>& map,
   return plan;
 }
 
-MapPlan plan_of(const Obliquity& of, const Placed<MapTable>& map, std::span<const ChartKind>) {
+MapPlan plan_of(const Obliquity& of, const Placed<MapTable>& map, const ColumnKinds&) {
   if (map->kind == MapKind::frequency) {
     if (of.time && of.time->size() < 2 * least_samples)
       time_table(map.at().file_values())
@@ -220,14 +221,13 @@ MapPlan plan_of(const Obliquity& of, const Placed<MapTable>& map, std::span<cons
   return {.kind = MapKind::column, .column = column, .unit = unit_of(*found, map.at().units())};
 }
 
-MapPlan plan_of(const CustomExperiment& of, const Placed<MapTable>& map,
-                std::span<const ChartKind>) {
+MapPlan plan_of(const CustomExperiment& of, const Placed<MapTable>& map, const ColumnKinds&) {
   map.refuse("kind: got \"" + of.kind + "\"; expected \"rotation\" or \"obliquity\"");
 }
 
-MapPlan without_axes(const Placed<MapTable>& map, std::span<const ChartKind> charts,
+MapPlan without_axes(const Placed<MapTable>& map, const ColumnKinds& columns,
                      const Experiment& experiment) {
-  return std::visit([&](const auto& of) { return plan_of(of, map, charts); }, experiment);
+  return std::visit([&](const auto& of) { return plan_of(of, map, columns); }, experiment);
 }
 
 void require_rows(const Placed<MapTable>& map, const std::optional<SaveAt>& time) {
@@ -244,11 +244,11 @@ void require_rows(const Placed<MapTable>& map, const std::optional<SaveAt>& time
 
 SchemaPart map_keys() { return part_of<map_description, axis_description>(); }
 
-std::optional<MapPlan> map_plan(const FileValues& file, std::span<const ChartKind> charts,
+std::optional<MapPlan> map_plan(const FileValues& file, const ColumnKinds& columns,
                                 const Experiment& experiment) {
   const Placed<MapTable> map(map_description, file);
   if (!map.is_there()) return std::nullopt;
-  MapPlan plan = without_axes(map, charts, experiment);
+  MapPlan plan = without_axes(map, columns, experiment);
   double cells = 1.0;
   for (const Placed<MapAxis>& one : placed_tables(axis_description, file)) {
     MapAxis axis = axis_of(one);
@@ -263,10 +263,9 @@ std::optional<MapPlan> map_plan(const FileValues& file, std::span<const ChartKin
   return plan;
 }
 
-void require_map(const FileValues& file, std::span<const ChartKind> charts,
-                 const Experiment& experiment) {
+void require_map(const FileValues& file, const ColumnKinds& columns, const Experiment& experiment) {
   const Placed<MapTable> map(map_description, file);
-  static_cast<void>(without_axes(map, charts, experiment));
+  static_cast<void>(without_axes(map, columns, experiment));
   require_rows(map, rows_of(experiment));
 }
 

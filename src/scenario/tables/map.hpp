@@ -4,6 +4,7 @@
 
 #include <span>
 
+#include "polhode/output/column_kind.hpp"
 #include "polhode/scenario/scenario.hpp"
 #include "scenario/table.hpp"
 
@@ -14,11 +15,10 @@ namespace detail {
 SchemaPart map_keys();
 // Returns nullopt without [map]. ScenarioError at the place of a mistake, and for an experiment
 // without maps.
-std::optional<MapPlan> map_plan(const FileValues& file, std::span<const ChartKind> charts,
+std::optional<MapPlan> map_plan(const FileValues& file, const ColumnKinds& columns,
                                 const Experiment& experiment);
 // Checks the experiment of a cell, which has other numbers, against the plan.
-void require_map(const FileValues& file, std::span<const ChartKind> charts,
-                 const Experiment& experiment);
+void require_map(const FileValues& file, const ColumnKinds& columns, const Experiment& experiment);
 
 }  // namespace detail
 }  // namespace v0

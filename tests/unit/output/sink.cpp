@@ -124,7 +124,7 @@ TEST(RowLayout, NoTwoColumnsShareAName) {
   for (const std::string_view group : column_group_names()) all.emplace_back(group);
   std::vector<std::string> names;
   for (const bool equatorial : {true, false}) {
-    const RowLayout layout(all, Units(), Branch::in_columns, default_charts(), {equatorial, "TT"});
+    const RowLayout layout(all, Units(), Branch::in_columns, default_columns(), {equatorial, "TT"});
     for (const ColumnGroup& group : layout.groups())
       for (const Column& column : group.columns)
         if (equatorial || column.name.starts_with("pole_")) names.push_back(column.name);

@@ -199,7 +199,7 @@ TEST(Schema, TemplatesOfOrbitsFramesAndMethodsAreScenarios) {
   for (const std::string& kind : words_of("observation")) {
     const Scenario scenario = scenario_from_text(scenario_template(kind), "template");
     ASSERT_EQ(require_fit(scenario).observations.size(), 1U);
-    EXPECT_EQ(kind_word(require_fit(scenario).observations.front().kind), kind);
+    EXPECT_EQ(require_fit(scenario).observations.front().kind, kind);
     EXPECT_EQ(require_fit(scenario).light.searches, kind == "light-curve");
   }
   EXPECT_THAT(scenario_template("aem"), HasSubstr("\n[output.aem]\n"));

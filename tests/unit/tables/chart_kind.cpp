@@ -190,11 +190,12 @@ TEST(ChartKind, AChartFromOutsideIsConvertedAndHasColumns) {
   EXPECT_THAT(table, ::testing::StartsWith("t,l,g,h,L,G,H\n0,"));
   EXPECT_THROW(convert_with("modified-sphericle", "rotor"), DomainError);
 
-  EXPECT_THAT(column_group_names(charts), Contains("modified-spherical"));
-  EXPECT_EQ(column_dimension("log_G", charts), Dimension::number);
+  const ColumnKinds columns(charts);
+  EXPECT_THAT(column_group_names(columns), Contains("modified-spherical"));
+  EXPECT_EQ(column_dimension("log_G", columns), Dimension::number);
   EXPECT_THROW(column_dimension("log_G"), DomainError);
   const std::vector<std::string> groups = {"modified-spherical"};
-  const RowLayout layout(groups, Units(), Branch::in_notes, charts);
+  const RowLayout layout(groups, Units(), Branch::in_notes, columns);
   const Body body(1.0, 2.0, 2.5);
   const FreeRotation motion(body, start());
   std::vector<double> row(layout.width());
