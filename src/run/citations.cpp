@@ -216,7 +216,7 @@ std::vector<Citation> citations_of_kinds(const Scenario& scenario) {
     const MethodKind* const kind = kinds.method(method_traits(*method).kind);
     if (kind != nullptr && kind->cited) add_each_once(all, kind->cited(*method));
   }
-  if (const FitPlan* const plan = fit_plan(scenario))
+  if (const FitPlan* const plan = scenario.fit.get())
     for (const Observation& one : plan->observations)
       if (const ObservationKind* const kind = kinds.observation(one.kind))
         add_each_once(all, kind->citations);
