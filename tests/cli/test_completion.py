@@ -72,7 +72,7 @@ def test_bash_offers_what_an_option_takes(run, offered):
             "nutation --planet earth,venus,mars nutation --axis momentum,figure,rotation"):
         assert offered(command, option, "") == words.split(",")
         assert offered(command, option, "=", words[:2]) == [words.split(",")[0]]
-    assert offered("schema", "") == ["json", "keys", "units"]
+    assert offered("schema", "") == ["json", "keys", "units", "columns"]
     assert {"rotor", "andoyer", "aem"} <= set(offered("convert", "--from", ""))
     assert "csv" in offered("convert", "--from", "aem", "--to", "")
     assert offered("init", "gravity-g") == ["gravity-gradient"]
