@@ -17,7 +17,7 @@ STEPS = 5
 def measured(options):
     import polhode as ph
     orbit = ph.KeplerOrbit(ph.KeplerElements(1.0, 1.0, 0.0))
-    system = ph.System(ph.Body(*MOMENTS), terms=ph.GravityGradient(1.0, orbit))
+    system = ph.System(ph.Body(*MOMENTS), terms=ph.GravityGradient(orbit, 1.0))
     start = ph.RotorState([1, 0, 0, 0], MOMENTUM)
 
     def integral(t, q, g):

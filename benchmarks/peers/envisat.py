@@ -91,6 +91,8 @@ def field_of(heyoka, dipole, size, number):
 
 
 def rates(heyoka, example, number=float):
+    import polhode as ph
+
     gradient, eddies = (term.arguments for term in example.system.terms)
     names = heyoka.make_vars("qw", "qx", "qy", "qz", "wx", "wy", "wz", "x", "y", "vx", "vy")
     q, w, (x, y, vx, vy) = names[:4], names[4:7], names[7:]
@@ -100,7 +102,10 @@ def rates(heyoka, example, number=float):
     r2 = x * x + y * y
     pull = gm * r2 ** number(-1.5)
     n = equations.body_axes(q, r)
-    B, dB = (equations.body_axes(q, c) for c in field_of(heyoka, eddies["field"], a, number)(r, v))
+    dipole = ph.DipoleField.from_gauss(
+        *eddies["gauss"], eddies["reference_radius"], eddies["pole"], eddies["rotation_rate"],
+        eddies["meridian"], eddies["meridian_epoch"])
+    B, dB = (equations.body_axes(q, c) for c in field_of(heyoka, dipole, a, number)(r, v))
     seen = total(cross(w, B), scaled(-1.0, dB))
     M = [[number(m) for m in row] for row in eddies["tensor"]]
     brake = scaled(number(UNIT), cross([dot(row, seen) for row in M], B))

@@ -81,12 +81,12 @@ class Case:
 
 CASES = (
     Case("e = 0.3, gravity to degree 3", 0.3, {"all": third_degree},
-         lambda ph, orbit: [ph.GravityGradient(1.0, orbit), ph.HigherGravity(
-             1.0, orbit, ph.MassMoments(THIRD, np.zeros(15)), "attractor")]),
+         lambda ph, orbit: [ph.GravityGradient(
+             orbit, 1.0, third_moments=THIRD, orbit_of="attractor")]),
     Case("tilted dipole", 0.05, {"all": dipole},
-         lambda ph, orbit: [ph.GravityGradient(1.0, orbit), ph.ResidualDipole(
-             MOMENT, ph.DipoleField(STRENGTH, (float(np.sin(TILT)), 0.0, float(np.cos(TILT))),
-                                    RATE), orbit)]),
+         lambda ph, orbit: [ph.GravityGradient(orbit, 1.0), ph.ResidualDipole(
+             MOMENT, orbit, field=ph.DipoleField(
+                 STRENGTH, (float(np.sin(TILT)), 0.0, float(np.cos(TILT))), RATE))]),
     Case("sunlight with a cone of shadow", sunlight.ECCENTRICITY,
          {light: sunlight.sunlight(light) for light in ("all", "part", "none")}, sunlight.terms,
          sunlight.RATES, in_and_out),

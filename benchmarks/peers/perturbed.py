@@ -72,7 +72,7 @@ def polhode_contenders(case, quick):
     import polhode as ph
     orbit = ph.KeplerOrbit(ph.KeplerElements(
         gm=1.0, pericentre=1.0 - ECCENTRICITY, eccentricity=ECCENTRICITY))
-    system = ph.System(ph.Body(*MOMENTS), terms=[ph.GravityGradient(1.0, orbit)])
+    system = ph.System(ph.Body(*MOMENTS), terms=[ph.GravityGradient(orbit, 1.0)])
     start = ph.RotorState([1, 0, 0, 0], case.momentum)
 
     def run(method):

@@ -39,8 +39,9 @@ def rows():
 
 def terms(ph, orbit):
     sun = ph.KeplerOrbit(ph.KeplerElements(SUN_GM, SUN_FAR, 0.0, TILT, NODE, ARGUMENT))
-    return [ph.GravityGradient(1.0, orbit), ph.SolarPressure(
-        ph.Surface(rows()), PRESSURE, SUN_FAR, orbit, sun, "cone", RADIUS, SUN_RADIUS)]
+    return [ph.GravityGradient(orbit, 1.0), ph.SolarPressure(
+        ph.Surface(rows()), orbit, PRESSURE, SUN_FAR, sun=sun, shadow="cone",
+        shadow_radius=RADIUS, sun_radius=SUN_RADIUS)]
 
 
 def sun_at(angle, cos, sin, number):

@@ -28,7 +28,7 @@ from polhode import (
 
 E, H = 1.0, 0.3
 satellite = Body(1.0, 1.6, 2.0)
-magnet = ResidualDipole([0.3, 0, 0], [0, 0, 1])
+magnet = ResidualDipole([0.3, 0, 0], field=[0, 0, 1])
 system = System(satellite, terms=[magnet])
 
 

@@ -28,7 +28,7 @@ from polhode import (
 a, b, c = 190.0, 145.0, 114.0
 moon = Body(*np.array([b**2 + c**2, a**2 + c**2, a**2 + b**2]) / (a**2 + b**2))
 orbit = KeplerOrbit(KeplerElements(gm=1.0, pericentre=0.9, eccentricity=0.1))
-system = System(moon, terms=[GravityGradient(1.0, orbit)])
+system = System(moon, terms=[GravityGradient(orbit, 1.0)])
 day = 2 * math.pi / 21.277  # the mean motion is 1
 times = np.geomspace(1.0, 5000.0, 200) * day
 

@@ -13,7 +13,6 @@ from polhode import (
     Frame,
     GravityGradient,
     Problem,
-    SpaceAxes,
     Splitting,
     System,
     figures,
@@ -22,7 +21,7 @@ from polhode import (
 )
 
 body = Body(1.0, 1.6, 2.0)
-planet = GravityGradient(1.0, lambda t: (1.0, 0.0, 0.0), SpaceAxes.reference)
+planet = GravityGradient(lambda t: (1.0, 0.0, 0.0), 1.0, axes="reference")
 system = System(body, Frame.precessing((0, 0, 1), 1.0), [planet])
 start = rotor_state(body, [0.9, 0.3, 0.2, 0.1], [1.5, 2.0, 3.0])
 methods = {

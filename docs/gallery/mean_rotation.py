@@ -30,7 +30,7 @@ def motion(body, omega, e, times, strength):
         polhode.KeplerElements(n**2, 1 - e, e, inclination=0.3, node=0.3, argument=0.7)
     )
     start = polhode.rotor_state(body, attitude, omega)
-    system = polhode.System(body, terms=GravityGradient(strength * n**2, orbit))
+    system = polhode.System(body, terms=GravityGradient(orbit, strength * n**2))
     problem = polhode.Problem(system, start, 0.0, times[-1], Adaptive(1e-13))
     return orbit, start, polhode.integrate(problem, polhode.SaveAt.times(times)).states
 

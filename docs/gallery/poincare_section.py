@@ -29,7 +29,7 @@ from polhode import (
 a, b, c = 190.0, 145.0, 114.0
 moon = Body(*np.array([b**2 + c**2, a**2 + c**2, a**2 + b**2]) / (a**2 + b**2))
 orbit = KeplerOrbit(KeplerElements(gm=1.0, pericentre=0.9, eccentricity=0.1))  # mean motion 1
-system = System(moon, terms=[GravityGradient(1.0, orbit)])
+system = System(moon, terms=[GravityGradient(orbit, 1.0)])
 
 
 def section(angle, spin, orbits=400):

@@ -28,7 +28,7 @@ orbit = polhode.KeplerOrbit(
 )
 n = orbit.mean_motion  # rad/s
 revolution = 2 * np.pi / n  # s
-gravity_gradient = polhode.GravityGradient(gm, orbit)
+gravity_gradient = polhode.GravityGradient(orbit, gm)
 # %% [markdown]
 # ## Two angular velocities
 #
@@ -263,7 +263,7 @@ e = 0.05
 ellipse = polhode.KeplerOrbit(
     polhode.KeplerElements(gm, pericentre=a * (1 - e), eccentricity=e)
 )
-driven = polhode.System(satellite, terms=[polhode.GravityGradient(gm, ellipse)])
+driven = polhode.System(satellite, terms=[polhode.GravityGradient(ellipse, gm)])
 at_pericentre = n * np.sqrt((1 + e) / (1 - e) ** 3)  # rate of the vertical there
 
 

@@ -26,11 +26,7 @@ void bind_everything(nb::module_& m) {
   bind_shape(m);
   bind_perturb(m);
   bind_user_terms(m);
-  bind_gravity_terms(m);
-  bind_damping_terms(m);
   bind_damper(m);
-  bind_surface_terms(m);
-  bind_magnetic(m);
   bind_system(m);
   bind_trajectory(m);
   bind_dynamics(m);

@@ -341,7 +341,7 @@ def register(
     --------
     >>> register(PerturbationKind("push", "A constant push.",
     ...                           [Key("torque", "Along axis 3.", "torque", required=True)],
-    ...                           lambda t: ConstantTorque.in_body([0, 0, t["torque"]])))
+    ...                           lambda t: ConstantTorque([0, 0, t["torque"]])))
     """
     if type(kind) not in _FAMILIES:
         raise TypeError(f"register: got {kind!r}; expected a PerturbationKind, an OrbitKind, an "

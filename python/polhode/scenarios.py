@@ -129,8 +129,7 @@ class Scenario:
         Parameters
         ----------
         system : System, or a Body that moves freely. Its terms are any but those that are written
-            in Python, along orbits and in fields that are not, HigherGravity and OblateGravity
-            right after the GravityGradient that they belong to; its frame inertial, precessing or a
+            in Python, along orbits and in fields that are not; its frame inertial, precessing or a
             local vertical.
         state : at t = 0, in any chart, or a FreeRotation. A chart that files do not know becomes a
             quaternion and a momentum.

@@ -7,4 +7,4 @@ from polhode import Body, GravityGradient, KeplerElements, KeplerOrbit, System
 a2, b2, c2 = 190.0**2, 145.0**2, 114.0**2
 HYPERION = Body((b2 + c2) / (a2 + b2), (a2 + c2) / (a2 + b2), 1.0)
 ORBIT = KeplerOrbit(KeplerElements(gm=1.0, pericentre=0.9, eccentricity=0.1))
-SYSTEM = System(HYPERION, terms=[GravityGradient(1.0, ORBIT)])
+SYSTEM = System(HYPERION, terms=[GravityGradient(ORBIT, 1.0)])

@@ -51,7 +51,7 @@ EVERY_METHOD = pytest.mark.parametrize("method", METHODS, ids=lambda m: type(m).
 
 def moon() -> System:
     orbit = KeplerOrbit(KeplerElements(gm=1.0, pericentre=0.9, eccentricity=0.1))
-    return System(BODY, terms=[GravityGradient(0.3, orbit)])
+    return System(BODY, terms=[GravityGradient(orbit, 0.3)])
 
 
 def distance(a: RotorState, b: RotorState) -> float:
@@ -407,7 +407,7 @@ def test_state_transitions_need_terms_for_derivatives():
 
 
 def endless(method, events=()):
-    system = System(BODY, terms=[ConstantTorque.in_body((1e-9, 0.0, 0.0))])
+    system = System(BODY, terms=[ConstantTorque((1e-9, 0.0, 0.0))])
     return Problem(system, START, 0.0, 1e9, method, events)
 
 

@@ -69,7 +69,7 @@ def test_tables_are_orbits():
         assert np.array_equal(orbit.positions, x) and np.array_equal(orbit.times, t)
         for same in (pickle.loads(pickle.dumps(orbit)), copy.copy(orbit)):
             assert np.array_equal(same.position(s), orbit.position(s))
-        term = polhode.GravityGradient(1.0, orbit)
+        term = polhode.GravityGradient(orbit, 1.0)
         assert term.orbit is orbit
     assert (orbit.order, orbit.has_velocities, orbit.is_evenly_spaced) == (8, True, True)
     assert repr(orbit) == "TableOrbit(101 rows from 0.0 to 10.0, order=8)"
@@ -102,7 +102,7 @@ def test_tables_of_few_rows_or_with_a_gap_are_judged():
 def test_a_run_that_leaves_its_table_fails_with_a_sentence():
     t = np.linspace(0, 10, 101)
     orbit = polhode.TableOrbit(t, np.column_stack([np.cos(t), np.sin(t), 0 * t]))
-    system = polhode.System(polhode.Body(1, 2, 2.7), terms=[polhode.GravityGradient(1.0, orbit)])
+    system = polhode.System(polhode.Body(1, 2, 2.7), terms=[polhode.GravityGradient(orbit, 1.0)])
     start = polhode.RotorState([0.5, 0.5, -0.5, 0.5], [0.8, 1.9, 0.3])
     for method in (polhode.Adaptive(), polhode.Splitting(0.07), polhode.VariationOfConstants()):
         assert polhode.integrate(polhode.Problem(system, start, 0, 10, method)).outcome.ok

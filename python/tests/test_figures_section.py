@@ -25,7 +25,6 @@ from polhode import (
     Problem,
     RotorState,
     Scenario,
-    SpaceAxes,
     Splitting,
     System,
     andoyer_section,
@@ -43,7 +42,7 @@ from rejections import rejected
 
 BODY = Body(1.0, 1.6, 2.0)
 SYSTEM = System(BODY, Frame.precessing((0, 0, 1), 1.0),
-                [GravityGradient(1.0, lambda t: (1.0, 0.0, 0.0), SpaceAxes.reference)])
+                [GravityGradient(lambda t: (1.0, 0.0, 0.0), 1.0, axes="reference")])
 START = rotor_state(BODY, [0.9, 0.3, 0.2, 0.1], [0.5, 0.2, 3.0])
 EVENTS = [Event("half", lambda t, s: math.sin(t / 2)), Event("whole", lambda t, s: math.sin(t))]
 RUN = integrate(Problem(SYSTEM, START, 0.0, 40.0, Adaptive(1e-10), EVENTS), dense=False)
@@ -95,7 +94,7 @@ def test_coordinates_are_fields_ratios_functions_and_columns():
 
 MOON = Body(0.7, 0.95, 1.0)
 ORBIT = KeplerOrbit(KeplerElements(gm=1.0, pericentre=0.9, eccentricity=0.1))
-PLANAR = Problem(System(MOON, terms=[GravityGradient(1.0, ORBIT)]),
+PLANAR = Problem(System(MOON, terms=[GravityGradient(ORBIT, 1.0)]),
                  rotor_state(MOON, [1, 0, 0, 0], [0, 0, 2.2]), 0.0, 60.0)
 
 

@@ -245,7 +245,7 @@ def test_frames_of_an_ephemeris(frame):
 def test_what_is_inertial_does_not_depend_on_the_frame(frame):
     """The same motion, in inertial axes and in the frame of date: attitude and inertial angular
     velocity, which the canonical formulas give, are the same, and the relative rate is not."""
-    body, term = polhode.Body(1.0, 2.0, 2.5), polhode.GravityGradient(398600.4418, MOON)
+    body, term = polhode.Body(1.0, 2.0, 2.5), polhode.GravityGradient(MOON, 398600.4418)
     moving, still = polhode.System(body, frame, [term]), polhode.System(body, terms=[term])
     start = polhode.rotor_state(body, [0.5, 0.5, -0.5, 0.5], [1e-6, 2e-6, 3e-5])
     q_IS = frame.at(0.0).q_IS
@@ -285,7 +285,7 @@ def test_a_scenario_is_built_in_the_plane_of_an_orbit():
 def test_a_scenario_is_built_in_the_local_vertical():
     orbit = polhode.KeplerOrbit(polhode.KeplerElements(398600.4418, 7000.0, 0.1))
     system = polhode.System(polhode.Body(100.0, 110.0, 20.0), Frame.local_vertical(orbit),
-                            [polhode.GravityGradient(orbit.gm, orbit)])
+                            [polhode.GravityGradient(orbit, orbit.gm)])
     start = polhode.rotor_state(system.body, [1, 0, 0, 0], [0, -1e-3, 0])
     scenario = polhode.Scenario.build(system, start, time=(0.0, 100.0, 50.0),
                                       columns=["roll_pitch_yaw"], orbits={"earth": orbit})

@@ -54,7 +54,7 @@ def satellite(gm=2e-3):
     """A triaxial body that turns 22 times a revolution, its axis inclined to the orbit."""
     body = polhode.Body(1.0, 1.3, 1.7)
     orbit = polhode.KeplerOrbit(polhode.KeplerElements(gm, 1.0, 0.05, inclination=0.5))
-    return polhode.System(body, terms=[polhode.GravityGradient(gm, orbit)])
+    return polhode.System(body, terms=[polhode.GravityGradient(orbit, gm)])
 
 
 def lines_at(t, y, period):

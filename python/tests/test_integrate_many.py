@@ -10,7 +10,7 @@ import polhode
 import pytest
 
 ORBIT = polhode.KeplerOrbit(polhode.KeplerElements(gm=1.0, pericentre=0.9, eccentricity=0.1))
-GRAVITY = polhode.GravityGradient(1.0, ORBIT)
+GRAVITY = polhode.GravityGradient(ORBIT, 1.0)
 TIMES = [0.5, 2.0, 4.0]
 
 

@@ -103,7 +103,7 @@ def test_at_one_rate():
     T = (START.g**2 / MOMENTS).sum() / 2 + DAMPER.energy(BODY, RATE)
     assert_allclose(energy(at, 0.0, START), T, rtol=budgets.numpy_formula)
     assert not SYSTEM.is_hamiltonian
-    torque = ConstantTorque.in_body([0, 0, 1])
+    torque = ConstantTorque([0, 0, 1])
     assert at_damper_rate(System(BODY, None, torque, DAMPER), RATE).terms[0] is torque
 
 
@@ -153,7 +153,7 @@ def test_refusals(call, message):
 @METHODS
 def test_scenarios_are_built_and_run(method):
     for units in (Units(angle="deg"), Units(angle="rad")):
-        scenario = Scenario.build(System(BODY, None, ConstantTorque.in_body([0.01, 0, 0]), DAMPER),
+        scenario = Scenario.build(System(BODY, None, ConstantTorque([0.01, 0, 0]), DAMPER),
                                   START, (0.0, 4.0, 1.0), method, columns=["g", "damper"],
                                   units=units, damper_rate=RATE)
         assert scenario.system.damper == DAMPER

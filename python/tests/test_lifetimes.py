@@ -144,7 +144,7 @@ def test_an_object_whose_methods_are_its_torques_is_collected():
         def __init__(self, mark):
             self.mark = mark
             frame = p.Frame.orbit_plane(self.node, 0.1)
-            terms = [p.TorqueTerm(self.torque), p.GravityGradient(1.0, self.orbit)]
+            terms = [p.TorqueTerm(self.torque), p.GravityGradient(self.orbit, 1.0)]
             self.system = p.System(BODY, frame, terms)
             self.problem = p.Problem(self.system, START, 0.0, 0.1,
                                      events=[p.Event("node", lambda t, s: self.node(t))])

@@ -39,7 +39,7 @@ def angle(p, q):
 @pytest.mark.parametrize("averages", [True, False])
 def test_states_are_those_of_an_integration(averages):
     times = np.linspace(30.0, 300.0, 10)
-    system = polhode.System(BODY, terms=GravityGradient(WEAK, ORBIT))
+    system = polhode.System(BODY, terms=GravityGradient(ORBIT, WEAK))
     problem = polhode.Problem(system, START, 0.0, 300.0, Adaptive(1e-13))
     exact = polhode.integrate(problem, polhode.SaveAt.times(times)).states
     errors = []

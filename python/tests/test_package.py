@@ -60,8 +60,9 @@ def test_values_are_dataclasses_to_those_who_ask():
     assert dataclasses.replace(given, eccentricity=0.2).eccentricity == 0.2
     with pytest.raises(ValueError, match="eccentricity"):
         dataclasses.replace(given, eccentricity=-1.0)
-    assert dataclasses.asdict(polhode.TidalBody(0.3, 0.01, 1.0)) == {
-        "k2": 0.3, "lag": 0.01, "radius": 1.0}
+    assert dataclasses.asdict(polhode.SecularRates(0.3, 0.01, 1.0)) == {
+        "node": 0.3, "argument": 0.01, "mean_anomaly": 1.0, "inclination": 0.0,
+        "eccentricity": 0.0}
     assert polhode.Splitting.__match_args__ == ("step", "scheme")
     assert "KeplerElements(" in pprint.pformat(given)
 

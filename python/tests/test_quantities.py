@@ -347,8 +347,8 @@ def test_what_a_function_of_the_user_returns_has_no_unit_either():
         for term in (
             polhode.TorqueTerm(lambda t, s, kg=kg: [1.0 * kg, 0.0, 0.0]),
             polhode.HamiltonianTerm(lambda t, s, kg=kg: 1.0 * kg),
-            polhode.GravityGradient(1.0, lambda t, kg=kg: np.array([1.0, 0.0, 0.0]) * kg),
-            polhode.ResidualDipole([0, 0, 1], lambda t, kg=kg: [1.0 * kg, 0.0, 0.0]),
+            polhode.GravityGradient(lambda t, kg=kg: np.array([1.0, 0.0, 0.0]) * kg, 1.0),
+            polhode.ResidualDipole([0, 0, 1], field=lambda t, kg=kg: [1.0 * kg, 0.0, 0.0]),
         ):
             with pytest.raises((TypeError, ValueError), match="the function returned .* ?'?k"):
                 polhode.effect(polhode.System(body, terms=term), 0.0, hub)

@@ -140,7 +140,7 @@ def gravity_gradient(eps):
          + (sin_J * cos_I * series("cos(g)") + cos_J * sin_I) * series("sin(h - s)"))
     h = series(FREE) + series("eps") * u**2
     term = polhode.GravityGradient(
-        2 * eps / (3 * (C - A)), lambda t: [np.cos(CLOCK * t), np.sin(CLOCK * t), 0.0])
+        lambda t: [np.cos(CLOCK * t), np.sin(CLOCK * t), 0.0], 2 * eps / (3 * (C - A)))
     return h, ["g", "s"], term
 
 

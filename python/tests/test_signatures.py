@@ -110,14 +110,14 @@ def test_signatures_of_terms_name_every_orbit_that_they_take():
         polhode.HistoryOrbit(polhode.shipped_orbit("mars"), 1, 1),
         lambda t: [1, 0, 0],
     ]
-    moments = polhode.MassMoments(numpy.zeros(10), numpy.zeros(15))
+    plate = polhode.Surface.of_plate((1, 0, 0), (0, 1, 0), 1.0)
     makers = {
-        polhode.GravityGradient: lambda orbit: polhode.GravityGradient(1, orbit),
-        polhode.HigherGravity: lambda orbit: polhode.HigherGravity(1, orbit, moments, "body"),
-        polhode.OblateGravity: lambda orbit: polhode.OblateGravity(
-            1, orbit, polhode.Oblateness(1e-3, 0.1, [0, 0, 1])),
-        polhode.TidalTorque: lambda orbit: polhode.TidalTorque(
-            1, 1, orbit, polhode.TidalBody(0.1, 0.1, 0.1)),
+        polhode.GravityGradient: lambda orbit: polhode.GravityGradient(orbit, 1),
+        polhode.ResidualDipole: lambda orbit: polhode.ResidualDipole(
+            [1, 0, 0], orbit, field=polhode.DipoleField([0, 0, 1])),
+        polhode.SolarPressure: lambda orbit: polhode.SolarPressure(plate, orbit, 1, 1),
+        polhode.AtmosphericDrag: lambda orbit: polhode.AtmosphericDrag(plate, orbit, 1, 1),
+        polhode.TidalTorque: lambda orbit: polhode.TidalTorque(orbit, 1, 0.1, 0.1, 0.1, gm=1),
     }
     for term, make in makers.items():
         annotation = inspect.signature(term).parameters["orbit"].annotation

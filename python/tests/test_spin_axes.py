@@ -209,7 +209,7 @@ def test_a_planet_on_an_orbit_that_changes():
     assert np.isnan(orbit.position(3e7)).all()
     again = pickle.loads(pickle.dumps(orbit))
     assert np.array_equal(again.position([1.0, 1e4]), orbit.position([1.0, 1e4]))
-    system = polhode.System(polhode.Body(1, 1, 1.1), terms=[polhode.GravityGradient(1.0, orbit)])
+    system = polhode.System(polhode.Body(1, 1, 1.1), terms=[polhode.GravityGradient(orbit, 1.0)])
     assert system.terms[0].orbit.gm == orbit.gm
 
 

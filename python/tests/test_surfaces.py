@@ -97,7 +97,7 @@ def test_sunlight_and_air():
     state = polhode.RotorState(q, [0, 0, 0])
     orbit = polhode.KeplerOrbit(polhode.KeplerElements(1.0, 2.0, 0.1, 0.3))
     sun = np.array([50.0, 20.0, -5.0])
-    term = polhode.SolarPressure(surface, 3.0, 10.0, orbit, sun=lambda t: sun)
+    term = polhode.SolarPressure(surface, orbit, 3.0, 10.0, sun=lambda t: sun)
     to_sun = sun - orbit.position(0.4)
     r = np.linalg.norm(to_sun)
     e = polhode.attitude_matrix(q) @ (to_sun / r)
@@ -105,9 +105,7 @@ def test_sunlight_and_air():
     assert_allclose(polhode.effect(system, 0.4, state).u,
                     3 * (10 / r) ** 2 * light_torque(surface, e), atol=budgets.figure_orbit)
     assert term.is_kick
-    drag = polhode.AtmosphericDrag(
-        surface, 0.2, orbit, scale_height=0.5, radius=2.0, rotation=[0, 0, 0.1]
-    )
+    drag = polhode.AtmosphericDrag(surface, orbit, 0.2, 0.1, scale_height=0.5, density_radius=2.0)
     x = orbit.position(0.4)
     v = orbit.velocity(0.4) - np.cross([0, 0, 0.1], x)
     e = polhode.attitude_matrix(q) @ v / np.linalg.norm(v)
@@ -124,13 +122,14 @@ def test_sunlight_and_air():
     for made in (term.surface, drag):
         assert copy.copy(made) == made
     assert pickle.loads(pickle.dumps(drag)) == drag
-    rejected(ValueError, "density -1", polhode.AtmosphericDrag, surface, -1.0, orbit)
-    rejected(ValueError, "velocity", polhode.AtmosphericDrag, surface, 1.0, lambda t: [1, 0, 0])
+    rejected(ValueError, "AtmosphericDrag: density: got -1.0; expected", polhode.AtmosphericDrag,
+             surface, orbit, -1.0, 0.0)
+    rejected(TypeError, "velocity", polhode.AtmosphericDrag, surface, lambda t: [1, 0, 0], 1.0, 0.0)
     # its velocity is that in inertial axes
     with pytest.raises(TypeError):
-        polhode.AtmosphericDrag(surface, 1.0, orbit, axes="reference")
-    with pytest.raises(ValueError, match="needs `sun`"):
-        polhode.SolarPressure(surface, 1.0, 1.0, orbit, shadow="cylinder", radius=1.0)
+        polhode.AtmosphericDrag(surface, orbit, 1.0, 0.0, axes="reference")
+    with pytest.raises(ValueError, match="expected a key sun as well"):
+        polhode.SolarPressure(surface, orbit, 1.0, 1.0, shadow="cylinder", shadow_radius=1.0)
 
 
 def test_yorp_by_direct_quadrature():
@@ -161,9 +160,10 @@ def test_the_page_says_what_discs_in_a_plane_cost():
     worst = 0.0
     for c in earth + sun * np.linspace(-0.98, 0.98, 41):
         place = -6778 * np.array([np.cos(c), np.sin(c), 0])
-        light = polhode.SolarPressure(surface, 1.0, 1.496e8, lambda t, x=place: x, sun=lambda t,
-                                      x=place: x + np.array([1.496e8, 0, 0]), shadow="cone",
-                                      radius=6378.0, sun_radius=695700.0)  # fmt: skip
+        light = polhode.SolarPressure(
+            surface, lambda t, x=place: x, 1.0, 1.496e8,
+            sun=lambda t, x=place: x + np.array([1.496e8, 0, 0]), shadow="cone",
+            shadow_radius=6378.0, sun_radius=695700.0)
         visible = np.linalg.norm(polhode.effect(polhode.System(body, None, light), 0, state).u)
         edge = (np.cos(earth) - np.cos(r) * np.cos(c)) / (np.sin(r) * np.sin(c))
         covered = np.arccos(np.clip(edge, -1, 1))

@@ -112,7 +112,7 @@ def test_a_pulse_that_its_term_knows():
 def test_terms_know_the_time_scale_of_their_orbit():
     orbit = KeplerOrbit(KeplerElements(4.0, 2.0, 0.0))
     plate = Surface.of_plate([0, 1, 0], [1, 0, 0], 1.0)
-    air = AtmosphericDrag(plate, 1e-3, orbit)
+    air = AtmosphericDrag(plate, orbit, 1e-3, 0.0)
     assert air.time_scale == pytest.approx(0.5 * math.pi * math.sqrt(2.0), rel=budgets.time_scale)
     assert air.supports_switches
     assert TorqueTerm(lambda t, s: [0, 0, 0]).time_scale == math.inf
@@ -124,8 +124,8 @@ def test_a_shadow_does_not_stop_a_run(days, tolerance):
     wing = Surface.of_plate([0, 3, 0], [1, 0, 0], 10.0, specular=0.2, both_sides=True)
     orbit = KeplerOrbit(KeplerElements(3.986004418e14, 6.878e6, 0.0, 0.9))
     sun = KeplerOrbit(KeplerElements(1.32712440018e20, 1.496e11, 0.0, 0.409))
-    light = SolarPressure(wing, 4.54e-6, 1.495978707e11, orbit, sun=sun, shadow="cylinder",
-                          radius=6.378e6)
+    light = SolarPressure(wing, orbit, 4.54e-6, 1.495978707e11, sun=sun,
+                          shadow="cylinder", shadow_radius=6.378e6)
     system = System(Body(900, 400, 1000), terms=light)
     start = RotorState([0.9, 0.1, 0.2, 0.3], [0, 0, 1.0])
 
@@ -144,7 +144,7 @@ def test_a_shadow_does_not_stop_a_run(days, tolerance):
 def turned_by_light(tolerance):
     plate = Surface.of_plate([1, 0, 0], [0, 0.3, 0], 2)
     far = KeplerOrbit(KeplerElements(gm=1e-6, pericentre=1e3, eccentricity=0.0))
-    light = SolarPressure(plate, 1e-12, 1e6, far, sun=lambda t: [1e6, 0, 0])
+    light = SolarPressure(plate, far, 1e-12, 1e6, sun=lambda t: [1e6, 0, 0])
     start = RotorState([1, 0, 0, 0], [0, 0, 1.5])
     turning = Problem(
         System(Body(1.0, 1.0, 1.5), terms=light), start, 0.0, 300.0, Adaptive(tolerance)

@@ -45,7 +45,7 @@ DRAWN = budgets.numpy_random
 BODY = Body(1.0, 2.0, 2.5)
 ORBIT = KeplerOrbit(KeplerElements(gm=1.0, pericentre=1.5, eccentricity=0.2, inclination=0.4))
 FRAME = Frame.precessing([0.1, -0.3, 1.0], 0.2)
-GRAVITY = GravityGradient(0.7, ORBIT)
+GRAVITY = GravityGradient(ORBIT, 0.7)
 
 
 def drift(t, s):
@@ -403,7 +403,7 @@ def test_a_system_keeps_what_it_was_given():
 @pytest.mark.parametrize("system", [
     System(BODY), SYSTEM,
     System(BODY, Frame.orbit_plane(0.1, 0.2),
-           [ConstantTorque.in_body([1, 2, 3]), LinearDamping(0.1), GRAVITY]),
+           [ConstantTorque([1, 2, 3]), LinearDamping(0.1), GRAVITY]),
 ], ids=["free", "Hamiltonian", "damped"])
 def test_systems_compare_copy_and_pickle(system):
     again = pickle.loads(pickle.dumps(system))
@@ -457,7 +457,7 @@ import polhode as p
 body, start = p.Body(1, 2, 2.5), p.RotorState([1, 0, 0, 0], [1, 2, 3])
 frame = p.Frame.orbit_plane(lambda t: 0.1 * t, 0.2)
 terms = [p.TorqueTerm(lambda t, s: -0.1 * s.g), p.HamiltonianTerm(lambda t, s: s.g[0]),
-         p.GravityGradient(1.0, lambda t: [1, 2, 3])]
+         p.GravityGradient(lambda t: [1, 2, 3], 1.0)]
 system = p.System(body, frame, terms)
 run = p.integrate(p.Problem(system, start, 0.0, 0.1))
 q, t, states, some = run.q, run.t, run.states, run.at([0.05])

@@ -10,21 +10,17 @@ import polhode
 import pytest
 from closeness import assert_allclose
 from polhode import (
+    AnelasticDamping,
     Body,
     DampedMaterial,
     GravityGradient,
-    HigherGravity,
     InternalDamping,
     KeplerElements,
     KeplerOrbit,
     MassMoments,
-    OblateGravity,
-    Oblateness,
-    OrbitOf,
     Problem,
     RotorState,
     System,
-    TidalBody,
     TidalTorque,
     TorqueTable,
     attitude_matrix,
@@ -46,8 +42,8 @@ POINTS = RNG.normal(size=(8, 3))
 MOMENTS = MassMoments.of_points(MASSES, POINTS)
 
 
-def about(term):
-    return effect(System(BODY, None, term), T, STATE)
+def about(term, body=BODY):
+    return effect(System(body, None, term), T, STATE)
 
 
 def test_mass_moments_are_sums():
@@ -72,7 +68,9 @@ def test_higher_gravity_is_its_series(of):
         slope3, slope4 = (15 * c**2 - 3) / 2, (140 * c**3 - 60 * c) / 8
         pull = s**2 * slope3 / size**5 + s**3 * slope4 / size**6
         want += 0.7 * m * pull * np.cross(x, r)
-    got = about(HigherGravity(0.7, ORBIT, MOMENTS, of))
+    # degree 2 of a sphere has no torque
+    got = about(GravityGradient(ORBIT, 0.7, third_moments=MOMENTS.third,
+                                fourth_moments=MOMENTS.fourth, orbit_of=of), Body(1, 1, 1))
     assert_allclose(got.u, want, rtol=0, atol=budgets.numpy_formula * np.abs(want).max())
     assert not np.any(got.v)
 
@@ -88,10 +86,12 @@ def test_oblate_gravity_is_the_hessian_of_its_field():
         - 15 * z * (np.outer(pole, r) + np.outer(r, pole)) / d**7
         + (105 / 2 * z**2 / d**9 - 15 / 2 / d**7) * np.outer(r, r)
     )
-    I = np.diag(BODY.moments)
-    S = 0.7 * J2 * R**2 * (I @ H)  # u_i = e_ijk S_jk of a quadratic energy -I:H/2
+    S = 0.7 * J2 * R**2 * (np.diag(BODY.moments) @ H)
+    # u_i = e_ijk S_jk of a quadratic energy -I:H/2
     want = -np.array([S[2, 1] - S[1, 2], S[0, 2] - S[2, 0], S[1, 0] - S[0, 1]])
-    got = about(OblateGravity(0.7, ORBIT, Oblateness(J2, R, k))).u
+    n, I = r / d, BODY.moments
+    want = want + 3 * 0.7 / d**3 * np.cross(n, I * n)  # and that of the point mass
+    got = about(GravityGradient(ORBIT, 0.7, J2=J2, primary_radius=R, pole=k)).u
     assert_allclose(got, want, rtol=0, atol=budgets.numpy_formula * np.abs(want).max())
 
 
@@ -102,10 +102,10 @@ def test_tidal_torque_is_mignards():
     d = np.linalg.norm(r)
     want = 3 * 0.3 * 0.7 * 0.4 * 0.5**5 * 0.01 / d**8
     want = want * ((r @ w) * r - d**2 * w + np.cross(r, v))
-    got = about(TidalTorque(0.7, 0.4, ORBIT, TidalBody(0.3, 0.01, 0.5))).u
+    got = about(TidalTorque(ORBIT, 0.4, 0.3, 0.01, 0.5, gm=0.7)).u
     assert_allclose(got, want, rtol=0, atol=budgets.numpy_formula * np.abs(want).max())
     with pytest.raises(TypeError, match="expected an orbit with a velocity"):
-        TidalTorque(0.7, 0.4, lambda t: [1, 0, 0], TidalBody(0.3, 0.01, 0.5))
+        TidalTorque(lambda t: [1, 0, 0], 0.4, 0.3, 0.01, 0.5, gm=0.7)
 
 
 def test_internal_damping():
@@ -116,10 +116,16 @@ def test_internal_damping():
     rock = DampedMaterial(3e4, 100.0, 1.0, 10.0)
     assert_allclose(wobble_time(rock, 2.0), 3e6 / (0.1 * 100 * 8), rtol=budgets.numpy_formula)
     G = np.linalg.norm(STATE.g)
-    by_time = InternalDamping.of_wobble(BODY, wobble_time(rock, G / 2.5), G)
-    by_rock = about(InternalDamping.of_material(BODY, rock))
+    rate = G / 2.5
+    by_time = InternalDamping(wobble_time=wobble_time(rock, rate), rate=rate, body=BODY)
+    by_rock = about(AnelasticDamping(10.0, 3e4, 100.0, 1.0, body=BODY))
     assert_allclose(about(by_time).v, by_rock.v, rtol=budgets.numpy_formula)
-    rejected(ValueError, ">= 0", InternalDamping, -1.0)
+    rejected(ValueError, ">= 0", InternalDamping, [-1.0, 0.0, 0.0])
+    rejected(ValueError, "got none of them; expected exactly one of wobble_time with rate, k",
+             InternalDamping)
+    rejected(ValueError, "got rate, k; expected exactly one of", InternalDamping, [1, 1, 1], rate=1)
+    rejected(ValueError, "body: got nothing; expected the body", InternalDamping,
+             wobble_time=1.0, rate=1.0)
 
 
 def test_internal_damping_is_the_limit_of_a_sphere_in_a_viscous_cavity():
@@ -154,7 +160,7 @@ def test_internal_damping_is_the_limit_of_a_sphere_in_a_viscous_cavity():
 def test_torque_table_cubic_is_scipys_pchip():
     times = np.cumsum(RNG.uniform(0.2, 2.0, 12))
     torques = RNG.normal(size=(12, 3))
-    table = TorqueTable(times, torques, between="cubic", outside="refuse")
+    table = TorqueTable(times, *torques.T, between="cubic", outside="error")
     system = System(BODY, None, table)
     pchip = PchipInterpolator(times, torques)
     for t in RNG.uniform(times[0], times[-1], 50):
@@ -163,32 +169,36 @@ def test_torque_table_cubic_is_scipys_pchip():
         )
     rejected(ValueError, "before the first row", effect, system, 0.0, STATE)
     assert_allclose(table.breakpoints, times, rtol=0, atol=0)
-    rejected(ValueError, "later", TorqueTable, [0, 0], np.zeros((2, 3)))
-    rejected(ValueError, "shape", TorqueTable, [0, 1], np.zeros((3, 3)))
+    rejected(ValueError, "later", TorqueTable, [0, 0], [0, 0])
+    rejected(ValueError, "expected 2 numbers, as many as times has", TorqueTable, [0, 1], [0, 1, 2])
 
 
 def test_a_second_of_torque_in_a_day():
-    table = TorqueTable([43210.25, 43211.25], [[0, 0, 1e-3], [0, 0, 0]], between="step")
+    table = TorqueTable([43210.25, 43211.25], torque_3=[1e-3, 0], between="step")
     start = RotorState([1, 0, 0, 0], [0, 0, 4e-3])
     run = integrate(Problem(System(Body(1, 1, 2), None, table), start, 0.0, 86400.0))
     assert_allclose(run.g[-1, 2], 5e-3, rtol=budgets.pulse_momentum)
 
 
 @pytest.mark.parametrize(("J2", "radius", "pole", "words"), [
-    (1e-3, -1, [0, 0, 1], "Oblateness: radius -1 must be positive and finite"),
-    (np.nan, 1, [0, 0, 1], "Oblateness: J2 nan must be finite"),
-    (1e-3, 1, [0, 0, 0], r"Oblateness: pole \(0, 0, 0\) must be a direction"),
+    (1e-3, -1, [0, 0, 1], "radius -1 must be positive and finite"),
+    (np.nan, 1, [0, 0, 1], "J2 nan must be finite"),
+    (1e-3, 1, [0, 0, 0], r"pole \(0, 0, 0\) must be a direction"),
+    (1e-3, None, [0, 0, 1], "expected a key primary_radius as well"),
+    (None, None, [0, 1, 0], "GravityGradient: pole: got .*; expected a key J2 as well"),
 ])
 def test_what_is_no_oblateness_says_why(J2, radius, pole, words):
-    rejected(ValueError, words, Oblateness, J2, radius, pole)
+    rejected(ValueError, words, GravityGradient, ORBIT, J2=J2, primary_radius=radius, pole=pole)
 
 
 def test_terms_compare_copy_and_pickle():
-    earth, moon = Oblateness(1e-3, 0.5), TidalBody(0.3, 0.01, 0.5)
-    terms = [HigherGravity(0.7, ORBIT, MOMENTS, OrbitOf.body, name="planet"),
-             OblateGravity(0.7, ORBIT, earth), TidalTorque(0.7, 0.4, ORBIT, moon),
-             InternalDamping(0.3), InternalDamping.of_wobble(BODY, 2.0, 1.0),
-             TorqueTable([0, 1], [[0, 0, 1], [0, 1, 0]], axes="inertial")]
+    terms = [GravityGradient(ORBIT, 0.7, third_moments=MOMENTS.third, orbit_of="body", J2=1e-3,
+                             primary_radius=0.5, name="planet"),
+             TidalTorque(ORBIT, 0.4, 0.3, 0.01, 0.5, gm=0.7),
+             InternalDamping([0.3, 0.3, 0.3]),
+             InternalDamping(wobble_time=2.0, rate=1.0, body=BODY),
+             AnelasticDamping(10.0, 3e4, 100.0, 1.0, body=BODY),
+             TorqueTable([0, 1], torque_2=[0, 1], torque_3=[1, 0], axes="inertial")]
     for term in terms:
         again = pickle.loads(pickle.dumps(term))
         assert again == term
@@ -246,10 +256,10 @@ rate = 2
     parts = System(
         body,
         None,
-        [GravityGradient(1.0, orbit), HigherGravity(1.0, orbit, MOMENTS, "body"),
-         OblateGravity(1.0, orbit, Oblateness(0.1, 3.0, [0, 1, 2])),
-         TidalTorque(1.0, 2.0, orbit, TidalBody(0.3, 0.1, 0.5)),
-         InternalDamping.of_wobble(body, 5.0, 5.0)],
+        [GravityGradient(orbit, 1.0, third_moments=MOMENTS.third, fourth_moments=MOMENTS.fourth,
+                         orbit_of="body", J2=0.1, primary_radius=3.0, pole=[0, 1, 2]),
+         TidalTorque(orbit, 2.0, 0.3, 0.1, 0.5),
+         InternalDamping(wobble_time=5.0, rate=2.0, body=body)],
     )
     got, want = effect(scenario.system, 0.3, state), effect(parts, 0.3, state)
     assert_allclose(got.u, want.u, rtol=budgets.numpy_formula)

@@ -36,7 +36,7 @@ TIMES = np.linspace(0.0, 10.0, 41)
 
 def system() -> System:
     orbit = KeplerOrbit(KeplerElements(gm=1.0, pericentre=0.9, eccentricity=0.1))
-    return System(BODY, terms=[GravityGradient(0.3, orbit)])
+    return System(BODY, terms=[GravityGradient(orbit, 0.3)])
 
 
 def run(samples=TIMES, dense=True, **options) -> Trajectory:

@@ -114,8 +114,8 @@ class RotationBuilder {
       throw std::logic_error("perturbation: the schema allows a kind without a description: " +
                              kind);
     const KeyValues table(at_.values, at_.units, path, at_.name);
-    return table.built("kind",
-                       [&] { return description->made(TermContext(table, rotation, uses)); });
+    const TermParts parts = parts_of(rotation);
+    return table.built("kind", [&] { return description->made(TermContext(table, parts, uses)); });
   }
 
   void add_made(Rotation& rotation, MadeTerms made, const std::string& path) const {
@@ -150,6 +150,7 @@ class RotationBuilder {
         add_made(rotation, made_terms(rotation, kind, paths[i], table.uses), paths[i]);
         table.count = rotation.terms.size() - table.first;
       }
+      rotation.arguments.push_back({table.count, table.uses.arguments});
       made.tables.push_back(std::move(table));
     }
   }

@@ -27,6 +27,7 @@ const KeplerElements* kepler_elements(const ScenarioOrbit& orbit) {
 }
 
 AnyOrbit any_orbit(const ScenarioOrbit& orbit) {
+  if (const AnyOrbit* any = std::get_if<AnyOrbit>(&orbit.motion)) return *any;
   return std::visit([&](const auto& motion) { return AnyOrbit(orbit.name, motion); }, orbit.motion);
 }
 

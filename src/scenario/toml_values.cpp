@@ -33,7 +33,7 @@ class Reader {
       : schema_(schema), diagnostics_(diagnostics) {}
 
   ReadFile read(const toml::table& file);
-  void read_alone(const Key& key, const toml::node& node);
+  Value read_alone(const Key& key, const toml::node& node);
 
  private:
   std::string expected(const Key& key) const {
@@ -437,11 +437,13 @@ void Reader::read_units(const toml::table& file) {
 }
 
 // In units that every dimension has.
-void Reader::read_alone(const Key& key, const toml::node& node) {
+Value Reader::read_alone(const Key& key, const toml::node& node) {
   units_ = Units("s", "rad", "kg m2", "m");
   const std::string path(key.path);
   read_key(key, node, path, {}, true);
-  if (values_.contains(path)) require_range(values_, path, diagnostics_.name());
+  diagnostics_.raise();
+  require_range(values_, path, diagnostics_.name());
+  return value_at(values_, path);
 }
 
 ReadFile Reader::read(const toml::table& file) {
@@ -475,14 +477,17 @@ ReadFile read_values(std::string_view text, const Schema& schema, Diagnostics& d
   return {.values = {}, .units = Units()};
 }
 
+Value value_of(const Key& key, std::string_view toml) {
+  const toml::table parsed = toml::parse("x = " + std::string(toml));
+  if (parsed.size() != 1) throw ScenarioError("more than one value");
+  Diagnostics diagnostics("");
+  return Reader({}, diagnostics).read_alone(key, *parsed.get("x"));
+}
+
 std::optional<std::string> why_not(const Key& key, std::string_view toml) {
   if (refusal(toml)) return "not TOML";
   try {
-    const toml::table parsed = toml::parse("x = " + std::string(toml));
-    if (parsed.size() != 1) return "more than one value";
-    Diagnostics diagnostics("");
-    Reader({}, diagnostics).read_alone(key, *parsed.get("x"));
-    diagnostics.raise();
+    value_of(key, toml);
   } catch (const ScenarioError& error) {
     const std::string_view text = error.what();
     const std::size_t got = text.find("got ");

@@ -44,6 +44,9 @@ inline FileValues file_values(const Document& of) {
 // Everything wrong goes to `diagnostics`; what is right is in the result.
 ReadFile read_values(std::string_view text, const Schema& schema, Diagnostics& diagnostics);
 
+// The value of a key that a text of TOML is; its numbers in units of their own dimension, or of
+// core. ScenarioError for another text.
+Value value_of(const Key& key, std::string_view toml);
 // Why a text of TOML is no value of a key, in one line; nothing where it is one.
 std::optional<std::string> why_not(const Key& key, std::string_view toml);
 

@@ -72,6 +72,11 @@ Mat3 KeyForm<Mat3>::read(const KeyValues& at, std::string_view key) {
   return {{{n.at(0), n.at(1), n.at(2)}, {n.at(3), n.at(4), n.at(5)}, {n.at(6), n.at(7), n.at(8)}}};
 }
 
+void KeyForm<Mat3>::tell(const Mat3& x, KeyValue& value) {
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k) value.numbers.push_back(x(i, k));
+}
+
 SquareMatrix KeyForm<SquareMatrix>::read(const KeyValues& at, std::string_view key) {
   const std::vector<double>& n = at.numbers(key);
   return {n, static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(n.size()))))};
@@ -81,6 +86,11 @@ LinearMap KeyForm<LinearMap>::read(const KeyValues& at, std::string_view key) {
   const std::vector<double>& n = at.numbers(key);
   if (n.size() == 3) return {Mat3{{{n[0], 0.0, 0.0}, {0.0, n[1], 0.0}, {0.0, 0.0, n[2]}}}, true};
   return {KeyForm<Mat3>::read(at, key), false};
+}
+
+void KeyForm<LinearMap>::tell(const LinearMap& x, KeyValue& value) {
+  if (!x.is_diagonal) return KeyForm<Mat3>::tell(x.matrix, value);
+  value.numbers = {x.matrix(0, 0), x.matrix(1, 1), x.matrix(2, 2)};
 }
 
 void require_allowed(const KeyValues& at, const Key& key, const WholeRange& whole) {

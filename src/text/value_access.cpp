@@ -33,9 +33,10 @@ constexpr std::size_t longest_text = 600;
 Diagnostics::Diagnostics(std::string_view name) : name_(printable(name, longest_path)) {}
 
 void Diagnostics::add(Position where, std::string_view path, std::string_view text) {
-  entries_.push_back(
-      {where, name_ + ":" + std::to_string(where.line) + ":" + std::to_string(where.column) + ": " +
-                  printable(path, longest_path) + ": " + printable(text, longest_text)});
+  const std::string place =
+      where.line == 0 ? "" : ":" + std::to_string(where.line) + ":" + std::to_string(where.column);
+  entries_.push_back({where, name_ + place + ": " + printable(path, longest_path) + ": " +
+                                 printable(text, longest_text)});
 }
 
 std::string Diagnostics::text() const {
@@ -76,6 +77,12 @@ const Value* placed(const Values& values, std::string_view path) {
     if (path.find('.') == std::string_view::npos) break;
   }
   return nullptr;
+}
+
+// Of a value that is not there. Those of a program stand in no file.
+Position elsewhere(const Values& values) {
+  const bool is_in_file = values.empty() || values.begin()->second.where.line != 0;
+  return is_in_file ? Position{} : values.begin()->second.where;
 }
 
 // "a length", "a number".
@@ -127,7 +134,8 @@ std::string message_at(const Values& values, std::string_view path, const std::s
   std::string got = "got nothing; ";
   if (is_there) got = value->key->type == KeyType::table ? "" : "got " + value->shown + "; ";
   Diagnostics diagnostics(name);
-  diagnostics.add(value == nullptr ? Position{} : value->where, place, got + std::string(message));
+  diagnostics.add(value == nullptr ? elsewhere(values) : value->where, place,
+                  got + std::string(message));
   return diagnostics.text();
 }
 

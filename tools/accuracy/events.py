@@ -87,7 +87,7 @@ def arrays(q, g):
 
 def gravity(body, strength, frame=None):
     orbit = polhode.KeplerOrbit(polhode.KeplerElements(gm=1.0, pericentre=0.9, eccentricity=0.1))
-    return System(body, frame, [polhode.GravityGradient(strength, orbit)])
+    return System(body, frame, [polhode.GravityGradient(orbit, strength)])
 
 
 WING_NUT = polhode.Body(30.53, 83.87, 113.3)

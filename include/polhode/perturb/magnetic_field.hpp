@@ -19,6 +19,7 @@
 
 #include <cmath>
 #include <concepts>
+#include <functional>
 #include <utility>
 
 #include "polhode/math/quaternion.hpp"
@@ -201,6 +202,21 @@ class ConstantField {
 
  private:
   Vec3 field_;
+};
+
+// A field at the place of the body that a function of time gives, for double alone: it has no rate.
+class FieldOfTime {
+ public:
+  explicit FieldOfTime(std::function<Vec3(double)> function) : function_(std::move(function)) {}
+
+  static bool has_rate() { return false; }
+  Vec3 field(const double& t, const double&) const { return function_(t); }
+  BasicFieldMotion<double> motion(const double& t, const double& rest) const {
+    return {field(t, rest), {}};
+  }
+
+ private:
+  std::function<Vec3(double)> function_;
 };
 
 template <Orbit O, MagneticField F>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // PerturbationKind: all that there is to say of one kind of [[perturbation]]: its keys, how its
-// terms are made from them, what they rest on. Readers, schema, pages, templates, summaries and
-// citations come from it; docs/extending/torque.md adds one.
+// terms are made from them, what they rest on. Readers, schema, pages, templates, summaries,
+// citations and the classes of Python come from it; docs/extending/torque.md adds one.
 //
 // Equations   none of its own; the terms have theirs (polhode/perturb/).
 // Units       core units (polhode/text/units.hpp).
 // Domain      vectors of a file refer to its body axes, terms to principal axes: see
-//             TermContext::principal.
+//             TermContext::principal. Arguments that a program gives are along principal axes.
 // Accuracy    that of the terms.
 // Errors      a builder throws a DomainError, or says by TermContext::refuse what it expected: both
 //             become a ScenarioError at the place in the file. It may be called from any thread.
@@ -15,15 +15,21 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
+#include <optional>
 #include <span>
+#include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
 #include "polhode/perturb/any_perturbation.hpp"
+#include "polhode/perturb/magnetic_field.hpp"
 #include "polhode/scenario/rotation.hpp"
 #include "polhode/scenario/schema.hpp"
 #include "polhode/text/citation.hpp"
+#include "polhode/text/key_value.hpp"
 #include "polhode/text/key_values.hpp"
 #include "polhode/text/kind_key.hpp"
 
@@ -37,14 +43,37 @@ struct TermUses {
   bool file_axes = false;
   bool surface = false;
   std::vector<std::size_t> orbits = {};  // by their numbers
+  // Its own keys, as TermArguments has them, and whether the body was asked for next to them.
+  std::shared_ptr<const std::vector<KeyValue>> arguments = nullptr;
+  bool body_with_arguments = false;
 };
+
+// What a term is made with, next to its own keys. Null: not there.
+struct TermParts {
+  const Body* body = nullptr;
+  Quaternion q_FB = {};
+  const Surface* surface = nullptr;
+  const std::vector<ScenarioOrbit>* orbits = nullptr;
+  const FieldOfTime* field = nullptr;  // in place of the field that the keys describe
+  std::string name = {};               // in place of the name that the kind gives
+};
+TermParts parts_of(const Rotation& rotation);
 
 // Where a term is made: its own table, and the parts of the rotation that stand before it. What is
 // asked for is noted in `uses`, which must outlive this like all else.
 class TermContext : public KeyValues {
  public:
-  TermContext(const KeyValues& table, const Rotation& rotation, TermUses& uses)
-      : KeyValues(table), rotation_(rotation), uses_(uses) {}
+  TermContext(const KeyValues& table, const TermParts& parts, TermUses& uses)
+      : KeyValues(table), parts_(parts), uses_(uses) {}
+
+  // The name that a program gave the term, or that of its kind.
+  std::string name(std::string of_kind) const {
+    return parts_.name.empty() ? std::move(of_kind) : parts_.name;
+  }
+  // Notes what the keys say.
+  void note(std::vector<KeyValue> arguments) const {
+    uses_.arguments = std::make_shared<const std::vector<KeyValue>>(std::move(arguments));
+  }
 
   const Body& body() const;
   // The body axes of the file are those of its tensor; terms want principal ones. Components along
@@ -60,9 +89,11 @@ class TermContext : public KeyValues {
   const ScenarioOrbit& orbit(std::string_view key) const;
   // The number of the key, else that of the orbit that `orbit` names; positive.
   double gm(std::string_view key, std::string_view orbit) const;
+  // Null: that of the keys.
+  const FieldOfTime* field() const { return parts_.field; }
 
  private:
-  const Rotation& rotation_;
+  const TermParts& parts_;
   TermUses& uses_;
 };
 
@@ -82,22 +113,45 @@ struct PerturbationKind {
   std::string_view sets = {};       // exactly one of "times|file" is there; empty: none such
   std::vector<Citation> citations;  // what it rests on
   std::function<MadeTerms(const TermContext&)> made;
-  bool on_surface = false;  // acts on the facets of [[surface]]
+  bool on_surface = false;      // acts on the facets of [[surface]]
+  bool on_body = false;         // may ask for the body
+  bool in_field = false;        // acts in a magnetic field, that of its keys or any other
+  bool needs_velocity = false;  // of its orbits
+  bool has_terms = true;        // false: a damper
 };
 
-// A kind whose arguments are a plain struct A, filled by its keys.
+// A kind whose arguments are a plain struct A, filled by its keys. `principal` gives them along the
+// principal axes, with all that files add to them; left out, they are so. What it returns is made
+// again by `made` in a context of principal axes, to the same bits.
 template <class A>
 PerturbationKind perturbation_kind(std::string_view name, std::string_view help,
                                    std::span<const KindKey<A>> keys,
                                    MadeTerms (*made)(const A&, const TermContext&),
-                                   const std::vector<Citation>& citations = {}) {
+                                   const std::vector<Citation>& citations = {},
+                                   A (*principal)(A, const TermContext&) = nullptr) {
   return {.name = name,
           .help = help,
           .keys = keys_of(keys),
           .citations = citations,
-          .made = [all = std::vector<KindKey<A>>(keys.begin(), keys.end()),
-                   made](const TermContext& at) { return made(arguments<A>(all, at), at); }};
+          .made = [all = std::vector<KindKey<A>>(keys.begin(), keys.end()), made,
+                   principal](const TermContext& at) {
+            A own = arguments<A>(all, at);
+            if (principal != nullptr) own = principal(std::move(own), at);
+            at.note(told<A>(all, own));
+            return made(own, at);
+          }};
 }
+
+// Terms of a kind from values that a program gives, without a file. `label` stands for the table in
+// messages. DomainError for what the kind refuses.
+struct TermsOfProgram {
+  MadeTerms made;
+  TermUses uses;
+};
+TermsOfProgram made_terms(const PerturbationKind& kind, std::span<const KeyValue> given,
+                          const TermParts& parts, const std::string& label);
+// What stands for a key that is left out; nothing for a key without a default.
+std::optional<KeyValue> default_of(const Key& key);
 
 }  // namespace v0
 }  // namespace polhode

@@ -13,6 +13,7 @@
 // Cost        copies share meshes, surfaces, tables, terms and the prepared motion.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
@@ -34,6 +35,7 @@
 #include "polhode/shape/surface.hpp"
 #include "polhode/system/system.hpp"
 #include "polhode/tables/chart_kind.hpp"
+#include "polhode/text/key_value.hpp"
 #include "polhode/trajectory/save_at.hpp"
 
 namespace polhode {
@@ -66,7 +68,8 @@ struct ScenarioShape {
 // [orbit.NAME]
 struct ScenarioOrbit {
   std::string name = {};
-  std::variant<KeplerOrbit, PrecessingKeplerOrbit, TableOrbit, TurnedKeplerOrbit> motion;
+  // Of a file one of the first four; a program may give a term any orbit.
+  std::variant<KeplerOrbit, PrecessingKeplerOrbit, TableOrbit, TurnedKeplerOrbit, AnyOrbit> motion;
   std::optional<double> gm;               // of what attracts, where the orbit tells
   std::vector<std::string> sources = {};  // of its positions: "ephemeris", "moon", "oem"
   std::string text = {};  // of a table: "table iss.csv.gz", "ephemeris, moon from earth"
@@ -97,6 +100,13 @@ struct ScenarioEvent {
   double interval;  // 0: looks follow the rotation
 };
 
+// What a table [[perturbation]] says, along the principal axes, with all that files add to it. Null
+// for a kind that keeps no arguments.
+struct TermArguments {
+  std::size_t terms = 0;  // how many it made
+  std::shared_ptr<const std::vector<KeyValue>> values = nullptr;
+};
+
 // What a rotation is run and described with, prepared once, when its file is read.
 struct PreparedMotion {
   System system;       // body, frame, terms and damper
@@ -122,6 +132,7 @@ struct Rotation {
   std::optional<KaneDamper> damper = std::nullopt;
   Vec3 damper_rate = {};                        // at t = 0, relative to the body, principal axes
   std::vector<std::string> kinds = {};          // of all perturbations: "gravity-gradient"
+  std::vector<TermArguments> arguments = {};    // one for each
   std::optional<Method> method = std::nullopt;  // left out: see propagation_method
   std::vector<ScenarioEvent> events = {};
   std::optional<SaveAt> time = std::nullopt;               // left out: nothing to run

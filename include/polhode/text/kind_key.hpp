@@ -35,6 +35,7 @@
 
 #include "polhode/text/detail/key_form.hpp"
 #include "polhode/text/key.hpp"
+#include "polhode/text/key_value.hpp"
 #include "polhode/text/key_values.hpp"
 
 namespace polhode {
@@ -103,6 +104,11 @@ class KindKey {
   void check(const KeyValues& values) const { detail::require_allowed(values, key_, whole_); }
   // Writes what the table says into the arguments.
   void fill(A& arguments, const KeyValues& values) const { fill_(arguments, values, key_.path); }
+  // The reverse. False for a member that is left out.
+  bool tell(const A& arguments, KeyValue& value) const {
+    value.key = key_.path;
+    return tell_(arguments, value, key_.allowed);
+  }
   // True if the key fills this member.
   template <auto at>
   constexpr bool is_of() const {
@@ -111,9 +117,10 @@ class KindKey {
 
  private:
   using Fill = void (*)(A&, const KeyValues&, std::string_view);
+  using Tell = bool (*)(const A&, KeyValue&, std::string_view);
   friend struct detail::KeyMaker;
-  consteval KindKey(const Key& row, Fill filled_by, const char* member)
-      : key_(row), fill_(filled_by), member_(member) {}
+  consteval KindKey(const Key& row, Fill filled_by, Tell told_by, const char* member)
+      : key_(row), fill_(filled_by), tell_(told_by), member_(member) {}
 
   template <class T>
   consteval KindKey with(T Key::*part, T value) const {
@@ -130,6 +137,7 @@ class KindKey {
   Key key_;
   detail::WholeRange whole_;
   Fill fill_;
+  Tell tell_;
   const char* member_;
 };
 
@@ -153,8 +161,11 @@ template <auto at, class A = detail::Owner<at>>
   requires detail::Holds<at, bool> && detail::HasMember<A, at>
 consteval KindKey<A> table_key(std::string_view name, std::string_view help) {
   return detail::KeyMaker::key<at, A>(
-      {.path = name, .help = help}, [](A& arguments, const KeyValues& values,
-                                       std::string_view key) { arguments.*at = values.has(key); });
+      {.path = name, .help = help},
+      [](A& arguments, const KeyValues& values, std::string_view key) {
+        arguments.*at = values.has(key);
+      },
+      [](const A& arguments, KeyValue&, std::string_view) { return arguments.*at; });
 }
 
 // A whole number that the member can hold.
@@ -190,6 +201,11 @@ consteval KindKey<A> choice_key(std::string_view name, std::string_view words,
       [](A& arguments, const KeyValues& values, std::string_view key) {
         constexpr std::array all = {enumerators...};
         if (values.has(key)) arguments.*at = all.at(values.choice(key));
+      },
+      [](const A& arguments, KeyValue& value, std::string_view allowed) {
+        return detail::tell_member<at>(arguments, [&](const auto& x) {
+          value.words = {detail::word_of<enumerators...>(x, allowed)};
+        });
       });
 }
 template <auto at, auto... enumerators>
@@ -213,6 +229,11 @@ consteval KindKey<detail::Owner<at>> choices_key(std::string_view name, std::str
         if (!values.has(key)) return;
         for (const std::size_t place : values.choices(key))
           (arguments.*at).push_back(all.at(place));
+      },
+      [](const A& arguments, KeyValue& value, std::string_view allowed) {
+        for (const auto& x : arguments.*at)
+          value.words.push_back(detail::word_of<enumerators...>(x, allowed));
+        return true;
       });
 }
 
@@ -318,6 +339,15 @@ A arguments(std::span<const KindKey<A>> keys, const KeyValues& values) {
     one.fill(made, values);
   }
   return made;
+}
+
+// The reverse: a value for each key whose member is not left out.
+template <class A>
+std::vector<KeyValue> told(std::span<const KindKey<A>> keys, const A& arguments) {
+  std::vector<KeyValue> all;
+  for (const KindKey<A>& one : keys)
+    if (KeyValue value; one.tell(arguments, value)) all.push_back(std::move(value));
+  return all;
 }
 
 }  // namespace v0

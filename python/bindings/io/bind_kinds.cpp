@@ -161,11 +161,6 @@ class KindTable {
   std::shared_ptr<const KindInputs*> table_;
 };
 
-// The Python object of an orbit: its elements or rows.
-nb::object orbit_object(const ScenarioOrbit& orbit) {
-  return std::visit([](const auto& motion) { return nb::cast(motion); }, orbit.motion);
-}
-
 // The function of a kind. A ValueError becomes an error of the file, and so does a result of
 // another type than expected.
 class KindFunction {
@@ -206,19 +201,17 @@ class KindFunction {
   std::shared_ptr<const KindTexts> texts_;
 };
 
-const AnyPerturbation& term_of(nb::handle made) { return nb::cast<const PythonTerm&>(made); }
-
 MadeTerms terms_of(const nb::object& made, const PythonFunction& function) {
-  if (nb::isinstance<PythonTerm>(made)) return term_of(made);
+  if (nb::isinstance<PythonTerm>(made)) return nb::cast<const PythonTerm&>(made).parts;
   std::vector<AnyPerturbation> terms;
   const bool several = nb::isinstance<nb::list>(made) || nb::isinstance<nb::tuple>(made);
-  if (several && nb::len(made) > 0)
+  if (several)
     for (const nb::handle one : nb::iter(made)) {
-      if (!nb::isinstance<PythonTerm>(one)) break;
-      terms.push_back(term_of(one));
+      if (!nb::isinstance<PythonTerm>(one)) function.refuse(made, "a term or a list of terms");
+      const std::vector<AnyPerturbation>& parts = nb::cast<const PythonTerm&>(one).parts;
+      terms.insert(terms.end(), parts.begin(), parts.end());
     }
-  if (!several || terms.empty() || terms.size() != nb::len(made))
-    function.refuse(made, "a term or a list of terms");
+  if (terms.empty()) function.refuse(made, "a term or a list of terms");
   return terms;
 }
 

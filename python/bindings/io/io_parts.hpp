@@ -64,6 +64,8 @@ class TableSink : public Sink {
   std::vector<double>& rows_;
 };
 
+// The Python object of an orbit of a scenario: its elements or rows.
+nb::object orbit_object(const ScenarioOrbit& orbit);
 // Properties frame, system and orbits of _Scenario.
 void bind_objects(nb::class_<Scenario>& scenario);
 

@@ -25,7 +25,8 @@ std::vector<AnyPerturbation> terms_of(const nb::tuple& terms) {
       throw nb::type_error(("System: terms: got a " + class_name(term) +
                             " that was never made; its __init__ must call super().__init__")
                                .c_str());
-    all.push_back(nb::cast<const PythonTerm&>(term));
+    const std::vector<AnyPerturbation>& parts = nb::cast<const PythonTerm&>(term).parts;
+    all.insert(all.end(), parts.begin(), parts.end());
   }
   return all;
 }
@@ -78,7 +79,7 @@ PythonSystem::PythonSystem(System system, const PythonSystem& like)
     : System(std::move(system)), python_frame(like.python_frame) {
   nb::list all;
   for (const nb::handle term : like.python_terms) all.append(term);
-  for (std::size_t i = all.size(); i < terms().size(); ++i)
+  for (std::size_t i = like.terms().size(); i < terms().size(); ++i)
     all.append(nb::cast(PythonTerm(terms()[i])));
   python_terms = nb::tuple(all);
 }

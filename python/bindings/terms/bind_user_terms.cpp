@@ -223,8 +223,23 @@ AnyPerturbation user_term(const std::string& name, const std::string& label, Ter
   return {name, std::move(term)};
 }
 
-AnyPerturbation torque_term(Making& at, nb::handle function, bool kick, nb::handle switches,
-                            std::optional<double> time_scale, bool arrays) {
+// Of an argument that may be left out, and what stands for it then.
+template <class T>
+T taken(const nb::object& x, T otherwise) {
+  if (x.is_none()) return otherwise;
+  try {
+    return nb::cast<T>(x);
+  } catch (const nb::cast_error&) {
+    throw nb::next_overload();
+  }
+}
+
+MadeTerm made_torque(Making& at, std::span<const nb::object> given) {
+  const nb::object &function = given[0], &switches = given[3];
+  const bool kick = taken(given[2], false), arrays = taken(given[5], false);
+  require_plain(given[4], "time_scale");
+  const auto time_scale = taken(given[4], std::optional<double>());
+  const nb::tuple kept = nb::make_tuple(function, given[1], kick, switches, time_scale, arrays);
   if (arrays && !switches.is_none())
     throw nb::value_error(
         (at.label + ": arrays: got True; expected False for a torque with switches").c_str());
@@ -235,82 +250,88 @@ AnyPerturbation torque_term(Making& at, nb::handle function, bool kick, nb::hand
   const double time = time_scale.value_or(std::numeric_limits<double>::infinity());
   const auto torque = std::make_shared<PythonFunction>(function, at.label);
   at.functions.push_back(torque);
-  if (arrays) return user_term(at.name, at.label, PythonArrayTorque(torque, time), kick);
+  if (arrays) return {{user_term(at.name, at.label, PythonArrayTorque(torque, time), kick)}, kept};
   if (switches.is_none())
-    return user_term(at.name, at.label, TorqueTerm(PythonTorque(torque), time), kick);
+    return {{user_term(at.name, at.label, TorqueTerm(PythonTorque(torque), time), kick)}, kept};
   const auto signs = std::make_shared<PythonFunction>(switches, at.label + ": switches");
   at.functions.push_back(signs);
-  return user_term(at.name, at.label,
-                   SwitchedTorqueTerm(PythonSwitchedTorque(torque), PythonSwitches(signs), time),
-                   kick);
+  return {{user_term(at.name, at.label,
+                     SwitchedTorqueTerm(PythonSwitchedTorque(torque), PythonSwitches(signs), time),
+                     kick)},
+          kept};
 }
 
-void bind_user_torque(nb::module_& m) {
-  bind_term<"TorqueTerm">(
-      m, "Any torque, written in Python.",
-      R"(A pulse within one step is stepped over where neither switches nor time_scale is given: at
-loose tolerances steps are long. A torque that drives its own switching function back to zero
-from both sides is refused when it gets there: give it a dead zone.
+TermClass torque_class() {
+  constexpr const char* torque_type = "typing.Callable[..., numpy.typing.ArrayLike]";
+  constexpr const char* switches_type =
+      "typing.Callable[[float, RotorState], numpy.typing.ArrayLike]";
+  return {
+      .name = "TorqueTerm",
+      .summary = "Any torque, written in Python.",
+      .notes =
+          R"(A pulse within one step is stepped over where neither switches nor time_scale is
+given: at loose tolerances steps are long. A torque that drives its own switching function back to
+zero from both sides is refused when it gets there: give it a dead zone.
 
 It is called on float alone: ValueError from runs with Precision.double_double and from
 state_transitions. It has no energy. What it raises passes through;
 TypeError or ValueError, naming the term, for what is not three numbers; NaN is a number.)",
-      torque_term,
-      argument<Typed<"typing.Callable[..., numpy.typing.ArrayLike]">>(
-          "function",
-          "f(t, s) -> 3 components along the body axes, momentum per time; t a float, s "
-          "one RotorState in the reference frame. With `switches` it is f(t, s, sides)."),
-      argument<TermName>("name", "stands in messages; None: the name of the function.", nb::none()),
-      argument<bool>("kick",
-                     "True says that it depends on time and attitude alone, so that "
-                     "Splitting can use it.",
-                     false),
-      argument<Typed<"typing.Callable[[float, RotorState], numpy.typing.ArrayLike]">>(
-          "switches",
-          "g(t, s) -> (n,) switching functions of a torque that jumps, or has a kink, "
-          "where one of them is zero; smooth there. Collocation and Adaptive end a step at each, "
-          "and call the function with sides (n,), +1.0 or -1.0: what it takes for the "
-          "signs of g, so that it is smooth at the zero.",
-          nb::none()),
-      argument<std::optional<double>>("time_scale",
-                                      "the time in which the torque comes and goes: the "
-                                      "default of largest_step.",
-                                      nb::none())
-          .without_property(),
-      argument<bool>("arrays",
-                     "True says that it takes times (n,) and a RotorState of shape (n,), and "
-                     "returns (n, 3): Collocation then calls it once for all stages of a step.",
-                     false));
+      .arguments =
+          {{"function", torque_type,
+            "f(t, s) -> 3 components along the body axes, momentum per time; t a float, s "
+            "one RotorState in the reference frame. With `switches` it is f(t, s, sides).",
+            "", torque_type},
+           name_argument(),
+           {"kick", "bool",
+            "True says that it depends on time and attitude alone, so that Splitting can use it.",
+            "False", "bool"},
+           {"switches", std::string(switches_type) + " | None",
+            "g(t, s) -> (n,) switching functions of a torque that jumps, or has a kink, "
+            "where one of them is zero; smooth there. Collocation and Adaptive end a step at each, "
+            "and call the function with sides (n,), +1.0 or -1.0: what it takes for the "
+            "signs of g, so that it is smooth at the zero.",
+            "None", std::string(switches_type) + " | None"},
+           {"time_scale", "float | None",
+            "the time in which the torque comes and goes: the default of largest_step.", "None"},
+           {"arrays", "bool",
+            "True says that it takes times (n,) and a RotorState of shape (n,), and "
+            "returns (n, 3): Collocation then calls it once for all stages of a step.",
+            "False", "bool"}},
+      .made = made_torque};
 }
 
-void bind_user_hamiltonian(nb::module_& m) {
-  bind_term<"HamiltonianTerm">(
-      m,
-      R"(Any energy H'(t, state), written in Python. [SA (107)]
+MadeTerm made_hamiltonian(Making& at, std::span<const nb::object> given) {
+  const bool kick = taken(given[2], false);
+  at.functions.push_back(std::make_shared<PythonFunction>(given[0], at.label));
+  const HamiltonianTerm<PythonHamiltonian> term{PythonHamiltonian(at.functions[0])};
+  return {{user_term(at.name, at.label, term, kick)}, nb::make_tuple(given[0], given[1], kick)};
+}
+
+TermClass hamiltonian_class() {
+  constexpr const char* type = "typing.Callable[[typing.Any, typing.Any], Dual | float]";
+  return {
+      .name = "HamiltonianTerm",
+      .summary = R"(Any energy H'(t, state), written in Python. [SA (107)]
 
 v = dH'/dg and u = -dH'/d(theta_B) follow by dual numbers, so that they cannot disagree with the
 energy; also second derivatives, for state transitions and canonical_state.)",
-      R"(What it raises passes through; TypeError, naming the term, for what is no number.
+      .notes = R"(What it raises passes through; TypeError, naming the term, for what is no number.
 
 >>> HamiltonianTerm(lambda t, s: 0.1 * (attitude_matrix(s.q) @ [0, 0, 1])[2] ** 2, name="field"))",
-      [](Making& at, nb::handle function, bool kick) {
-        at.functions.push_back(std::make_shared<PythonFunction>(function, at.label));
-        return user_term(at.name, at.label,
-                         HamiltonianTerm<PythonHamiltonian>(PythonHamiltonian(at.functions[0])),
-                         kick);
-      },
-      argument<Typed<"typing.Callable[[typing.Any, typing.Any], Dual | float]">>(
-          "function",
-          "H(t, s) -> energy. s.q (4,) and s.g (3,) are arrays of numbers (s a "
-          "RotorState) or of Dual (s a DualState), in the reference frame; t is a float, "
-          "a Dual in double-double runs. Written with + - * / ** @, NumPy's functions, "
-          "and attitude_matrix(s.q), which takes vectors from the reference frame to the "
-          "body. It may depend on q through products of two components."),
-      argument<TermName>("name", "stands in messages; None: the name of the function.", nb::none()),
-      argument<bool>("kick",
-                     "True says that it does not depend on s.g, so that Splitting can use it; "
-                     "ValueError where it does.",
-                     false));
+      .arguments =
+          {{"function", type,
+            "H(t, s) -> energy. s.q (4,) and s.g (3,) are arrays of numbers (s a "
+            "RotorState) or of Dual (s a DualState), in the reference frame; t is a float, "
+            "a Dual in double-double runs. Written with + - * / ** @, NumPy's functions, "
+            "and attitude_matrix(s.q), which takes vectors from the reference frame to the "
+            "body. It may depend on q through products of two components.",
+            "", type},
+           name_argument(),
+           {"kick", "bool",
+            "True says that it does not depend on s.g, so that Splitting can use it; "
+            "ValueError where it does.",
+            "False", "bool"}},
+      .made = made_hamiltonian};
 }
 
 // a(t) of a MomentumTerm: a constant vector, or a Python function of time.
@@ -342,7 +363,9 @@ class PythonRate {
   SharedFunction function_;
 };
 
-AnyPerturbation momentum_term(Making& at, nb::handle a, const std::string& axes) {
+MadeTerm made_momentum(Making& at, std::span<const nb::object> given) {
+  const nb::object& a = given[0];
+  const std::string axes = taken(given[1], std::string("body"));
   std::optional<SpaceAxes> of;
   if (axes == "inertial") of = SpaceAxes::inertial;
   if (axes == "reference") of = SpaceAxes::reference;
@@ -350,33 +373,42 @@ AnyPerturbation momentum_term(Making& at, nb::handle a, const std::string& axes)
     throw nb::value_error(
         (at.label + ": axes: got \"" + axes + R"("; expected "body", "reference" or "inertial")")
             .c_str());
-  if (PyCallable_Check(a.ptr()) == 0) return {at.name, MomentumTerm(PythonRate(vec3(a, "a")), of)};
-  const auto function = std::make_shared<PythonFunction>(a, at.label);
-  at.functions.push_back(function);
-  return {at.name, MomentumTerm(PythonRate(function), of)};
+  if (PyCallable_Check(a.ptr()) == 0) {
+    const Vec3 constant = vec3(a, "a");
+    return {{AnyPerturbation(at.name, MomentumTerm(PythonRate(constant), of))},
+            nb::make_tuple(tuple_of(constant), axes, given[2])};
+  }
+  at.functions.push_back(std::make_shared<PythonFunction>(a, at.label));
+  return {{AnyPerturbation(at.name, MomentumTerm(PythonRate(at.functions[0]), of))},
+          nb::make_tuple(a, axes, given[2])};
 }
 
-void bind_momentum_term(nb::module_& m) {
-  bind_term<"MomentumTerm">(
-      m, "An energy linear in the angular momentum, H' = a . g: a rotor or a moving frame.",
-      R"(v = a; along axes in space u = a x g. Its own motion is a rotation: Splitting takes it.
+TermClass momentum_class() {
+  constexpr const char* type =
+      "numpy.typing.ArrayLike | typing.Callable[[float], numpy.typing.ArrayLike]";
+  return {
+      .name = "MomentumTerm",
+      .summary = "An energy linear in the angular momentum, H' = a . g: a rotor or a moving frame.",
+      .notes =
+          R"(v = a; along axes in space u = a x g. Its own motion is a rotation: Splitting takes it.
 A rotor of constant momentum h in the body has a = -I^-1 h; a frame of rate mu has a = -mu.
 [SA (107), (118)]
 
 >>> wheel = MomentumTerm(-np.array([0, 0, 0.2]) / body.moments, name="wheel"))",
-      momentum_term,
-      argument<Typed<"numpy.typing.ArrayLike | typing.Callable[[float], numpy.typing.ArrayLike]">>(
-          "a", "(3,), rad per time, or a function of time that returns it."),
-      argument<std::string>("axes", "of a: \"body\", \"reference\" or \"inertial\".", "body"),
-      argument<TermName>("name", "stands in messages; None: \"MomentumTerm\".", nb::none()));
+      .arguments = {{"a", type, "(3,), rad per time, or a function of time that returns it.", "",
+                     type},
+                    {"axes", "str", "of a: \"body\", \"reference\" or \"inertial\".", "'body'",
+                     "str"},
+                    name_argument()},
+      .made = made_momentum};
 }
 
 }  // namespace
 
 void bind_user_terms(nb::module_& m) {
-  bind_user_torque(m);
-  bind_user_hamiltonian(m);
-  bind_momentum_term(m);
+  add_term_class(m, torque_class());
+  add_term_class(m, hamiltonian_class());
+  add_term_class(m, momentum_class());
 }
 
 }  // namespace polhode::python

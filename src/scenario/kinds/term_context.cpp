@@ -1,21 +1,35 @@
 // SPDX-License-Identifier: MIT
-// What a kind of torque asks of the parts of the rotation that stand before it.
+// What a kind of torque asks of the parts of the rotation that stand before it, and terms that a
+// program makes.
+#include <algorithm>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "polhode/scenario/perturbation_kind.hpp"
 #include "scenario/scenario_parts.hpp"
+#include "scenario/values.hpp"
 
 namespace polhode {
 inline namespace v0 {
 
+TermParts parts_of(const Rotation& rotation) {
+  return {.body = &rotation.body,
+          .q_FB = rotation.q_file,
+          .surface = rotation.surface.get(),
+          .orbits = &rotation.orbits};
+}
+
 const Body& TermContext::body() const {
   uses_.body = true;
-  return rotation_.body;
+  uses_.body_with_arguments = uses_.arguments != nullptr;
+  if (parts_.body == nullptr) refuse("body", "expected the body, since the term needs it");
+  return *parts_.body;
 }
 
 const Quaternion& TermContext::q_FB() const {
   uses_.file_axes = true;
-  return rotation_.q_file;
+  return parts_.q_FB;
 }
 
 bool TermContext::has_principal_axes() const { return q_FB() == Quaternion{}; }
@@ -33,16 +47,15 @@ Mat3 TermContext::principal(const Mat3& m_F) const {
 
 const Surface& TermContext::surface() const {
   uses_.surface = true;
-  if (rotation_.surface == nullptr)
+  if (parts_.surface == nullptr)
     refuse("kind", "expected a table [[surface]], since it acts on facets");
-  return *rotation_.surface;
+  return *parts_.surface;
 }
 
 const ScenarioOrbit& TermContext::orbit(std::string_view key) const {
   if (!has(key)) refuse(key, "expected the name of a table [orbit.NAME]");
-  const ScenarioOrbit& found =
-      detail::orbit_named(rotation_.orbits, values(), key_path(key), file());
-  uses_.orbits.push_back(static_cast<std::size_t>(&found - rotation_.orbits.data()));
+  const ScenarioOrbit& found = detail::orbit_named(*parts_.orbits, values(), key_path(key), file());
+  uses_.orbits.push_back(static_cast<std::size_t>(&found - parts_.orbits->data()));
   return found;
 }
 
@@ -57,6 +70,55 @@ double TermContext::gm(std::string_view key, std::string_view orbit_key) const {
   if (!(*of_orbit > 0.0))
     refuse(orbit_key, "expected an orbit of a positive gravitational parameter");
   return *of_orbit;
+}
+
+namespace {
+
+// Not in any file.
+constexpr detail::Position nowhere{.line = 0, .column = 0};
+
+// "GravityGradient: gm: got -1.0; expected ..." of what a kind says of its table.
+std::string said_of(const std::string& label, std::string text) {
+  const std::string table = label + ": kind: got nothing; ";
+  if (text.starts_with(table)) text.erase(0, table.size());
+  return text.starts_with(label + ":") ? text : label + ": " + text;
+}
+
+}  // namespace
+
+TermsOfProgram made_terms(const PerturbationKind& kind, std::span<const KeyValue> given,
+                          const TermParts& parts, const std::string& label) {
+  detail::Values values;
+  for (const Key& key : kind.keys) {
+    const auto own =
+        std::ranges::find(given, key.path, [](const KeyValue& one) { return one.key; });
+    const bool is_given = own != given.end();
+    std::optional<KeyValue> said = is_given ? std::optional(*own) : default_of(key);
+    if (said)
+      values.emplace(key.path, detail::Value{.key = &key,
+                                             .where = nowhere,
+                                             .is_explicit = is_given,
+                                             .shown = std::move(said->shown),
+                                             .numbers = std::move(said->numbers),
+                                             .units = {},
+                                             .words = std::move(said->words),
+                                             .whole = said->whole});
+  }
+  const Units units;
+  TermUses uses;
+  const TermContext at(KeyValues(values, units, "", label), parts, uses);
+  try {
+    MadeTerms made = kind.made(at);
+    return {std::move(made), std::move(uses)};
+  } catch (const DomainError& error) {  // a ScenarioError too
+    throw DomainError(said_of(label, error.what()));
+  }
+}
+
+std::optional<KeyValue> default_of(const Key& key) {
+  if (key.fallback.empty()) return std::nullopt;
+  const detail::Value value = detail::value_of(key, key.fallback);
+  return KeyValue{key.path, value.numbers, value.words, value.whole, value.shown};
 }
 
 }  // namespace v0

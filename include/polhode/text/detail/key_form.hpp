@@ -2,6 +2,7 @@
 // How the members of arguments are written in a file, and read from its values.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <concepts>
 #include <cstddef>
@@ -15,7 +16,9 @@
 
 #include "polhode/math/vector.hpp"
 #include "polhode/text/key.hpp"
+#include "polhode/text/key_value.hpp"
 #include "polhode/text/key_values.hpp"
+#include "polhode/text/separated.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -63,7 +66,7 @@ struct Plain<std::optional<M>> {
   static constexpr bool is_optional = true;
 };
 
-// How a member is written in a file, and read from its value.
+// How a member is written in a file, read from its value, and told as one.
 template <class M>
 struct KeyForm;
 template <>
@@ -71,12 +74,14 @@ struct KeyForm<double> {
   static constexpr KeyType type = KeyType::number;
   static constexpr int length = 0;
   static double read(const KeyValues& at, std::string_view key) { return at.number(key); }
+  static void tell(double x, KeyValue& value) { value.numbers = {x}; }
 };
 template <>
 struct KeyForm<Vec3> {
   static constexpr KeyType type = KeyType::numbers;
   static constexpr int length = 3;
   static Vec3 read(const KeyValues& at, std::string_view key) { return at.vector(key); }
+  static void tell(const Vec3& x, KeyValue& value) { value.numbers = {x.x, x.y, x.z}; }
 };
 template <std::size_t count>
 struct KeyForm<std::array<double, count>> {
@@ -87,6 +92,9 @@ struct KeyForm<std::array<double, count>> {
     for (std::size_t i = 0; i < count; ++i) all[i] = at.numbers(key).at(i);
     return all;
   }
+  static void tell(const std::array<double, count>& x, KeyValue& value) {
+    value.numbers.assign(x.begin(), x.end());
+  }
 };
 template <>
 struct KeyForm<std::vector<double>> {
@@ -95,24 +103,28 @@ struct KeyForm<std::vector<double>> {
   static std::vector<double> read(const KeyValues& at, std::string_view key) {
     return at.numbers(key);
   }
+  static void tell(const std::vector<double>& x, KeyValue& value) { value.numbers = x; }
 };
 template <>
 struct KeyForm<LinearMap> {
   static constexpr KeyType type = KeyType::linear_map;
   static constexpr int length = 0;
   static LinearMap read(const KeyValues& at, std::string_view key);
+  static void tell(const LinearMap& x, KeyValue& value);
 };
 template <>
 struct KeyForm<Mat3> {
   static constexpr KeyType type = KeyType::matrix;
   static constexpr int length = 0;
   static Mat3 read(const KeyValues& at, std::string_view key);
+  static void tell(const Mat3& x, KeyValue& value);
 };
 template <>
 struct KeyForm<SquareMatrix> {
   static constexpr KeyType type = KeyType::square;
   static constexpr int length = 0;
   static SquareMatrix read(const KeyValues& at, std::string_view key);
+  static void tell(const SquareMatrix& x, KeyValue& value) { value.numbers = x.elements; }
 };
 template <>
 struct KeyForm<NumberOrAuto> {
@@ -122,26 +134,34 @@ struct KeyForm<NumberOrAuto> {
   static NumberOrAuto read(const KeyValues& at, std::string_view key) {
     return {at.number(key), !at.words(key).empty()};
   }
+  static void tell(const NumberOrAuto& x, KeyValue& value) {
+    value.numbers = {x.number};
+    if (x.is_auto) value.words = {std::string(words)};
+  }
 };
 template <std::integral Whole>
 struct KeyForm<Whole> {
   static Whole read(const KeyValues& at, std::string_view key) {
     return static_cast<Whole>(at.integer(key));
   }
+  static void tell(Whole x, KeyValue& value) { value.whole = static_cast<std::int64_t>(x); }
 };
 template <>
 struct KeyForm<bool> {
   static bool read(const KeyValues& at, std::string_view key) { return at.flag(key); }
+  static void tell(bool x, KeyValue& value) { value.whole = x ? 1 : 0; }
 };
 template <>
 struct KeyForm<std::string> {
   static std::string read(const KeyValues& at, std::string_view key) { return at.word(key); }
+  static void tell(const std::string& x, KeyValue& value) { value.words = {x}; }
 };
 template <>
 struct KeyForm<std::vector<std::string>> {
   static std::vector<std::string> read(const KeyValues& at, std::string_view key) {
     return at.words(key);
   }
+  static void tell(const std::vector<std::string>& x, KeyValue& value) { value.words = x; }
 };
 
 template <auto at>
@@ -150,6 +170,22 @@ using KeyFormOf = KeyForm<typename Plain<Member<at>>::type>;
 template <auto at, class A>
 void fill_member(A& arguments, const KeyValues& values, std::string_view key) {
   if (values.has(key)) arguments.*at = KeyFormOf<at>::read(values, key);
+}
+
+// Gives a value to `tell`, unless the member may be left out and is.
+template <auto at, class A, class Tell>
+bool tell_member(const A& arguments, const Tell& tell) {
+  if constexpr (Plain<Member<at>>::is_optional) {
+    if (!(arguments.*at)) return false;
+    tell(*(arguments.*at));
+  } else {
+    tell(arguments.*at);
+  }
+  return true;
+}
+template <auto at, class A>
+bool tell_value(const A& arguments, KeyValue& value, std::string_view /*words*/) {
+  return tell_member<at>(arguments, [&](const auto& x) { KeyFormOf<at>::tell(x, value); });
 }
 
 // What a key can be made for: a member that holds a value of this type, or may; numbers; each of
@@ -199,17 +235,25 @@ consteval void require_choice(std::string_view words, std::size_t count) {
     throw "a choice has no empty words";
 }
 
+// The word "step" of "step|linear|cubic" for the first of these enumerators.
+template <auto... enumerators, class E>
+std::string word_of(E x, std::string_view words) {
+  constexpr std::array all = {enumerators...};
+  const auto place = std::find(all.begin(), all.end(), x) - all.begin();
+  return std::string(separated(words, '|').at(static_cast<std::size_t>(place)));
+}
+
 // Nothing else makes one.
 struct KeyMaker {
   template <auto at, class A>
   static consteval KindKey<A> key(const Key& key) {
-    require_words(key.path, key.help);
-    return {key, fill_member<at, A>, &member_id<at>};
+    return KeyMaker::key<at, A>(key, fill_member<at, A>, tell_value<at, A>);
   }
   template <auto at, class A>
-  static consteval KindKey<A> key(const Key& key, typename KindKey<A>::Fill fill) {
+  static consteval KindKey<A> key(const Key& key, typename KindKey<A>::Fill fill,
+                                  typename KindKey<A>::Tell tell) {
     require_words(key.path, key.help);
-    return {key, fill, &member_id<at>};
+    return {key, fill, tell, &member_id<at>};
   }
 };
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <variant>
@@ -215,12 +216,24 @@ constexpr std::array orbit_plane_keys = {
         .example("\"shortest-turn\""),
 };
 
+// frame_of(motion): an orbit of a file has one of four types, which can be differentiated twice.
+template <class FrameOf>
+Frame along_orbit(const ScenarioOrbit& orbit, const FrameOf& frame_of) {
+  return std::visit(
+      [&](const auto& motion) -> Frame {
+        if constexpr (std::is_same_v<std::decay_t<decltype(motion)>, AnyOrbit>)
+          throw std::logic_error("a frame along an orbit that no file has");
+        else
+          return frame_of(motion);
+      },
+      orbit.motion);
+}
+
 MadeFrame made_orbit_plane(const OrbitPlaneArguments& a, const FrameContext& at) {
   const ScenarioOrbit& orbit = at.orbit("orbit");
   return at.built("orbit", [&] {
     return MadeFrame{
-        std::visit([&](const auto& motion) { return orbit_plane_frame(motion, a.axis_1); },
-                   orbit.motion),
+        along_orbit(orbit, [&](const auto& motion) { return orbit_plane_frame(motion, a.axis_1); }),
         "plane of orbit " + orbit.name};
   });
 }
@@ -252,7 +265,7 @@ MadeFrame made_local_vertical(const LocalVerticalArguments&, const FrameContext&
   const ScenarioOrbit& orbit = at.orbit("orbit");
   return at.built("orbit", [&] {
     return MadeFrame{
-        std::visit([&](const auto& motion) { return local_vertical_frame(motion); }, orbit.motion),
+        along_orbit(orbit, [](const auto& motion) { return local_vertical_frame(motion); }),
         "local vertical of orbit " + orbit.name};
   });
 }

@@ -2,6 +2,8 @@
 // [[perturbation]] kind = "constant-torque".
 #include "polhode/perturb/constant_torque.hpp"
 
+#include <optional>
+
 #include "scenario/detail/built_in_kinds.hpp"
 #include "scenario/kinds/torques/shared_keys.hpp"
 
@@ -10,32 +12,40 @@ inline namespace v0 {
 namespace detail {
 namespace {
 
-enum class Axes { body, inertial };
-
 struct Arguments {
   Vec3 torque;
-  Axes axes;
+  TorqueAxes axes;
 };
 
 constexpr KindKey<Arguments> keys[] = {
     quantity_key<&Arguments::torque>("torque", Dimension::torque, "The torque.")
         .required()
         .example("[0.0, 0.0, 0.001]"),
-    torque_axes_key<&Arguments::axes, Axes::body, Axes::inertial>(),
+    torque_axes_key<&Arguments::axes>(),
 };
 
+Arguments principal(Arguments a, const TermContext& at) {
+  if (a.axes == TorqueAxes::body) a.torque = at.principal(a.torque);
+  return a;
+}
+
 MadeTerms made(const Arguments& a, const TermContext& at) {
-  if (a.axes == Axes::inertial)
-    return AnyPerturbation("constant torque, inertial axes", ConstantTorque::in_space(a.torque));
-  return AnyPerturbation("constant torque, body axes",
-                         ConstantTorque::in_body(at.principal(a.torque)));
+  const std::optional<SpaceAxes> axes = space_axes(a.axes);
+  if (!axes)
+    return AnyPerturbation(at.name("constant torque, body axes"),
+                           ConstantTorque::in_body(a.torque));
+  const bool inertial = *axes == SpaceAxes::inertial;
+  return AnyPerturbation(
+      at.name(inertial ? "constant torque, inertial axes" : "constant torque, reference axes"),
+      ConstantTorque::in_space(a.torque, *axes));
 }
 
 }  // namespace
 
 PerturbationKind constant_torque_kind() {
-  return perturbation_kind<Arguments>(
-      "constant-torque", "A torque that is constant in the body or in inertial axes.", keys, made);
+  return perturbation_kind<Arguments>("constant-torque",
+                                      "A torque that is constant in the body or in space.", keys,
+                                      made, {}, principal);
 }
 
 }  // namespace detail

@@ -27,22 +27,30 @@ constexpr KindKey<LinearDampingArguments> linear_damping_keys[] = {
 };
 
 // The body axes of the file are those of its tensor; the term wants principal axes.
+LinearDampingArguments principal_damping(LinearDampingArguments a, const TermContext& at) {
+  if (a.coefficients.is_diagonal && at.has_principal_axes()) return a;
+  const LinearDamping in_file_axes =
+      at.built("coefficients", [&] { return LinearDamping(a.coefficients.matrix, at.body()); });
+  return {{at.principal(in_file_axes.matrix()), false}};
+}
+
 MadeTerms made_linear_damping(const LinearDampingArguments& a, const TermContext& at) {
   const Mat3& D = a.coefficients.matrix;
   return at.built("coefficients", [&]() -> AnyPerturbation {
-    if (a.coefficients.is_diagonal && at.has_principal_axes())
-      return {"damping", LinearDamping(Vec3{D(0, 0), D(1, 1), D(2, 2)})};
-    const LinearDamping in_file_axes(D, at.body());
-    return {"damping", LinearDamping(at.principal(in_file_axes.matrix()), at.body())};
+    if (a.coefficients.is_diagonal)
+      return {at.name("damping"), LinearDamping(Vec3{D(0, 0), D(1, 1), D(2, 2)})};
+    return {at.name("damping"), LinearDamping(D, at.body())};
   });
 }
 
 }  // namespace
 
 PerturbationKind damping_kind() {
-  return perturbation_kind<LinearDampingArguments>(
+  PerturbationKind kind = perturbation_kind<LinearDampingArguments>(
       "damping", "A torque against the angular velocity, in proportion to it.", linear_damping_keys,
-      made_linear_damping);
+      made_linear_damping, {}, principal_damping);
+  kind.on_body = true;
+  return kind;
 }
 
 namespace {
@@ -50,8 +58,8 @@ namespace {
 struct InternalDampingArguments {
   std::optional<Vec3> k;
   bool grows;
-  double wobble_time;
-  double rate;
+  std::optional<double> wobble_time;
+  std::optional<double> rate;
 };
 
 constexpr KindKey<InternalDampingArguments> internal_damping_keys[] = {
@@ -76,16 +84,23 @@ constexpr KindKey<InternalDampingArguments> internal_damping_keys[] = {
         .positive(),
 };
 
-MadeTerms made_internal_damping(const InternalDampingArguments& a, const TermContext& at) {
-  if (a.k)
-    return at.built("k", [&]() -> AnyPerturbation {
-      return {"internal damping", InternalDamping(*a.k, a.grows)};
-    });
+InternalDampingArguments principal_internal_damping(InternalDampingArguments a,
+                                                    const TermContext& at) {
+  if (a.k) return a;
   if (a.grows) at.refuse("grows", "expected a key k as well");
   const Vec3& I = at.body().moments();
-  return at.built("kind", [&]() -> AnyPerturbation {
-    return {"internal damping", InternalDamping::of_wobble(at.body(), a.wobble_time,
-                                                           a.rate * std::max({I.x, I.y, I.z}))};
+  a.k = at.built("kind", [&] {
+    return InternalDamping::of_wobble(at.body(), *a.wobble_time,
+                                      *a.rate * std::max({I.x, I.y, I.z}))
+        .coefficients();
+  });
+  a.wobble_time = a.rate = std::nullopt;
+  return a;
+}
+
+MadeTerms made_internal_damping(const InternalDampingArguments& a, const TermContext& at) {
+  return at.built("k", [&]() -> AnyPerturbation {
+    return {at.name("internal damping"), InternalDamping(*a.k, a.grows)};
   });
 }
 
@@ -94,7 +109,8 @@ MadeTerms made_internal_damping(const InternalDampingArguments& a, const TermCon
 PerturbationKind internal_damping_kind() {
   PerturbationKind kind = perturbation_kind<InternalDampingArguments>(
       "internal-damping", "Friction inside the body: energy falls, angular momentum stays.",
-      internal_damping_keys, made_internal_damping);
+      internal_damping_keys, made_internal_damping, {}, principal_internal_damping);
+  kind.on_body = true;
   kind.sets = "wobble_time+rate|k";
   return kind;
 }
@@ -127,20 +143,22 @@ constexpr KindKey<DampedMaterial> anelastic_damping_keys[] = {
 
 MadeTerms made_anelastic_damping(const DampedMaterial& material, const TermContext& at) {
   return at.built("kind", [&]() -> AnyPerturbation {
-    return {"internal damping", InternalDamping::of_material(at.body(), material)};
+    return {at.name("internal damping"), InternalDamping::of_material(at.body(), material)};
   });
 }
 
 }  // namespace
 
 PerturbationKind anelastic_damping_kind() {
-  return perturbation_kind<DampedMaterial>(
+  PerturbationKind kind = perturbation_kind<DampedMaterial>(
       "anelastic-damping", "Friction inside the body, from the material that it is made of.",
       anelastic_damping_keys, made_anelastic_damping,
       {{"burns1973",
         "Burns, J. A., Safronov, V. S. (1973). Asteroid nutation angles. Monthly Notices of the "
         "Royal Astronomical Society 165, 403-411.",
         "the time in which a wobble dies"}});
+  kind.on_body = true;
+  return kind;
 }
 
 namespace {
@@ -183,13 +201,15 @@ MadeTerms made_kane_damper(const KaneDamperArguments& a, const TermContext& at) 
 }  // namespace
 
 PerturbationKind kane_damper_kind() {
-  return perturbation_kind<KaneDamperArguments>(
+  PerturbationKind kind = perturbation_kind<KaneDamperArguments>(
       "kane-damper", "A sphere in a cavity of the body, with viscous friction between them.",
       kane_damper_keys, made_kane_damper,
       {{"kane1966",
         "Kane, T. R., Barba, P. M. (1966). Effects of energy dissipation on a spinning satellite. "
         "AIAA Journal 4, 1392-1394.",
         "a sphere in a cavity that damps"}});
+  kind.has_terms = false;
+  return kind;
 }
 
 }  // namespace detail

@@ -81,7 +81,8 @@ MadeTerms made(const Arguments& a, const TermContext& at) {
   const Atmosphere air = air_of(a, at);
   const ScenarioOrbit& orbit = at.orbit("orbit");
   return AnyPerturbation(
-      "drag on " + std::to_string(surface.facets().size()) + " facets, orbit " + orbit.name,
+      at.name("drag on " + std::to_string(surface.facets().size()) + " facets, orbit " +
+              orbit.name),
       AtmosphericDrag(surface, air, {any_orbit(orbit), a.orbit_of == PathOf::attractor},
                       a.exit_speed));
 }
@@ -96,6 +97,7 @@ PerturbationKind drag_kind() {
         "Press.",
         "the force of free molecules on a facet"}});
   kind.on_surface = true;
+  kind.needs_velocity = true;
   return kind;
 }
 

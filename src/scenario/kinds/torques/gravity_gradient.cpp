@@ -26,6 +26,7 @@ struct Arguments {
   std::optional<double> J2;
   Vec3 pole;
   std::optional<double> primary_radius;
+  SpaceAxes axes;
 };
 
 constexpr KindKey<Arguments> keys[] = {
@@ -49,15 +50,24 @@ constexpr KindKey<Arguments> keys[] = {
         "primary_radius", Dimension::length,
         "Equatorial radius of the attracting body, that J2 belongs to.")
         .example("\"6378.137 km\""),
+    axes_key<&Arguments::axes>(),
 };
 
-// None where the table has no moments; along principal axes.
-std::optional<MassMoments> moments_of(const Arguments& a, const TermContext& at) {
+Arguments principal(Arguments a, const TermContext& at) {
+  at.orbit("orbit");  // named first if both are wrong
+  a.gm = at.gm("gm", "orbit");
+  if (at.has_principal_axes()) return a;
+  const Mat3 R = rotation_matrix(conj(at.q_FB()));
+  if (a.third_moments) a.third_moments = rotated(MassMoments{*a.third_moments, {}}, R).third;
+  if (a.fourth_moments) a.fourth_moments = rotated(MassMoments{{}, *a.fourth_moments}, R).fourth;
+  return a;
+}
+
+// None where the table has no moments.
+std::optional<MassMoments> moments_of(const Arguments& a) {
   if (!a.third_moments && !a.fourth_moments) return std::nullopt;
-  const MassMoments in_file_axes{a.third_moments.value_or(std::array<double, 10>{}),
-                                 a.fourth_moments.value_or(std::array<double, 15>{})};
-  if (at.has_principal_axes()) return in_file_axes;
-  return rotated(in_file_axes, rotation_matrix(conj(at.q_FB())));
+  return MassMoments{a.third_moments.value_or(std::array<double, 10>{}),
+                     a.fourth_moments.value_or(std::array<double, 15>{})};
 }
 
 void require_side(const Arguments& a, const TermContext& at) {
@@ -68,9 +78,11 @@ void require_side(const Arguments& a, const TermContext& at) {
 }
 
 std::optional<Oblateness> oblateness_of(const Arguments& a, const TermContext& at) {
-  for (const char* own : {"primary_radius", "pole"})
-    if (!a.J2 && at.is_explicit(own)) at.refuse(own, "expected a key J2 as well");
-  if (!a.J2) return std::nullopt;
+  if (!a.J2) {
+    if (a.primary_radius) at.refuse("primary_radius", "expected a key J2 as well");
+    if (a.pole != Vec3{0.0, 0.0, 1.0}) at.refuse("pole", "expected a key J2 as well");
+    return std::nullopt;
+  }
   if (!a.primary_radius)
     at.refuse("J2",
               "expected a key primary_radius as well, the equatorial radius that J2 belongs to");
@@ -81,8 +93,7 @@ std::optional<Oblateness> oblateness_of(const Arguments& a, const TermContext& a
 // Degree 2 once, and what else the table has.
 MadeTerms made(const Arguments& a, const TermContext& at) {
   const ScenarioOrbit& orbit = at.orbit("orbit");
-  const double gm = at.gm("gm", "orbit");
-  const std::optional<MassMoments> moments = moments_of(a, at);
+  const std::optional<MassMoments> moments = moments_of(a);
   require_side(a, at);
   const std::optional<Oblateness> oblate = oblateness_of(a, at);
   const std::string of_orbit = ", orbit " + orbit.name;
@@ -90,13 +101,15 @@ MadeTerms made(const Arguments& a, const TermContext& at) {
   return std::visit(
       [&](const auto& motion) {
         std::vector<AnyPerturbation> terms;
-        terms.emplace_back("gravity gradient" + of_orbit, GravityGradient(gm, motion));
+        terms.emplace_back(at.name("gravity gradient" + of_orbit),
+                           GravityGradient(*a.gm, motion, a.axes));
         if (moments)
-          terms.emplace_back("gravity of degrees 3 and 4" + of_orbit,
-                             HigherGravity(gm, motion, *moments, a.orbit_of));
+          terms.emplace_back(at.name("gravity of degrees 3 and 4" + of_orbit),
+                             HigherGravity(*a.gm, motion, *moments, a.orbit_of, a.axes));
         if (oblate)
           terms.push_back(at.built("J2", [&]() -> AnyPerturbation {
-            return {"gravity of J2" + of_orbit, OblateGravity(gm, motion, *oblate)};
+            return {at.name("gravity of J2" + of_orbit),
+                    OblateGravity(*a.gm, motion, *oblate, a.axes)};
           }));
         return terms;
       },
@@ -110,7 +123,7 @@ PerturbationKind gravity_gradient_kind() {
       "gravity-gradient",
       "Gravity of a point mass, of degree 2; with moments of the body of degrees 3 and 4, and with "
       "the oblateness of what attracts it, where the table has them.",
-      keys, made);
+      keys, made, {}, principal);
 }
 
 }  // namespace detail

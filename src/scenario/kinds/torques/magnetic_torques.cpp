@@ -27,7 +27,8 @@ namespace {
 enum class FieldSource { coefficients, earth };
 
 struct DipoleArguments {
-  std::string orbit;
+  std::optional<std::string> orbit;
+  std::optional<Vec3> constant_field;
   FieldSource field;
   std::optional<Vec3> gauss;
   std::optional<double> reference_radius;
@@ -41,8 +42,18 @@ constexpr std::string_view earth_field = "field = \"earth\"";
 
 // Of arguments A that derive from these.
 template <class A>
-constexpr std::array<KindKey<A>, 8> dipole_keys = {
-    orbit_key<&DipoleArguments::orbit, A>(),
+constexpr std::array<KindKey<A>, 9> dipole_keys = {
+    name_key<&DipoleArguments::orbit, A>(
+        "orbit",
+        "The name of a table [orbit.NAME]: where what has the magnetic field is, or the body as "
+        "seen from there. May be left out with constant_field alone.")
+        .example("\"earth\"")
+        .shown(),
+    quantity_key<&DipoleArguments::constant_field, A>(
+        "constant_field", Dimension::magnetic_field,
+        "A field that is the same everywhere and at any time, in inertial axes, in place of that "
+        "of a dipole.")
+        .example("{ value = [0.0, 0.0, 20000.0], unit = \"nT\" }"),
     choice_key<&DipoleArguments::field, A, FieldSource::coefficients, FieldSource::earth>(
         "field", "coefficients|earth",
         "earth: the dipole of the IGRF and the orientation of the Earth at state.epoch, in place "
@@ -81,12 +92,6 @@ constexpr std::array<KindKey<A>, 8> dipole_keys = {
         .unused_with(earth_field),
 };
 
-// The dipole, and its note in a summary.
-struct NamedDipole {
-  DipoleField field;
-  std::string text;  // empty, or ", ..."
-};
-
 Citation dipole_citation() {
   return {"thebault2015",
           "Thebault, E., et al. (2015). International Geomagnetic Reference Field: the 12th "
@@ -109,33 +114,45 @@ PrimaryRotation earth_at_epoch(const TermContext& at, const Clock& clock, const 
           .epoch = 0.0};
 }
 
-NamedDipole earth_dipole(const TermContext& at) {
+// Puts the coefficients of the Earth's field at t = 0 in place of the word.
+void replace_earth(DipoleArguments& a, const TermContext& at) {
+  if (a.field != FieldSource::earth) return;
   const std::string axes = state_table(at.file_values())->axes;
   if (axes == "inertial")
     at.refuse("field",
               "expected axes = \"equator-J2000\" or \"ecliptic-J2000\" in [state] as well, "
               "and epoch");
   const Clock clock = clock_of(at.file_values(), at.key_path("field"));
-  return at.built("field", [&]() -> NamedDipole {
+  at.built("field", [&] {
     const Vec3 g = igrf_dipole(clock.epoch);
     const auto core = [&](double x) {
       return at.units().to_core(x, "nT", Dimension::magnetic_field);
     };
-    const double radius = at.units().to_core(igrf_radius_km, "km", Dimension::length);
     const PrimaryRotation earth = earth_at_epoch(at, clock, axes);
-    const Vec3& pole = earth.pole;
-    return {
-        DipoleField::from_gauss({core(g.x), core(g.y), core(g.z)}, radius, earth),
-        fmt::format(", the Earth's dipole of the epoch (IGRF-14: {:.1f}, {:.1f}, {:.1f} nT; "
-                    "pole {:.9f}, {:.9f}, {:.9f}, meridian {:.6f} {})",
-                    g.x, g.y, g.z, pole.x, pole.y, pole.z,
-                    at.units().from_core(earth.meridian, Dimension::angle), at.units().angle())};
+    a.field = FieldSource::coefficients;
+    a.gauss = {core(g.x), core(g.y), core(g.z)};
+    a.reference_radius = at.units().to_core(igrf_radius_km, "km", Dimension::length);
+    a.pole = earth.pole;
+    a.rotation_rate = earth.rate;
+    a.meridian = earth.meridian;
+    a.meridian_epoch = earth.epoch;
   });
 }
 
-// By its coefficients, or the Earth's of the epoch.
-NamedDipole dipole_of(const DipoleArguments& a, const TermContext& at) {
-  if (a.field == FieldSource::earth) return earth_dipole(at);
+bool is_earth(const TermContext& at) { return at.word("field") == "earth"; }
+
+// The note of the Earth's dipole in a summary; empty for others.
+std::string field_note(const DipoleArguments& a, const TermContext& at) {
+  if (!is_earth(at)) return {};
+  const Vec3 g = igrf_dipole(clock_of(at.file_values(), at.key_path("field")).epoch);
+  return fmt::format(
+      ", the Earth's dipole of the epoch (IGRF-14: {:.1f}, {:.1f}, {:.1f} nT; "
+      "pole {:.9f}, {:.9f}, {:.9f}, meridian {:.6f} {})",
+      g.x, g.y, g.z, a.pole.x, a.pole.y, a.pole.z,
+      at.units().from_core(*a.meridian, Dimension::angle), at.units().angle());
+}
+
+void require_dipole_keys(const DipoleArguments& a, const TermContext& at) {
   if (!a.gauss)
     at.refuse("gauss", "expected the Gauss coefficients g10, g11, h11, or field = \"earth\"");
   if (!a.reference_radius)
@@ -146,15 +163,34 @@ NamedDipole dipole_of(const DipoleArguments& a, const TermContext& at) {
   if (turns_show && !a.meridian)
     at.refuse("meridian", "expected the angle of the prime meridian at t = meridian_epoch");
   require_pole(at, "pole");
+}
+
+DipoleField dipole_of(const DipoleArguments& a, const TermContext& at) {
+  if (!is_earth(at)) require_dipole_keys(a, at);
   const PrimaryRotation primary{.pole = a.pole,
                                 .rate = a.rotation_rate.value_or(0.0),
                                 .meridian = a.meridian.value_or(0.0),
                                 .epoch = a.meridian_epoch};
   if (primary.pole == Vec3{}) at.refuse("pole", "expected a vector that is not zero");
-  return at.built("gauss", [&]() -> NamedDipole {
+  return at.built("gauss", [&] {
     const Vec3& g = *a.gauss;
-    return {DipoleField::from_gauss({g.x, g.y, g.z}, *a.reference_radius, primary), ""};
+    return DipoleField::from_gauss({g.x, g.y, g.z}, *a.reference_radius, primary);
   });
+}
+
+// made(field, note), a term in the field at the place of the body.
+template <class Made>
+AnyPerturbation in_field(const DipoleArguments& a, const TermContext& at, const Made& made) {
+  if (at.field() != nullptr) return made(*at.field(), std::string());
+  if (a.constant_field) {
+    if (a.gauss) at.refuse("constant_field", "expected none with gauss");
+    return made(ConstantField(*a.constant_field), std::string(", constant field"));
+  }
+  const ScenarioOrbit& orbit = at.orbit("orbit");
+  const DipoleField dipole = dipole_of(a, at);
+  const std::string note = ", orbit " + orbit.name + field_note(a, at);
+  return std::visit([&](const auto& motion) { return made(FieldAlongOrbit(motion, dipole), note); },
+                    orbit.motion);
 }
 
 struct ResidualDipoleArguments : DipoleArguments {
@@ -169,24 +205,26 @@ constexpr std::array moment_keys = {
 };
 constexpr auto residual_dipole_keys = joined(dipole_keys<ResidualDipoleArguments>, moment_keys);
 
+ResidualDipoleArguments principal_dipole(ResidualDipoleArguments a, const TermContext& at) {
+  replace_earth(a, at);
+  a.moment = at.principal(a.moment);
+  return a;
+}
+
 MadeTerms made_residual_dipole(const ResidualDipoleArguments& a, const TermContext& at) {
-  const ScenarioOrbit& orbit = at.orbit("orbit");
-  const NamedDipole dipole = dipole_of(a, at);
-  const Vec3 m = at.principal(a.moment);
-  return std::visit(
-      [&](const auto& motion) -> AnyPerturbation {
-        return {"residual dipole, orbit " + orbit.name + dipole.text,
-                ResidualDipole(m, FieldAlongOrbit(motion, dipole.field))};
-      },
-      orbit.motion);
+  return in_field(a, at, [&](const auto& field, const std::string& note) -> AnyPerturbation {
+    return {at.name("residual dipole" + note), ResidualDipole(a.moment, field)};
+  });
 }
 
 }  // namespace
 
 PerturbationKind residual_dipole_kind() {
-  return perturbation_kind<ResidualDipoleArguments>(
-      "residual-dipole", "A magnetic moment of the body in a dipole field.", residual_dipole_keys,
-      made_residual_dipole, {dipole_citation()});
+  PerturbationKind kind = perturbation_kind<ResidualDipoleArguments>(
+      "residual-dipole", "A magnetic moment of the body in a magnetic field.", residual_dipole_keys,
+      made_residual_dipole, {dipole_citation()}, principal_dipole);
+  kind.in_field = true;
+  return kind;
 }
 
 namespace {
@@ -209,26 +247,28 @@ constexpr std::array tensor_keys = {
 };
 constexpr auto eddy_current_keys = joined(dipole_keys<EddyCurrentArguments>, tensor_keys);
 
+EddyCurrentArguments principal_eddy(EddyCurrentArguments a, const TermContext& at) {
+  replace_earth(a, at);
+  a.tensor = at.built("tensor", [&]() -> LinearMap {
+    const EddyCurrents in_file_axes(a.tensor.matrix, ConstantField({}));  // refuses
+    return {at.principal(in_file_axes.tensor()), false};
+  });
+  return a;
+}
+
 MadeTerms made_eddy_currents(const EddyCurrentArguments& a, const TermContext& at) {
-  const ScenarioOrbit& orbit = at.orbit("orbit");
-  const NamedDipole dipole = dipole_of(a, at);
   const FieldRate rate = a.field_rate ? FieldRate::along_orbit : FieldRate::left_out;
-  return at.built("tensor", [&] {
-    return std::visit(
-        [&](const auto& motion) -> AnyPerturbation {
-          const FieldAlongOrbit field(motion, dipole.field);
-          const EddyCurrents in_file_axes(a.tensor.matrix, field, rate);  // refuses
-          return {"eddy currents, orbit " + orbit.name + dipole.text,
-                  EddyCurrents(at.principal(in_file_axes.tensor()), field, rate)};
-        },
-        orbit.motion);
+  return in_field(a, at, [&](const auto& field, const std::string& note) {
+    return at.built("tensor", [&]() -> AnyPerturbation {
+      return {at.name("eddy currents" + note), EddyCurrents(a.tensor.matrix, field, rate)};
+    });
   });
 }
 
 }  // namespace
 
 PerturbationKind eddy_currents_kind() {
-  return perturbation_kind<EddyCurrentArguments>(
+  PerturbationKind kind = perturbation_kind<EddyCurrentArguments>(
       "eddy-currents", "Currents that a magnetic field induces in a body that turns in it.",
       eddy_current_keys, made_eddy_currents,
       {{"praly2012",
@@ -236,7 +276,10 @@ PerturbationKind eddy_currents_kind() {
         "eddy current damping of the spin dynamics of space debris from the Ariane launcher upper "
         "stages. Acta Astronautica 76, 145-153.",
         "the torque on eddy currents"},
-       dipole_citation()});
+       dipole_citation()},
+      principal_eddy);
+  kind.in_field = true;
+  return kind;
 }
 
 }  // namespace detail

@@ -2,8 +2,10 @@
 // Keys that several kinds of torque have, each written once.
 #pragma once
 
+#include <optional>
 #include <string_view>
 
+#include "polhode/perturb/effect.hpp"
 #include "polhode/scenario/perturbation_kind.hpp"
 #include "polhode/text/kind_key.hpp"
 #include "scenario/tables/state.hpp"
@@ -16,8 +18,8 @@ template <auto at, class A = Owner<at>>
 consteval auto orbit_key() {
   return name_key<at, A>(
              "orbit",
-             "The name of a table [orbit.NAME]: where the attracting point mass, or what "
-             "has the magnetic field, is; or what the body goes round.")
+             "The name of a table [orbit.NAME]: where the attracting point mass is, or what the "
+             "body goes round.")
       .required()
       .example("\"earth\"");
 }
@@ -64,10 +66,29 @@ consteval auto body_radius_key() {
       .positive();
 }
 
-template <auto at, auto body, auto inertial>
+// The axes of positions.
+template <auto at>
+consteval auto axes_key() {
+  return choice_key<at, SpaceAxes::inertial, SpaceAxes::reference>(
+             "axes", "inertial|reference",
+             "The axes of the positions: inertial ones, or those of the reference frame.")
+      .otherwise("\"inertial\"");
+}
+
+// The axes of a torque.
+enum class TorqueAxes { body, inertial, reference };
+template <auto at>
 consteval auto torque_axes_key() {
-  return choice_key<at, body, inertial>("axes", "body|inertial", "The axes of its components.")
+  return choice_key<at, TorqueAxes::body, TorqueAxes::inertial, TorqueAxes::reference>(
+             "axes", "body|inertial|reference",
+             "The axes of its components: those of the body, inertial ones, or those of the "
+             "reference frame.")
       .otherwise("\"body\"");
+}
+// None: those of the body.
+inline std::optional<SpaceAxes> space_axes(TorqueAxes axes) {
+  if (axes == TorqueAxes::body) return std::nullopt;
+  return axes == TorqueAxes::inertial ? SpaceAxes::inertial : SpaceAxes::reference;
 }
 
 }  // namespace detail

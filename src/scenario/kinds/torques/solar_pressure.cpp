@@ -27,6 +27,7 @@ struct Arguments {
   Shape shadow;
   std::optional<double> shadow_radius;
   std::optional<double> sun_radius;
+  SpaceAxes axes;
 };
 
 constexpr KindKey<Arguments> keys[] = {
@@ -68,6 +69,7 @@ constexpr KindKey<Arguments> keys[] = {
                                          "The radius of the Sun, for a shadow that is a cone.")
         .example("\"695700 km\"")
         .positive(),
+    axes_key<&Arguments::axes>(),
 };
 
 std::optional<Shadow> shadow_of(const Arguments& a, const TermContext& at) {
@@ -89,14 +91,14 @@ MadeTerms made(const Arguments& a, const TermContext& at) {
   const DirectedPath path{any_orbit(orbit), a.orbit_of == PathOf::attractor};
   const std::string text = "solar pressure on " + std::to_string(surface.facets().size()) +
                            " facets, orbit " + orbit.name;
-  if (!a.sun) return AnyPerturbation(text, SolarPressure(surface, light, path));
+  if (!a.sun) return AnyPerturbation(at.name(text), SolarPressure(surface, light, path, a.axes));
   const ScenarioOrbit& sun = at.orbit("sun");
   DirectedPath sun_path{any_orbit(sun), a.sun_orbit_of == SunPathOf::attractor};
   const std::string shape = a.shadow == Shape::none   ? ""
                             : a.shadow == Shape::cone ? ", shadow cone"
                                                       : ", shadow cylinder";
-  return AnyPerturbation(text + ", Sun " + sun.name + shape,
-                         SolarPressure(surface, light, path, std::move(sun_path), shadow));
+  return AnyPerturbation(at.name(text + ", Sun " + sun.name + shape),
+                         SolarPressure(surface, light, path, std::move(sun_path), shadow, a.axes));
 }
 
 }  // namespace

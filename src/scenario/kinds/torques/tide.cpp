@@ -43,14 +43,19 @@ constexpr KindKey<Arguments> keys[] = {
     body_radius_key<&Arguments::radius>(),
 };
 
+Arguments principal(Arguments a, const TermContext& at) {
+  at.orbit("orbit");  // named first if both are wrong
+  a.gm = at.gm("gm", "orbit");
+  return a;
+}
+
 MadeTerms made(const Arguments& a, const TermContext& at) {
   const ScenarioOrbit& orbit = at.orbit("orbit");
-  const double gm = at.gm("gm", "orbit");
   const TidalBody of{a.k2, a.time_lag, a.radius};
   return at.built("kind", [&] {
     return std::visit(
         [&](const auto& motion) -> AnyPerturbation {
-          return {"tide, orbit " + orbit.name, TidalTorque(gm, a.mass, motion, of)};
+          return {at.name("tide, orbit " + orbit.name), TidalTorque(*a.gm, a.mass, motion, of)};
         },
         orbit.motion);
   });
@@ -59,7 +64,7 @@ MadeTerms made(const Arguments& a, const TermContext& at) {
 }  // namespace
 
 PerturbationKind tide_kind() {
-  return perturbation_kind<Arguments>(
+  PerturbationKind kind = perturbation_kind<Arguments>(
       "tide", "The tide that a point mass raises on the body, with a constant time lag.", keys,
       made,
       {{"mignard1979",
@@ -69,7 +74,10 @@ PerturbationKind tide_kind() {
        {"hut1981",
         "Hut, P. (1981). Tidal evolution in close binary systems. Astronomy and Astrophysics 99, "
         "126-140.",
-        "tides with a constant time lag"}});
+        "tides with a constant time lag"}},
+      principal);
+  kind.needs_velocity = true;
+  return kind;
 }
 
 }  // namespace detail

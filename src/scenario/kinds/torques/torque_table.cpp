@@ -21,8 +21,6 @@ using Between = TorqueTable::Between;
 using Outside = TorqueTable::Outside;
 using Column = std::optional<std::vector<double>>;
 
-enum class Axes { body, inertial };
-
 struct Arguments {
   std::optional<std::vector<double>> times;
   Column torque_1, torque_2, torque_3;
@@ -31,7 +29,7 @@ struct Arguments {
   std::optional<std::string> time_unit, torque_unit;
   Between between;
   Outside outside;
-  Axes axes;
+  TorqueAxes axes;
 };
 
 template <auto at>
@@ -71,7 +69,7 @@ constexpr KindKey<Arguments> keys[] = {
         "outside", "zero|hold|error",
         "Before the first row and after the last: no torque, that of the row, or an error.")
         .otherwise("\"zero\""),
-    torque_axes_key<&Arguments::axes, Axes::body, Axes::inertial>(),
+    torque_axes_key<&Arguments::axes>(),
 };
 
 // The columns of the table itself, side by side.
@@ -106,7 +104,7 @@ std::vector<TorqueRow> rows_of_file(const Arguments& a, const TermContext& at) {
     for (std::size_t k = 1; k < columns.size(); ++k)
       check.unit(k, {"torque_unit", torque, Dimension::torque});
     check.epoch();
-    check.torque_axes(a.axes == Axes::inertial ? "inertial" : "body");
+    check.torque_axes(at.word("axes"));
     return read;
   });
   std::vector<TorqueRow> rows;
@@ -125,17 +123,28 @@ void require_one_way(const Arguments& a, const TermContext& at) {
     if (a.file && at.is_explicit(own)) at.refuse(own, "expected a key times as well, not file");
 }
 
-MadeTerms made(const Arguments& a, const TermContext& at) {
+// Its rows as columns of its own, all three of them.
+Arguments principal(Arguments a, const TermContext& at) {
   require_one_way(a, at);
   std::vector<TorqueRow> rows = a.file ? rows_of_file(a, at) : own_rows(a, at);
-  TorqueTable::Rules rules{a.between, a.outside};
-  if (a.axes == Axes::inertial) {
-    rules.axes = SpaceAxes::inertial;
-  } else {
-    for (TorqueRow& row : rows) row.torque = at.principal(row.torque);
+  a.times.emplace();
+  for (Column* const column : {&a.torque_1, &a.torque_2, &a.torque_3}) column->emplace();
+  for (const TorqueRow& row : rows) {
+    const Vec3 u = a.axes == TorqueAxes::body ? at.principal(row.torque) : row.torque;
+    a.times->push_back(row.t);
+    a.torque_1->push_back(u.x);
+    a.torque_2->push_back(u.y);
+    a.torque_3->push_back(u.z);
   }
-  return at.built(a.file ? "file" : "times", [&]() -> AnyPerturbation {
-    return {"torque table", TorqueTable(rows, rules)};
+  a.file = a.time_unit = a.torque_unit = std::nullopt;
+  a.columns = std::nullopt;
+  return a;
+}
+
+MadeTerms made(const Arguments& a, const TermContext& at) {
+  return at.built(at.has("file") ? "file" : "times", [&]() -> AnyPerturbation {
+    return {at.name("torque table"),
+            TorqueTable(own_rows(a, at), {a.between, a.outside, space_axes(a.axes)})};
   });
 }
 
@@ -147,7 +156,8 @@ PerturbationKind torque_table_kind() {
       {{"fritsch1984",
         "Fritsch, F. N., Butland, J. (1984). A method for constructing local monotone piecewise "
         "cubic interpolants. SIAM Journal on Scientific and Statistical Computing 5, 300-304.",
-        "torque tables by cubics"}});
+        "torque tables by cubics"}},
+      principal);
   kind.sets = "times|file";
   return kind;
 }
