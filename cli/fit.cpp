@@ -50,10 +50,15 @@ int threads_of(const FitCommand& options) {
   return options.threads > 0 ? options.threads : hardware_threads();
 }
 
+// A fit that ended without a solution: to continue it would find none either.
+struct NoSolution : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 [[noreturn]] void fail(const Scenario& scenario, const std::string& starts,
                        const std::string& failure) {
-  throw std::runtime_error(fmt::format("{}: no solution: from {} the fit did not converge: {}",
-                                       scenario.document.name, starts, failure));
+  throw NoSolution(fmt::format("{}: no solution: from {} the fit did not converge: {}",
+                               scenario.document.name, starts, failure));
 }
 
 void say(const std::string& line) { std::fputs((line + "\n").c_str(), stderr); }
@@ -180,7 +185,7 @@ class KeptFit {
   }
 
   void keep() { checkpoint_.keep(); }
-  // All outputs are written, or would never be.
+  // The fit is complete, or has no solution.
   void forget() { checkpoint_.forget(); }
 
  private:
@@ -259,8 +264,7 @@ void fit_light_curves(FitCommand options, const Scenario& scenario, KeptFit& kep
       print(options.json ? light_json(scenario, report) : light_text(scenario, report));
     if (options.scans_only) return;
     if (report.start) fail(scenario, "its start", report.failure);
-    throw std::runtime_error(
-        fmt::format("{}: no solution: {}", scenario.document.name, report.failure));
+    throw NoSolution(fmt::format("{}: no solution: {}", scenario.document.name, report.failure));
   }
   if (prints_table(options) && !report.verdict.empty())
     say(scenario.document.name + ": note: " + report.verdict);
@@ -279,22 +283,24 @@ void fit_light_curves(FitCommand options, const Scenario& scenario, KeptFit& kep
 void fit_file(const FitCommand& options, const Kinds& kinds) {
   const Scenario scenario = changed_scenario(options.scenario, options.set, kinds);
   require_own_files(scenario, outputs_of(options));
+  for (const std::vector<std::string>* const tables :
+       {&options.residuals, &options.covariance, &options.landscape, &options.predict})
+    for (const std::string& path : *tables)
+      static_cast<void>(scenario.output.formats.of_output(path));  // before the work
   KeptFit kept(options, scenario);
   try {
     if (observes_light(scenario))
       fit_light_curves(options, scenario, kept);
     else
       fit_snapshots(options, scenario, kept);
-  } catch (const Interrupted&) {
-    throw;
-  } catch (const OutputError&) {  // what was found is not lost with a full disk
-    kept.keep();
-    throw;
-  } catch (const DomainError&) {
+  } catch (const NoSolution&) {
     kept.forget();
     throw;
-  } catch (const std::runtime_error&) {  // no solution, nor would there be one again
-    kept.forget();
+  } catch (const OutputError&) {  // a full disk does not lose the results
+    try {
+      kept.keep();
+    } catch (const OutputError&) {  // the first error is the one to report
+    }
     throw;
   }
   kept.forget();

@@ -125,7 +125,7 @@ std::string output_paths(const OutputFormats& formats) {
   return paths;
 }
 
-// That the file has a table which is for another command.
+// Reports tables of the file that only other commands use.
 void note_plans(const Scenario& scenario) {
   const auto note = [&](bool has_table, const char* table, const char* command) {
     if (has_table)
@@ -150,7 +150,6 @@ void run_scenario(const CommandOptions& options, const Kinds& kinds) {
                       (std::holds_alternative<Rotation>(scenario.experiment)
                            ? ": event: got nothing; expected tables [[event]] for --events"
                            : ": expected no --events, since this kind of file has none"));
-  note_plans(scenario);
   std::vector<std::string> out = options.out;
   const bool table_only = out.empty() && options.events.empty() && isatty(STDOUT_FILENO) == 1;
   if (out.empty() && options.events.empty() && !table_only) out.push_back("-");
@@ -170,6 +169,7 @@ void run_scenario(const CommandOptions& options, const Kinds& kinds) {
   }
   if (!report.outcome.ok()) throw std::runtime_error(failure_text(scenario, report, out));
   for (const std::string& warning : report.warnings) warn(warning);
+  note_plans(scenario);
   if (to_standard_output) return;
   std::vector<SummaryLine> lines = summary(scenario);
   if (!table_only)

@@ -27,7 +27,16 @@ namespace {
 
 constexpr std::size_t rows = 3;  // of a matrix
 
-bool is_matrix(const Value& value) { return value.numbers.size() == rows * rows; }
+}  // namespace
+
+// A list of nine numbers is not a matrix.
+bool is_matrix(const Value& value) {
+  const KeyType type = value.key->type;
+  return value.numbers.size() == rows * rows &&
+         (type == KeyType::matrix || type == KeyType::linear_map);
+}
+
+namespace {
 
 // Takes the last "[1]" off the end of a key.
 std::optional<std::size_t> last_index(std::string_view& key) {

@@ -27,8 +27,8 @@ struct NumberLocation {
 // no such number.
 std::optional<NumberLocation> number_location(const Values& values, std::string_view key);
 
-// The same, and all numbers of an array by its name alone, of a symmetric matrix its upper half row
-// by row; empty where there is none.
+// The same, and all numbers of an array by its name alone. Of a symmetric matrix these are its
+// upper half, row by row. Empty if there is none.
 std::vector<NumberLocation> number_locations(const Values& values, std::string_view key);
 
 // The numbers of a file by their keys, of arrays the first, or that with the index in `key`: what
@@ -44,8 +44,9 @@ double to_core(const Value& value, std::size_t index, double in_file, const Unit
 // "body.moments[1]", as number_location finds it.
 std::string key_text(const Values& values, const NumberLocation& place);
 
-// True if a value is a number or an array of numbers.
+// True if a value is a number or an array of numbers, and if it is three rows of three.
 bool is_number(const Value& value);
+bool is_matrix(const Value& value);
 
 }  // namespace detail
 }  // namespace v0

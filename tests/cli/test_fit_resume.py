@@ -141,6 +141,8 @@ def test_an_unfinished_fit_is_not_lost(run, stopped):
     assert "--resume continues it, --restart begins anew" in said
     other = run.rejected(*again, "--set", "fit.seed=2", "--resume")
     assert "is of another fit: scenario was" in other
+    # a mistaken option loses nothing either
+    assert "--at" in run.rejected(*again, "--resume", "--at", "nonsense")
     assert (folder / "found.toml.checkpoint").exists()
 
 

@@ -5,11 +5,10 @@
 // Domain      work that calls run_cells with the same cells in the same order each time: each call
 //             is a stage of the journal, and its results stand there in order.
 // Accuracy    a result is kept to the last bit: what follows from it is the same.
-// Errors      DomainError for bytes that end too early.
+// Errors      DomainError for bytes that end too early, and for results of other work.
 // Cost        the bytes of all results, in memory.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -19,6 +18,7 @@
 #include <vector>
 
 #include "polhode/ensemble/cells.hpp"
+#include "polhode/error.hpp"
 #include "polhode/trajectory/state_bytes.hpp"
 
 namespace polhode {
@@ -53,11 +53,13 @@ class CellJournal {
     using Result = std::invoke_result_t<const Cell&, std::int64_t>;
     const std::size_t place = begun_++;
     if (place == stages_.size()) stages_.emplace_back();
-    const std::int64_t known = std::min(count, std::ssize(stages_[place]));
+    const std::int64_t known = std::ssize(stages_[place]);
+    if (known > count) throw other_work();
     for (std::int64_t k = 0; k < known; ++k) {
       StateBytes bytes(stages_[place][static_cast<std::size_t>(k)]);
       Result result{};
       visit(bytes, result);
+      if (!bytes.is_done()) throw other_work();
       --left_;
       sink(k, std::as_const(result));
     }
@@ -72,6 +74,10 @@ class CellJournal {
   }
 
  private:
+  static DomainError other_work() {
+    return DomainError("CellJournal: its results are those of other work");
+  }
+
   std::vector<std::vector<std::string>> stages_;
   std::size_t begun_ = 0;  // stages
   std::size_t left_ = 0;   // results that were read and not used yet

@@ -3,12 +3,13 @@
 // was stopped or killed continues, as runs do (polhode/run/scenario_run.hpp).
 //
 // Domain      starts, scans and fits that are done are not computed again; those that were begun
-//             are. Without an output that is a file there is no checkpoint.
+//             are. Without an output that is a file there is no checkpoint. Two fits must not write
+//             the same outputs at the same time.
 // Accuracy    a fit that was interrupted and continued finds what a fit in one go finds, to the
 //             last bit (same build of polhode).
 // Errors      the constructor throws DomainError as that of ScenarioRun.
-// Cost        the bytes of all results, chi-square of each pair of a scan included; at most a
-//             twentieth of the time of the fit.
+// Cost        the bytes of all results, chi-square of each pair of a scan included, held in memory
+//             and written as a whole; at most a twentieth of the time of the fit.
 #pragma once
 
 #include <cstddef>
@@ -33,15 +34,15 @@ class FitCheckpoint {
   FitCheckpoint(const FitCheckpoint&) = delete;
   FitCheckpoint& operator=(const FitCheckpoint&) = delete;
 
-  // Whether there is a fit to continue.
+  // True if there is a fit to continue.
   bool continues() const;
   // For the options of the fit. Checkpoints are written while it gets results.
   CellJournal& journal();
   // How many results it has.
   std::size_t results() const;
-  // Writes a checkpoint; false where there is none.
+  // Writes a checkpoint; false if this fit has none.
   bool keep();
-  // All outputs are written: nothing will be continued.
+  // Removes the checkpoint: the fit is complete, or has no solution.
   void forget();
 
  private:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Checkpoints of runs, maps and ensembles: what one must agree in with the run that resumes from
-// it, when to make one, the files that an earlier run has left, and the outputs that are written
-// with it.
+// Checkpoints of runs, maps, ensembles and fits: what one must agree in with the run that resumes
+// from it, when to make one, the files that an earlier run has left, and the outputs that are
+// written with it.
 #pragma once
 
 #include <algorithm>
@@ -120,7 +120,7 @@ void with_remedy(const F& f, const Next& next) {
   }
 }
 
-// The words of messages for a run, a map or an ensemble.
+// The words of messages for a run, a map, an ensemble or a fit.
 struct KeptKind {
   std::string name;   // "run"
   std::string again;  // what a restart does: "runs the scenario anew"
@@ -134,7 +134,7 @@ struct KeptSetup {
   RunBegin begin = RunBegin::anew;
   BeginWords words = {};
   double seconds = 5.0;  // between two checkpoints, at least
-  // Whether outputs tell that they are complete, so that there is nothing to do.
+  // True if complete outputs can be recognised, so that there is nothing to do.
   bool can_be_complete = true;
   // Makes of the identity of a checkpoint what may differ from ours.
   std::function<void(Identity& theirs, const Identity& ours)> forgive = {};

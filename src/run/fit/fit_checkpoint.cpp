@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "polhode/run/fit_checkpoint.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "polhode/run/run.hpp"
 #include "run/detail/checkpoint.hpp"
+#include "run/detail/output_checks.hpp"
 #include "text/words.hpp"
 
 namespace polhode {
@@ -14,7 +18,9 @@ namespace {
 
 detail::KeptSetup setup_of(const Scenario& scenario, const std::vector<std::string>& paths,
                            RunBegin begin, const BeginWords& words, double seconds) {
-  detail::KeptSetup setup = detail::setup_of_tables({"fit", "fits anew"}, scenario, {}, paths);
+  std::vector<std::string> files;  // what goes to standard output is written at the end
+  std::ranges::copy_if(paths, std::back_inserter(files), detail::is_file);
+  detail::KeptSetup setup = detail::setup_of_tables({"fit", "fits anew"}, scenario, {}, files);
   setup.begin = begin;
   setup.words = words;
   setup.seconds = seconds;

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "polhode/error.hpp"
 #include "scenario/ensemble/ensemble_plan.hpp"
 #include "scenario/number_location.hpp"
 #include "text/number_text.hpp"
@@ -23,8 +24,7 @@ std::vector<std::string> places_of(const Value& value, const std::string& path,
                                    std::size_t element) {
   if (value.key->type == KeyType::number) return {path};
   std::string index = std::to_string(element);
-  if (value.numbers.size() == 9)
-    index = std::to_string(element / 3) + "." + std::to_string(element % 3);
+  if (is_matrix(value)) index = std::to_string(element / 3) + "." + std::to_string(element % 3);
   return {path + "." + index, path + ".value." + index};
 }
 
@@ -58,6 +58,24 @@ std::string with_number(std::string text, const Value& value, const NumberLocati
   }
 }
 
+// A number that reads back as another one would make another member. Values that are rejected are
+// for the run to report.
+void require_numbers(const std::string& text, const Document& file,
+                     std::span<const NumberLocation> places, std::span<const double> numbers) {
+  Diagnostics diagnostics(file.path);
+  const ReadFile read = read_values(text, file.kinds->schema(), diagnostics);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const auto found = read.values.find(places[i].path);
+    if (found == read.values.end()) continue;
+    const Value& value = value_at(file.checked->values, places[i].path);
+    const double expected = to_core(value, places[i].index, numbers[i], file.units);
+    for (const std::size_t element : places[i].elements())
+      if (found->second.numbers.at(element) != expected)
+        throw DomainError(file.name + ": " + key_text(file.checked->values, places[i]) +
+                          " has no place in the text of the file");
+  }
+}
+
 }  // namespace
 
 std::string member_text(const Scenario& scenario, std::int64_t index) {
@@ -74,6 +92,7 @@ std::string member_text(const Scenario& scenario, std::int64_t index) {
     for (const std::size_t element : places[i].elements())
       text = with_number(std::move(text), value_at(values, places[i].path), places[i], element,
                          numbers[i]);
+  require_numbers(text, file, places, numbers);
   return "# Member " + std::to_string(index) + " of " + printable(file.name, 200) + ", " +
          std::to_string(plan.size) + " members, seed " + std::to_string(plan.seed) + "\n" + text;
 }

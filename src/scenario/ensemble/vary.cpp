@@ -40,8 +40,8 @@ constexpr std::array keys_of_vary = {
         .of_kinds("normal|uniform|log-uniform|grid"),
     key_list_key<&VaryTable::keys>(
         "keys",
-        "Several numbers, an array by its name: of body.tensor the six of its upper half, row by "
-        "row. A direction has the three components of a "
+        "Several numbers, or an array by its name. body.tensor stands for the six numbers of its "
+        "upper half, row by row. A direction has the three components of a "
         "vector, which keeps its length, or two angles in either order, which are known by their "
         "names: longitude, ra or node, and latitude, dec or inclination; an attitude the four "
         "components of a quaternion.")

@@ -212,8 +212,9 @@ Observation observation_of(const FileValues& file, std::size_t index, const Kind
     throw std::logic_error("observation: the schema allows a kind without a description: " +
                            o.kind);
   TermUses uses;
+  const TermParts parts = parts_of(rotation);
   at.built("kind", [&] {
-    kind->made(o, TermContext(at, rotation, uses));
+    kind->made(o, TermContext(at, parts, uses));
     return 0;
   });
   if (!o.light) {
