@@ -359,12 +359,7 @@ void add_fit(CLI::App& app, const Kinds& kinds, const std::string& typed) {
   add_begin_options(*command, options->begin,
                     "Continue a fit that was stopped, from its FIRST_OUTPUT.checkpoint",
                     "Fit anew where an unfinished fit is, and lose its results");
-  command
-      ->add_option("--checkpoint", options->checkpoint,
-                   "Time between two checkpoints in FIRST_OUTPUT.checkpoint, at least")
-      ->type_name("SECONDS")
-      ->check(seconds())
-      ->capture_default_str();
+  add_checkpoint_option(*command, options->checkpoint);
   command->add_flag("--scan-only", options->scans_only,
                     "Stop after the period scan (light curves)");
   command->add_flag("--json", options->json, "For programs: every digit");

@@ -29,12 +29,7 @@ void add_work(CLI::App& command, ManyRuns& options, const ManyRunsWords& words) 
       command, options.begin,
       "Continue " + words.one + " that was stopped, from its FIRST_OUTPUT.checkpoint",
       "Begin anew where an unfinished " + words.name + " is, and lose its " + words.members);
-  command
-      .add_option("--checkpoint", options.checkpoint,
-                  "Time between two checkpoints in FIRST_OUTPUT.checkpoint, at least")
-      ->type_name("SECONDS")
-      ->check(seconds())
-      ->capture_default_str();
+  add_checkpoint_option(command, options.checkpoint);
 }
 
 std::vector<std::string> command_of(const std::string& name, const ManyRuns& options) {

@@ -41,7 +41,6 @@ CLI::Validator in_range(T first, T last, const std::string& expected) {
 
 }  // namespace
 
-CLI::Validator seconds() { return in_range(0.0, 1e9, "a number of seconds, from 0 to 1e9"); }
 CLI::Validator whole_number() {
   return in_range(1, std::numeric_limits<int>::max(), "a whole number, 1 or more");
 }
@@ -58,6 +57,15 @@ void add_begin_options(CLI::App& command, BeginOptions& options, const std::stri
                        const std::string& restart_help) {
   CLI::Option* resume = command.add_flag("--resume", options.resume, resume_help);
   command.add_flag("--restart", options.restart, restart_help)->excludes(resume);
+}
+
+void add_checkpoint_option(CLI::App& command, double& seconds_between) {
+  command
+      .add_option("--checkpoint", seconds_between,
+                  "Time between two checkpoints in FIRST_OUTPUT.checkpoint, at least")
+      ->type_name("SECONDS")
+      ->check(in_range(0.0, 1e9, "a number of seconds, from 0 to 1e9"))
+      ->capture_default_str();
 }
 
 BeginWords begin_words() { return {"--resume", "--restart", "--any-machine"}; }

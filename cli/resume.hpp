@@ -19,10 +19,11 @@ struct BeginOptions {
 };
 void add_begin_options(CLI::App& command, BeginOptions& options, const std::string& resume_help,
                        const std::string& restart_help);
+// --checkpoint SECONDS, of which the number is the default.
+void add_checkpoint_option(CLI::App& command, double& seconds_between);
 BeginWords begin_words();
 
-// What an option takes: seconds from 0 to 1e9; a whole number from 1 on, or from 0 on.
-CLI::Validator seconds();
+// What an option takes: a whole number from 1 on, or from 0 on.
 CLI::Validator whole_number();
 CLI::Validator member_index();
 

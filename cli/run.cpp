@@ -207,12 +207,7 @@ void add_run(CLI::App& app, const Kinds& kinds, const std::string& typed) {
       *command, options->begin,
       "Continue a run that was stopped: its files become those of a run that never was",
       "Run anew where an unfinished run is, and lose its rows");
-  command
-      ->add_option("--checkpoint", options->checkpoint,
-                   "Time between two checkpoints in FIRST_OUTPUT.checkpoint, at least")
-      ->type_name("SECONDS")
-      ->check(seconds())
-      ->capture_default_str();
+  add_checkpoint_option(*command, options->checkpoint);
   command->footer(
       "\nCtrl-C stops a run after its step; --resume continues it.\n"
       "\nExample:\n  " +
