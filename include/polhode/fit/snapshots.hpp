@@ -76,7 +76,7 @@ struct Snapshots {
   }
 };
 
-// Of attitudes, then directions, rates and measurements, each in its order.
+// The times of attitudes, then directions, rates and measurements, each in its order.
 std::vector<double> times_of(const Snapshots& seen);
 
 // The covariance of three independent errors, and of three of one size.

@@ -109,7 +109,7 @@ class ColumnKinds {
   // Null if there is none of this name, or none with this column; date is no column of numbers.
   const ColumnKind* group(std::string_view name) const;
   const ColumnKind* of_column(std::string_view name) const;
-  // Of a group or one of its columns; false for an unknown name.
+  // The name is that of a group or of a column; false if it is unknown.
   bool needs_energy(std::string_view group_or_column) const;
   bool needs_damper(std::string_view group_or_column) const;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a row of output holds: t, then the column groups that a scenario asks for
+// The columns of a row of output: t, then the column groups that a scenario asks for
 // (polhode/output/column_kind.hpp).
 //
 // Equations   those of the charts. Attitudes and elements are those in the reference frame S; omega

@@ -60,7 +60,7 @@ class Kinds {
   const OutputFormats& formats() const;
   // Of tables to convert; those that are in scenarios also of [state.CHART] and of columns.
   std::span<const ChartKind> charts() const;
-  // Of a rotation.
+  // Output columns of a rotation.
   const ColumnKinds& columns() const;
   // The keys of a scenario file.
   const Schema& schema() const;

@@ -104,7 +104,7 @@ struct Observation {
   std::optional<TimeScale> time_scale = std::nullopt;  // of dates
   std::string time_unit;                               // of numbers; empty: that of the file
   LightTime times = LightTime::at_body;
-  // Of times at the observer; of light curves without one each point has that of its distance.
+  // For times at the observer. Points of light curves without it use their own distance.
   std::optional<double> light_time = std::nullopt;
   // One of the two.
   ObservedRows rows = {};

@@ -14,7 +14,7 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-// Whether tables of all kinds have a key of this name.
+// True if tables of all kinds have a key of this name.
 bool is_shared_observation_key(std::string_view name);
 
 class ObservationRows {
