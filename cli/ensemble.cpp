@@ -119,7 +119,7 @@ std::string summary_of(const ScenarioEnsemble& ensemble, const std::vector<Colum
 
 // The scenario of the member; its rows into the outputs that are no scenario.
 void run_member(const ScenarioEnsemble& ensemble, const EnsembleOfFile& options) {
-  const std::string text = ensemble.member_text(*options.member);
+  std::string text = ensemble.member_text(*options.member);
   const bool has_rows = std::ranges::any_of(
       options.out, [](const std::string& path) { return !path.ends_with(".toml"); });
   if (!has_rows && options.begin.begin() != RunBegin::anew)
@@ -144,14 +144,14 @@ void run_member(const ScenarioEnsemble& ensemble, const EnsembleOfFile& options)
       throw std::runtime_error(fmt::format(
           "{}: member {} failed: {}", ensemble.scenario().document.name, *options.member, failure));
   };
+  const Scenario member = ensemble.member_scenario(*options.member, std::move(text));
   // what the ensemble knows of it beside the columns of a run
   if (!ensemble.events().empty() || !ensemble.plan().indicators.empty()) {
     const MemberReport report =
-        write_member(ensemble, *options.member, rows, options.begin.begin(), begin_words());
+        write_member(ensemble, *options.member, member, rows, options.begin.begin(), begin_words());
     if (report.was_complete) return print_nothing_to_do(ensemble.scenario().document.name, rows);
     return require_done(report.failure);
   }
-  const Scenario member = ensemble.member_scenario(*options.member);
   RunOptions how;
   how.begin = options.begin.begin();
   how.words = begin_words();

@@ -53,6 +53,8 @@ PROGRAMS = {"cli", "web"}
 WAITS = {"mpi"}
 # Headers that belong to no layer, for everybody.
 TOP = {"polhode/error.hpp", "polhode/version.hpp"}
+# Those whose headers in src/ are for their own layer alone: others use the public ones.
+PRIVATE = {"scenario"}
 # Other people's libraries, by the folder of src/ that may use them. Public headers use none.
 THIRD_PARTY = {
     "series": r"boost/multiprecision/",
@@ -136,7 +138,7 @@ def complaint(path, layer, bracket, name, allowed):
         return f'"{name}": no such layer'
     if target not in allowed[layer]:
         return f'"{name}": {layer} may not include {target}'
-    if "detail" in parts and target != layer:
+    if target != layer and ("detail" in parts or (parts[0] in PRIVATE)):
         return f'"{name}" is for {target} alone'
     return None
 

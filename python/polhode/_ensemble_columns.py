@@ -10,7 +10,7 @@ import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from polhode import _core, _ensemble_files, _ensemble_histograms, _toml, vary
+from polhode import _ensemble_files, _ensemble_histograms, _toml, vary
 from polhode._columns import Columns, MissingColumn, restored
 
 if TYPE_CHECKING:
@@ -295,30 +295,13 @@ def quantiles_in(columns: Mapping[str, Any], column: str) -> dict[float, Any]:
     return dict(sorted(found.items()))
 
 
-def compiled_with(file: Any, vary_: Any, keys: Mapping[str, Any]) -> Any:
-    """The file with another table [ensemble]; see Scenario.with_ensemble."""
-    given = {key: value for key, value in keys.items() if value is not None}
-    text, table = file.text, {}
-    if file.has_ensemble:
-        table = _toml.data_from(text)["ensemble"]
-        text = _core._changed_text(text, "ensemble", "")
-    table.update(given)
+def ensemble_tables(file: Any, vary_: Any, keys: Mapping[str, Any]) -> str:
+    """The tables [ensemble] of a file with these changes, as TOML; see Scenario.with_ensemble."""
+    table = _toml.data_from(file.text)["ensemble"] if file.has_ensemble else {}
+    table.update({key: value for key, value in keys.items() if value is not None})
     if vary_ is not None:
         table["vary"] = vary.tables_of(vary_)
-    tables = _toml.text_from({"ensemble": table}).strip("\n")
-    own = text.rstrip("\n") + "\n\n"
-    try:
-        return _toml.compiled(own + tables + "\n", file.path)
-    except _core.ScenarioError as error:
-        raise _core.ScenarioError(_without_places(str(error), own.count("\n"))) from None
-
-
-def _without_places(message: str, lines: int) -> str:
-    """What is said of lines after these, which are in no text that anybody has: the key alone."""
-    def without(found: re.Match[str]) -> str:
-        return found[0] if int(found[1]) <= lines else found[2]
-
-    return re.sub(r"^.*?:(\d+):\d+: (ensemble[.:])", without, message, flags=re.MULTILINE)
+    return _toml.text_from({"ensemble": table}).strip("\n")
 
 
 def run_ensemble(

@@ -141,12 +141,21 @@ class ClassSignature:
             return inspect.Signature()
         if not _overloads(asked.__init__, self._names):
             return inspect.Signature()
-        made = _signature(asked.__init__, self._names)
-        rest = [p for p in made.parameters.values() if p.name != "self"]
-        return made.replace(parameters=rest, return_annotation=inspect.Signature.empty)
+        return without_self(_signature(asked.__init__, self._names))
 
 
-def _is_of_no_overload(error: TypeError, name: str) -> bool:
+def signature_of(text: str, names: dict[str, Any]) -> inspect.Signature:
+    """Of "def __init__(self, gm: float) -> None"."""
+    return _parsed(text, None, names)
+
+
+def without_self(made: inspect.Signature) -> inspect.Signature:
+    """That of the class of a constructor."""
+    rest = [p for p in made.parameters.values() if p.name != "self"]
+    return made.replace(parameters=rest, return_annotation=inspect.Signature.empty)
+
+
+def is_of_no_overload(error: TypeError, name: str) -> bool:
     return str(error).startswith(f"{name}(): incompatible function arguments.")
 
 
@@ -191,7 +200,7 @@ def with_signature(function: Any, names: dict[str, Any], owner: str = "") -> Cal
         try:
             return function(*args, **kwargs)
         except TypeError as error:
-            if not _is_of_no_overload(error, function.__name__):
+            if not is_of_no_overload(error, function.__name__):
                 raise
         _refuse(owner + function.__name__, function, names, args, kwargs)
 

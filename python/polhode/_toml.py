@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Texts of scenarios: compiled, from nested dicts, to them, and edited so that comments stay."""
+"""Texts of scenarios: compiled, from nested dicts, and to them."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import copyreg
 import os
 import re
 import warnings
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 import numpy
@@ -59,17 +59,6 @@ def data_from(text: str) -> dict[str, Any]:
 def value_text(value: Any, key: str) -> str:
     """The TOML of one value, tables in braces; TypeError, naming the key, for what it has not."""
     return _value(value, key)
-
-
-def with_columns(text: str, columns: Iterable[str]) -> str:
-    """The same text, comments and all, with [output] columns set to these."""
-    import tomlkit
-
-    document = tomlkit.parse(text)
-    if "output" not in document:
-        document.add("output", tomlkit.table())
-    document["output"]["columns"] = list(columns)
-    return tomlkit.dumps(document)
 
 
 # Not tomlkit: its arrays take a time that grows with the square of their length.

@@ -9,13 +9,18 @@ fits, error messages and the JSON Schema know it.
 
 from __future__ import annotations
 
+import functools
 import inspect
+import keyword
 import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from polhode import _core, _toml
+import numpy
+
+from polhode import _core, _signatures, _toml
+from polhode._mistakes import sentence
 
 KindTable = _core.KindTable
 KindTable.__module__ = __name__
@@ -317,7 +322,7 @@ _registered: dict[tuple[type, str], _Kind | ColumnKind] = {}
 def register(
     kind: PerturbationKind | OrbitKind | ExperimentKind | ObservationKind | ColumnKind, *,
     replace: bool = False,
-) -> None:
+) -> type[_core.AnyPerturbation] | None:
     """Registers a kind for all scenarios that are read from now on.
 
     A scenario keeps the kinds that it was read with. Another process, such as a worker of a pool,
@@ -330,6 +335,14 @@ def register(
     replace : whether it may take the place of one that was registered under this name, as when a
         cell of a notebook runs again. Kinds of the library are not replaced.
 
+    Returns
+    -------
+    type or None
+        Of a PerturbationKind the class of its terms, like those of the library: its keys are the
+        arguments. `on_surface` adds a `surface`, and a `body` is for functions that ask for it.
+        table.principal returns what it is given, since arguments are along the principal axes.
+        None of other kinds, and if a key cannot be an argument of Python, such as "max-torque".
+
     Raises
     ------
     ValueError
@@ -339,9 +352,10 @@ def register(
 
     Examples
     --------
-    >>> register(PerturbationKind("push", "A constant push.",
-    ...                           [Key("torque", "Along axis 3.", "torque", required=True)],
-    ...                           lambda t: ConstantTorque([0, 0, t["torque"]])))
+    >>> Push = register(PerturbationKind(
+    ...     "push", "A constant push.", [Key("torque", "Along axis 3.", "torque", required=True)],
+    ...     lambda t: ConstantTorque([0, 0, t["torque"]])))
+    >>> scenario = Scenario.build(System(body, terms=[Push(torque=1e-6)]), state, (0, 10, 1))
     """
     if type(kind) not in _FAMILIES:
         raise TypeError(f"register: got {kind!r}; expected a PerturbationKind, an OrbitKind, an "
@@ -359,6 +373,58 @@ def register(
     _core._allow_alive_at_exit()
     _toml.set_known_kinds(known)
     _registered.update(kinds)
+    if isinstance(kind, PerturbationKind) and all(_is_argument(key.name) for key in kind.keys):
+        return _term_class(known, kind.name)
+    return None
+
+
+def _is_argument(name: str) -> bool:
+    return (name.isidentifier() and not keyword.iskeyword(name)
+            and name not in ("self", "body", "surface")
+            and not hasattr(_core.AnyPerturbation, name))
+
+
+_classes: dict[str, type[_core.AnyPerturbation]] = {}
+
+
+def _made_term(kind: str, arguments: tuple[Any, ...]) -> Any:
+    """A pickled term."""
+    _require(kind in _classes, f'"{kind}" is not registered; expected register of its kind first')
+    return _classes[kind](*arguments)
+
+
+def _argument_of(name: str, term: Any) -> Any:
+    value = term.arguments[name]
+    return numpy.array(value) if isinstance(value, tuple) else value
+
+
+def _term_class(known: Any, kind: str) -> type[_core.AnyPerturbation]:
+    number, name, text, doc, arguments = known.term_class(kind)
+    names = vars(_core)
+    whole = _signatures.signature_of(text, names)
+
+    class Term(_core._RegisteredTerm):
+        __doc__ = doc
+        __match_args__ = arguments
+        __signature__ = _signatures.without_self(whole)
+
+        def __init__(self, *args: Any, **named: Any) -> None:
+            try:
+                super().__init__(number, *args, **named)
+            except TypeError as error:
+                if not _signatures.is_of_no_overload(error, "__init__"):
+                    raise
+                raise TypeError(sentence(name, [whole], args, named, names)) from None
+
+        def __reduce__(self) -> Any:
+            return _made_term, (kind, tuple(self.arguments.values()))
+
+    for argument in arguments:
+        setattr(Term, argument, property(functools.partial(_argument_of, argument)))
+    Term.__name__ = Term.__qualname__ = name
+    _core._set_term_type(number, Term)
+    _classes[kind] = Term
+    return Term
 
 
 def registered() -> list[str]:

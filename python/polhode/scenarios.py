@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple, Union
 
 from polhode import _building, _core, _toml
-from polhode._ensemble_columns import EnsembleColumns, compiled_with, read_ensemble, run_ensemble
+from polhode._ensemble_columns import EnsembleColumns, ensemble_tables, read_ensemble, run_ensemble
 from polhode._summary import Summary
 from polhode.results import MapColumns, RunColumns, run_map
 
@@ -163,7 +163,7 @@ class Scenario:
     def with_columns(self, columns: str | Sequence[str]) -> Scenario:
         """The same scenario with these groups of columns; its text too, where comments stay."""
         names = [columns] if isinstance(columns, str) else list(columns)
-        return Scenario.from_text(_toml.with_columns(self.text, names), self._file.path)
+        return self.replace({"output.columns": names})
 
     def with_ensemble(
         self, vary: Mapping[Any, vary.Distribution] | None = None, **keys: Any
@@ -179,7 +179,7 @@ class Scenario:
 
         ScenarioError for what is no ensemble.
         """
-        return Scenario._of(compiled_with(self._file, vary, keys))
+        return Scenario._of(self._file.with_ensemble(ensemble_tables(self._file, vary, keys)))
 
     def replace(self, changes: Mapping[str, Any] | None = None, **tables: Any) -> Scenario:
         """The same scenario with other values of some keys, as `polhode run --set` makes it.
@@ -556,7 +556,7 @@ class EnsembleResults(EnsembleColumns):
     def member(self, index: int) -> Scenario:
         """The scenario of one member, from 0 on: what `polhode ensemble --member` prints. Its run
         gives the numbers that the ensemble had, to the last bit. ValueError for another index."""
-        return Scenario.from_text(self._ensemble().member_text(index), self._file.path)
+        return Scenario._of(self._ensemble().member(index))
 
 
 def _units_of(units: Units | Mapping[str, str] | None) -> Units:

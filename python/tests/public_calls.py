@@ -163,6 +163,8 @@ OF_NAME = {
 
 # What one function wants otherwise.
 VECTOR, MATRIX = [0.1, 0.2, 1.0], np.eye(6)
+NO_DIPOLE = dict.fromkeys(
+    ("field", "gauss", "reference_radius", "pole", "rotation_rate", "meridian", "meridian_epoch"))
 OF_CALL = {
     "Body.with_axes": {"moments": [1.0, 1.7, 2.1]},
     "RotorState.__init__": {"g": VECTOR},
@@ -200,9 +202,8 @@ OF_CALL = {
         for name in ("rate_of_body", "energy", "acceleration", "momentum", "relative_rate")
     },
     "at_damper_rate": {"system": DAMPED, "rate": VECTOR},
-    "ResidualDipole.__init__": {"moment": VECTOR, "field": None, "constant_field": VECTOR,
-                                "gauss": None},
-    "EddyCurrents.__init__": {"field": None, "constant_field": VECTOR, "gauss": None},
+    "ResidualDipole.__init__": {"moment": VECTOR, "constant_field": VECTOR, **NO_DIPOLE},
+    "EddyCurrents.__init__": {"constant_field": VECTOR, **NO_DIPOLE},
     "RotorRates.__init__": {"g": VECTOR},
     "HubRates.__init__": {"theta": VECTOR, "g": VECTOR},
     "SaveAt.count": {"rows": 3},

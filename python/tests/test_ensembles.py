@@ -206,7 +206,8 @@ def test_a_histogram_that_is_not_there_is_named():
 
 
 def test_messages_about_what_varies_have_no_place():
-    with pytest.raises(ScenarioError, match=r"^ensemble\.vary\[0\]\.sigma: got -1; "):
+    said = r"^scenario\.toml: ensemble\.vary\[0\]\.sigma: got -1; "
+    with pytest.raises(ScenarioError, match=said):
         polhode.ensemble(FEW, {SPIN: vary.normal(-1.0)}, size=5)
     with pytest.raises(ScenarioError, match=r":\d+:\d+: body\.moments"):  # has a place
         FEW.replace({"body.moments": [1, 2, 30]})

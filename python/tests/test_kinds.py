@@ -3,6 +3,7 @@
 with built-in kinds, and mistakes are reported at their place."""
 
 import concurrent.futures
+import inspect
 import json
 import multiprocessing
 import pickle
@@ -14,6 +15,7 @@ import numpy as np
 import polhode
 import pytest
 from closeness import assert_allclose
+from numpy.testing import assert_array_equal
 from polhode.kinds import (
     ColumnKind,
     ExperimentKind,
@@ -22,6 +24,7 @@ from polhode.kinds import (
     OrbitKind,
     PerturbationKind,
 )
+from rejections import rejected
 
 HEAD = """schema = 1
 units = { time = "s", angle = "deg", moment = "kg m2", length = "km" }
@@ -97,8 +100,9 @@ def keep(table):
     return []
 
 
-polhode.kinds.register(PerturbationKind("py-push", "A push of constant torque.", [TORQUE], push))
-polhode.kinds.register(PerturbationKind(
+PyPush = polhode.kinds.register(
+    PerturbationKind("py-push", "A push of constant torque.", [TORQUE], push))
+PyBrake = polhode.kinds.register(PerturbationKind(
     "py-brake", "A brake about one axis of the body, of a limited torque.",
     [Key("axis", "The axis, along the body axes.", "number", form="numbers", length=3,
          default=[0, 0, 1]),
@@ -596,3 +600,47 @@ def test_wrong_descriptions_are_rejected(call, error, message):
         call()
     assert message in str(raised.value)
     assert polhode.kinds.registered() == before
+
+
+def test_a_registered_kind_has_a_class_like_those_of_the_library():
+    assert PyPush.__name__ == "PyPush" and PyPush.__match_args__ == ("torque", "body")
+    assert list(inspect.signature(PyBrake).parameters) == ["limit", "axis", "damping", "body"]
+    assert "A brake about one axis" in PyBrake.__doc__ and "positive" in PyBrake.__doc__
+    term = PyPush([0, 0.002, 0])
+    assert isinstance(term, polhode.AnyPerturbation) and term.kind == "py-push"
+    assert repr(term) == "PyPush(torque=(0.0, 0.002, 0.0))"
+    assert_array_equal(term.torque, [0, 0.002, 0])
+    again = pickle.loads(pickle.dumps(term))
+    assert again == term and hash(again) == hash(term) and type(again) is PyPush
+    assert term != PyPush([0, 0.003, 0])
+
+
+def test_terms_of_registered_kinds_are_built_and_read_back():
+    file = polhode.Scenario.from_text(HEAD + PUSH + """[[perturbation]]
+kind = "py-brake"
+limit = 0.001
+""")
+    terms = [PyPush([0, 0.002, 0]), PyBrake(0.001, body=file.body)]
+    assert list(file.system.terms) == terms
+    system = polhode.System(file.body, None, terms)
+    built = polhode.Scenario.build(
+        system, file.initial_state, (0.0, 60.0, 5.0), units=file.units)
+    assert list(built.system.terms) == terms and 'kind = "py-brake"' in built.text
+    assert_allclose(built.run().groups["omega"], file.with_columns("omega").run().groups["omega"],
+                    rtol=budgets.numpy_formula)
+    weaker = built.replace({"perturbation.1.limit": 0.0005})
+    assert weaker.system.terms[1] == PyBrake(0.0005, body=file.body)
+
+
+@pytest.mark.parametrize(("make", "error", "words"), [
+    (lambda: PyPush(), TypeError, "PyPush: got no torque; expected torque"),
+    (lambda: PyPush([1, 2]), ValueError, r"torque: got shape \(2,\); expected \(3,\)"),
+    (lambda: PyPush([1, 2, 3], turn=1), TypeError,
+     "PyPush: got turn=1, an int; expected torque or body"),
+    (lambda: PyBrake("x"), TypeError, "limit: got a str; expected real numbers"),
+    (lambda: PyBrake(-1.0, body=polhode.Body(1, 2, 3)), ValueError,
+     "PyBrake: limit: got -1.0; expected a positive"),
+    (lambda: PyBrake(1.0), ValueError, "PyBrake: body: got nothing; expected the body"),
+])
+def test_arguments_that_a_class_of_a_kind_does_not_take(make, error, words):
+    rejected(error, words, make)

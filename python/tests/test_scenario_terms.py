@@ -272,7 +272,7 @@ def test_objects_of_python_become_tables_of_their_kind():
 def test_terms_tell_what_they_were_made_of():
     assert POINT.arguments == {
         "orbit": ORBIT, "gm": 0.7, "third_moments": None, "fourth_moments": None,
-        "orbit_of": "body", "J2": None, "pole": (0.0, 0.0, 1.0), "primary_radius": None,
+        "orbit_of": "body", "J2": None, "pole": None, "primary_radius": None,
         "axes": "inertial", "name": None}
     assert POINT == GravityGradient(ORBIT)  # gm is that of the orbit
     wobble = InternalDamping(wobble_time=10.0, rate=2.0, body=BODY)
@@ -282,7 +282,8 @@ def test_terms_tell_what_they_were_made_of():
 
 
 def test_every_class_of_terms_of_files_comes_back():
-    classes = {cls.__name__ for cls in polhode.AnyPerturbation.__subclasses__()}
+    classes = {cls.__name__ for cls in polhode.AnyPerturbation.__subclasses__()
+               if not cls.__name__.startswith("_")}
     tried = {name for _, name in [*ALONG.values(), *OWN.values()]}
     assert tried == classes - {"TorqueTerm", "HamiltonianTerm", "MomentumTerm"}
 

@@ -186,6 +186,7 @@ def test_a_second_of_torque_in_a_day():
     (1e-3, 1, [0, 0, 0], r"pole \(0, 0, 0\) must be a direction"),
     (1e-3, None, [0, 0, 1], "expected a key primary_radius as well"),
     (None, None, [0, 1, 0], "GravityGradient: pole: got .*; expected a key J2 as well"),
+    (None, None, [0, 0, 1], "GravityGradient: pole: got .*; expected a key J2 as well"),
 ])
 def test_what_is_no_oblateness_says_why(J2, radius, pole, words):
     rejected(ValueError, words, GravityGradient, ORBIT, J2=J2, primary_radius=radius, pole=pole)

@@ -218,7 +218,8 @@ MeasuredPoint measured_point(const Measurement& m, const MovedPoint& at, bool ha
   MeasuredPoint point{numbers_at(at.q, at.w_F), {}, {}};
   if (!has_derivatives) return point;
   constexpr double turn = 6e-6;  // the third root of a rounding
-  const double rate = turn * norm(at.w_F);
+  const double size = norm(at.w_F);
+  const double rate = size > 0.0 ? turn * size : turn;  // at rest: of one radian per unit of time
   point.by_turn.resize(n);
   point.by_rate.resize(n);
   for (int j = 0; j < 3; ++j) {

@@ -25,10 +25,7 @@
 #include "polhode/error.hpp"
 #include "polhode/output/columns.hpp"
 #include "polhode/scenario/obliquity.hpp"
-#include "scenario/prepared_base.hpp"
-#include "scenario/scenario_parts.hpp"
-#include "scenario/tables/map.hpp"
-#include "scenario/values.hpp"
+#include "polhode/scenario/varied_scenario.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -298,10 +295,10 @@ std::vector<std::string> keys_of(const MapPlan& plan) {
 
 struct ScenarioMap::Parts {
   explicit Parts(Scenario read)
-      : scenario(std::move(read)), base(scenario, keys_of(*scenario.map)) {}
+      : scenario(std::move(read)), varied(scenario, keys_of(*scenario.map)) {}
 
   Scenario scenario;
-  detail::PreparedBase base;
+  VariedScenario varied;
 };
 
 namespace {
@@ -357,9 +354,9 @@ std::vector<double> ScenarioMap::axis_values(std::int64_t index) const {
 MapCell ScenarioMap::cell(std::int64_t index, const Progress& progress) const {
   const Document& of = scenario().document;
   try {
-    const Experiment experiment = parts_->base.experiment(axis_values(index));
+    const Experiment experiment = parts_->varied.experiment(axis_values(index));
     const ColumnKinds& columns = of.kinds->columns();
-    detail::require_map(detail::file_values(of), columns, experiment);
+    require_map(scenario(), experiment);
     return std::visit(
         [&](const auto& made) {
           return detail::map_cell(made, {plan(), of.units, columns}, progress);

@@ -18,7 +18,6 @@
 #include "polhode/run/detail/rows_maker.hpp"
 #include "polhode/run/detail/run_state.hpp"
 #include "run/detail/experiments.hpp"
-#include "scenario/scenario_parts.hpp"
 #include "text/dates.hpp"
 #include "text/number_text.hpp"
 
@@ -89,7 +88,7 @@ class FreeRun {
                     ? free_rotation(rotation_)
                     : FreeRotation(rotation_.body,
                                    inertial_state(system_, 0.0, problem_.initial.rotor))),
-        origin_{system_, detail::initial_energy(problem_)},
+        origin_{system_, initial_energy(problem_)},
         rows_(*rotation_.time) {
     report_.outcome.t = rows_.end();
     if (rotation_.events.empty()) return;
@@ -226,7 +225,7 @@ RunReport run_integrated(const Scenario& scenario, const RowLayout& layout, RowW
   const Rotation& rotation = scenario.rotation();
   DampedProblem problem = rotor_problem(rotation);
   const System& system = problem.system;
-  const double energy_0 = detail::initial_energy(problem);
+  const double energy_0 = initial_energy(problem);
   problem.events = events_of<DampedRotorState>(scenario, system, energy_0);
   const auto write = [&](std::span<const DampedSample> samples, std::span<double> numbers) {
     layout.write_rows(RowOrigin{system, energy_0}, samples, numbers);

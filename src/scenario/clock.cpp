@@ -1,17 +1,26 @@
 // SPDX-License-Identifier: MIT
 #include "scenario/detail/clock.hpp"
 
+#include <charconv>
 #include <cmath>
 #include <string>
 
 #include "polhode/error.hpp"
+#include "polhode/scenario/scenario.hpp"
 #include "polhode/text/epoch.hpp"
 #include "scenario/tables/state.hpp"
 #include "text/dates.hpp"
 #include "text/number_text.hpp"
+#include "text/words.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace {
+
+constexpr std::size_t longest_word = 100;
+
+}  // namespace
+
 namespace detail {
 
 Clock clock_of(const FileValues& file, std::string_view path) {
@@ -68,5 +77,30 @@ std::string time_and_date(const FileValues& file, double t) {
 }
 
 }  // namespace detail
+
+double time_of_word(const Scenario& scenario, const std::string& word) {
+  double number = 0.0;
+  const char* const end = word.data() + word.size();
+  const auto [after, error] = std::from_chars(word.data(), end, number);
+  std::string why;
+  if (error == std::errc() && after == end) {
+    if (std::isfinite(number)) return scenario.units().to_core(number, Dimension::time);
+  } else if (!word.empty()) {
+    try {
+      return detail::time_of_date(detail::file_values(scenario.document), word);
+    } catch (const DomainError& no_date) {
+      why = std::string(": ") + no_date.what();
+    }
+  }
+  throw DomainError("got \"" + detail::printable(word, longest_word) +
+                    "\"; expected a time in the unit of the file, or a date" + why);
+}
+
+std::string date_of_time(const Scenario& scenario, double t) {
+  const std::string text = detail::time_and_date(detail::file_values(scenario.document), t);
+  const std::size_t comma = text.find(", ");
+  return comma == std::string::npos ? "" : text.substr(comma + 2);
+}
+
 }  // namespace v0
 }  // namespace polhode

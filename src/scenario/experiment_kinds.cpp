@@ -25,27 +25,19 @@ namespace {
 
 MadeExperiment made_rotation_of(const KindContext& of) {
   const auto base = std::make_shared<const MadeRotation>(made_rotation(of));
-  return {
-      base->rotation, [base](const KindContext& at, std::vector<std::string> changed) -> Remake {
-        return [at, base, changed = std::move(changed)](const Values& values) {
-          return Experiment(
-              made_rotation({{values, at.units, at.name}, at.kinds, at.output}, base.get(), changed)
-                  .rotation);
-        };
-      }};
+  return {base->rotation,
+          [base](const KindContext& at, std::span<const std::string> changed) -> Experiment {
+            return made_rotation(at, base.get(), changed).rotation;
+          }};
 }
 
 // The orbit, most of the work, is made again only where a number of its table changes.
 MadeExperiment made_obliquity_of(const KindContext& of) {
   const auto base = std::make_shared<const Obliquity>(made_obliquity(of));
-  return {*base, [base](const KindContext& at, const std::vector<std::string>& changed) -> Remake {
-            const bool keeps_orbit =
-                std::none_of(changed.begin(), changed.end(),
-                             [](const std::string& path) { return path.starts_with("orbit."); });
-            return [at, kept = keeps_orbit ? base : nullptr](const Values& values) {
-              return Experiment(
-                  made_obliquity({{values, at.units, at.name}, at.kinds, at.output}, kept.get()));
-            };
+  return {*base, [base](const KindContext& at, std::span<const std::string> changed) -> Experiment {
+            const bool keeps_orbit = std::ranges::none_of(
+                changed, [](const std::string& path) { return path.starts_with("orbit."); });
+            return made_obliquity(at, keeps_orbit ? base.get() : nullptr);
           }};
 }
 
@@ -96,10 +88,8 @@ MadeExperiment made_experiment(const KindContext& at) {
   const std::string kind = head_table(at)->kind;
   if (kind == "rotation" || kind == "fit") return made_rotation_of(at);
   if (kind == "obliquity") return made_obliquity_of(at);
-  return {made_own(at), [](const KindContext& of, const std::vector<std::string>&) {
-            return Remake([of](const Values& values) {
-              return Experiment(made_own({{values, of.units, of.name}, of.kinds, of.output}));
-            });
+  return {made_own(at), [](const KindContext& of, std::span<const std::string>) -> Experiment {
+            return made_own(of);
           }};
 }
 

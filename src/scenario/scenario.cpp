@@ -112,17 +112,6 @@ std::string file_text(const std::string& path) {
   return *std::move(text);
 }
 
-detail::ReadFile read_file(std::string_view text, const std::string& path, const Kinds& kinds) {
-  Diagnostics diagnostics(path);
-  if (text.size() > largest_file) {
-    diagnostics.add({}, "file", "got more than 16 MB; expected a scenario of at most 16 MB");
-    diagnostics.raise();
-  }
-  detail::ReadFile read = detail::read_values(text, kinds.schema(), diagnostics);
-  diagnostics.raise();
-  return read;
-}
-
 // The checked values are given to it when what they describe is made.
 Document document_of(std::string_view text, const std::string& path, const Kinds& kinds,
                      const detail::ReadFile& read) {
@@ -162,24 +151,56 @@ void add_equal_variables(const Values& values, const ChartKind& chart,
 
 }  // namespace
 
-Scenario scenario_from_text(std::string_view text, const std::string& path, const Kinds& kinds) {
-  detail::ReadFile read = read_file(text, path, kinds);
-  Document document = document_of(text, path, kinds, read);
-  const detail::FileValues file{read.values, document.units, path};
+detail::ReadFile detail::read_file(std::string_view text, const std::string& path,
+                                   const Kinds& kinds) {
+  Diagnostics diagnostics(path);
+  if (text.size() > largest_file) {
+    diagnostics.add({}, "file", "got more than 16 MB; expected a scenario of at most 16 MB");
+    diagnostics.raise();
+  }
+  ReadFile read = read_values(text, kinds.schema(), diagnostics);
+  diagnostics.raise();
+  return read;
+}
+
+Scenario detail::scenario_of(Document document, ReadFile read,
+                             const std::function<MadeExperiment(const KindContext&)>& make) {
+  const Kinds& kinds = *document.kinds;
+  const FileValues file{read.values, document.units, document.path};
   OutputPlan output = output_of(file, kinds.formats());
-  const auto made = std::make_shared<const detail::MadeExperiment>(
-      detail::made_experiment({file, kinds, output}));
-  output.options = detail::format_options_of(file, kinds.formats());
-  std::optional<MapPlan> map = detail::map_plan(file, kinds.columns(), made->experiment);
-  std::optional<EnsemblePlan> ensemble = detail::ensemble_plan(file, made->experiment);
+  const auto made = std::make_shared<const MadeExperiment>(make({file, kinds, output}));
+  output.options = format_options_of(file, kinds.formats());
+  std::optional<MapPlan> map = map_plan(file, kinds.columns(), made->experiment);
+  std::optional<EnsemblePlan> ensemble = ensemble_plan(file, made->experiment);
   std::shared_ptr<const FitPlan> fit;
   if (document.kind == "fit")
-    fit = std::make_shared<const FitPlan>(
-        detail::fit_plan(file, kinds, detail::rotation_of(made->experiment)));
+    fit = std::make_shared<const FitPlan>(fit_plan(file, kinds, rotation_of(made->experiment)));
   read.made = made;
-  document.checked = std::make_shared<const detail::ReadFile>(std::move(read));
+  document.checked = std::make_shared<const ReadFile>(std::move(read));
   return {std::move(document), made->experiment,    std::move(output),
           std::move(map),      std::move(ensemble), std::move(fit)};
+}
+
+Scenario scenario_from_text(std::string_view text, const std::string& path, const Kinds& kinds) {
+  detail::ReadFile read = detail::read_file(text, path, kinds);
+  Document document = document_of(text, path, kinds, read);
+  return detail::scenario_of(std::move(document), std::move(read), detail::made_experiment);
+}
+
+Scenario with_ensemble(const Scenario& scenario, std::string_view tables) {
+  Document document = scenario.document;
+  std::string text = changed_text(document.text, std::vector<ScenarioChange>{{"ensemble", ""}});
+  text.erase(text.find_last_not_of('\n') + 1);
+  document.text = text + "\n\n" + std::string(tables) + "\n";
+  Diagnostics diagnostics(document.path);
+  detail::ReadFile read = detail::read_values(document.text, document.kinds->schema(), diagnostics);
+  diagnostics.leave_out_places("ensemble");
+  diagnostics.raise();
+  for (auto& [path, value] : read.values)
+    if (detail::is_below(path, "ensemble")) value.where = detail::nowhere;
+  return detail::scenario_of(std::move(document), std::move(read), [&](const detail::KindContext&) {
+    return *scenario.document.checked->made;
+  });
 }
 
 std::vector<TableValues> model_values(const Scenario& scenario) {

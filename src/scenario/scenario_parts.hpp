@@ -2,10 +2,12 @@
 // From the values of a file to the parts of a rotation: orbits, frame, terms, method, events.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "polhode/scenario/orbit_kind.hpp"
@@ -25,6 +27,11 @@ struct OrbitsContext : FileValues {
 // "orbit.moon" for each table [orbit.NAME], and what one of them describes.
 std::vector<std::string> orbit_paths(const Values& values);
 ScenarioOrbit orbit_of(const OrbitsContext& at, const std::string& path, OrbitUses& uses);
+// The values of a text. ScenarioError with everything that is wrong in it.
+ReadFile read_file(std::string_view text, const std::string& path, const Kinds& kinds);
+// The scenario of what was read, with the experiment that `make` returns.
+Scenario scenario_of(Document document, ReadFile read,
+                     const std::function<MadeExperiment(const KindContext&)>& make);
 // What every file that the values name holds now; nothing of those that cannot be read.
 std::vector<ScenarioFile> files_of(const Values& values, const std::string& name);
 // The orbit whose name the value at `path` is.
@@ -43,8 +50,6 @@ const std::optional<SaveAt>& rows_of(const Experiment& experiment);
 const Rotation& rotation_of(const Experiment& experiment);
 // Fills in the motion; all else is there. ScenarioError at the state.
 void prepare_motion(Rotation& rotation, const FileValues& file);
-// The energy where it starts; 0 where a term has none.
-double initial_energy(const DampedProblem& problem);
 // What method, events, rows and columns ask of the system.
 void check_motion(const Rotation& rotation, const KindContext& at);
 

@@ -154,7 +154,7 @@ DampedProblem rotor_problem(const Rotation& rotation) {
           propagation_method(rotation).value_or(default_rotor_method)};
 }
 
-double detail::initial_energy(const DampedProblem& problem) {
+double initial_energy(const DampedProblem& problem) {
   if (!problem.system.has_energy()) return 0.0;
   const auto& [rotor, damper_rate] = problem.initial;
   return energy(at_damper_rate(problem.system, damper_rate), problem.start, rotor);

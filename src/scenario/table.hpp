@@ -117,6 +117,11 @@ class Placed {
     return at_.unit(name<member>(), dimension);
   }
 
+  template <auto member>
+  Place place() const {
+    return place_of(at_.values(), key_path<member>(), at_.file());
+  }
+
   // "expected ..." at the place of a member, or of the table.
   template <auto member>
   [[noreturn]] void refuse(std::string_view message) const {

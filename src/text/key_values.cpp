@@ -93,7 +93,7 @@ void KeyForm<LinearMap>::tell(const LinearMap& x, KeyValue& value) {
   value.numbers = {x.matrix(0, 0), x.matrix(1, 1), x.matrix(2, 2)};
 }
 
-void require_allowed(const KeyValues& at, const Key& key, const WholeRange& whole) {
+void require_allowed(const KeyValues& at, const Key& key) {
   if (!at.has(key.path)) return;
   const std::string path = at.key_path(key.path);
   if (at.is_explicit(key.path) && is_unused(at.values(), value_at(at.values(), path), path))
@@ -101,6 +101,7 @@ void require_allowed(const KeyValues& at, const Key& key, const WholeRange& whol
   require_range(at.values(), path, at.file());
   if (key.type != KeyType::integer) return;
   const std::int64_t n = at.integer(key.path);
+  const WholeRange& whole = key.whole;
   if (n < whole.least || n > whole.most)
     at.refuse(key.path,
               "expected a whole number from " + std::to_string(whole.least) + " to " +

@@ -4,11 +4,17 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 #include "text/words.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace {
+
+constexpr std::size_t longest_text = 600;
+
+}  // namespace
 
 std::string_view key_name(std::string_view path) {
   const std::size_t dot = path.rfind('.');
@@ -22,21 +28,39 @@ std::string_view key_table(std::string_view path) {
   return dot == std::string_view::npos ? std::string_view() : path.substr(0, dot);
 }
 
+std::string Place::message(std::string_view expected) const {
+  return key + ": " + detail::printable(got + std::string(expected), longest_text);
+}
+void Place::refuse(std::string_view expected) const { throw ScenarioError(message(expected)); }
+
 namespace detail {
+
+bool is_below(std::string_view path, std::string_view table) {
+  if (!path.starts_with(table)) return false;
+  return path.size() == table.size() || path[table.size()] == '.' || path[table.size()] == '[';
+}
 
 namespace {
 
-constexpr std::size_t longest_text = 600;
+// "FILE:LINE:COLUMN: KEY"
+std::string shown_place(const std::string& name, Position where, const std::string& path) {
+  std::string text = name;
+  if (where != nowhere)
+    text += ":" + std::to_string(where.line) + ":" + std::to_string(where.column);
+  return text + ": " + path;
+}
 
 }  // namespace
 
 Diagnostics::Diagnostics(std::string_view name) : name_(printable(name, longest_path)) {}
 
 void Diagnostics::add(Position where, std::string_view path, std::string_view text) {
-  const std::string place =
-      where.line == 0 ? "" : ":" + std::to_string(where.line) + ":" + std::to_string(where.column);
-  entries_.push_back({where, name_ + place + ": " + printable(path, longest_path) + ": " +
-                                 printable(text, longest_text)});
+  entries_.push_back({where, printable(path, longest_path), printable(text, longest_text)});
+}
+
+void Diagnostics::leave_out_places(std::string_view table) {
+  for (Entry& one : entries_)
+    if (is_below(one.path, table)) one.where = nowhere;
 }
 
 std::string Diagnostics::text() const {
@@ -44,7 +68,8 @@ std::string Diagnostics::text() const {
   std::stable_sort(sorted.begin(), sorted.end(),
                    [](const Entry& a, const Entry& b) { return a.where < b.where; });
   std::string lines;
-  for (const Entry& entry : sorted) lines += (lines.empty() ? "" : "\n") + entry.line;
+  for (const auto& [where, path, text] : sorted)
+    lines += (lines.empty() ? "" : "\n") + shown_place(name_, where, path) + ": " + text;
   return lines;
 }
 
@@ -126,17 +151,20 @@ bool is_unused(const Values& values, const Value& value, std::string_view path) 
   return other != values.end() && other->second.shown == line.substr(end + is.size());
 }
 
+Place place_of(const Values& values, std::string_view path, const std::string& name) {
+  const Value* const value = placed(values, path);
+  std::string got = "got nothing; ";
+  if (has(values, path))
+    got = value->key->type == KeyType::table ? "" : "got " + value->shown + "; ";
+  return {shown_place(printable(name, longest_path),
+                      value == nullptr ? elsewhere(values) : value->where,
+                      printable(path, longest_path)),
+          std::move(got)};
+}
+
 std::string message_at(const Values& values, std::string_view path, const std::string& name,
                        std::string_view message) {
-  const std::string place = blamed(values, path, message);
-  const bool is_there = has(values, place);
-  const Value* value = placed(values, place);
-  std::string got = "got nothing; ";
-  if (is_there) got = value->key->type == KeyType::table ? "" : "got " + value->shown + "; ";
-  Diagnostics diagnostics(name);
-  diagnostics.add(value == nullptr ? elsewhere(values) : value->where, place,
-                  got + std::string(message));
-  return diagnostics.text();
+  return place_of(values, blamed(values, path, message), name).message(message);
 }
 
 void refuse(const Values& values, std::string_view path, const std::string& name,

@@ -9,6 +9,7 @@
 
 #include "polhode/error.hpp"
 #include "polhode/text/key_values.hpp"
+#include "polhode/text/place.hpp"
 #include "text/values.hpp"
 
 namespace polhode {
@@ -18,6 +19,9 @@ namespace detail {
 // "perturbation[0]", ... of the tables of an array.
 std::vector<std::string> array_paths(const Values& values, const std::string& array);
 
+// True for a table itself and the keys and tables in it.
+bool is_below(std::string_view path, std::string_view table);
+
 const Value& value_at(const Values& values, std::string_view path);
 const std::string& word(const Values& values, std::string_view path);
 // Whether the file has it, and whether it or a fallback has.
@@ -26,6 +30,8 @@ bool has(const Values& values, std::string_view path);
 // Whether the table has the line that replaces the key of `value` (Key::unused_with).
 bool is_unused(const Values& values, const Value& value, std::string_view path);
 
+// The place of a value; of one that is not there, that of the table which lacks it.
+Place place_of(const Values& values, std::string_view path, const std::string& name);
 // "FILE:LINE:COLUMN: KEY: got VALUE; MESSAGE", of the place of `path`, or of that of the key in it
 // that the message names.
 std::string message_at(const Values& values, std::string_view path, const std::string& name,

@@ -22,6 +22,8 @@ struct Position {
   unsigned column = 1;
   auto operator<=>(const Position&) const = default;
 };
+// Of values that stand in no file.
+constexpr Position nowhere{0, 0};
 
 // The errors of one file, in the order of the file, at most most_diagnostics of them.
 constexpr std::size_t most_diagnostics = 20;
@@ -30,6 +32,8 @@ class Diagnostics {
   explicit Diagnostics(std::string_view name);
   const std::string& name() const { return name_; }
   void add(Position where, std::string_view path, std::string_view text);
+  // Errors of this table name keys only: nobody has the text that it stands in.
+  void leave_out_places(std::string_view table);
   bool full() const { return entries_.size() >= most_diagnostics; }
   // One line per error.
   std::string text() const;
@@ -39,7 +43,7 @@ class Diagnostics {
  private:
   struct Entry {
     Position where;
-    std::string line;
+    std::string path, text;
   };
   std::string name_;
   std::vector<Entry> entries_;

@@ -125,7 +125,7 @@ def test_a_torque_is_found_and_goes_on(run, fit_file, tmp_path):
     # the scenario of the solution has the torque, bit for bit, and its motion
     text = out.read_text()
     assert "free" not in text and 'kind = "fit"' not in text
-    assert f'torque = ["0.01 N m", 0, "{torque["value"]!r} N m"]' in text
+    assert f'torque = ["1e-2 N m", 0, "{torque["value"]!r} N m"]' in text
     after = ("--set", "time={ at = [96, 192] }")
     q, truth = attitudes(run, out, *after), attitudes(run, path, *after)
     assert angle_between(q, truth)[0] < 0.05

@@ -64,8 +64,10 @@ class ScenarioEnsemble {
   EnsembleMember base(const Progress& progress = {}) const;
   // The text of the scenario with the numbers of a member, without its [ensemble].
   std::string member_text(std::int64_t index) const;
-  // The same as a scenario, with the numbers of the member to the last bit.
+  // The scenario of this text, complete: it can be run, mapped and changed.
   Scenario member_scenario(std::int64_t index) const;
+  // The same for a caller that has the text.
+  Scenario member_scenario(std::int64_t index, std::string member_text) const;
 
  private:
   struct Parts;

@@ -143,11 +143,11 @@ struct MemberReport {
   std::string failure = {};   // why it could not go on; its files are left as PATH.part
 };
 // The rows of a member with all columns that the ensemble knows of it, those of row_groups(), into
-// files that say the scenario of the member. They are kept in memory, without checkpoints. Throws
-// as the constructor of EnsembleRun, and ScenarioError for a member that cannot be.
+// files that say its scenario, that of member_scenario(index). They are kept in memory, without
+// checkpoints. Throws as the constructor of EnsembleRun.
 MemberReport write_member(const ScenarioEnsemble& ensemble, std::int64_t index,
-                          const std::vector<std::string>& outputs, RunBegin begin = RunBegin::anew,
-                          const BeginWords& words = {});
+                          const Scenario& scenario, const std::vector<std::string>& outputs,
+                          RunBegin begin = RunBegin::anew, const BeginWords& words = {});
 
 }  // namespace v0
 }  // namespace polhode

@@ -17,11 +17,13 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "polhode/error.hpp"
 
 namespace polhode {
 inline namespace v0 {
+struct Document;
 
 // What cannot be changed.
 class ChangeError : public DomainError {
@@ -36,6 +38,16 @@ struct ScenarioChange {
 
 // "KEY=VALUE"
 ScenarioChange change_of(std::string_view text);
+
+// A text as TOML has it: "moon.csv".
+std::string toml_text(std::string_view text);
+
+// A path of a scenario as another one in `folder` has to name it: unchanged if both are in the same
+// folder or the path is absolute.
+std::string moved_path(const Document& document, const std::string& path,
+                       const std::string& folder);
+// The changes of every key that names a file; none if `folder` is that of the scenario.
+std::vector<ScenarioChange> relocated_paths(const Document& document, const std::string& folder);
 
 // One after the other. A text that is not TOML stays: those who read it say why.
 std::string changed_text(std::string_view text, std::span<const ScenarioChange> changes);

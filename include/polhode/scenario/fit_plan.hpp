@@ -41,6 +41,13 @@ struct FitPlan {
   std::uint64_t noise = 1;          // the seed of what simulations add
   LightPlan light;
   FitDrive drive;  // what of torques is unknown
+  // What a fit may reject when it knows the observations.
+  struct Places {
+    Place unknowns, frame;
+    std::vector<Place> perturbations;  // their kinds
+    std::optional<Place> drive;        // the first parameter or jump
+  };
+  Places places = {};
 
   // Whether light curves are observed, and then nothing else is.
   bool has_light() const { return !observations.empty() && observations.front().light.has_value(); }

@@ -18,6 +18,7 @@
 
 #include "polhode/fit/light_search.hpp"
 #include "polhode/shape/facet_shape.hpp"
+#include "polhode/text/place.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -37,6 +38,11 @@ struct ScanPlan {
   };
   std::vector<Pair> at;  // chosen by hand
   std::size_t at_order = 3;
+  // What the data may turn out to contradict.
+  struct Places {
+    Place shortest, longest, order, windows, at;
+  };
+  Places places = {};
 };
 
 // Of a convex body: facets, and what keeps them smooth (polhode/fit/convex_fit.hpp).
@@ -67,6 +73,11 @@ struct LightPlan {
   std::optional<int> most_iterations = std::nullopt;
   double within_factor = 2.0;
   std::vector<double> sessions;  // of a simulation: begin and end of each
+  struct Places {
+    Place moments, degree, one_by_one;
+    Place sessions;  // [time] if there are none
+  };
+  Places places = {};
 };
 
 // The mesh that is seen, along the body axes of the file: that of [light], read here, or that of

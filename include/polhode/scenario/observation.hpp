@@ -30,6 +30,7 @@
 #include "polhode/light/light_time.hpp"
 #include "polhode/math/quaternion.hpp"
 #include "polhode/math/vector.hpp"
+#include "polhode/text/place.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -98,6 +99,7 @@ struct Observation {
   enum class TimeFormat { number, julian, modified_julian, date };
 
   std::string kind;  // "attitude"
+  Place place = {};  // of the kind
   std::string name;  // of the table; may be empty
   std::string file;  // as the scenario names it
   TimeFormat time_format = TimeFormat::number;

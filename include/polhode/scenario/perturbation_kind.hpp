@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// PerturbationKind: all that there is to say of one kind of [[perturbation]]: its keys, how its
-// terms are made from them, what they rest on. Readers, schema, pages, templates, summaries,
-// citations and the classes of Python come from it; docs/extending/torque.md adds one.
+// PerturbationKind: the description of one kind of [[perturbation]]: its keys, the function that
+// makes its terms, its references and its class in Python. Readers, schema, pages, templates,
+// summaries and citations use it; docs/extending/torque.md adds one.
 //
 // Equations   none of its own; the terms have theirs (polhode/perturb/).
 // Units       core units (polhode/text/units.hpp).
@@ -36,31 +36,31 @@
 namespace polhode {
 inline namespace v0 {
 
-// Which parts of the rotation a term was made of, next to its own keys: it is made again when one
+// The parts of the rotation that a term depends on besides its own keys: it is made again when one
 // of them changes.
 struct TermUses {
   bool body = false;
   bool file_axes = false;
   bool surface = false;
   std::vector<std::size_t> orbits = {};  // by their numbers
-  // Its own keys, as TermArguments has them, and whether the body was asked for next to them.
+  // Its arguments, as in TermArguments, and whether it asked for the body after they were noted.
   std::shared_ptr<const std::vector<KeyValue>> arguments = nullptr;
   bool body_with_arguments = false;
 };
 
-// What a term is made with, next to its own keys. Null: not there.
+// The parts that a term may ask for; null if there are none.
 struct TermParts {
   const Body* body = nullptr;
   Quaternion q_FB = {};
   const Surface* surface = nullptr;
   const std::vector<ScenarioOrbit>* orbits = nullptr;
-  const FieldOfTime* field = nullptr;  // in place of the field that the keys describe
-  std::string name = {};               // in place of the name that the kind gives
+  const FieldOfTime* field = nullptr;  // replaces the field that the keys describe
+  std::string name = {};               // replaces the name that the kind gives
 };
 TermParts parts_of(const Rotation& rotation);
 
-// Where a term is made: its own table, and the parts of the rotation that stand before it. What is
-// asked for is noted in `uses`, which must outlive this like all else.
+// The table of a term and the parts of the rotation that are made before it. It notes in `uses`
+// what the kind asks for. All arguments must outlive it.
 class TermContext : public KeyValues {
  public:
   TermContext(const KeyValues& table, const TermParts& parts, TermUses& uses)
@@ -76,14 +76,14 @@ class TermContext : public KeyValues {
   }
 
   const Body& body() const;
-  // The body axes of the file are those of its tensor; terms want principal ones. Components along
-  // these, and the symmetric part of a matrix along these.
+  // Files have vectors along the axes of their tensor, terms along principal axes. These return the
+  // components along principal axes, of a matrix its symmetric part.
   Vec3 principal(const Vec3& x_F) const;
   Mat3 principal(const Mat3& m_F) const;
   bool has_principal_axes() const;  // whether the two are the same
   // Turns the file's vectors along principal axes.
   const Quaternion& q_FB() const;
-  // What the tables [[surface]] describe. Refused where there are none.
+  // The facets of the tables [[surface]]. ScenarioError if there are none.
   const Surface& surface() const;
   // The orbit that the key names.
   const ScenarioOrbit& orbit(std::string_view key) const;
@@ -97,8 +97,7 @@ class TermContext : public KeyValues {
   TermUses& uses_;
 };
 
-// What a table stands for: a term, several, or a damper, which is no term since it has a state of
-// its own.
+// The result of a table: a term, several, or a damper, which has a state of its own.
 struct DamperAtStart {
   KaneDamper damper;
   Vec3 rate;  // relative to the body, principal axes
@@ -108,7 +107,7 @@ using MadeTerms = std::variant<AnyPerturbation, std::vector<AnyPerturbation>, Da
 // Texts are constant data: they outlive every kind.
 struct PerturbationKind {
   std::string_view name;            // "residual-dipole"
-  std::string_view help;            // one sentence: what acts
+  std::string_view help;            // one sentence that says what acts
   std::vector<Key> keys;            // paths are their own names
   std::string_view sets = {};       // exactly one of "times|file" is there; empty: none such
   std::vector<Citation> citations;  // what it rests on
@@ -118,6 +117,9 @@ struct PerturbationKind {
   bool in_field = false;        // acts in a magnetic field, that of its keys or any other
   bool needs_velocity = false;  // of its orbits
   bool has_terms = true;        // false: a damper
+  // Of its class in Python: its name, if it is not that of the kind, and its equations.
+  std::string_view class_name = {};  // "TidalTorque" of "tide"
+  std::string_view equations = {};   // "u = m x B, H' = -m.B."
 };
 
 // A kind whose arguments are a plain struct A, filled by its keys. `principal` gives them along the
@@ -142,16 +144,17 @@ PerturbationKind perturbation_kind(std::string_view name, std::string_view help,
           }};
 }
 
-// Terms of a kind from values that a program gives, without a file. `label` stands for the table in
-// messages. DomainError for what the kind refuses.
+// The defaults of its keys; none of a key without a default.
+std::vector<KeyValue> defaults_of(const PerturbationKind& kind);
+// Terms of a kind from values that a program gives, without a file, and from its defaults. `label`
+// stands for the table in messages. DomainError for what the kind rejects.
 struct TermsOfProgram {
   MadeTerms made;
   TermUses uses;
 };
 TermsOfProgram made_terms(const PerturbationKind& kind, std::span<const KeyValue> given,
-                          const TermParts& parts, const std::string& label);
-// What stands for a key that is left out; nothing for a key without a default.
-std::optional<KeyValue> default_of(const Key& key);
+                          std::span<const KeyValue> defaults, const TermParts& parts,
+                          const std::string& label);
 
 }  // namespace v0
 }  // namespace polhode

@@ -68,9 +68,9 @@ struct ScenarioShape {
 // [orbit.NAME]
 struct ScenarioOrbit {
   std::string name = {};
-  // Of a file one of the first four; a program may give a term any orbit.
+  // Files have the first four; a program may give a term any orbit.
   std::variant<KeplerOrbit, PrecessingKeplerOrbit, TableOrbit, TurnedKeplerOrbit, AnyOrbit> motion;
-  std::optional<double> gm;               // of what attracts, where the orbit tells
+  std::optional<double> gm;               // of the attracting body, if the orbit has it
   std::vector<std::string> sources = {};  // of its positions: "ephemeris", "moon", "oem"
   std::string text = {};  // of a table: "table iss.csv.gz", "ephemeris, moon from earth"
   // Of a table of rows as they were given, between them: a part of the distance, estimated. NaN:
@@ -100,14 +100,14 @@ struct ScenarioEvent {
   double interval;  // 0: looks follow the rotation
 };
 
-// What a table [[perturbation]] says, along the principal axes, with all that files add to it. Null
-// for a kind that keeps no arguments.
+// The arguments of a table [[perturbation]], along the principal axes, with everything that the
+// file adds to them. `values` is null if the kind keeps none.
 struct TermArguments {
-  std::size_t terms = 0;  // how many it made
+  std::size_t terms = 0;  // number of terms that it made
   std::shared_ptr<const std::vector<KeyValue>> values = nullptr;
 };
 
-// What a rotation is run and described with, prepared once, when its file is read.
+// The parts that runs and summaries of a rotation share, prepared once when its file is read.
 struct PreparedMotion {
   System system;       // body, frame, terms and damper
   FreeRotation free;   // through the state of the file, in the axes of S
@@ -156,6 +156,8 @@ bool has_events(const Rotation& rotation);
 // From t = 0 to the last row, without its events; of exact free rotation as default_rotor_method
 // would run it.
 DampedProblem rotor_problem(const Rotation& rotation);
+// The energy at its start; 0 if a term has none.
+double initial_energy(const DampedProblem& problem);
 
 }  // namespace v0
 }  // namespace polhode

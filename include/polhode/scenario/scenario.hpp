@@ -22,6 +22,7 @@
 #include <variant>
 #include <vector>
 
+#include "polhode/output/columns.hpp"
 #include "polhode/output/output_plan.hpp"
 #include "polhode/scenario/changes.hpp"
 #include "polhode/scenario/custom_experiment.hpp"
@@ -61,6 +62,17 @@ Scenario scenario_from_text(std::string_view text, const std::string& path,
 Scenario read_scenario(const std::string& path, const Kinds& kinds = default_kinds(),
                        std::span<const ScenarioChange> changes = {});
 
+// The scenario with these tables [ensemble] and [[ensemble.vary]], as TOML, in place of its own.
+// The rest is shared with it. ScenarioError: errors in these tables name keys without places.
+Scenario with_ensemble(const Scenario& scenario, std::string_view tables);
+
+// Checks the experiment of a cell, which has other numbers, against [map]. ScenarioError.
+void require_map(const Scenario& scenario, const Experiment& cell);
+// ScenarioError at a column of [ensemble] that neither the rows of a member nor the keys that vary
+// have, and at a name that one of the rows or an event has.
+void require_ensemble_columns(const Scenario& scenario, std::span<const ColumnGroup> rows,
+                              std::span<const std::string> events);
+
 // What the tables of the model say, and what they leave to defaults: "density = 1e-12, ...".
 struct TableValues {
   std::string table;  // "perturbation[0]", "orbit.moon"
@@ -72,6 +84,11 @@ struct TableValues {
 std::vector<TableValues> model_values(const Scenario& scenario);
 // What a user should know of the file, though it can be run: each "FILE:LINE:COLUMN: KEY: ...".
 std::vector<std::string> warnings(const Scenario& scenario);
+// A core time: of a number in the unit of time of the file, or of a date, in the scale of the epoch
+// if it names none. DomainError with the word for what is neither, and for a date without an epoch.
+double time_of_word(const Scenario& scenario, const std::string& word);
+// "1996-11-25T19:48 UTC"; empty if the file has no epoch.
+std::string date_of_time(const Scenario& scenario, double t);
 // The times of its rows, whether it has events, and what moves it, of any kind.
 const std::optional<SaveAt>& row_times(const Scenario& scenario);
 bool has_events(const Scenario& scenario);

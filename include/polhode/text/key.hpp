@@ -10,6 +10,8 @@
 // Cost        constant data.
 #pragma once
 
+#include <cstdint>
+#include <limits>
 #include <string_view>
 
 #include "polhode/text/units.hpp"
@@ -46,6 +48,15 @@ enum class Presence {
 // What each of the numbers of a key must be.
 enum class Range { any, positive, not_negative };
 
+// The integers that a key takes.
+struct WholeRange {
+  std::int64_t least = std::numeric_limits<std::int64_t>::min();
+  std::int64_t most = std::numeric_limits<std::int64_t>::max();
+  std::string_view shown = {};  // the greatest, in messages
+
+  bool operator==(const WholeRange&) const = default;
+};
+
 struct Key {
   std::string_view path;
   KeyType type = KeyType::table;
@@ -65,6 +76,7 @@ struct Key {
 
   Range range = Range::any;  // of numbers
   bool takes_date = false;   // of times: "2013-02-04" too, counted from state.epoch
+  WholeRange whole = {};     // of integers
 
   bool operator==(const Key&) const = default;
 };

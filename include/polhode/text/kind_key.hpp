@@ -86,9 +86,7 @@ class KindKey {
   consteval KindKey from_to(std::int64_t least, std::int64_t most,
                             std::string_view shown = {}) const {
     if (key_.type != KeyType::integer) throw "only integers have limits";
-    KindKey made = *this;
-    made.whole_ = {least, most, shown};
-    return made;
+    return with(&Key::whole, {least, most, shown});
   }
   // Fixes the length of an array whose member is a std::vector.
   consteval KindKey of_length(int count) const {
@@ -101,7 +99,7 @@ class KindKey {
   consteval KindKey not_negative() const { return within(Range::not_negative); }
 
   // Throws a ScenarioError at the place of a value that is out of range.
-  void check(const KeyValues& values) const { detail::require_allowed(values, key_, whole_); }
+  void check(const KeyValues& values) const { detail::require_allowed(values, key_); }
   // Writes what the table says into the arguments.
   void fill(A& arguments, const KeyValues& values) const { fill_(arguments, values, key_.path); }
   // The reverse. False for a member that is left out.
@@ -135,7 +133,6 @@ class KindKey {
   }
 
   Key key_;
-  detail::WholeRange whole_;
   Fill fill_;
   Tell tell_;
   const char* member_;
@@ -178,7 +175,7 @@ consteval KindKey<A> integer_key(std::string_view name, std::string_view help) {
   if constexpr (sizeof(Whole) < sizeof(std::int64_t))
     return made.from_to(std::numeric_limits<Whole>::min(), std::numeric_limits<Whole>::max());
   else if constexpr (std::unsigned_integral<Whole>)
-    return made.from_to(0, detail::WholeRange{}.most, "2^63 - 1");
+    return made.from_to(0, WholeRange{}.most, "2^63 - 1");
   else
     return made;
 }

@@ -19,7 +19,7 @@ namespace polhode::python {
 
 // As Python writes a float: the shortest text that reads back the same.
 inline std::string number_text(double x) { return nb::cast<std::string>(nb::repr(nb::float_(x))); }
-// As repr writes it; a member of an enum as "SpaceAxes.inertial".
+// As repr writes it; a member of an enum as "Dimension.length".
 std::string repr_text(nb::handle value);
 
 // What __reduce__ returns of `self`: its class, or a class method of it, with these arguments.

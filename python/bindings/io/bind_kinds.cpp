@@ -25,7 +25,7 @@
 #include "polhode/text/detail/key_form.hpp"
 #include "polhode/text/separated.hpp"
 #include "terms/orbit_value.hpp"
-#include "terms/term_value.hpp"
+#include "terms/term_class.hpp"
 
 namespace polhode::python {
 
@@ -201,6 +201,26 @@ class KindFunction {
   std::shared_ptr<const KindTexts> texts_;
 };
 
+// What the keys say, for the object that Python has of the term.
+std::vector<KeyValue> said_of(const KindTexts& texts, const KeyValues& at) {
+  std::vector<KeyValue> all;
+  for (const Key& key : texts.keys) {
+    if (!at.has(key.path)) continue;
+    KeyValue value{.key = key.path};
+    if (key.type == KeyType::boolean)
+      value.whole = at.flag(key.path) ? 1 : 0;
+    else if (key.type == KeyType::integer)
+      value.whole = at.integer(key.path);
+    else if (key.type == KeyType::number || key.type == KeyType::numbers ||
+             key.type == KeyType::matrix)
+      value.numbers = at.numbers(key.path);
+    else
+      value.words = {at.word(key.path)};
+    all.push_back(std::move(value));
+  }
+  return all;
+}
+
 MadeTerms terms_of(const nb::object& made, const PythonFunction& function) {
   if (nb::isinstance<PythonTerm>(made)) return nb::cast<const PythonTerm&>(made).parts;
   std::vector<AnyPerturbation> terms;
@@ -361,7 +381,9 @@ Kinds with_perturbation(const Kinds& kinds, nb::handle kind) {
       .sets = texts->sets,
       .citations = texts->citations,
       .made =
-          [function](const TermContext& at) {
+          [function, texts](const TermContext& at) {
+            // in other axes the numbers of the file are not those of an object
+            if (at.has_principal_axes()) at.note(said_of(*texts, at));
             return function.call({.texts = nullptr, .values = &at, .term = &at}, terms_of);
           },
       .on_surface = nb::cast<bool>(kind.attr("on_surface"))});
@@ -584,6 +606,10 @@ void bind_kinds(nb::module_& m) {
       .def("with_columns", with_columns)
       .def("with_observation", with_observation)
       .def("try_columns", try_columns)
+      .def("term_class",
+           [](const Kinds& kinds, const std::string& name) {
+             return add_registered_class(class_of_registered(*kinds.perturbation(name)));
+           })
       .def("column_names",
            [](const Kinds& kinds) { return names_list(column_names(kinds.columns())); })
       .def("column_group_names",

@@ -252,7 +252,10 @@ void bind_ensemble(nb::module_& m, nb::class_<Scenario>& scenario) {
                    [](const ScenarioEnsemble& e) { return group_list(ensemble_groups(e)); })
       .def_prop_ro("histograms", planned_histograms)
       .def("drawn", drawn_by, "begin"_a, "end"_a)
-      .def("member_text", &ScenarioEnsemble::member_text, "index"_a)
+      .def(
+          "member",
+          [](const ScenarioEnsemble& e, std::int64_t index) { return e.member_scenario(index); },
+          "index"_a)
       .def(
           "work",
           [](const ScenarioEnsemble& e, bool any_machine) {
@@ -265,6 +268,10 @@ void bind_ensemble(nb::module_& m, nb::class_<Scenario>& scenario) {
   scenario.def(
       "ensemble", [](const Scenario& s) { return new ScenarioEnsemble(s); },
       nb::rv_policy::take_ownership);
+  scenario.def(
+      "with_ensemble",
+      [](const Scenario& s, const std::string& tables) { return with_ensemble(s, tables); },
+      "tables"_a);
   m.def("_kinds_of_table", kinds_of_table, "table"_a);
 }
 

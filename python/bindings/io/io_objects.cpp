@@ -41,7 +41,7 @@ nb::object term_object(const Rotation& rotation, const PerturbationKind& kind, c
         for (const Key& key : kind.keys)
           if (key.path == a.name) arguments[a.name.c_str()] = python_value(key, value, orbit);
   }
-  return core(of.name.c_str())(**arguments);
+  return of.type(**arguments);
 }
 
 nb::list term_objects(const Scenario& scenario) {
@@ -52,12 +52,19 @@ nb::list term_objects(const Scenario& scenario) {
   for (std::size_t i = 0; i < rotation.kinds.size(); ++i) {
     const auto& [count, values] = rotation.arguments[i];
     const TermClass* const of = class_of_kind(rotation.kinds[i]);
-    if (of == nullptr || values == nullptr) {
+    const auto add_plain = [&] {
       for (std::size_t k = first; k < first + count; ++k)
         all.append(nb::cast(PythonTerm(rotation.terms[k])));
+    };
+    if (of == nullptr || values == nullptr) {
+      add_plain();
     } else {
-      all.append(term_object(rotation, *scenario.document.kinds->perturbation(rotation.kinds[i]),
-                             *of, *values, rotation.terms[first].name(), orbits));
+      try {
+        all.append(term_object(rotation, *scenario.document.kinds->perturbation(rotation.kinds[i]),
+                               *of, *values, rotation.terms[first].name(), orbits));
+      } catch (const nb::python_error&) {  // its function asks for more than a program has
+        add_plain();
+      }
     }
     first += count;
   }

@@ -149,7 +149,8 @@ void bind_mass(nb::module_& m) {
           "yzzz zzzz.")
       .def_prop_ro(
           "principal_moments", [](const P& p) { return principal_moments(p, body(p)); },
-          "MassMoments along the principal axes of `body`, as HigherGravity takes them.")
+          "MassMoments along the principal axes of `body`: `third` and `fourth` are arguments of "
+          "GravityGradient.")
       .def_prop_ro(
           "body", [](const P& p) { return body(p); }, "Its Body, with the principal axes.")
       .def("__repr__",

@@ -2,7 +2,6 @@
 // A Python class for each kind of [[perturbation]], from its keys: an orbit, a body or a surface
 // stands where a file names one.
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <memory>
 #include <optional>
@@ -22,52 +21,11 @@ namespace polhode::python {
 
 namespace {
 
-// What is said of a class that its kind does not say: its name, if it is not that of the kind, and
-// its equations.
-struct ClassText {
-  std::string_view kind;
-  std::string_view name;
-  std::string_view equations;
-};
-constexpr std::array class_texts = {
-    ClassText{"gravity-gradient", "",
-              "H' = gm / (2 r^3) (3 n.I n - tr I), u = (3 gm / r^3) n x I n, n = r / |r| in body "
-              "axes.\nMoments of degrees 3 and 4 add their part of H' = -gm integral dm / |r - x|, "
-              "J2 that of the\nfield -gm / r (1 - J2 (R / r)^2 P2(sin latitude)) on the moments of "
-              "inertia.\n\n"},
-    ClassText{"damping", "LinearDamping", "u = -D w, w = I^-1 g.\n\n"},
-    ClassText{"tide", "TidalTorque",
-              "u = 3 k2 gm M R^5 lag / r^8 ((r.w) r - r^2 w + r x dr/dt), w = I^-1 g.\n\n"},
-    ClassText{"internal-damping", "",
-              "v = k g x w, w = I^-1 g: no torque, and I^-1 g + v is the angular velocity. For\n"
-              "I = (A, A, C) the angle J from axis 3 to g obeys\n"
-              "tan J = tan J0 exp(-k (C - A) G^2 t / (A C)).\n\n"},
-    ClassText{"anelastic-damping", "",
-              "As InternalDamping with k in proportion to |g|: a small wobble falls by e in\n"
-              "wobble_time(material, rate) at any rate.\n\n"},
-    ClassText{
-        "torque-table", "",
-        "Collocation, Adaptive and VariationOfConstants end a step wherever it is not smooth\n"
-        "(`breakpoints`), so that no pulse is stepped over. Splitting refuses it.\n\n"},
-    ClassText{
-        "solar-pressure", "",
-        "Facets do not shade each other. A torque of time and attitude alone; no energy.\n\n"},
-    ClassText{"drag", "AtmosphericDrag",
-              "Molecules that are slow against the body; facets do not shade each other.\n\n"},
-    ClassText{"residual-dipole", "", "u = m x B, H' = -m.B.\n\n"},
-    ClassText{"eddy-currents", "",
-              "u = (M (w x B - dB/dt)) x B, w = I^-1 g, dB/dt along the orbit.\n\n"},
-};
-ClassText text_of_class(std::string_view kind) {
-  const auto found = std::ranges::find(class_texts, kind, &ClassText::kind);
-  return found == class_texts.end() ? ClassText{} : *found;
-}
-
 // "GravityGradient" of "gravity-gradient".
-std::string name_of_class(std::string_view kind) {
-  std::string name(text_of_class(kind).name);
+std::string name_of_class(const PerturbationKind& kind) {
+  std::string name(kind.class_name);
   if (!name.empty()) return name;
-  for (const std::string_view part : separated(kind, '-')) {
+  for (const std::string_view part : separated(kind.name, '-')) {
     name += static_cast<char>(std::toupper(static_cast<unsigned char>(part.front())));
     name += part.substr(1);
   }
@@ -139,6 +97,8 @@ std::string help_of(const Key& key) {
              dimension_text(key) + " each. " + help;
     case KeyType::linear_map:
       return "one number, (3,) or (3, 3), " + dimension_text(key) + " each. " + help;
+    case KeyType::matrix:
+      return "(3, 3), " + dimension_text(key) + " each. " + help;
     case KeyType::choice: {
       std::string words;
       for (const std::string_view word : separated(key.allowed, '|'))
@@ -163,10 +123,14 @@ TypeTexts types_of(const PerturbationKind& kind, const Key& key) {
       return {"float", "float"};
     case KeyType::numbers:
     case KeyType::linear_map:
+    case KeyType::matrix:
       return {"numpy.typing.ArrayLike", "numpy.typing.NDArray[numpy.float64]"};
+    case KeyType::integer:
+      return {"int", "int"};
     case KeyType::boolean:
       return {"bool", "bool"};
     case KeyType::choice:
+    case KeyType::text:
       return {"str", "str"};
     case KeyType::name:
       return {orbits, orbits};
@@ -187,10 +151,12 @@ nb::object no_orbit(const std::string& name) {
   throw std::logic_error("a default that names the orbit " + name);
 }
 
-TermArgument argument_of(const PerturbationKind& kind, const Key& key) {
+TermArgument argument_of(const PerturbationKind& kind, const Key& key,
+                         std::span<const KeyValue> defaults) {
   TypeTexts types = types_of(kind, key);
   std::string otherwise;
-  if (const std::optional<KeyValue> value = default_of(key)) {
+  const auto value = std::ranges::find(defaults, key.path, &KeyValue::key);
+  if (value != defaults.end()) {
     otherwise = repr_text(python_value(key, *value, no_orbit));
   } else if (!is_required(kind, key)) {
     otherwise = "None";
@@ -200,14 +166,15 @@ TermArgument argument_of(const PerturbationKind& kind, const Key& key) {
   return {std::string(key.path), types.taken, help_of(key), otherwise, types.shown, sort_of(key)};
 }
 
-std::vector<TermArgument> arguments_of(const PerturbationKind& kind) {
+std::vector<TermArgument> arguments_of(const PerturbationKind& kind,
+                                       std::span<const KeyValue> defaults) {
   std::vector<TermArgument> all;
   if (kind.on_surface)
     all.push_back({"surface", "Surface", "along the principal axes of the body.", "", "Surface"});
   const std::vector<const Key*> keys = keys_of(kind);
   for (const bool required : {true, false})
     for (const Key* key : keys)
-      if (is_required(kind, *key) == required) all.push_back(argument_of(kind, *key));
+      if (is_required(kind, *key) == required) all.push_back(argument_of(kind, *key, defaults));
   if (kind.in_field)
     all.push_back({"field", std::string(fields) + " | None",
                    "in place of the keys of a dipole: a DipoleField, three numbers, a constant "
@@ -227,9 +194,9 @@ std::vector<TermArgument> arguments_of(const PerturbationKind& kind) {
 // A kind and its arguments while a term is made.
 class TermMaker {
  public:
-  TermMaker(const PerturbationKind& kind, const std::vector<TermArgument>& rows, Making& at,
-            std::span<const nb::object> given)
-      : kind_(kind), rows_(rows), at_(at), given_(given) {
+  TermMaker(const PerturbationKind& kind, std::span<const KeyValue> defaults,
+            const std::vector<TermArgument>& rows, Making& at, std::span<const nb::object> given)
+      : kind_(kind), defaults_(defaults), rows_(rows), at_(at), given_(given) {
     parts_.orbits = &orbits_;
     parts_.name = at.name;
   }
@@ -238,7 +205,7 @@ class TermMaker {
     for (std::size_t i = 0; i < rows_.size(); ++i)
       if (!given_[i].is_none()) take(rows_[i], given_[i]);
     require_one_set();
-    TermsOfProgram terms = made_terms(kind_, values_, parts_, at_.type);
+    TermsOfProgram terms = made_terms();
     nb::list kept;
     for (std::size_t i = 0; i < rows_.size(); ++i) kept.append(kept_of(terms.uses, rows_[i], i));
     MadeTerm result{{}, nb::tuple(kept)};
@@ -250,6 +217,16 @@ class TermMaker {
   }
 
  private:
+  // Texts of values are for messages only: they take longer than the term.
+  TermsOfProgram made_terms() {
+    try {
+      return polhode::made_terms(kind_, values_, defaults_, parts_, at_.type);
+    } catch (const DomainError&) {
+      for (KeyValue& value : values_) value.shown = repr_text(object_of(value));
+      return polhode::made_terms(kind_, values_, defaults_, parts_, at_.type);
+    }
+  }
+
   nb::object given(std::string_view name) const {
     const auto row = std::ranges::find(rows_, name, &TermArgument::name);
     return row == rows_.end() ? nb::none() : given_[static_cast<std::size_t>(row - rows_.begin())];
@@ -264,7 +241,6 @@ class TermMaker {
       take_field(x);
     } else if (!row.key.empty()) {
       values_.push_back(value_of(*key_named(kind_, row.name), row.name.c_str(), x));
-      values_.back().shown = repr_text(object_of(values_.back()));
     }
   }
 
@@ -285,6 +261,18 @@ class TermMaker {
         break;
       case KeyType::linear_map:
         value.numbers = map_of(x, name);
+        break;
+      case KeyType::matrix:
+        value.numbers = map_of(x, name);
+        if (value.numbers.size() != 9)
+          throw nb::value_error((std::string(name) + ": expected the shape (3, 3)").c_str());
+        break;
+      case KeyType::integer:
+        if (!PyLong_Check(x.ptr()) || !nb::try_cast(x, value.whole)) throw nb::next_overload();
+        break;
+      case KeyType::text:
+        if (!nb::isinstance<nb::str>(x)) throw nb::next_overload();
+        value.words = {nb::cast<std::string>(x)};
         break;
       case KeyType::boolean:
         if (!PyBool_Check(x.ptr())) throw nb::next_overload();
@@ -366,7 +354,6 @@ class TermMaker {
 
   void add_numbers(std::string_view key, std::vector<double> numbers) {
     values_.push_back({.key = key, .numbers = std::move(numbers)});
-    values_.back().shown = repr_text(object_of(values_.back()));
   }
 
   void take_field(const nb::object& x) {
@@ -441,6 +428,7 @@ class TermMaker {
   }
 
   const PerturbationKind& kind_;
+  std::span<const KeyValue> defaults_;
   const std::vector<TermArgument>& rows_;
   Making& at_;
   std::span<const nb::object> given_;
@@ -466,8 +454,11 @@ nb::object python_value(const Key& key, const KeyValue& value,
     case KeyType::numbers:
       return tuple_of(std::span(value.numbers));
     case KeyType::linear_map:
+    case KeyType::matrix:
       if (value.numbers.size() == 9) return tuple_of_rows(value.numbers);
       return tuple_of(std::span(value.numbers));
+    case KeyType::integer:
+      return nb::int_(value.whole);
     case KeyType::boolean:
       return nb::bool_(value.whole == 1);
     case KeyType::name:
@@ -477,22 +468,39 @@ nb::object python_value(const Key& key, const KeyValue& value,
   }
 }
 
+namespace {
+
+// `kind` must outlive it.
+TermClass class_of(const PerturbationKind& kind, bool has_name = true) {
+  std::vector<KeyValue> defaults = defaults_of(kind);
+  std::vector<TermArgument> rows = arguments_of(kind, defaults);
+  if (!has_name) rows.pop_back();
+  const auto made = [&kind, rows, defaults](Making& at, std::span<const nb::object> given) {
+    return TermMaker(kind, defaults, rows, at, given).made();
+  };
+  return {.name = name_of_class(kind),
+          .kind = std::string(kind.name),
+          .summary = std::string(kind.help),
+          .notes = std::string(kind.equations) + (kind.equations.empty() ? "" : "\n\n") +
+                   "Vectors and tensors of the body are along its principal axes.",
+          .arguments = std::move(rows),
+          .made = made};
+}
+
+}  // namespace
+
+TermClass class_of_registered(PerturbationKind kind) {
+  kind.on_body = true;                             // its function may ask for it
+  kind.needs_velocity = true;                      // it gives its orbits to functions as objects
+  for (Key& key : kind.keys) key.is_file = false;  // a path is an argument
+  const auto& own = *new PerturbationKind(std::move(kind));
+  return class_of(own, false);  // the function names its terms
+}
+
 void bind_kind_terms(nb::module_& m) {
   static const Kinds kinds = default_kinds();
-  for (const PerturbationKind& kind : kinds.perturbations()) {
-    if (!kind.has_terms) continue;
-    std::vector<TermArgument> rows = arguments_of(kind);
-    const auto made = [&kind, rows](Making& at, std::span<const nb::object> given) {
-      return TermMaker(kind, rows, at, given).made();
-    };
-    add_term_class(m, {.name = name_of_class(kind.name),
-                       .kind = std::string(kind.name),
-                       .summary = std::string(kind.help),
-                       .notes = std::string(text_of_class(kind.name).equations) +
-                                "Vectors and tensors of the body are along its principal axes.",
-                       .arguments = std::move(rows),
-                       .made = made});
-  }
+  for (const PerturbationKind& kind : kinds.perturbations())
+    if (kind.has_terms) add_term_class(m, class_of(kind));
 }
 
 }  // namespace polhode::python

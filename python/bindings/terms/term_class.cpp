@@ -75,8 +75,9 @@ std::vector<nb::object> bound(const TermClass& of, const nb::args& args, const n
 
 PythonTerm term_of(const TermClass& of, const nb::args& args, const nb::kwargs& named) {
   const std::vector<nb::object> given = bound(of, args, named);
-  const bool is_function = of.arguments.front().name == "function";
-  const std::string name = name_of(of.name, given[place_of(of, "name")],
+  const bool is_function = !given.empty() && of.arguments.front().name == "function";
+  const std::size_t named_at = place_of(of, "name");
+  const std::string name = name_of(of.name, named_at < given.size() ? given[named_at] : nb::none(),
                                    is_function ? nb::handle(given.front()) : nb::handle());
   Making at{of.name, name, of.name + " \"" + name + "\""};
   MadeTerm made = of.made(at, given);
@@ -92,7 +93,7 @@ struct TermOf : PythonTerm {
 };
 
 template <std::size_t number>
-void bind_class(nb::module_& m, const TermClass& of) {
+void bind_class(nb::module_& m, TermClass& of) {
   using C = TermOf<number>;
   nb::class_<C, PythonTerm> c(m, of.name.c_str(), docstring(of).c_str(),
                               nb::type_slots(recipe_slots<C>()));
@@ -118,9 +119,10 @@ void bind_class(nb::module_& m, const TermClass& of) {
         a.help.c_str(), nb::sig(("def " + a.name + "(self) -> " + a.shown).c_str()));
   }
   c.attr("__match_args__") = nb::tuple(names);
+  of.type = c;
 }
 
-using Bind = void (*)(nb::module_&, const TermClass&);
+using Bind = void (*)(nb::module_&, TermClass&);
 template <std::size_t... numbers>
 constexpr std::array<Bind, sizeof...(numbers)> binds(std::index_sequence<numbers...>) {
   return {bind_class<numbers>...};
@@ -128,10 +130,28 @@ constexpr std::array<Bind, sizeof...(numbers)> binds(std::index_sequence<numbers
 // As many as there may be.
 constexpr std::array bind_number = binds(std::make_index_sequence<24>());
 
-// They outlive every term.
+// They outlive every term, and the interpreter.
 std::deque<TermClass>& classes() {
-  static std::deque<TermClass> all;
+  static auto& all = *new std::deque<TermClass>;
   return all;
+}
+
+// What classes derive from that Python makes.
+struct RegisteredTerm : PythonTerm {
+  explicit RegisteredTerm(PythonTerm term) : PythonTerm(std::move(term)) {}
+};
+
+void bind_registered(nb::module_& m) {
+  nb::class_<RegisteredTerm, PythonTerm>(m, "_RegisteredTerm",
+                                         "A term of a kind that polhode.kinds registers.",
+                                         nb::type_slots(recipe_slots<RegisteredTerm>()))
+      .def("__init__", [](RegisteredTerm* self, std::size_t number, const nb::args& args,
+                          const nb::kwargs& named) {
+        new (self) RegisteredTerm(term_of(classes().at(number), args, named));
+      });
+  m.def("_set_term_type", [](std::size_t number, nb::handle type) {
+    classes().at(number).type = type.inc_ref();  // for good, as the description
+  });
 }
 
 bool all_of(const PythonTerm& term, bool (AnyPerturbation::*is)() const) {
@@ -178,9 +198,19 @@ void add_term_class(nb::module_& m, TermClass of) {
   bind_number[number](m, classes().emplace_back(std::move(of)));
 }
 
+nb::tuple add_registered_class(TermClass of) {
+  const TermClass& kept = classes().emplace_back(std::move(of));
+  nb::list names;
+  for (const TermArgument& a : kept.arguments) names.append(a.name);
+  return nb::make_tuple(classes().size() - 1, kept.name, signature(kept), docstring(kept),
+                        nb::tuple(names));
+}
+
+// The last one: a kind may be registered again.
 const TermClass* class_of_kind(std::string_view kind) {
-  const auto found = std::ranges::find(classes(), kind, &TermClass::kind);
-  return found == classes().end() ? nullptr : &*found;
+  const auto found = std::find_if(classes().rbegin(), classes().rend(),
+                                  [&](const TermClass& one) { return one.kind == kind; });
+  return found == classes().rend() ? nullptr : &*found;
 }
 
 void bind_perturb(nb::module_& m) {
@@ -234,6 +264,7 @@ void bind_perturb(nb::module_& m) {
   m.def("_term_table", term_table);
   bind_term_values(m);
   bind_kind_terms(m);
+  bind_registered(m);
 }
 
 }  // namespace polhode::python

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "interface/value.hpp"
+#include "polhode/scenario/perturbation_kind.hpp"
 #include "polhode/text/key.hpp"
 #include "polhode/text/key_value.hpp"
 #include "terms/orbit_value.hpp"
@@ -50,16 +51,22 @@ struct TermClass {
   std::vector<TermArgument> arguments;  // the required ones first
   // Given None for what is left out. nb::next_overload for an argument of another type.
   std::function<MadeTerm(Making&, std::span<const nb::object>)> made;
+  nb::handle type = {};  // Python's class
 };
 
 void add_term_class(nb::module_& m, TermClass of);
+// Of a kind that Python registers: Python makes its class of this (polhode.kinds), and tells its
+// type by _set_term_type. Returns (number, name, signature, docstring, names of the arguments).
+nb::tuple add_registered_class(TermClass of);
 // Null where no class is of this kind of files.
 const TermClass* class_of_kind(std::string_view kind);
 
 // Stands in messages: of the function, or of the class, where it is left out.
 TermArgument name_argument();
 
-// The classes of the kinds that a scenario has.
+// What the class of a kind that Python registers is made of.
+TermClass class_of_registered(PerturbationKind kind);
+// The classes of the kinds of the library.
 void bind_kind_terms(nb::module_& m);
 // Values that terms are described by.
 void bind_term_values(nb::module_& m);

@@ -12,11 +12,9 @@
 #include "polhode/error.hpp"
 #include "polhode/run/detail/run_state.hpp"
 #include "polhode/run/run.hpp"
+#include "polhode/scenario/varied_scenario.hpp"
 #include "run/ensemble/member_columns.hpp"
-#include "scenario/ensemble/counts.hpp"
-#include "scenario/ensemble/ensemble_plan.hpp"
-#include "scenario/prepared_base.hpp"
-#include "scenario/values.hpp"
+#include "text/words.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -65,7 +63,7 @@ struct ScenarioEnsemble::Parts {
   explicit Parts(Scenario read)
       : scenario(std::move(read)),
         keys(scenario.ensemble->keys()),
-        base(scenario, keys),
+        varied(scenario, keys),
         added(scenario),
         groups(polhode::row_groups(scenario)) {
     for (ColumnGroup& group : added.groups()) groups.push_back(std::move(group));
@@ -97,7 +95,7 @@ struct ScenarioEnsemble::Parts {
 
   Scenario scenario;
   std::vector<std::string> keys;
-  detail::PreparedBase base;
+  VariedScenario varied;
   detail::MemberColumns added;
   std::vector<ColumnGroup> groups;
   // Members whose motion has a closed form.
@@ -107,8 +105,7 @@ struct ScenarioEnsemble::Parts {
 
 ScenarioEnsemble::ScenarioEnsemble(Scenario scenario)
     : parts_(std::make_unique<Parts>(with_ensemble(std::move(scenario)))) {
-  const Document& file = parts_->scenario.document;
-  detail::require_columns(detail::file_values(file), plan(), row_groups(), events());
+  require_ensemble_columns(parts_->scenario, row_groups(), events());
 }
 
 ScenarioEnsemble::ScenarioEnsemble(std::string_view text, const std::string& name,
@@ -125,7 +122,7 @@ EnsembleMember ScenarioEnsemble::member(std::int64_t index, const Progress& prog
   require_member(*this, index);
   EnsembleMember member{plan().numbers(index), {}, {}};
   try {
-    parts_->run(parts_->base.experiment(member.drawn), progress, member);
+    parts_->run(parts_->varied.experiment(member.drawn), progress, member);
   } catch (const DomainError& error) {
     member.failure = error.what();
   }
@@ -151,15 +148,19 @@ EnsembleMember ScenarioEnsemble::base(const Progress& progress) const {
 
 std::string ScenarioEnsemble::member_text(std::int64_t index) const {
   require_member(*this, index);
-  return detail::member_text(scenario(), index);
+  return "# Member " + std::to_string(index) + " of " +
+         detail::printable(scenario().document.name, 200) + ", " + std::to_string(size()) +
+         " members, seed " + std::to_string(plan().seed) + "\n" +
+         parts_->varied.text(plan().numbers(index));
 }
 
 Scenario ScenarioEnsemble::member_scenario(std::int64_t index) const {
-  Scenario member = scenario();
-  member.document.text = member_text(index);
-  member.experiment = parts_->base.experiment(plan().numbers(index));
-  member.ensemble.reset();
-  return member;
+  return member_scenario(index, member_text(index));
+}
+
+Scenario ScenarioEnsemble::member_scenario(std::int64_t index, std::string text) const {
+  require_member(*this, index);
+  return parts_->varied.scenario(plan().numbers(index), std::move(text));
 }
 
 }  // namespace v0

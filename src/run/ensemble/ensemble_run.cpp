@@ -271,9 +271,8 @@ EnsembleReport EnsembleRun::run() { return parts_->run(); }
 
 // Opened when the rows are there: a member that cannot be leaves no file.
 MemberReport write_member(const ScenarioEnsemble& ensemble, std::int64_t index,
-                          const std::vector<std::string>& outputs, RunBegin begin,
-                          const BeginWords& words) {
-  const Scenario alone = ensemble.member_scenario(index);
+                          const Scenario& alone, const std::vector<std::string>& outputs,
+                          RunBegin begin, const BeginWords& words) {
   const Provenance origin = provenance(alone);
   const std::vector<ColumnGroup>& groups = ensemble.row_groups();
   detail::KeptSetup setup =

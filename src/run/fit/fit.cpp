@@ -10,8 +10,6 @@
 #include "polhode/error.hpp"
 #include "run/detail/fit_tables.hpp"
 #include "run/fit/fit_torques.hpp"
-#include "scenario/fit/observation_table.hpp"
-#include "scenario/tables/fit.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -26,8 +24,7 @@ const FitPlan& plan_of(const Scenario& scenario) {
   const FitPlan& plan = require_fit(scenario);
   detail::require_inertial(scenario);
   if (plan.has_light())
-    detail::refuse_kind(
-        scenario, 0,
+    plan.observations.front().place.refuse(
         "expected \"attitude\", \"direction\" or \"rate\"; light curves are fitted by "
         "fit_light_scenario");
   return plan;
@@ -182,7 +179,7 @@ FitReport fit_scenario(const Scenario& scenario, const FitOptions& options) {
   };
   report.starts = 0;
   stop();
-  detail::built_unknowns(scenario, [&] {
+  plan.places.unknowns.built([&] {
     run_cells(
         options.journal, plan.starts, options.threads,
         [&](std::int64_t start) { return tried(report, plan, start); },

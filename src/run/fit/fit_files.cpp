@@ -22,7 +22,6 @@
 #include "run/detail/light_report.hpp"
 #include "run/detail/output_checks.hpp"
 #include "run/fit/fit_torques.hpp"
-#include "scenario/values.hpp"
 #include "text/number_text.hpp"
 #include "text/words.hpp"
 
@@ -34,46 +33,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path or_here(const std::string& folder) { return folder.empty() ? "." : fs::path(folder); }
-
 // The folder that paths in a scenario written to `path` start from; on standard output that of this
 // scenario.
 std::string folder_of(const Document& document, const std::string& path) {
   return path == "-" ? document.folder : fs::path(path).parent_path().string();
-}
-
-// A path of the scenario as a scenario in `folder` has to name it: unchanged if that is the folder
-// of this one or the path is absolute.
-std::string moved_path(const Document& document, const std::string& path,
-                       const std::string& folder) {
-  std::error_code none;
-  const fs::path from = or_here(document.folder), to = or_here(folder);
-  if (fs::path(path).is_absolute() || fs::equivalent(from, to, none)) return path;
-  // links are followed, as ".." follows them
-  const fs::path moved = fs::relative(from / path, to, none);
-  return (moved.empty() ? fs::absolute(from / path) : moved).generic_string();
-}
-
-// "found.obj" as a string of TOML.
-std::string quoted_path(std::string_view path) {
-  std::string text = "\"";
-  for (const char c : path) {
-    if (c == '"' || c == '\\') text += '\\';
-    text += c;
-  }
-  return text + "\"";
-}
-
-// The changes of every key that names a file; none if `folder` is that of the scenario.
-std::vector<ScenarioChange> relocated_paths(const Document& document, const std::string& folder) {
-  std::vector<ScenarioChange> changes;
-  for (const auto& [key, value] : document.checked->values) {
-    if (!value.key->is_file && key != "light.mesh") continue;
-    const std::string& path = value.words.at(0);
-    const std::string moved = moved_path(document, path, folder);
-    if (moved != path) changes.push_back({key, quoted_path(moved)});
-  }
-  return changes;
 }
 
 }  // namespace
@@ -206,8 +169,7 @@ std::string detail::text_from_state(const Scenario& scenario, const FitReport& r
   changes.push_back({"state." + scenario.rotation().chart, ""});
   changes.push_back(detail::state_change(scenario, state.q, state.w_F));
   detail::add_rows_of(scenario, times_of(report.observed.seen), changes);
-  detail::add_torques(scenario, report, raw, changes);
-  return changed_text(scenario.document.text, changes);
+  return changed_text(text_with_torques(scenario, report, raw), changes);
 }
 
 std::string solution_text(const Scenario& scenario, const FitReport& report, std::size_t solution,
@@ -324,7 +286,7 @@ void add_fit(const Scenario& scenario, Changes& changes) {
   for (const char* const key : {"fit", "map", "ensemble"}) changes.push_back({key, ""});
   const Loss& loss = require_fit(scenario).loss;
   if (loss.kind == Loss::Kind::squared) return;
-  changes.push_back({"fit.loss", detail::quoted_path(detail::loss_word(loss))});
+  changes.push_back({"fit.loss", toml_text(detail::loss_word(loss))});
   changes.push_back({"fit.loss_scale", number_text(loss.scale)});
 }
 
@@ -344,8 +306,8 @@ Changes mesh_changes(const Scenario& scenario, const LightReport& report, const 
   if (is_convex || report.unknowns.moments == MomentSource::fit) {
     if (!is_convex && require_fit(scenario).light.mesh.empty())
       changes.push_back(
-          {"light.mesh", detail::quoted_path(detail::moved_path(
-                             scenario.document, scenario.rotation().shape->file, folder))});
+          {"light.mesh",
+           toml_text(moved_path(scenario.document, scenario.rotation().shape->file, folder))});
     add_moments(scenario, state.inertia_F, changes);
   }
   add_state(scenario, state, changes);
@@ -353,7 +315,7 @@ Changes mesh_changes(const Scenario& scenario, const LightReport& report, const 
     changes.push_back({std::string("light.") + key, ""});
   if (is_convex) {
     changes.push_back({"light.shape", "\"mesh\""});
-    changes.push_back({"light.mesh", detail::quoted_path(mesh)});
+    changes.push_back({"light.mesh", toml_text(mesh)});
   }
   if (report.unknowns.multiple) add_mixed_law(found.solution.body.law.multiple, changes);
   changes.push_back({"free.unknowns", "[\"attitude\", \"rate\"]"});
@@ -394,7 +356,7 @@ std::string light_solution_text(const Scenario& scenario, const LightReport& rep
                                 const std::optional<std::string>& folder) {
   const FoundLight& found = report.solutions.at(solution);
   const std::string there = folder.value_or(scenario.document.folder);
-  Changes changes = detail::relocated_paths(scenario.document, there);
+  Changes changes = relocated_paths(scenario.document, there);
   const Changes own = report.shape != LightPlan::Shape::ellipsoid
                           ? mesh_changes(scenario, report, found, mesh, there)
                           : ellipsoid_changes(scenario, report, found);

@@ -14,9 +14,7 @@
 #include "polhode/run/run.hpp"
 #include "run/detail/output_checks.hpp"
 #include "run/fit/fit_torques.hpp"
-#include "scenario/values.hpp"
 #include "text/number_text.hpp"
-#include "text/value_access.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -118,8 +116,8 @@ void add_rows_of(const Scenario& scenario, const std::vector<double>& times,
 
 void require_inertial(const Scenario& scenario, const std::string& what) {
   if (!scenario.rotation().frame.is_inertial())
-    refuse(scenario.document.checked->values, "frame", scenario.document.path,
-           "expected none: " + what + " relative to inertial axes");
+    require_fit(scenario).places.frame.refuse("expected none: " + what +
+                                              " relative to inertial axes");
 }
 
 Dimension dimension_of_unknown(std::string_view name) {

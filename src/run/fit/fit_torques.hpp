@@ -38,11 +38,11 @@ struct ShownUnit {
 };
 ShownUnit unit_of(const Scenario& scenario, const std::string& unknown);
 
-// The state that a scenario of the solution begins with, and its torques: those after the last
-// jump.
+// The state that a scenario of the solution begins with, that after the last jump, and the text of
+// the file with the torques of the solution.
 SpinState last_state(const FitReport& report, const SpinSolution& solution);
-void add_torques(const Scenario& scenario, const FitReport& report, const SpinSolution& solution,
-                 std::vector<ScenarioChange>& changes);
+std::string text_with_torques(const Scenario& scenario, const FitReport& report,
+                              const SpinSolution& solution);
 // The scenario of a solution, from a state at its beginning, for a file in `folder`.
 std::string text_from_state(const Scenario& scenario, const FitReport& report,
                             const SpinSolution& solution, const SpinState& state,

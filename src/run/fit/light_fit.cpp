@@ -16,10 +16,6 @@
 #include "polhode/scenario/scenario.hpp"
 #include "run/detail/fit_tables.hpp"
 #include "run/detail/light_report.hpp"
-#include "scenario/fit/fit_plan.hpp"
-#include "scenario/fit/observation_table.hpp"
-#include "scenario/tables/light.hpp"
-#include "scenario/values.hpp"
 #include "text/number_text.hpp"
 #include "text/value_access.hpp"
 
@@ -30,12 +26,10 @@ namespace {
 // For light curves. ScenarioError unless nothing acts on the body, no torque or jump is unknown,
 // and the state is relative to inertial axes.
 void require_free_fit(const Scenario& scenario) {
-  if (!scenario.rotation().kinds.empty())
-    detail::refuse(scenario.document.checked->values, "perturbation[0].kind",
-                   scenario.document.path,
-                   "expected no perturbation: a fit is one of free rotation");
-  detail::refuse_drive(detail::file_values(scenario.document),
-                       "expected none: light curves are fitted in free rotation");
+  const FitPlan::Places& places = require_fit(scenario).places;
+  if (!places.perturbations.empty())
+    places.perturbations.front().refuse("expected no perturbation: a fit is one of free rotation");
+  if (places.drive) places.drive->refuse("expected none: light curves are fitted in free rotation");
   detail::require_inertial(scenario);
 }
 
@@ -234,13 +228,11 @@ bool observes_light(const Scenario& scenario) {
 LightReport fit_light_scenario(const Scenario& scenario, const LightFitOptions& options) {
   const FitPlan& plan = require_fit(scenario);
   require_free_fit(scenario);
-  if (!plan.has_light()) detail::refuse_kind(scenario, 0, "expected \"light-curve\"");
+  if (!plan.has_light()) plan.observations.at(0).place.refuse("expected \"light-curve\"");
   if (plan.light.unknowns.moments == MomentSource::start && plan.light.searches &&
       plan.light.shape != LightPlan::Shape::mesh)
-    detail::light_table(detail::file_values(scenario.document))
-        .refuse<&detail::LightTable::source>(
-            "expected \"of-shape\", or moments among free.unknowns: a search has bodies of its "
-            "own");
+    plan.light.places.moments.refuse(
+        "expected \"of-shape\", or moments among free.unknowns: a search has bodies of its own");
   LightReport report;
   report.unknowns = plan.light.unknowns;
   report.observed = read_observations(scenario);
@@ -249,7 +241,7 @@ LightReport fit_light_scenario(const Scenario& scenario, const LightFitOptions& 
   if (plan.light.one_by_one) detail::require_sessions(scenario, curves);
   detail::begin_surfaces(scenario, report);
   report.chosen = detail::chosen_pairs(scenario, curves);
-  detail::built_unknowns(scenario, [&] {
+  plan.places.unknowns.built([&] {
     if (plan.light.searches)
       search(scenario, plan, options, report);
     else

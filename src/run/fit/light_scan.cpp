@@ -12,8 +12,6 @@
 #include "run/detail/fit_tables.hpp"
 #include "run/detail/light_fit.hpp"
 #include "run/detail/light_report.hpp"
-#include "scenario/tables/light.hpp"
-#include "scenario/values.hpp"
 #include "text/number_text.hpp"
 
 namespace polhode {
@@ -34,7 +32,7 @@ class Scan {
         least_(plan_.longest ? 1.0 / *plan_.longest : longest_usual()),
         most_(plan_.shortest ? 1.0 / *plan_.shortest : advice_.most) {
     if (!(least_ < most_))
-      refuse<&ScanPlan::longest>(
+      plan_.places.longest.refuse(
           "expected periods of which the shortest is below the longest; the data give " +
           text_of(1.0 / advice_.most) + " to " + text_of(1.0 / longest_usual()));
   }
@@ -67,7 +65,7 @@ class Scan {
     constants = is_joined ? constants + std::min(calibrated, std::size_t{1}) : 1;
     const std::size_t all = 2 * FourierOrders::pair(plan_.order).harmonics() + constants;
     if (points <= all)
-      refuse<&ScanPlan::order>(
+      plan_.places.order.refuse(
           fmt::format("expected a lower one: {} points{} do not determine {} "
                       "coefficients",
                       points, is_joined ? "" : " of the longest session", all));
@@ -76,10 +74,10 @@ class Scan {
   LightScan joined() {
     const double count = std::floor((most_ - least_) / advice_.step) + 1.0, pairs = count * count;
     if (pairs > most_scan_pairs)
-      refuse<&ScanPlan::shortest>("expected at most 1e8 pairs of frequencies; periods of " +
-                                  text_of(1.0 / most_) + " to " + text_of(1.0 / least_) +
-                                  " in data that cover " + text_of(advice_.time_base) + " are " +
-                                  number(pairs) + ": " + way_out());
+      plan_.places.shortest.refuse("expected at most 1e8 pairs of frequencies; periods of " +
+                                   text_of(1.0 / most_) + " to " + text_of(1.0 / least_) +
+                                   " in data that cover " + text_of(advice_.time_base) + " are " +
+                                   number(pairs) + ": " + way_out());
     const FrequencyGrid grid = FrequencyGrid::between(least_, most_, advice_.step);
     begin(fmt::format("{} pairs of frequencies", grid.count * grid.count) +
           (curves_.size() > 1 ? fmt::format(" over {} sessions", curves_.size()) : std::string()));
@@ -99,7 +97,7 @@ class Scan {
     const SessionScanSize size = session_scan_size(curves_, least_, most_, plan_.order);
     const double pairs = size.pairs(plan_.windows);
     if (pairs > most_scan_pairs)
-      refuse<&ScanPlan::windows>(
+      plan_.places.windows.refuse(
           "expected at most 1e8 pairs of frequencies; " + words_of(size) + " are " + number(pairs) +
           ": lower fit.scan.windows, bring fit.scan.shortest and fit.scan.longest nearer "
           "to each other, or fit fewer sessions");
@@ -280,10 +278,6 @@ class Scan {
     return how;
   }
 
-  template <auto member>
-  [[noreturn]] void refuse(const std::string& text) const {
-    detail::scan_table(detail::file_values(scenario_.document)).refuse<member>(text);
-  }
   static std::string number(double x) { return detail::rounded_text(x); }
   std::string text_of(double period) const {
     return fmt::format("{:.5g} {}", scenario_.units().from_core(period, Dimension::time),
@@ -310,8 +304,7 @@ std::vector<ChosenPair> detail::chosen_pairs(const Scenario& scenario,
   const ScanPlan& plan = require_fit(scenario).light.scan;
   std::vector<ChosenPair> chosen;
   if (plan.at.empty()) return chosen;
-  const Placed<ScanTable> table = scan_table(file_values(scenario.document));
-  table.built<&ScanTable::periods>([&] {
+  plan.places.at.built([&] {
     const ScanPoints points(curves);
     const double reach = scan_advice(curves, plan.at_order).step;
     const FourierOrders orders = FourierOrders::pair(plan.at_order);

@@ -9,8 +9,6 @@
 
 #include "run/detail/fit_tables.hpp"
 #include "run/detail/light_fit.hpp"
-#include "scenario/tables/fit.hpp"
-#include "scenario/values.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -18,10 +16,8 @@ namespace detail {
 
 void require_sessions(const Scenario& scenario, std::span<const LightCurve> curves) {
   if (curves.size() > 1) return;
-  fit_table(file_values(scenario.document))
-      .refuse<&FitTable::one_by_one>(
-          "expected more than one session: one for each table [[observation]], or by "
-          "session_column");
+  require_fit(scenario).light.places.one_by_one.refuse(
+      "expected more than one session: one for each table [[observation]], or by session_column");
 }
 
 std::size_t longest_session(std::span<const LightCurve> curves) {

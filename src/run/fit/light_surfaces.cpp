@@ -12,9 +12,6 @@
 #include "polhode/fit/mesh_search.hpp"
 #include "run/detail/fit_tables.hpp"
 #include "run/detail/light_fit.hpp"
-#include "scenario/tables/fit.hpp"
-#include "scenario/tables/light.hpp"
-#include "scenario/values.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -295,18 +292,17 @@ class Surfaces {
 
 void begin_surfaces(const Scenario& scenario, LightReport& report) {
   const FitPlan& plan = require_fit(scenario);
-  const FileValues file = file_values(scenario.document);
   report.shape = plan.light.shape;
   if (report.shape == LightPlan::Shape::mesh) {
     if (plan.light.unknowns.shape)
-      free_table(file).refuse<&FreeTable::unknowns>(
+      plan.places.unknowns.refuse(
           "expected no shape with light.shape = \"mesh\": the mesh is given");
     report.mesh = ShadedMesh(light_mesh(scenario));
     report.unknowns.shape = false;
   }
   if (report.shape != LightPlan::Shape::convex) return;
   // says what is wrong with degree and rows before the search
-  light_table(file).built<&ConvexPlan::degree>(
+  plan.light.places.degree.built(
       [&] { return GaussianImage(plan.light.convex.degree, plan.light.convex.rows); });
   report.unknowns = {.shape = false,
                      .moments = plan.light.convex.moments == MomentSource::fit

@@ -13,7 +13,6 @@
 #include "run/detail/fit_tables.hpp"
 #include "run/detail/light_report.hpp"
 #include "run/fit/fit_torques.hpp"
-#include "scenario/fit/time_words.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -93,7 +92,7 @@ std::vector<AttitudePrediction> fit_predictions(const LightReport& report, std::
 
 std::vector<double> prediction_times(const Scenario& scenario, std::span<const std::string> words) {
   std::vector<double> times;
-  for (const std::string& word : words) times.push_back(detail::time_of_word(scenario, word));
+  for (const std::string& word : words) times.push_back(time_of_word(scenario, word));
   return times;
 }
 
@@ -116,7 +115,7 @@ std::string prediction_text(const Scenario& scenario,
   for (const AttitudePrediction& one : predictions) {
     const PredictedAttitude& raw = one.raw;
     rows.push_back({fmt::format("{:.10g}", units.from_core(raw.t, Dimension::time)),
-                    detail::date_of_time(scenario, raw.t), detail::euler_text(scenario, raw.q),
+                    date_of_time(scenario, raw.t), detail::euler_text(scenario, raw.q),
                     errors_text(units, raw.covariance),
                     one.scaled ? errors_text(units, one.scaled->covariance) : std::string()});
     open = open || detail::is_open(raw.covariance);

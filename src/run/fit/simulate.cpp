@@ -26,11 +26,6 @@
 #include "polhode/version.hpp"
 #include "run/detail/fit_tables.hpp"
 #include "run/fit/fit_torques.hpp"
-#include "scenario/fit/observation_table.hpp"
-#include "scenario/tables/fit.hpp"
-#include "scenario/tables/time.hpp"
-#include "scenario/values.hpp"
-#include "text/value_access.hpp"
 #include "text/words.hpp"
 
 namespace polhode {
@@ -98,12 +93,9 @@ std::vector<std::vector<std::size_t>> sessions_of(const Scenario& scenario,
       if (motion[k].t >= ends[i] && motion[k].t <= ends[i + 1]) all[i / 2].push_back(k);
   }
   for (std::size_t i = 0; i < all.size(); ++i)
-    if (all[i].empty()) {
-      const FileValues file = file_values(scenario.document);
-      const std::string message = "expected rows of [time] in session " + std::to_string(i + 1);
-      if (ends.empty()) time_table(file).refuse(message);
-      simulate_table(file).refuse<&SimulateTable::sessions>(message);
-    }
+    if (all[i].empty())
+      require_fit(scenario).light.places.sessions.refuse("expected rows of [time] in session " +
+                                                         std::to_string(i + 1));
   return all;
 }
 
@@ -120,9 +112,8 @@ std::vector<LightCurve> simulated_sessions(const Scenario& scenario, std::size_t
   const std::string& name = plan.observations.at(table).name;
   const LightObservation& of = *plan.observations.at(table).light;
   if (!of.sigma)
-    refuse_kind(scenario, table,
-                "expected a key sigma, not sigma_columns: a simulation has no file to take errors "
-                "from");
+    plan.observations.at(table).place.refuse(
+        "expected a key sigma, not sigma_columns: a simulation has no file to take errors from");
   const SeenBody body(scenario);
   const std::vector<std::vector<std::size_t>> rows = sessions_of(scenario, motion);
   std::vector<LightCurve> curves;
@@ -276,11 +267,9 @@ void require_free(const std::vector<std::string>& paths, const Scenario& scenari
 void require_light(const Scenario& scenario, std::size_t table, bool is_light) {
   const Observation& of = simulated_plan(scenario).observations.at(table);
   if (of.light.has_value() == is_light) return;
-  detail::refuse_kind(scenario, table,
-                      is_light
-                          ? "expected \"light-curve\"; what else is seen is simulated by simulated"
-                          : "expected \"attitude\", \"direction\" or \"rate\"; light curves are "
-                            "simulated by simulated_light");
+  of.place.refuse(is_light ? "expected \"light-curve\"; what else is seen is simulated by simulated"
+                           : "expected \"attitude\", \"direction\" or \"rate\"; light curves are "
+                             "simulated by simulated_light");
 }
 
 }  // namespace

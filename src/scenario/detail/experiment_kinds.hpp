@@ -26,17 +26,11 @@ struct KindContext : FileValues {
   const OutputPlan& output;  // what it must be able to give
 };
 
-// Makes the experiment again with other numbers at the paths that it was made for; from any thread.
-using Remake = std::function<Experiment(const Values&)>;
-
-// Prepares that of an experiment, for numbers at the paths `changed`, next to which all else is
-// shared with it. What `at` refers to must outlive the result.
-using PrepareRemake =
-    std::function<Remake(const KindContext& at, std::vector<std::string> changed)>;
-
 struct MadeExperiment {
   Experiment experiment;
-  PrepareRemake prepare;
+  // Makes it again from values that differ at the paths `changed` only, and shares with it what
+  // does not depend on them. From any thread.
+  std::function<Experiment(const KindContext& at, std::span<const std::string> changed)> remake;
 };
 
 // What a kind brings to the table of keys: its own parts, and those that it shares with others.

@@ -154,8 +154,12 @@ std::vector<EnsembleHistogram> histograms_of(const FileValues& file) {
   return all;
 }
 
-void require_columns(const FileValues& file, const EnsemblePlan& plan,
-                     std::span<const ColumnGroup> rows, std::span<const std::string> events) {
+}  // namespace detail
+
+void require_ensemble_columns(const Scenario& scenario, std::span<const ColumnGroup> rows,
+                              std::span<const std::string> events) {
+  using namespace detail;
+  const FileValues file = file_values(scenario.document);
   std::vector<std::string> known = known_names(rows);
   for (const Placed<EnsembleFraction>& one : placed_tables(fraction_description, file)) {
     require_known<&EnsembleFraction::column>(one, one->column, known,
@@ -171,13 +175,12 @@ void require_columns(const FileValues& file, const EnsemblePlan& plan,
       one.refuse<&EnsembleFraction::name>(
           "expected a name of its own, since a column has this one");
   }
-  std::ranges::copy(plan.keys(), std::back_inserter(known));
+  std::ranges::copy(scenario.ensemble->keys(), std::back_inserter(known));
   for (const Placed<HistogramTable>& one : placed_tables(histogram_description, file))
     for (const std::string& column : one->columns)
       require_known<&HistogramTable::columns>(
           one, column, known, "expected columns of [output] columns, or keys that vary");
 }
 
-}  // namespace detail
 }  // namespace v0
 }  // namespace polhode

@@ -45,6 +45,10 @@ FitPlan fit_plan(const FileValues& at, const Kinds& kinds, const Rotation& rotat
   require_words(free, fit, plan.has_light());
   plan.unknowns = {free->has("attitude"), free->has("rate"), free->has("moments"),
                    free->has("products")};
+  plan.places.unknowns = free.place<&FreeTable::unknowns>();
+  plan.places.frame = place_of(at.values, "frame", at.name);
+  for (const std::string& path : array_paths(at.values, "perturbation"))
+    plan.places.perturbations.push_back(place_of(at.values, path + ".kind", at.name));
   plan.light = light_plan(at, rotation, free, fit);
   add_priors(at, spin_state(rotation), plan);
   add_drive(at, rotation, plan);

@@ -2,8 +2,6 @@
 // From the values of a file of kind "fit" to its plan.
 #pragma once
 
-#include <string_view>
-
 #include "polhode/scenario/fit_plan.hpp"
 #include "polhode/scenario/kinds.hpp"
 #include "scenario/detail/schema_parts.hpp"
@@ -30,8 +28,6 @@ void add_priors(const FileValues& at, const SpinState& start, FitPlan& plan);
 // The tables [[free.parameter]] and [[free.jump]], and their priors.
 SchemaPart drive_keys();
 void add_drive(const FileValues& at, const Rotation& rotation, FitPlan& plan);
-// Throws a ScenarioError at the first of these tables, if there is one.
-void refuse_drive(const FileValues& at, std::string_view message);
 
 }  // namespace detail
 }  // namespace v0

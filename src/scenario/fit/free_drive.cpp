@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "polhode/scenario/scenario.hpp"
+#include "polhode/scenario/varied_scenario.hpp"
 #include "scenario/ensemble/vary.hpp"
 #include "scenario/fit/fit_plan.hpp"
-#include "scenario/prepared_base.hpp"
 #include "scenario/scenario_parts.hpp"
 #include "scenario/tables/fit.hpp"
 
@@ -139,6 +139,7 @@ void add_parameter(const FileValues& at, const Placed<ParameterTable>& table, Fi
   if (table->sigma)
     plan.priors.push_back({{key}, {table->mean.value_or(start)}, {*table->sigma * *table->sigma}});
   plan.drive.parameters.push_back(std::move(one));
+  if (!plan.places.drive) plan.places.drive = table.place<&P::key>();
 }
 
 void add_jump(const Placed<JumpTable>& table, FitPlan& plan) {
@@ -151,6 +152,7 @@ void add_jump(const Placed<JumpTable>& table, FitPlan& plan) {
           {{name + "[" + std::to_string(k) + "]"}, {table->change[k]}, {sigma * sigma}});
     }
   plan.drive.jumps.push_back({name, table->t, table->of, table->change});
+  if (!plan.places.drive) plan.places.drive = table.place<&JumpTable::of>();
 }
 
 }  // namespace
@@ -171,13 +173,6 @@ void add_drive(const FileValues& at, const Rotation& rotation, FitPlan& plan) {
     fit.refuse<&FitTable::tolerance>("expected torques or jumps as well: free rotation has none");
 }
 
-void refuse_drive(const FileValues& at, std::string_view message) {
-  for (const Placed<ParameterTable>& one : placed_tables(parameter_description, at))
-    one.refuse<&ParameterTable::key>(message);
-  for (const Placed<JumpTable>& one : placed_tables(jump_description, at))
-    one.refuse<&JumpTable::of>(message);
-}
-
 }  // namespace detail
 
 SpinDrive spin_drive(const Scenario& scenario) {
@@ -195,11 +190,11 @@ SpinDrive spin_drive(const Scenario& scenario) {
     drive.terms = [terms = scenario.rotation().terms](std::span<const double>) { return terms; };
     return drive;
   }
-  // a base refers to its scenario, and the drive may outlive that of the caller
+  // which refers to its scenario, and the drive may outlive that of the caller
   const auto own = std::make_shared<const Scenario>(scenario);
-  const auto base = std::make_shared<const detail::PreparedBase>(*own, keys);
-  drive.terms = [own, base](std::span<const double> numbers) {
-    return detail::rotation_of(base->experiment(numbers)).terms;
+  const auto varied = std::make_shared<const VariedScenario>(*own, keys);
+  drive.terms = [own, varied](std::span<const double> numbers) {
+    return detail::rotation_of(varied->experiment(numbers)).terms;
   };
   return drive;
 }

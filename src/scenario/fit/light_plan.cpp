@@ -64,6 +64,11 @@ ScanPlan scan_of(const Placed<ScanTable>& table) {
   if (scan.at.empty())
     table.refuse_any<&ScanTable::own_order>("expected fit.scan.at as well, pairs of periods");
   scan.at_order = table->own_order.value_or(scan.order);
+  scan.places = {.shortest = table.place<&ScanPlan::shortest>(),
+                 .longest = table.place<&ScanPlan::longest>(),
+                 .order = table.place<&ScanPlan::order>(),
+                 .windows = table.place<&ScanPlan::windows>(),
+                 .at = table.place<&ScanTable::periods>()};
   return scan;
 }
 
@@ -116,6 +121,7 @@ void require_words(const Placed<FreeTable>& free, const Placed<FitTable>& fit, b
 LightPlan light_plan(const FileValues& at, const Rotation& rotation, const Placed<FreeTable>& free,
                      const Placed<FitTable>& fit) {
   const Placed<LightTable> light = light_table(at);
+  const Placed<SimulateTable> simulate = simulate_table(at);
   require_shape(light, free, rotation);
   const MomentSource moments = free->has("moments") ? MomentSource::fit : light->source;
   LightPlan plan{.shape = light->shape,
@@ -134,7 +140,13 @@ LightPlan light_plan(const FileValues& at, const Rotation& rotation, const Place
                  .starts = fit.given<&FitTable::starts>(),
                  .most_iterations = fit.given<&FitTable::iterations>(),
                  .within_factor = fit->within_factor,
-                 .sessions = sessions_of(simulate_table(at))};
+                 .sessions = sessions_of(simulate),
+                 .places = {.moments = light.place<&LightTable::source>(),
+                            .degree = light.place<&ConvexPlan::degree>(),
+                            .one_by_one = fit.place<&FitTable::one_by_one>(),
+                            .sessions = simulate->sessions.empty()
+                                            ? place_of(at.values, "time", at.name)
+                                            : simulate.place<&SimulateTable::sessions>()}};
   if (light.is_explicit<&LightTable::source>()) plan.convex.moments = moments;
   if (plan.unknowns.multiple && plan.law.single == 0.0)
     light.refuse<&LightTable::law>(

@@ -198,15 +198,12 @@ Placed<Observation> placed_observation(const FileValues& file, std::size_t index
   return {Table<O>{table_key, read_keys}, file, "observation[" + std::to_string(index) + "]"};
 }
 
-void refuse_kind(const Scenario& scenario, std::size_t index, std::string_view message) {
-  placed_observation(file_values(scenario.document), index).refuse<&O::kind>(message);
-}
-
 Observation observation_of(const FileValues& file, std::size_t index, const Kinds& kinds,
                            const Rotation& rotation) {
   const Placed<O> table = placed_observation(file, index);
   const KeyValues& at = table.at();
   O o = *table;
+  o.place = table.place<&O::kind>();
   const ObservationKind* const kind = kinds.observation(o.kind);
   if (kind == nullptr)
     throw std::logic_error("observation: the schema allows a kind without a description: " +

@@ -4,7 +4,7 @@
 
 #include <cstddef>
 #include <optional>
-#include <string_view>
+#include <string>
 
 #include "polhode/scenario/fit_plan.hpp"
 #include "polhode/scenario/scenario.hpp"
@@ -24,8 +24,6 @@ Placed<Observation> placed_observation(const FileValues& file, std::size_t index
 Placed<LightObservation> placed_light(const FileValues& file, const std::string& path);
 Observation observation_of(const FileValues& file, std::size_t index, const Kinds& kinds,
                            const Rotation& rotation);
-[[noreturn]] void refuse_kind(const Scenario& scenario, std::size_t index,
-                              std::string_view message);
 
 // The orbit that a key of a light curve names.
 template <auto key>

@@ -74,9 +74,6 @@ double TermContext::gm(std::string_view key, std::string_view orbit_key) const {
 
 namespace {
 
-// Not in any file.
-constexpr detail::Position nowhere{.line = 0, .column = 0};
-
 // "GravityGradient: gm: got -1.0; expected ..." of what a kind says of its table.
 std::string said_of(const std::string& label, std::string text) {
   const std::string table = label + ": kind: got nothing; ";
@@ -86,25 +83,41 @@ std::string said_of(const std::string& label, std::string text) {
 
 }  // namespace
 
+std::vector<KeyValue> defaults_of(const PerturbationKind& kind) {
+  std::vector<KeyValue> all;
+  for (const Key& key : kind.keys) {
+    if (key.fallback.empty()) continue;
+    detail::Value value = detail::value_of(key, key.fallback);
+    all.push_back({key.path, std::move(value.numbers), std::move(value.words), value.whole,
+                   std::move(value.shown)});
+  }
+  return all;
+}
+
 TermsOfProgram made_terms(const PerturbationKind& kind, std::span<const KeyValue> given,
-                          const TermParts& parts, const std::string& label) {
+                          std::span<const KeyValue> defaults, const TermParts& parts,
+                          const std::string& label) {
   detail::Values values;
   for (const Key& key : kind.keys) {
-    const auto own =
-        std::ranges::find(given, key.path, [](const KeyValue& one) { return one.key; });
-    const bool is_given = own != given.end();
-    std::optional<KeyValue> said = is_given ? std::optional(*own) : default_of(key);
-    if (said)
+    const KeyValue* said = nullptr;
+    const auto look_in = [&](std::span<const KeyValue> all) {
+      const auto found = std::ranges::find(all, key.path, &KeyValue::key);
+      if (found != all.end()) said = &*found;
+    };
+    look_in(given);
+    const bool is_given = said != nullptr;
+    if (!is_given) look_in(defaults);
+    if (said != nullptr)
       values.emplace(key.path, detail::Value{.key = &key,
-                                             .where = nowhere,
+                                             .where = detail::nowhere,
                                              .is_explicit = is_given,
-                                             .shown = std::move(said->shown),
-                                             .numbers = std::move(said->numbers),
+                                             .shown = said->shown,
+                                             .numbers = said->numbers,
                                              .units = {},
-                                             .words = std::move(said->words),
+                                             .words = said->words,
                                              .whole = said->whole});
   }
-  const Units units;
+  static const Units units;
   TermUses uses;
   const TermContext at(KeyValues(values, units, "", label), parts, uses);
   try {
@@ -113,12 +126,6 @@ TermsOfProgram made_terms(const PerturbationKind& kind, std::span<const KeyValue
   } catch (const DomainError& error) {  // a ScenarioError too
     throw DomainError(said_of(label, error.what()));
   }
-}
-
-std::optional<KeyValue> default_of(const Key& key) {
-  if (key.fallback.empty()) return std::nullopt;
-  const detail::Value value = detail::value_of(key, key.fallback);
-  return KeyValue{key.path, value.numbers, value.words, value.whole, value.shown};
 }
 
 }  // namespace v0

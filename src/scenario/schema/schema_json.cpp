@@ -149,6 +149,9 @@ void write_value(JsonWriter& json, const Key& key) {
       break;  // write_key
     case KeyType::integer:
       json.key("type").value("integer");
+      if (!key.allowed.empty()) break;
+      if (key.whole.least != WholeRange{}.least) json.key("minimum").value(key.whole.least);
+      if (key.whole.most != WholeRange{}.most) json.key("maximum").value(key.whole.most);
       break;
     case KeyType::number:
       write_dated(json, key, key.dimension);

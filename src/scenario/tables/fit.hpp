@@ -24,11 +24,6 @@ struct FreeTable {
 };
 SchemaPart free_keys();
 Placed<FreeTable> free_table(const FileValues& file);
-// Reports a DomainError of the fit at free.unknowns.
-template <class Fit>
-void built_unknowns(const Scenario& scenario, const Fit& fit) {
-  free_table(file_values(scenario.document)).built<&FreeTable::unknowns>(fit);
-}
 
 struct FitTable {
   Loss::Kind loss = Loss::Kind::squared;

@@ -263,12 +263,14 @@ std::optional<MapPlan> map_plan(const FileValues& file, const ColumnKinds& colum
   return plan;
 }
 
-void require_map(const FileValues& file, const ColumnKinds& columns, const Experiment& experiment) {
-  const Placed<MapTable> map(map_description, file);
-  static_cast<void>(without_axes(map, columns, experiment));
-  require_rows(map, rows_of(experiment));
+}  // namespace detail
+
+void require_map(const Scenario& scenario, const Experiment& cell) {
+  const Document& of = scenario.document;
+  const detail::Placed<detail::MapTable> map(detail::map_description, detail::file_values(of));
+  static_cast<void>(detail::without_axes(map, of.kinds->columns(), cell));
+  detail::require_rows(map, detail::rows_of(cell));
 }
 
-}  // namespace detail
 }  // namespace v0
 }  // namespace polhode

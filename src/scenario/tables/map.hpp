@@ -17,8 +17,6 @@ SchemaPart map_keys();
 // without maps.
 std::optional<MapPlan> map_plan(const FileValues& file, const ColumnKinds& columns,
                                 const Experiment& experiment);
-// Checks the experiment of a cell, which has other numbers, against the plan.
-void require_map(const FileValues& file, const ColumnKinds& columns, const Experiment& experiment);
 
 }  // namespace detail
 }  // namespace v0

@@ -17,6 +17,8 @@
 #include "fit/detail/snapshot_residuals.hpp"
 #include "message_of.hpp"
 #include "oracle/random_draw.hpp"
+#include "polhode/fit/driven_spin_fit.hpp"
+#include "polhode/perturb/constant_torque.hpp"
 
 namespace {
 using namespace polhode;
@@ -179,6 +181,34 @@ TEST(FitSpin, TakesDirectionsAndRates) {
       EXPECT_NEAR(J[i * n + k], slope, budget::fit_difference) << i << " by " << k;
     }
   }
+}
+
+// Seen when a torque sets it in motion.
+TEST(FitSpin, FindsTheAttitudeOfABodyAtRestFromNumbersOfIt) {
+  SpinState truth = truths()[0];
+  truth.w_F = {};
+  const auto rotated = std::make_shared<const MotionFunction>(
+      [](double, const Quaternion& q, const Vec3&, std::span<double> numbers) {
+        const Vec3 x = rotate(q, {1.0, 0.0, 0.0}), y = rotate(q, {0.0, 1.0, 0.0});
+        for (int i = 0; i < 3; ++i) {
+          numbers[static_cast<std::size_t>(i)] = x[i];
+          numbers[static_cast<std::size_t>(i + 3)] = y[i];
+        }
+      });
+  SpinFit fit;
+  fit.unknowns.rate = fit.unknowns.moment_ratios = fit.unknowns.products = false;
+  fit.seen.measurements.push_back(
+      {truth.t0, std::vector<double>(6), std::vector<double>(6, 0.01), rotated});
+  (*rotated)(0.0, truth.q, {}, fit.seen.measurements[0].seen);
+  fit.start = truth;
+  fit.start.q = truth.q * detail::turn_by({0.1, 0.02, -0.05});
+  SpinDrive drive;
+  drive.terms = [](std::span<const double>) {
+    return std::vector<AnyPerturbation>{{"torque", ConstantTorque::in_body({0.1, 0.0, 0.0})}};
+  };
+  const SpinSolution s = fit_driven_spin(fit, drive);
+  ASSERT_TRUE(s.is_found()) << s.result.sentence;
+  EXPECT_LE(norm(attitude_residual(truth.q, s.state.q)), budget::fit_exact);
 }
 
 TEST(FitSpin, PredictsWithErrors) {

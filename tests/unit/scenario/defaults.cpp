@@ -63,6 +63,24 @@ TEST(Defaults, ThatChangeThePhysicsAreRequired) {
               HasSubstr("residual dipole, orbit o\n"));
 }
 
+TEST(Defaults, OfKeysThatDoNotApplyAreRejectedIfTheyAreWritten) {
+  const std::string constant =
+      "[[perturbation]]\nkind = \"residual-dipole\"\nmoment = { value = [0, 0, 1], unit = "
+      "\"A m2\" }\nconstant_field = [0, 0, 1]\n";
+  EXPECT_THAT(said(constant), HasSubstr("constant field"));
+  for (const char* const line :
+       {"orbit = \"o\"", "field = \"earth\"", "gauss = [1, 0, 0]", "reference_radius = 1",
+        "pole = [0, 0, 1]", "rotation_rate = 0", "meridian = 0", "meridian_epoch = 0"}) {
+    const std::string text(line);
+    EXPECT_THAT(said(constant + text + "\n"),
+                HasSubstr("perturbation[0].constant_field: got [0, 0, 1]; expected none with " +
+                          text.substr(0, text.find(' '))));
+  }
+  const std::string gradient = "[[perturbation]]\nkind = \"gravity-gradient\"\norbit = \"o\"\n";
+  EXPECT_THAT(said(gradient + "pole = [0, 0, 1]\n"),
+              HasSubstr("perturbation[0].pole: got [0, 0, 1]; expected a key J2 as well"));
+}
+
 TEST(Defaults, AreInTheSummaryWithTheNumbersOfTheTorques) {
   const std::string text = said(plate + dipole + "field = \"earth\"\n");
   EXPECT_THAT(text, HasSubstr("the Earth's dipole of the epoch (IGRF-14: "));

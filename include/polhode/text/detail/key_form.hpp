@@ -257,16 +257,9 @@ struct KeyMaker {
   }
 };
 
-// The integers that a key may have.
-struct WholeRange {
-  std::int64_t least = std::numeric_limits<std::int64_t>::min();
-  std::int64_t most = std::numeric_limits<std::int64_t>::max();
-  std::string_view shown = {};  // the greatest, in messages
-};
-
 // Throws a ScenarioError at the place of a number outside, and of a key that is left out with
 // another.
-void require_allowed(const KeyValues& at, const Key& key, const WholeRange& whole = {});
+void require_allowed(const KeyValues& at, const Key& key);
 
 }  // namespace detail
 }  // namespace v0

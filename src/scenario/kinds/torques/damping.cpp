@@ -50,6 +50,8 @@ PerturbationKind damping_kind() {
       "damping", "A torque against the angular velocity, in proportion to it.", linear_damping_keys,
       made_linear_damping, {}, principal_damping);
   kind.on_body = true;
+  kind.class_name = "LinearDamping";
+  kind.equations = "u = -D w, w = I^-1 g.";
   return kind;
 }
 
@@ -112,6 +114,10 @@ PerturbationKind internal_damping_kind() {
       internal_damping_keys, made_internal_damping, {}, principal_internal_damping);
   kind.on_body = true;
   kind.sets = "wobble_time+rate|k";
+  kind.equations =
+      "v = k g x w, w = I^-1 g: no torque, and I^-1 g + v is the angular velocity. For\n"
+      "I = (A, A, C) the angle J from axis 3 to g obeys\n"
+      "tan J = tan J0 exp(-k (C - A) G^2 t / (A C)).";
   return kind;
 }
 
@@ -158,6 +164,9 @@ PerturbationKind anelastic_damping_kind() {
         "Royal Astronomical Society 165, 403-411.",
         "the time in which a wobble dies"}});
   kind.on_body = true;
+  kind.equations =
+      "As InternalDamping with k in proportion to |g|: a small wobble falls by e in\n"
+      "wobble_time(material, rate) at any rate.";
   return kind;
 }
 

@@ -98,6 +98,8 @@ PerturbationKind drag_kind() {
         "the force of free molecules on a facet"}});
   kind.on_surface = true;
   kind.needs_velocity = true;
+  kind.class_name = "AtmosphericDrag";
+  kind.equations = "Molecules that are slow against the body; facets do not shade each other.";
   return kind;
 }
 

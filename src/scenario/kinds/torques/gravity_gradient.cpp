@@ -24,7 +24,7 @@ struct Arguments {
   std::optional<std::array<double, 15>> fourth_moments;
   OrbitOf orbit_of;
   std::optional<double> J2;
-  Vec3 pole;
+  std::optional<Vec3> pole;
   std::optional<double> primary_radius;
   SpaceAxes axes;
 };
@@ -56,6 +56,11 @@ constexpr KindKey<Arguments> keys[] = {
 Arguments principal(Arguments a, const TermContext& at) {
   at.orbit("orbit");  // named first if both are wrong
   a.gm = at.gm("gm", "orbit");
+  if (!a.J2) {
+    for (const char* const key : {"primary_radius", "pole"})
+      if (at.is_explicit(key)) at.refuse(key, "expected a key J2 as well");
+    a.pole.reset();
+  }
   if (at.has_principal_axes()) return a;
   const Mat3 R = rotation_matrix(conj(at.q_FB()));
   if (a.third_moments) a.third_moments = rotated(MassMoments{*a.third_moments, {}}, R).third;
@@ -78,16 +83,12 @@ void require_side(const Arguments& a, const TermContext& at) {
 }
 
 std::optional<Oblateness> oblateness_of(const Arguments& a, const TermContext& at) {
-  if (!a.J2) {
-    if (a.primary_radius) at.refuse("primary_radius", "expected a key J2 as well");
-    if (a.pole != Vec3{0.0, 0.0, 1.0}) at.refuse("pole", "expected a key J2 as well");
-    return std::nullopt;
-  }
+  if (!a.J2) return std::nullopt;
   if (!a.primary_radius)
     at.refuse("J2",
               "expected a key primary_radius as well, the equatorial radius that J2 belongs to");
   require_pole(at, "pole");
-  return at.built("J2", [&] { return Oblateness{*a.J2, *a.primary_radius, a.pole}; });
+  return at.built("J2", [&] { return Oblateness{*a.J2, *a.primary_radius, a.pole.value()}; });
 }
 
 // Degree 2 once, and what else the table has.
@@ -119,11 +120,17 @@ MadeTerms made(const Arguments& a, const TermContext& at) {
 }  // namespace
 
 PerturbationKind gravity_gradient_kind() {
-  return perturbation_kind<Arguments>(
+  PerturbationKind kind = perturbation_kind<Arguments>(
       "gravity-gradient",
       "Gravity of a point mass, of degree 2; with moments of the body of degrees 3 and 4, and with "
       "the oblateness of what attracts it, where the table has them.",
       keys, made, {}, principal);
+  kind.equations =
+      "H' = gm / (2 r^3) (3 n.I n - tr I), u = (3 gm / r^3) n x I n, n = r / |r| in body axes.\n"
+      "Moments of degrees 3 and 4 add their part of H' = -gm integral dm / |r - x|, J2 that of "
+      "the\n"
+      "field -gm / r (1 - J2 (R / r)^2 P2(sin latitude)) on the moments of inertia.";
+  return kind;
 }
 
 }  // namespace detail

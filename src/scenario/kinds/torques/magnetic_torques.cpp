@@ -32,10 +32,10 @@ struct DipoleArguments {
   FieldSource field;
   std::optional<Vec3> gauss;
   std::optional<double> reference_radius;
-  Vec3 pole;
+  std::optional<Vec3> pole;
   std::optional<double> rotation_rate;
   std::optional<double> meridian;
-  double meridian_epoch;
+  std::optional<double> meridian_epoch;
 };
 
 constexpr std::string_view earth_field = "field = \"earth\"";
@@ -139,6 +139,16 @@ void replace_earth(DipoleArguments& a, const TermContext& at) {
   });
 }
 
+// A constant field has no place, axis or coefficients.
+void require_one_field(DipoleArguments& a, const TermContext& at) {
+  if (!a.constant_field) return;
+  for (const char* const key : {"orbit", "field", "gauss", "reference_radius", "pole",
+                                "rotation_rate", "meridian", "meridian_epoch"})
+    if (at.is_explicit(key)) at.refuse("constant_field", std::string("expected none with ") + key);
+  a.pole.reset();
+  a.meridian_epoch.reset();
+}
+
 bool is_earth(const TermContext& at) { return at.word("field") == "earth"; }
 
 // The note of the Earth's dipole in a summary; empty for others.
@@ -148,7 +158,7 @@ std::string field_note(const DipoleArguments& a, const TermContext& at) {
   return fmt::format(
       ", the Earth's dipole of the epoch (IGRF-14: {:.1f}, {:.1f}, {:.1f} nT; "
       "pole {:.9f}, {:.9f}, {:.9f}, meridian {:.6f} {})",
-      g.x, g.y, g.z, a.pole.x, a.pole.y, a.pole.z,
+      g.x, g.y, g.z, a.pole->x, a.pole->y, a.pole->z,
       at.units().from_core(*a.meridian, Dimension::angle), at.units().angle());
 }
 
@@ -167,10 +177,10 @@ void require_dipole_keys(const DipoleArguments& a, const TermContext& at) {
 
 DipoleField dipole_of(const DipoleArguments& a, const TermContext& at) {
   if (!is_earth(at)) require_dipole_keys(a, at);
-  const PrimaryRotation primary{.pole = a.pole,
+  const PrimaryRotation primary{.pole = a.pole.value(),
                                 .rate = a.rotation_rate.value_or(0.0),
                                 .meridian = a.meridian.value_or(0.0),
-                                .epoch = a.meridian_epoch};
+                                .epoch = a.meridian_epoch.value()};
   if (primary.pole == Vec3{}) at.refuse("pole", "expected a vector that is not zero");
   return at.built("gauss", [&] {
     const Vec3& g = *a.gauss;
@@ -182,10 +192,8 @@ DipoleField dipole_of(const DipoleArguments& a, const TermContext& at) {
 template <class Made>
 AnyPerturbation in_field(const DipoleArguments& a, const TermContext& at, const Made& made) {
   if (at.field() != nullptr) return made(*at.field(), std::string());
-  if (a.constant_field) {
-    if (a.gauss) at.refuse("constant_field", "expected none with gauss");
+  if (a.constant_field)
     return made(ConstantField(*a.constant_field), std::string(", constant field"));
-  }
   const ScenarioOrbit& orbit = at.orbit("orbit");
   const DipoleField dipole = dipole_of(a, at);
   const std::string note = ", orbit " + orbit.name + field_note(a, at);
@@ -206,6 +214,7 @@ constexpr std::array moment_keys = {
 constexpr auto residual_dipole_keys = joined(dipole_keys<ResidualDipoleArguments>, moment_keys);
 
 ResidualDipoleArguments principal_dipole(ResidualDipoleArguments a, const TermContext& at) {
+  require_one_field(a, at);
   replace_earth(a, at);
   a.moment = at.principal(a.moment);
   return a;
@@ -224,6 +233,7 @@ PerturbationKind residual_dipole_kind() {
       "residual-dipole", "A magnetic moment of the body in a magnetic field.", residual_dipole_keys,
       made_residual_dipole, {dipole_citation()}, principal_dipole);
   kind.in_field = true;
+  kind.equations = "u = m x B, H' = -m.B.";
   return kind;
 }
 
@@ -248,6 +258,7 @@ constexpr std::array tensor_keys = {
 constexpr auto eddy_current_keys = joined(dipole_keys<EddyCurrentArguments>, tensor_keys);
 
 EddyCurrentArguments principal_eddy(EddyCurrentArguments a, const TermContext& at) {
+  require_one_field(a, at);
   replace_earth(a, at);
   a.tensor = at.built("tensor", [&]() -> LinearMap {
     const EddyCurrents in_file_axes(a.tensor.matrix, ConstantField({}));  // refuses
@@ -279,6 +290,7 @@ PerturbationKind eddy_currents_kind() {
        dipole_citation()},
       principal_eddy);
   kind.in_field = true;
+  kind.equations = "u = (M (w x B - dB/dt)) x B, w = I^-1 g, dB/dt along the orbit.";
   return kind;
 }
 

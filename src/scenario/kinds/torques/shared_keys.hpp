@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Keys that several kinds of torque have, each written once.
+// Keys that several kinds of torque share.
 #pragma once
 
 #include <optional>
@@ -51,7 +51,7 @@ consteval auto pole_key() {
       .otherwise("[0.0, 0.0, 1.0]");
 }
 
-// Along the ecliptic a pole that is left out is that of no planet.
+// The default, axis 3, is a pole of the equator but of no planet along the ecliptic.
 inline void require_pole(const TermContext& at, std::string_view key) {
   if (!at.is_explicit(key) && state_table(at.file_values())->axes == "ecliptic-J2000")
     at.refuse(key, "expected the pole along the ecliptic, in which this file has its axes");
@@ -85,7 +85,7 @@ consteval auto torque_axes_key() {
              "reference frame.")
       .otherwise("\"body\"");
 }
-// None: those of the body.
+// nullopt for the axes of the body.
 inline std::optional<SpaceAxes> space_axes(TorqueAxes axes) {
   if (axes == TorqueAxes::body) return std::nullopt;
   return axes == TorqueAxes::inertial ? SpaceAxes::inertial : SpaceAxes::reference;

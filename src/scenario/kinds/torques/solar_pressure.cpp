@@ -114,6 +114,8 @@ PerturbationKind solar_pressure_kind() {
        {"montenbruck2000", "Montenbruck, O., Gill, E. (2000). Satellite Orbits. Springer, Berlin.",
         "umbra and penumbra"}});
   kind.on_surface = true;
+  kind.equations =
+      "Facets do not shade each other. A torque of time and attitude alone; no energy.";
   return kind;
 }
 

@@ -77,6 +77,8 @@ PerturbationKind tide_kind() {
         "tides with a constant time lag"}},
       principal);
   kind.needs_velocity = true;
+  kind.class_name = "TidalTorque";
+  kind.equations = "u = 3 k2 gm M R^5 lag / r^8 ((r.w) r - r^2 w + r x dr/dt), w = I^-1 g.";
   return kind;
 }
 

@@ -159,6 +159,9 @@ PerturbationKind torque_table_kind() {
         "torque tables by cubics"}},
       principal);
   kind.sets = "times|file";
+  kind.equations =
+      "Collocation, Adaptive and VariationOfConstants end a step wherever it is not smooth\n"
+      "(`breakpoints`), so that no pulse is missed. Splitting rejects it.";
   return kind;
 }
 
