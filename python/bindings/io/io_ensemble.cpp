@@ -13,7 +13,6 @@
 #include "motion/samples.hpp"
 #include "polhode/error.hpp"
 #include "polhode/run/ensemble_run.hpp"
-#include "polhode/run/ensemble_work.hpp"
 #include "polhode/scenario/schema.hpp"
 #include "polhode/text/separated.hpp"
 
@@ -76,14 +75,12 @@ Ensemble run_ensemble(const ScenarioEnsemble& ensemble, const nb::list& outputs,
                       "; expected one of them");
   WorkLoop loop("the ensemble was stopped", progress);
   ExecutorTeam workers(team);
-  EnsembleOptions options;
-  options.begin = begin_of("ensemble", resume, restart);
-  options.words = begin_words();
+  RunOptions options = run_options("ensemble", resume, restart);
   options.threads = threads;
   options.any_machine = any_machine;
   if (!team.is_none()) options.team = &workers;
+  loop.listen(options);
   options.stop = [&] { return loop.is_stopped() || workers.has_failed(); };
-  options.progress = [&loop](std::int64_t members) { loop.reach(members); };
   options.extra_sink = std::make_unique<TableSink>(result.rows);
   EnsembleRun run(ensemble, paths, std::move(options));
   result.groups = run.groups();
@@ -94,7 +91,7 @@ Ensemble run_ensemble(const ScenarioEnsemble& ensemble, const nb::list& outputs,
   if (result.is_whole) reserve(ensemble, result);
   try {
     loop.do_work(ensemble.size(), [&] { result.report = run.run(); });
-  } catch (const EnsembleInterrupted&) {
+  } catch (const RunInterrupted&) {
     workers.raise();  // what they have done is kept
     throw;
   }

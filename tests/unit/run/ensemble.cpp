@@ -14,7 +14,6 @@
 #include "message_of.hpp"
 #include "polhode/error.hpp"
 #include "polhode/run/ensemble_run.hpp"
-#include "polhode/run/ensemble_work.hpp"
 #include "polhode/run/run.hpp"
 #include "temp_folder.hpp"
 
@@ -80,7 +79,7 @@ std::vector<double> rows_of(const Scenario& scenario) {
 std::vector<double> ensemble_rows(const std::string& text, int threads) {
   const ScenarioEnsemble ensemble(text, "e.toml");
   std::vector<double> rows;
-  EnsembleOptions options;
+  RunOptions options;
   options.threads = threads;
   options.extra_sink = std::make_unique<Rows>(rows);
   EnsembleRun(ensemble, {}, std::move(options)).run();
@@ -159,18 +158,18 @@ void expect_resumable(const std::string& text, int least, const auto& set_up) {
   int stops = 0;
   for (bool done = false; !done; ++stops) {
     std::atomic<bool> enough = false;
-    EnsembleOptions options;
+    RunOptions options;
     options.begin = RunBegin::resume;
     options.checkpoint_seconds = 0.0;
     set_up(options, stops);
-    options.progress = [&](std::int64_t) { enough = true; };
+    options.progress = [&](const RunProgress&) { enough = true; };
     options.stop = [&] { return enough.load(); };
     try {
       EnsembleRun(ensemble, {parts}, std::move(options)).run();
       done = true;
-    } catch (const EnsembleInterrupted& stopped) {
+    } catch (const RunInterrupted& stopped) {
       EXPECT_TRUE(stopped.can_resume);
-      EXPECT_LT(stopped.members, ensemble.size());
+      EXPECT_LT(stopped.reached, static_cast<double>(ensemble.size()));
     }
   }
   EXPECT_GT(stops, least);
@@ -182,14 +181,14 @@ TEST(EnsembleRun, WhatIsStoppedGoesOn) {
     std::string text = body + torque + varied;
     text.replace(text.find("size = 20"), 9, "size = 60\nkeep = \"" + std::string(keep) + "\"");
     expect_resumable(text, 2,
-                     [](EnsembleOptions& options, int stops) { options.threads = 1 + stops % 2; });
+                     [](RunOptions& options, int stops) { options.threads = 1 + stops % 2; });
   }
 }
 
 TEST(EnsembleRun, WhatProgressThrowsPassesThrough) {
   const ScenarioEnsemble ensemble(body + varied, "e.toml");
-  EnsembleOptions options;
-  options.progress = [](std::int64_t) { throw std::runtime_error("enough"); };
+  RunOptions options;
+  options.progress = [](const RunProgress&) { throw std::runtime_error("enough"); };
   EnsembleRun run(ensemble, {}, std::move(options));
   EXPECT_THROW(run.run(), std::runtime_error);
 }
@@ -266,7 +265,7 @@ class ShuffledTeam : public Team {
 std::vector<double> rows_of(const std::string& text, Team* team) {
   const ScenarioEnsemble ensemble(text, "e.toml");
   std::vector<double> rows;
-  EnsembleOptions options;
+  RunOptions options;
   options.threads = 2;
   options.team = team;
   options.extra_sink = std::make_unique<Rows>(rows);
@@ -313,7 +312,7 @@ TEST(EnsembleTeam, GoesOnWhereThreadsStopped) {
     const std::string text =
         scenario("size = 90\nchunk = 8\nkeep = \"" + std::string(keep) + "\"") + impossible;
     std::unique_ptr<ShuffledTeam> team;
-    expect_resumable(text, 3, [&](EnsembleOptions& options, int stops) {
+    expect_resumable(text, 3, [&](RunOptions& options, int stops) {
       team = std::make_unique<ShuffledTeam>(text, 1 + stops % 3, 7);
       if (stops % 2 == 0) options.team = team.get();
     });
@@ -326,7 +325,7 @@ TEST(EnsembleTeam, AnotherEnsembleIsRefused) {
        {std::pair<std::string, std::string>{"size = 60", "size = 61"}, {"1.7, 2.2", "1.7, 2.1"}}) {
     ShuffledTeam team(replaced(text, from, to), 2, 1);
     const ScenarioEnsemble ensemble(text, "e.toml");
-    EnsembleOptions options;
+    RunOptions options;
     options.team = &team;
     EnsembleRun run(ensemble, {}, std::move(options));
     EXPECT_REJECTED(run.run(), "e.toml: is not the ensemble that is run: scenario was");
@@ -337,7 +336,7 @@ TEST(EnsembleTeam, MoreProcessesThanChunksAreRefused) {
   const std::string text = scenario("size = 60\nchunk = 20\n");
   ShuffledTeam team(text, 4, 1);
   const ScenarioEnsemble ensemble(text, "e.toml");
-  EnsembleOptions options;
+  RunOptions options;
   options.team = &team;
   EXPECT_REJECTED(EnsembleRun(ensemble, {}, std::move(options)),
                   "4 processes for 3 chunks of members; expected a chunk for each at least: "
