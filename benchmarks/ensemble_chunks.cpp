@@ -17,7 +17,7 @@
 #include "polhode/ensemble/number_moments.hpp"
 #include "polhode/run/ensemble.hpp"
 #include "polhode/run/run.hpp"
-#include "polhode/trajectory/state_bytes.hpp"
+#include "polhode/trajectory/archive.hpp"
 #include "run/ensemble/ensemble_cells.hpp"
 
 namespace {
@@ -79,7 +79,7 @@ class Chunks {
   RowStatistics taken() const {
     RowStatistics all(*empty_);
     for (const std::string& from : bytes_) {
-      StateBytes bytes(from);
+      Archive bytes(from);
       EnsembleChunk chunk;
       chunk.serialize(bytes, cells_.frame());
       all.merge(*chunk.statistics);
@@ -146,8 +146,8 @@ void state_written(benchmark::State& state) {
   RowStatistics done = all.taken();
   std::size_t size = 0;
   for (auto _ : state) {
-    StateBytes bytes;
-    done.transfer(bytes);
+    Archive bytes;
+    done.serialize(bytes);
     size = bytes.bytes().size();
   }
   report(state, all, 1);

@@ -157,7 +157,7 @@ void run_member(const ScenarioEnsemble& ensemble, const EnsembleCommand& options
 }
 
 // Work together with the ensemble that it is of.
-class OwnWork final : public TeamWork {
+class OwnWork final : public ExecutorWork {
  public:
   OwnWork(const EnsembleCommand& options, const Kinds& kinds)
       : ensemble_(changed_scenario(options.scenario, options.set, kinds)),
@@ -169,7 +169,7 @@ class OwnWork final : public TeamWork {
 
  private:
   ScenarioEnsemble ensemble_;
-  std::unique_ptr<TeamWork> work_;
+  std::unique_ptr<ExecutorWork> work_;
 };
 
 // What the ranks do that do not lead. Signals are for the one that does: it says when to stop.
@@ -209,7 +209,7 @@ void make_ensemble(const EnsembleCommand& options, const Kinds& kinds) {
   const std::string& name = ensemble.scenario().document.name;
   ResumableWork work(options, name);
   RunOptions how = work.run_options(!to_standard_output || isatty(STDOUT_FILENO) == 0);
-  how.team = options.ranks.get();
+  how.executor = options.ranks.get();
   how.any_machine = options.any_machine;
   EnsembleRun run(ensemble, out, std::move(how));
   if (run.is_complete()) return print_nothing_to_do(name, out);

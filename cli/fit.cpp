@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "polhode/ensemble/cells.hpp"
+#include "polhode/ensemble/ordered_parallel_for.hpp"
 #include "polhode/error.hpp"
 #include "polhode/run/fit_checkpoint.hpp"
 #include "polhode/run/light_report.hpp"
@@ -166,7 +166,7 @@ class KeptFit {
       auto report = fit();
       work_.end();
       return report;
-    } catch (const FitStopped& stopped) {
+    } catch (const RunInterrupted& stopped) {
       throw work_.interrupted(
           stopped, checkpoint_.keep(),
           "a fit that writes a file, such as --solution PATH.toml, can be continued");

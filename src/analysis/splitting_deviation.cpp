@@ -75,14 +75,14 @@ class SplittingDeviation final : public BasicStepper<DeviatedState> {
   }
   std::shared_ptr<const BasicDenseStep<DeviatedState>> dense(bool) override { return nullptr; }
   Statistics statistics() const override { return {steps_, 0, now_.motion.evaluations}; }
-  void transfer(StateBytes& bytes) override {
+  void serialize(Archive& bytes) override {
     for (RunState* run : {&grid_, &now_}) {
-      detail::transfer(bytes, run->motion);
+      detail::serialize(bytes, run->motion);
       bytes.all(run->deviation.turn, run->deviation.momentum, run->growth, run->integral,
                 run->megno_total);
-      if (run->neighbour) detail::transfer(bytes, *run->neighbour);
+      if (run->neighbour) detail::serialize(bytes, *run->neighbour);
     }
-    jumps_.transfer(bytes);
+    jumps_.serialize(bytes);
     bytes(steps_);
   }
 

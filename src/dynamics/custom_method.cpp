@@ -88,7 +88,7 @@ class CustomStepper final : public Stepper {
     return std::make_shared<CustomDense>(map_, before_, s_before_, t_.hi);
   }
   Statistics statistics() const override { return {steps_, 0, steps_}; }
-  void transfer(StateBytes& bytes) override {
+  void serialize(Archive& bytes) override {
     bytes.all(t_, before_, steps_);
     bytes(s_);
     bytes(s_before_);

@@ -172,7 +172,7 @@ template <MotionState S>
 Features system_features(const BasicProblem<System, S>& problem, const SaveAt& times) {
   const BasicProblem<System, S> p = checked(problem);
   const auto bytes_of = [](auto... x) {
-    StateBytes bytes;
+    Archive bytes;
     bytes.all(x...);
     return bytes.bytes();
   };

@@ -18,7 +18,7 @@
 
 #include "output/part_file.hpp"
 #include "polhode/error.hpp"
-#include "polhode/trajectory/state_bytes.hpp"
+#include "polhode/trajectory/archive.hpp"
 #include "polhode/version.hpp"
 #include "run/detail/experiments.hpp"
 #include "run/detail/output_checks.hpp"
@@ -36,7 +36,7 @@ struct CheckpointHead {
   CheckpointPlace place;
   std::vector<SinkPosition> positions;
 
-  void serialize(StateBytes& bytes) {
+  void serialize(Archive& bytes) {
     bytes(kind);
     bytes.list(identity, [&](IdentityPart& part) { bytes.all(part.name, part.text); });
     bytes.all(place.reached, place.goes_on);
@@ -60,7 +60,7 @@ std::string fingerprint_text(std::string_view bytes) {
 std::string surroundings_of(const Rotation& rotation) {
   const System system = at_damper_rate(rotor_system(rotation), rotation.damper_rate);
   const double stop = rotation.time ? rotation.time->end() : 0.0;  // a fit may have no rows
-  StateBytes bytes;
+  Archive bytes;
   for (int i = 0; i < 16; ++i) {
     const double t = stop * (i / 15.0);
     try {
@@ -74,7 +74,7 @@ std::string surroundings_of(const Rotation& rotation) {
   return fingerprint_text(bytes.bytes());
 }
 std::string surroundings_of(const Obliquity& of) {
-  StateBytes bytes;
+  Archive bytes;
   with_problem(of, [&](const auto& problem) {
     auto start = problem.system.template values<double>(problem.initial);
     for (double& x : start) bytes(x);
@@ -108,8 +108,8 @@ std::string followed(const std::string& file) {
 }
 
 // A line for people, the format, a hash of what follows, the head and the state.
-std::string text_of(CheckpointHead head, const std::function<void(StateBytes&)>& serialize) {
-  StateBytes body, title;
+std::string text_of(CheckpointHead head, const std::function<void(Archive&)>& serialize) {
+  Archive body, title;
   head.serialize(body);
   serialize(body);
   std::string format(checkpoint_format);
@@ -120,11 +120,11 @@ std::string text_of(CheckpointHead head, const std::function<void(StateBytes&)>&
 
 // Leaves `reader` at the state. Nothing if the text is no checkpoint of this format, or was
 // damaged.
-std::optional<CheckpointHead> head_in(std::string_view text, StateBytes& reader) {
+std::optional<CheckpointHead> head_in(std::string_view text, Archive& reader) {
   const std::size_t line = text.find('\n');
   const std::string_view bytes =
       line == std::string_view::npos ? std::string_view() : text.substr(line + 1);
-  reader = StateBytes(bytes);
+  reader = Archive(bytes);
   CheckpointHead head;
   try {
     std::string format;
@@ -195,7 +195,7 @@ void forget_checkpoints(std::span<const std::string> outputs) {
 
 // "FILE: an unfinished run is there (REACHED); resume continues it, ..."
 [[noreturn]] void refuse_unfinished(const std::string& file, const std::string& kind,
-                       const std::string& progress, const BeginWords& words) {
+                                    const std::string& progress, const BeginWords& words) {
   throw DomainError(shown_path(file) + ": an unfinished " + kind + " is there (" +
                     printable(progress, 500) + "); " + words.resume + " continues it, " +
                     words.restart + " begins anew and loses what it has done");
@@ -337,7 +337,7 @@ void CheckpointedOutputs::open(const Open& open) {
 }
 
 void CheckpointedOutputs::keep(CheckpointPlace place,
-                               const std::function<void(StateBytes&)>& serialize) {
+                               const std::function<void(Archive&)>& serialize) {
   if (!keeps_) return;
   const CheckpointTimer::Clock::time_point begun = CheckpointTimer::Clock::now();
   std::vector<SinkPosition> positions;

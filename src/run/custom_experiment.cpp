@@ -45,7 +45,7 @@ RunReport formula_rows(const CustomExperiment& own, const Units& units, RowWrite
     });
     const double t = rows[last - 1];
     if (last < rows.size() && control.due && control.due(t))
-      control.keep({t, last}, [](StateBytes&) {});
+      control.keep({t, last}, [](Archive&) {});
     if (control.progress) control.progress(t);
   }
   return report;

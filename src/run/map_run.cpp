@@ -28,7 +28,7 @@ Provenance provenance_of(const ScenarioMap& map) {
 }
 
 // Each reason once: many cells fail for the same one.
-void serialize_failures(StateBytes& bytes, std::vector<MapReport::Failure>& failures) {
+void serialize_failures(Archive& bytes, std::vector<MapReport::Failure>& failures) {
   std::vector<std::string> reasons;
   std::map<std::string, std::uint64_t> numbers;
   if (!bytes.reads())
@@ -95,7 +95,7 @@ class MapRun::Parts final : public detail::Sweep {
   }
 
  private:
-  void serialize(StateBytes& bytes) override {
+  void serialize(Archive& bytes) override {
     bytes.all(report_.cells, report_.points);
     bytes.list(report_.ranges, [&](MapReport::Range& r) { bytes.all(r.least, r.most); });
     serialize_failures(bytes, report_.failures);

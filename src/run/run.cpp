@@ -95,7 +95,7 @@ class FreeRun {
     if (rotation_.events.empty()) return;
     search_.emplace(motion_, rotation_.frame,
                     events_of<RotorState>(scenario, system_, origin_.initial_energy), rows_[0]);
-    if (control.motion != nullptr) search_->transfer(*control.motion);
+    if (control.motion != nullptr) search_->serialize(*control.motion);
   }
 
   RunReport report() {
@@ -201,8 +201,8 @@ class FreeRun {
 
   void offer_state(double t) {
     if (!control_.due || !control_.due(t)) return;
-    control_.keep({t, writer_.rows()}, [this](StateBytes& bytes) {
-      if (search_) search_->transfer(bytes);
+    control_.keep({t, writer_.rows()}, [this](Archive& bytes) {
+      if (search_) search_->serialize(bytes);
     });
   }
 

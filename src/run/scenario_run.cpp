@@ -169,7 +169,7 @@ class ScenarioRun::Parts final : public detail::Sweep {
 
  private:
   // The bytes of what moves are the last: those of a run that is resumed wait for its motion.
-  void serialize(StateBytes& bytes) override {
+  void serialize(Archive& bytes) override {
     bytes.all(t_, rows_);
     bytes.list(events_so_far_, [&](RunEvent& e) { bytes.all(e.name, e.t, e.direction, e.state); });
     bytes(events_met_);

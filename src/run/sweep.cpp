@@ -40,7 +40,7 @@ void Sweep::open(const Other& other) {
 }
 
 void Sweep::keep() {
-  if (outputs_.keeps()) outputs_.keep(place(), [this](StateBytes& bytes) { serialize(bytes); });
+  if (outputs_.keeps()) outputs_.keep(place(), [this](Archive& bytes) { serialize(bytes); });
 }
 
 void Sweep::interrupt() {
@@ -56,7 +56,7 @@ void Sweep::took(std::int64_t each, std::int64_t cells_left, Stage stage) {
   worked_ += each;
   if (waiting_.size() >= numbers_per_block) push_rows();
   if (stage == Stage::cells && options_.progress) {
-    const int processes = options_.team == nullptr ? 1 : options_.team->processes();
+    const int processes = options_.executor == nullptr ? 1 : options_.executor->processes();
     const auto members = static_cast<double>(each);
     try {
       options_.progress({reached(), part_of_work(static_cast<double>(worked_),

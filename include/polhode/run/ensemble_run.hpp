@@ -16,10 +16,10 @@
 //             machines with the same elementary functions). Last digits of statistics depend on the
 //             chunk of the file.
 // Errors      the constructor as there, and DomainError for statistics that do not fit into memory,
-//             for a team with more processes than chunks, and for histograms or files of chunks
-//             that are gone from what goes on or is complete. run() throws OutputError, TeamError,
-//             RunInterrupted when `stop` said so, and EnsembleFailed where no member is left: its
-//             files stay PATH.part. If `progress` throws, what is done is kept.
+//             for an executor with more processes than chunks, and for histograms or files of
+//             chunks that are gone from what goes on or is complete. run() throws OutputError,
+//             ExecutorError, RunInterrupted when `stop` said so, and EnsembleFailed where no member
+//             is left: its files stay PATH.part. If `progress` throws, what is done is kept.
 // Cost        that of the members, and some 80 ns a number in statistics, most of which waits for
 //             memory (benchmarks/ensemble_members.cpp). Memory does not grow with the number of
 //             members; for each thread the rows of sixteen members at most, and the statistics of
@@ -93,10 +93,11 @@ class EnsembleRun : public ResumableRun {
   class Parts;
 };
 
-// What a process does that computes chunks of an ensemble for another one (RunOptions::team): each
-// makes its own from the same scenario. begin() throws DomainError for bytes of another ensemble,
-// and says what differs. `ensemble` must outlive it; `any_machine` as in RunOptions.
-std::unique_ptr<TeamWork> ensemble_work(const ScenarioEnsemble& ensemble, bool any_machine = false);
+// What a process does that computes chunks of an ensemble for another one (RunOptions::executor):
+// each makes its own from the same scenario. begin() throws DomainError for bytes of another
+// ensemble, and says what differs. `ensemble` must outlive it; `any_machine` as in RunOptions.
+std::unique_ptr<ExecutorWork> ensemble_work(const ScenarioEnsemble& ensemble,
+                                            bool any_machine = false);
 
 // The columns that the outputs of an ensemble have.
 std::vector<ColumnGroup> ensemble_groups(const ScenarioEnsemble& ensemble);

@@ -22,7 +22,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "polhode/ensemble/team.hpp"
+#include "polhode/ensemble/executor.hpp"
 #include "polhode/output/sink.hpp"
 
 namespace polhode {
@@ -68,7 +68,7 @@ struct RunOptions {
   int threads = 0;
   // Of ensembles: computes the chunks in place of these threads, in several processes, each with
   // an ensemble_work of the same ensemble.
-  Team* team = nullptr;
+  Executor* executor = nullptr;
   // Of ensembles: machines may work together, or one after the other, whose sines and logarithms
   // differ in last digits: so do the results then.
   bool any_machine = false;
@@ -79,7 +79,7 @@ struct RunOptions {
 // It was stopped from outside. Its files are there, as far as it came.
 class RunInterrupted : public std::runtime_error {
  public:
-  RunInterrupted(const std::string& what, double at, bool resumes)
+  explicit RunInterrupted(const std::string& what, double at = 0.0, bool resumes = false)
       : std::runtime_error(what), reached(at), can_resume(resumes) {}
   double reached;   // as that of RunProgress
   bool can_resume;  // whether there is a checkpoint of that moment

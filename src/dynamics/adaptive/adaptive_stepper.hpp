@@ -43,11 +43,11 @@ class SmoothSteps {
     return SmoothStep<Solver, Field>(solver, field, breakpoints_, switches_, grading_, stop).made();
   }
   template <class Rates>
-  void transfer(StateBytes& bytes, Rates& rates) {
+  void serialize(Archive& bytes, Rates& rates) {
     bytes.all(rates.stretch.from, rates.stretch.to);  // of the step made last
-    switches_.transfer(bytes);
-    switches_.transfer(bytes, rates.sides);
-    grading_.transfer(bytes);
+    switches_.serialize(bytes);
+    switches_.serialize(bytes, rates.sides);
+    grading_.serialize(bytes);
   }
 
  private:

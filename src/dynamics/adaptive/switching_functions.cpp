@@ -199,12 +199,12 @@ std::string SwitchWatch::refused_jump(std::size_t which, const DoubleDouble& t, 
          "\" jumps where the state says so, at t = " + number_text(t.hi) + ": " + jumps_;
 }
 
-void SwitchWatch::transfer(StateBytes& bytes) {
+void SwitchWatch::serialize(Archive& bytes) {
   bytes.all(begun_, crossed_at_once_, largest_);
-  transfer(bytes, sides_);
+  serialize(bytes, sides_);
 }
 
-void SwitchWatch::transfer(StateBytes& bytes, std::shared_ptr<const SwitchSides>& sides) const {
+void SwitchWatch::serialize(Archive& bytes, std::shared_ptr<const SwitchSides>& sides) const {
   SwitchSides values = sides ? *sides : SwitchSides{};
   std::vector<std::int64_t> first(values.first.begin(), values.first.end());
   bytes.all(first, values.values);

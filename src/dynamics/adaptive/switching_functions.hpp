@@ -17,7 +17,7 @@
 
 #include "math/finite.hpp"
 #include "polhode/system/rotor_equations.hpp"
-#include "polhode/trajectory/state_bytes.hpp"
+#include "polhode/trajectory/archive.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -74,9 +74,9 @@ class SwitchWatch {
   // that begins at t.
   double bend(std::size_t which, const DoubleDouble& t, const RotorState& s, double h) const;
 
-  void transfer(StateBytes& bytes);
+  void serialize(Archive& bytes);
   // Sides that the dense output of a step keeps.
-  void transfer(StateBytes& bytes, std::shared_ptr<const SwitchSides>& sides) const;
+  void serialize(Archive& bytes, std::shared_ptr<const SwitchSides>& sides) const;
 
  private:
   std::size_t term_of(std::size_t which) const;
@@ -201,7 +201,7 @@ class EdgeGrading {
   }
 
   template <class Visit>
-  void transfer(Visit& visit) {
+  void serialize(Visit& visit) {
     std::vector<double> fading(is_fading_.begin(), is_fading_.end());
     visit.all(fading, usual_, is_near_);
     is_fading_.assign(fading.begin(), fading.end());
@@ -210,7 +210,7 @@ class EdgeGrading {
       visit(is_there);
       if (!is_there) border->reset();
       if (is_there && !*border) *border = Border{};
-      if (is_there) (*border)->transfer(visit);
+      if (is_there) (*border)->serialize(visit);
     }
   }
 
@@ -226,7 +226,7 @@ class EdgeGrading {
     std::optional<double> least = std::nullopt;  // the step next to it, once it is asked for
 
     template <class Visit>
-    void transfer(Visit& visit) {
+    void serialize(Visit& visit) {
       std::int64_t number = static_cast<std::int64_t>(which);
       visit.all(number, t, least);
       which = static_cast<std::size_t>(number);

@@ -129,9 +129,9 @@ class CollocationStepper final : public BasicStepper<typename Stages::Field::Sta
   Statistics statistics() const override {
     return {solver_.steps(), solver_.rejected(), solver_.evaluations()};
   }
-  void transfer(StateBytes& bytes) override {
-    solver_.transfer(bytes);
-    steps_.transfer(bytes, solver_.field());
+  void serialize(Archive& bytes) override {
+    solver_.serialize(bytes);
+    steps_.serialize(bytes, solver_.field());
   }
 
  private:

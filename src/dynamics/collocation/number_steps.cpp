@@ -62,7 +62,7 @@ class Steps final : public NumberSteps {
   Statistics statistics() const override {
     return {solver_.steps(), solver_.rejected(), solver_.evaluations()};
   }
-  void transfer(StateBytes& bytes) override { solver_.transfer(bytes); }
+  void serialize(Archive& bytes) override { solver_.serialize(bytes); }
 
  private:
   Solver solver_;

@@ -33,7 +33,7 @@ TwoPartMomentum replaced(const TwoPartMomentum& g, const Vec3& now) { return g +
 
 }  // namespace
 
-void transfer(StateBytes& bytes, SplittingState& s) {
+void serialize(Archive& bytes, SplittingState& s) {
   bytes.all(s.t, s.q_IB, s.g.hi, s.g.lo, s.evaluations);
   bool has_torque = s.torque.has_value();
   bytes(has_torque);

@@ -15,7 +15,7 @@
 #include "polhode/math/error_free.hpp"
 #include "polhode/math/matrix6.hpp"
 #include "polhode/system/system.hpp"
-#include "polhode/trajectory/state_bytes.hpp"
+#include "polhode/trajectory/archive.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -35,7 +35,7 @@ struct DeviationStep {
   std::array<double, 6> x;
 };
 // Every number of it, kept or put back.
-void transfer(StateBytes& bytes, SplittingState& s);
+void serialize(Archive& bytes, SplittingState& s);
 
 class SplittingMap {
  public:
@@ -101,9 +101,9 @@ class StepJumps {
   std::string seen_in_part(const SplittingMap& map, const SplittingState& from, double h,
                            const SplittingState& to) const;
 
-  void transfer(StateBytes& bytes) {
+  void serialize(Archive& bytes) {
     bytes(has_begun_);
-    switches_.transfer(bytes);
+    switches_.serialize(bytes);
   }
 
  private:

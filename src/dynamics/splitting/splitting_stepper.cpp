@@ -74,9 +74,9 @@ class SplittingStepper final : public Stepper {
     return std::make_shared<SplittingDense>(map_, before_, now_);
   }
   Statistics statistics() const override { return {steps_, 0, now_.evaluations}; }
-  void transfer(StateBytes& bytes) override {
-    detail::transfer(bytes, now_);
-    detail::transfer(bytes, before_);
+  void serialize(Archive& bytes) override {
+    detail::serialize(bytes, now_);
+    detail::serialize(bytes, before_);
     bytes(steps_);
   }
 

@@ -54,11 +54,11 @@ class SplittingTransition final : public BasicStepper<TransitionState> {
   TransitionState state() const override { return now_; }
   std::shared_ptr<const BasicDenseStep<TransitionState>> dense(bool) override { return nullptr; }
   Statistics statistics() const override { return {steps_, 0, grid_.evaluations}; }
-  void transfer(StateBytes& bytes) override {
-    detail::transfer(bytes, grid_);
+  void serialize(Archive& bytes) override {
+    detail::serialize(bytes, grid_);
     for (auto& row : transition_.a) bytes(row);
     bytes.all(t_, now_, steps_);
-    jumps_.transfer(bytes);
+    jumps_.serialize(bytes);
   }
 
  private:

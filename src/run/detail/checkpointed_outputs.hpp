@@ -18,7 +18,7 @@
 #include "polhode/output/output_format.hpp"
 #include "polhode/run/resumable_run.hpp"
 #include "polhode/scenario/scenario.hpp"
-#include "polhode/trajectory/state_bytes.hpp"
+#include "polhode/trajectory/archive.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -153,7 +153,7 @@ class CheckpointedOutputs {
   // All outputs are there: nothing to do.
   bool is_complete() const { return complete_; }
   // Reads the state to resume from.
-  StateBytes& state() { return state_; }
+  Archive& state() { return state_; }
 
   // Calls the function for each path in order, with where the output goes on, and forgets what was
   // there before where all of it begins anew.
@@ -165,7 +165,7 @@ class CheckpointedOutputs {
   bool keeps() const { return keeps_; }
   bool is_due() { return keeps_ && timer_.due(); }
   // `serialize` writes the state.
-  void keep(CheckpointPlace place, const std::function<void(StateBytes&)>& serialize);
+  void keep(CheckpointPlace place, const std::function<void(Archive&)>& serialize);
   // The checkpoint goes: nothing will go on from it.
   void forget();
 
@@ -185,8 +185,8 @@ class CheckpointedOutputs {
   const RunOptions& options_;
   std::vector<std::string> paths_;  // of the outputs
   CheckpointTimer timer_;
-  std::string found_;   // the text of a checkpoint
-  StateBytes state_;    // reads what it says of the state
+  std::string found_;    // the text of a checkpoint
+  Archive state_;        // reads what it says of the state
   std::string goes_on_;  // of the latest checkpoint
   std::vector<SinkPosition> positions_;
   std::vector<CheckpointedOutput> outputs_;

@@ -14,8 +14,8 @@
 #include <string>
 #include <vector>
 
-#include "polhode/ensemble/cells.hpp"
-#include "polhode/ensemble/team.hpp"
+#include "polhode/ensemble/executor.hpp"
+#include "polhode/ensemble/ordered_parallel_for.hpp"
 #include "polhode/run/resumable_run.hpp"
 #include "polhode/trajectory/progress.hpp"
 #include "run/detail/checkpointed_outputs.hpp"
@@ -32,9 +32,9 @@ struct Source {
   // From any thread; `look` is called now and then, and what it throws passes through.
   std::function<Result(std::int64_t cell, const Progress& look)> cell;
   // The same in other processes, by bytes: what they begin with, and a result.
-  TeamWork* work = nullptr;
+  ExecutorWork* work = nullptr;
   std::function<std::string()> stage = {};
-  std::function<void(StateBytes&, Result&)> serialize = {};
+  std::function<void(Archive&, Result&)> serialize = {};
 };
 
 class Sweep {
@@ -54,7 +54,7 @@ class Sweep {
         Provenance origin, RunOptions&& options);
 
   // All that the rest of it depends on, but for the scenario.
-  virtual void serialize(StateBytes& bytes) = 0;
+  virtual void serialize(Archive& bytes) = 0;
   virtual double reached() const = 0;
   virtual CheckpointPlace place() const = 0;
   // False until it has a state from which it can be resumed.
@@ -72,8 +72,8 @@ class Sweep {
   // Keeps the state, and throws what `progress` has thrown, or RunInterrupted.
   [[noreturn]] void interrupt();
 
-  // reduce(cell, result) for all cells in order, on the threads of this process or on a team. After
-  // each it tells `progress`, looks whether to stop, and keeps the state if that is due. A
+  // reduce(cell, result) for all cells in order, on the threads of this process or an executor.
+  // After each it tells `progress`, looks whether to stop, and keeps the state if that is due. A
   // preparation comes before the cells that `progress` hears of.
   enum class Stage { preparation, cells };
   template <class Result, class Reduce>
@@ -83,7 +83,7 @@ class Sweep {
   // made.
   void add_rows(std::span<const double> rows);
   void push_rows();
-  void serialize_rows(StateBytes& bytes) { bytes.all(rows_, waiting_); }
+  void serialize_rows(Archive& bytes) { bytes.all(rows_, waiting_); }
   std::ptrdiff_t width() const { return static_cast<std::ptrdiff_t>(row_width(groups_)); }
   // "7 of 143 cells"
   CheckpointPlace place_among(std::int64_t size, const std::string& things) const;
@@ -118,20 +118,20 @@ void Sweep::compute(const Source<Result>& source, const Reduce& reduce, Stage st
     took(source.each, source.count - 1 - cell, stage);
   };
   try {
-    if (options_.team == nullptr || source.work == nullptr)
-      return run_cells(
+    if (options_.executor == nullptr || source.work == nullptr)
+      return ordered_parallel_for(
           0, source.count, threads(), [&](std::int64_t cell) { return source.cell(cell, look); },
           take);
-    options_.team->run(
+    options_.executor->run(
         *source.work, {source.stage(), 0, source.count},
         [&](std::int64_t cell, const std::string& from) {
-          StateBytes bytes(from);
+          Archive bytes(from);
           Result result;
           source.serialize(bytes, result);
           take(cell, result);
         },
         [&] { look(0.0); });
-  } catch (const TeamError&) {  // of another process: what this one has is whole
+  } catch (const ExecutorError&) {  // of another process: what this one has is whole
     if (reached() > reached_before_) keep();
     throw;
   } catch (const Stopped&) {

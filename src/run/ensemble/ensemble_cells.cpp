@@ -9,7 +9,7 @@
 
 #include "polhode/error.hpp"
 #include "polhode/run/run.hpp"
-#include "polhode/trajectory/state_bytes.hpp"
+#include "polhode/trajectory/archive.hpp"
 #include "run/ensemble/ensemble_files.hpp"
 #include "text/words.hpp"
 
@@ -18,7 +18,7 @@ inline namespace v0 {
 namespace detail {
 namespace {
 
-void serialize(StateBytes& bytes, Pilots& pilots) {
+void serialize(Archive& bytes, Pilots& pilots) {
   bytes.list(pilots, [&](EnsembleMember& one) { bytes.all(one.drawn, one.rows, one.failure); });
 }
 
@@ -40,7 +40,7 @@ Identity identity_of_ensemble(const ScenarioEnsemble& ensemble) {
 }  // namespace
 
 IdentityPart elementary_functions() {
-  StateBytes bytes;
+  Archive bytes;
   for (int k = 1; k <= 1000; ++k) {
     const double x = 0.003 * k;
     for (double value : {std::sin(x), std::cos(x), std::tan(x), std::atan2(x, 1.7), std::exp(-x),
@@ -68,13 +68,13 @@ bool differs_in_elementary_functions(const std::string& difference) {
   return difference.starts_with(functions_part);
 }
 
-void EnsembleChunk::serialize(StateBytes& bytes, const StatisticsFrame* frame) {
+void EnsembleChunk::serialize(Archive& bytes, const StatisticsFrame* frame) {
   bytes(drawn);
   bytes.list(failures, [&](EnsembleReport::Failure& f) { bytes.all(f.member, f.why); });
   bytes(rows);
   if (frame == nullptr) return;
   if (bytes.reads()) statistics.emplace(*frame);
-  statistics->transfer(bytes);
+  statistics->serialize(bytes);
 }
 
 EnsembleCells::EnsembleCells(const ScenarioEnsemble& ensemble, bool any_machine,
@@ -118,13 +118,13 @@ Source<Result> EnsembleCells::source(Stage stage,
           .work = this,
           .stage =
               [this, stage]() mutable {
-                StateBytes bytes;
+                Archive bytes;
                 stage.serialize(bytes);
-                if (!stage.pilots && frame_) frame_->transfer(bytes);
+                if (!stage.pilots && frame_) frame_->serialize(bytes);
                 return bytes.bytes();
               },
           .serialize =
-              [this](StateBytes& bytes, Result& result) {
+              [this](Archive& bytes, Result& result) {
                 if constexpr (std::is_same_v<Result, Pilots>)
                   detail::serialize(bytes, result);
                 else
@@ -206,14 +206,14 @@ void EnsembleCells::append_rows(std::int64_t index, const EnsembleMember& member
     to.insert(to.end(), static_cast<std::size_t>(width), nan);
 }
 
-void EnsembleCells::Stage::serialize(StateBytes& bytes) {
+void EnsembleCells::Stage::serialize(Archive& bytes) {
   bytes.all(pilots, first, each, end);
   bytes.list(identity, [&](IdentityPart& part) { bytes.all(part.name, part.text); });
   bytes(chunk_files);
 }
 
 void EnsembleCells::begin(const std::string& stage) {
-  StateBytes bytes(stage);
+  Archive bytes(stage);
   stage_.serialize(bytes);
   if (any_machine_) take_elementary_functions(stage_.identity, identity_);
   const std::string differs = difference(stage_.identity, identity_);
@@ -227,16 +227,20 @@ void EnsembleCells::begin(const std::string& stage) {
   chunk_files_ = stage_.chunk_files;
   if (stage_.pilots || !frame_) return;
   // The leader's own: its bins stay those that it merges into, which are then alike at a glance.
-  StateBytes own;
-  frame_->transfer(own);
-  if (!stage.ends_with(own.bytes())) frame_->transfer(bytes);
+  Archive own;
+  frame_->serialize(own);
+  std::string theirs;
+  bytes.rest(theirs);
+  if (own.bytes() == theirs) return;
+  Archive frame(theirs);
+  frame_->serialize(frame);
 }
 
 std::string EnsembleCells::cell(std::int64_t index, const std::function<void()>& look) const {
   const Progress progress = [&](double) { look(); };
   const std::int64_t begin = stage_.begin_of(index),
                      end = std::min(stage_.end, stage_.begin_of(index + 1));
-  StateBytes bytes;
+  Archive bytes;
   if (stage_.pilots) {
     Pilots some = members_of(begin, end, progress);
     serialize(bytes, some);
@@ -248,7 +252,7 @@ std::string EnsembleCells::cell(std::int64_t index, const std::function<void()>&
 
 }  // namespace detail
 
-std::unique_ptr<TeamWork> ensemble_work(const ScenarioEnsemble& ensemble, bool any_machine) {
+std::unique_ptr<ExecutorWork> ensemble_work(const ScenarioEnsemble& ensemble, bool any_machine) {
   return std::make_unique<detail::EnsembleCells>(ensemble, any_machine);
 }
 

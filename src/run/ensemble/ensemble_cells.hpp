@@ -36,12 +36,12 @@ struct EnsembleChunk {
   std::optional<RowStatistics> statistics;
 
   // Statistics need the frame to be read.
-  void serialize(StateBytes& bytes, const StatisticsFrame* frame);
+  void serialize(Archive& bytes, const StatisticsFrame* frame);
 };
 
 using Pilots = std::vector<EnsembleMember>;
 
-class EnsembleCells final : public TeamWork {
+class EnsembleCells final : public ExecutorWork {
  public:
   // With a file for each chunk where `chunk_files` is not empty (ChunkFiles). DomainError where
   // statistics would not fit into memory.
@@ -70,7 +70,7 @@ class EnsembleCells final : public TeamWork {
     Identity identity;                          // of the ensemble
     std::string chunk_files;
 
-    void serialize(StateBytes& bytes);
+    void serialize(Archive& bytes);
     std::int64_t begin_of(std::int64_t cell) const { return first + cell * each; }
   };
   template <class Result>

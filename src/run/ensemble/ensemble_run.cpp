@@ -129,15 +129,15 @@ class EnsembleRun::Parts final : public detail::Sweep {
   const std::vector<ColumnGroup>& groups() const { return groups_; }
 
  private:
-  void serialize(StateBytes& bytes) override {
+  void serialize(Archive& bytes) override {
     bytes.all(report_.members, report_.failed);
     bytes.list(report_.failures, [&](EnsembleReport::Failure& f) { bytes.all(f.member, f.why); });
-    detail::transfer_all(bytes, drawn_);
+    detail::serialize_all(bytes, drawn_);
     serialize_rows(bytes);
     if (!frame_) return;
-    frame_->transfer(bytes);
+    frame_->serialize(bytes);
     if (bytes.reads()) statistics_.emplace(*frame_);
-    statistics_->transfer(bytes);
+    statistics_->serialize(bytes);
   }
   double reached() const override { return static_cast<double>(report_.members); }
   detail::CheckpointPlace place() const override {
@@ -147,9 +147,9 @@ class EnsembleRun::Parts final : public detail::Sweep {
 
   // More processes than cells of all the members would wait for nothing.
   void require_work_for_all() const {
-    if (options_.team == nullptr) return;
+    if (options_.executor == nullptr) return;
     const std::int64_t cells = cells_->members(0).count;
-    const int processes = options_.team->processes();
+    const int processes = options_.executor->processes();
     if (processes <= cells) return;
     throw DomainError(scenario_.document.name + ": ensemble: " + std::to_string(processes) +
                       " processes for " + std::to_string(cells) +

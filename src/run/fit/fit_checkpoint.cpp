@@ -45,7 +45,7 @@ class FitCheckpoint::Parts final : public detail::Sweep {
   CellJournal& journal() { return journal_; }
 
  private:
-  void serialize(StateBytes& bytes) override { journal_.serialize(bytes); }
+  void serialize(Archive& bytes) override { journal_.serialize(bytes); }
   double reached() const override { return static_cast<double>(journal_.results()); }
   detail::CheckpointPlace place() const override {
     const std::string after = "after " + std::to_string(journal_.results()) + " results";

@@ -72,7 +72,7 @@ class RunOfAnyState : public test::InTempFolder {
       sinks.push_back(opened(name, position));
       const double begun = kept ? kept->t : 0.0;
       const std::string from = motion;
-      StateBytes reader(from);
+      Archive reader(from);
       RunControl control;
       if (kept) {
         control.rows = kept->rows;
@@ -82,7 +82,7 @@ class RunOfAnyState : public test::InTempFolder {
       control.events_have_rows = true;
       control.due = [&](double t) { return t > begun + every; };
       control.keep = [&](const RunState& state, const detail::WriteMotion& write) {
-        StateBytes bytes;
+        Archive bytes;
         write(bytes);
         kept = state;
         motion = bytes.bytes();

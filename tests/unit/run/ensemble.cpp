@@ -235,17 +235,17 @@ struct Process {
   explicit Process(const std::string& text)
       : ensemble(text, "e.toml"), work(ensemble_work(ensemble)) {}
   ScenarioEnsemble ensemble;
-  std::unique_ptr<TeamWork> work;
+  std::unique_ptr<ExecutorWork> work;
 };
 
 // Processes that read the text for themselves, and answer in any order.
-class ShuffledTeam : public Team {
+class ShuffledExecutor : public Executor {
  public:
-  ShuffledTeam(const std::string& text, int processes, unsigned seed) : random_(seed) {
+  ShuffledExecutor(const std::string& text, int processes, unsigned seed) : random_(seed) {
     for (int k = 0; k < processes; ++k) all_.push_back(std::make_unique<Process>(text));
   }
   int processes() const override { return static_cast<int>(all_.size()); }
-  void run(TeamWork&, const TeamStage& stage, const Take& take,
+  void run(ExecutorWork&, const ExecutorStage& stage, const Take& take,
            const std::function<void()>& look) override {
     for (const auto& process : all_) process->work->begin(stage.bytes);
     std::vector<std::int64_t> order;
@@ -262,12 +262,12 @@ class ShuffledTeam : public Team {
   std::mt19937 random_;
 };
 
-std::vector<double> rows_of(const std::string& text, Team* team) {
+std::vector<double> rows_of(const std::string& text, Executor* executor) {
   const ScenarioEnsemble ensemble(text, "e.toml");
   std::vector<double> rows;
   RunOptions options;
   options.threads = 2;
-  options.team = team;
+  options.executor = executor;
   options.extra_sink = std::make_unique<Rows>(rows);
   const EnsembleReport report = EnsembleRun(ensemble, {}, std::move(options)).run();
   EXPECT_EQ(report.members, ensemble.size());
@@ -284,60 +284,60 @@ low = 2.2
 high = 2.7
 )";
 
-TEST(EnsembleTeam, GivesTheRowsOfThreads) {
+TEST(EnsembleExecutor, GivesTheRowsOfThreads) {
   for (const char* const keep : {"statistics", "final", "rows"}) {
     const std::string text =
         scenario("size = 60\nchunk = 7\nkeep = \"" + std::string(keep) + "\"") + impossible;
-    ShuffledTeam team(text, 3, 5);
-    const std::vector<double> rows = rows_of(text, &team);
+    ShuffledExecutor executor(text, 3, 5);
+    const std::vector<double> rows = rows_of(text, &executor);
     EXPECT_FALSE(rows.empty());
     EXPECT_TRUE(same_bits(rows, rows_of(text, nullptr))) << keep;
   }
 }
 
 // Of more numbers than are all kept: bins need the first members.
-TEST(EnsembleTeam, GivesTheQuantilesOfThreadsFromBins) {
+TEST(EnsembleExecutor, GivesTheQuantilesOfThreadsFromBins) {
   std::string text = scenario("size = 7000\nchunk = 900\nbins = 20\n") + impossible;
   text = replaced(text, "step = 0.5", "count = 400");
   text = replaced(text, "\"q\", \"omega\", \"tumbler\"", "\"omega\"");
   const std::vector<ColumnGroup> groups = ensemble_groups(ScenarioEnsemble(text, "e.toml"));
   EXPECT_EQ(groups.back().columns.back().name, "w3_p_error");
-  ShuffledTeam team(text, 2, 3);
-  EXPECT_TRUE(same_bits(rows_of(text, &team), rows_of(text, nullptr)));
+  ShuffledExecutor executor(text, 2, 3);
+  EXPECT_TRUE(same_bits(rows_of(text, &executor), rows_of(text, nullptr)));
 }
 
-// Stopped by turns with a team and with threads.
-TEST(EnsembleTeam, GoesOnWhereThreadsStopped) {
+// Stopped by turns with an executor and with threads.
+TEST(EnsembleExecutor, GoesOnWhereThreadsStopped) {
   for (const char* const keep : {"statistics", "final", "rows"}) {
     const std::string text =
         scenario("size = 90\nchunk = 8\nkeep = \"" + std::string(keep) + "\"") + impossible;
-    std::unique_ptr<ShuffledTeam> team;
+    std::unique_ptr<ShuffledExecutor> executor;
     expect_resumable(text, 3, [&](RunOptions& options, int stops) {
-      team = std::make_unique<ShuffledTeam>(text, 1 + stops % 3, 7);
-      if (stops % 2 == 0) options.team = team.get();
+      executor = std::make_unique<ShuffledExecutor>(text, 1 + stops % 3, 7);
+      if (stops % 2 == 0) options.executor = executor.get();
     });
   }
 }
 
-TEST(EnsembleTeam, AnotherEnsembleIsRefused) {
+TEST(EnsembleExecutor, AnotherEnsembleIsRefused) {
   const std::string text = scenario("size = 60\nchunk = 7\n");
   for (const auto& [from, to] :
        {std::pair<std::string, std::string>{"size = 60", "size = 61"}, {"1.7, 2.2", "1.7, 2.1"}}) {
-    ShuffledTeam team(replaced(text, from, to), 2, 1);
+    ShuffledExecutor executor(replaced(text, from, to), 2, 1);
     const ScenarioEnsemble ensemble(text, "e.toml");
     RunOptions options;
-    options.team = &team;
+    options.executor = &executor;
     EnsembleRun run(ensemble, {}, std::move(options));
     EXPECT_REJECTED(run.run(), "e.toml: is not the ensemble that is run: scenario was");
   }
 }
 
-TEST(EnsembleTeam, MoreProcessesThanChunksAreRefused) {
+TEST(EnsembleExecutor, MoreProcessesThanChunksAreRefused) {
   const std::string text = scenario("size = 60\nchunk = 20\n");
-  ShuffledTeam team(text, 4, 1);
+  ShuffledExecutor executor(text, 4, 1);
   const ScenarioEnsemble ensemble(text, "e.toml");
   RunOptions options;
-  options.team = &team;
+  options.executor = &executor;
   EXPECT_REJECTED(EnsembleRun(ensemble, {}, std::move(options)),
                   "4 processes for 3 chunks of members; expected a chunk for each at least: "
                   "fewer processes, or a smaller ensemble.chunk");

@@ -129,11 +129,11 @@ Ran ran(const Scenario& s, const std::pair<detail::RunState, std::string>* from 
   detail::RunControl control;
   control.due = [](double) { return true; };
   control.keep = [&](const detail::RunState& state, const detail::WriteMotion& motion) {
-    StateBytes bytes;
+    Archive bytes;
     motion(bytes);
     all.states.emplace_back(state, bytes.bytes());
   };
-  StateBytes motion(from != nullptr ? std::string_view(from->second) : std::string_view());
+  Archive motion(from != nullptr ? std::string_view(from->second) : std::string_view());
   if (from != nullptr) {
     control.rows = from->first.rows;
     control.motion = &motion;

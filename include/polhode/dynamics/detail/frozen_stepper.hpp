@@ -110,7 +110,7 @@ class FrozenStepper final : public BasicStepper<typename M::State> {
   Statistics statistics() const override {
     return {steps_, 0, steps_ * static_cast<std::int64_t>(map_->parts.drifts.size())};
   }
-  void transfer(StateBytes& bytes) override {
+  void serialize(Archive& bytes) override {
     bytes.all(t_, before_, steps_);
     bytes(s_);
     bytes(s_before_);

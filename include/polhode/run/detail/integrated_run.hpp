@@ -55,8 +55,9 @@ class IntegratedRun {
 
  private:
   // `integration`: the bytes of a Checkpoint.
-  void serialize(StateBytes& bytes, std::string& integration) {
-    bytes.all(among_rows_, before_, first_, integration);
+  void serialize(Archive& bytes, std::string& integration) {
+    bytes.all(among_rows_, before_, first_);
+    bytes.rest(integration);
   }
 
   void go_to_first_row() {
@@ -98,7 +99,7 @@ class IntegratedRun {
         control_.event(run_event(event));
       };
     streams.checkpoint = [this](const Checkpoint& now) {
-      control_.keep({now.t(), writer_.rows()}, [&](StateBytes& bytes) {
+      control_.keep({now.t(), writer_.rows()}, [&](Archive& bytes) {
         std::string integration = now.bytes();
         serialize(bytes, integration);
       });

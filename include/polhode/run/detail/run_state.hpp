@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "polhode/run/run.hpp"
-#include "polhode/trajectory/state_bytes.hpp"
+#include "polhode/trajectory/archive.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -22,7 +22,7 @@ struct RunState {
   std::int64_t rows = 0;  // in the sinks
 };
 // Writes what moves, which depends on the experiment.
-using WriteMotion = std::function<void(StateBytes&)>;
+using WriteMotion = std::function<void(Archive&)>;
 
 struct RunControl {
   Progress progress = {};
@@ -32,7 +32,7 @@ struct RunControl {
   std::function<void(const RunState&, const WriteMotion&)> keep = {};
   // Of a run that is resumed: its rows in the sinks, and the reader of what WriteMotion wrote.
   std::int64_t rows = 0;
-  StateBytes* motion = nullptr;
+  Archive* motion = nullptr;
 };
 
 // What an EventTable holds: the columns of a row, with name in front and direction behind t.
