@@ -60,7 +60,7 @@ class Chunks {
     const Progress look = [](double) {};
     cells_.frame()->set_base(ensemble_.base(look));
     const detail::Source<detail::Pilots> some = cells_.pilots();
-    for (std::int64_t k = 0; k < some.count; ++k) {
+    for (std::int64_t k = 0; k < some.count(); ++k) {
       const detail::Pilots done = some.cell(k, look);
       for (std::size_t m = 0; m < done.size(); ++m)
         cells_.frame()->add_pilot(k * some.each + static_cast<std::int64_t>(m), done[m]);

@@ -84,7 +84,7 @@ class MapRun::Parts final : public detail::Sweep {
     outputs_.with_remedy([&] {
       const std::int64_t first = report_.cells;
       const detail::Source<MapCell> source{
-          .count = map_.size() - first,
+          .members = map_.size() - first,
           .cell = [&](std::int64_t k, const Progress& look) { return map_.cell(first + k, look); }};
       compute(source, [&](std::int64_t k, const MapCell& cell) { reduce(first + k, cell); });
       push_rows();

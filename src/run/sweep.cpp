@@ -52,22 +52,21 @@ void Sweep::interrupt() {
 
 int Sweep::threads() const { return options_.threads > 0 ? options_.threads : hardware_threads(); }
 
-void Sweep::took(std::int64_t each, std::int64_t cells_left, Stage stage) {
-  worked_ += each;
+void Sweep::took(std::int64_t members, std::int64_t each, std::int64_t left, Stage stage) {
+  worked_ += members;
   if (waiting_.size() >= numbers_per_block) push_rows();
   if (stage == Stage::cells && options_.progress) {
     const int processes = options_.executor == nullptr ? 1 : options_.executor->processes();
-    const auto members = static_cast<double>(each);
+    const double at_a_time = static_cast<double>(each) * processes * threads();
     try {
       options_.progress({reached(), part_of_work(static_cast<double>(worked_),
-                                                 members * static_cast<double>(cells_left),
-                                                 members * processes * threads())});
+                                                 static_cast<double>(left), at_a_time)});
     } catch (...) {
       raised_ = std::current_exception();
       throw Stopped();
     }
   }
-  if (stage == Stage::cells && cells_left == 0) return;
+  if (stage == Stage::cells && left == 0) return;
   if (is_stopped()) throw Stopped();
   if (has_state() && outputs_.is_due()) keep();
 }

@@ -4,6 +4,7 @@
 // sweep of one cell, whose own state is in the checkpoint.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
@@ -27,14 +28,16 @@ namespace detail {
 // Cells that can be computed in any order.
 template <class Result>
 struct Source {
-  std::int64_t count = 0;
-  std::int64_t each = 1;  // members of a cell
+  std::int64_t members = 0;
+  std::int64_t each = 1;  // members of a cell; the last may have fewer
   // From any thread; `look` is called now and then, and what it throws passes through.
   std::function<Result(std::int64_t cell, const Progress& look)> cell;
   // The same in other processes, by bytes: what they begin with, and a result.
   ExecutorWork* work = nullptr;
   std::function<std::string()> stage = {};
   std::function<void(Archive&, Result&)> serialize = {};
+
+  std::int64_t count() const { return (members + each - 1) / each; }
 };
 
 class Sweep {
@@ -99,7 +102,8 @@ class Sweep {
  private:
   struct Stopped {};  // ends the loop over the cells, from within
   int threads() const;
-  void took(std::int64_t each, std::int64_t cells_left, Stage stage);
+  // So many members, of cells of so many each.
+  void took(std::int64_t members, std::int64_t each, std::int64_t left, Stage stage);
 
   double reached_before_ = 0.0;
   std::int64_t rows_before_ = 0;
@@ -115,15 +119,16 @@ void Sweep::compute(const Source<Result>& source, const Reduce& reduce, Stage st
   };
   const auto take = [&](std::int64_t cell, const Result& result) {
     reduce(cell, result);
-    took(source.each, source.count - 1 - cell, stage);
+    took(std::min(source.each, source.members - cell * source.each), source.each,
+         std::max<std::int64_t>(source.members - (cell + 1) * source.each, 0), stage);
   };
   try {
     if (options_.executor == nullptr || source.work == nullptr)
       return ordered_parallel_for(
-          0, source.count, threads(), [&](std::int64_t cell) { return source.cell(cell, look); },
+          0, source.count(), threads(), [&](std::int64_t cell) { return source.cell(cell, look); },
           take);
     options_.executor->run(
-        *source.work, {source.stage(), 0, source.count},
+        *source.work, {source.stage(), 0, source.count()},
         [&](std::int64_t cell, const std::string& from) {
           Archive bytes(from);
           Result result;

@@ -107,8 +107,7 @@ template <class Result>
 Source<Result> EnsembleCells::source(Stage stage,
                                      Result (EnsembleCells::*made)(std::int64_t, std::int64_t,
                                                                    const Progress&) const) {
-  const std::int64_t members = stage.end - stage.first;
-  return {.count = (members + stage.each - 1) / stage.each,
+  return {.members = stage.end - stage.first,
           .each = stage.each,
           .cell =
               [this, stage, made](std::int64_t cell, const Progress& look) {

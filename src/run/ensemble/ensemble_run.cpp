@@ -148,7 +148,7 @@ class EnsembleRun::Parts final : public detail::Sweep {
   // More processes than cells of all the members would wait for nothing.
   void require_work_for_all() const {
     if (options_.executor == nullptr) return;
-    const std::int64_t cells = cells_->members(0).count;
+    const std::int64_t cells = cells_->members(0).count();
     const int processes = options_.executor->processes();
     if (processes <= cells) return;
     throw DomainError(scenario_.document.name + ": ensemble: " + std::to_string(processes) +
@@ -160,7 +160,7 @@ class EnsembleRun::Parts final : public detail::Sweep {
   // The base, and the first members where bins and references come from these.
   void prepare() {
     const detail::Source<EnsembleMember> base{
-        .count = 1,
+        .members = 1,
         .cell = [&](std::int64_t, const Progress& look) { return ensemble_.base(look); }};
     compute(
         base, [&](std::int64_t, const EnsembleMember& one) { frame_->set_base(one); },
