@@ -50,7 +50,7 @@ std::unique_ptr<BasicStepper<DampedRotorState>> make_stepper(const DampedProblem
                                                              const Collocation& method) {
   require_valid(method);
   return std::make_unique<CollocationStepper<DamperStages>>(
-      std::make_shared<const SweptDamper>(problem.system), SmoothSteps(problem.system),
+      std::make_shared<const SweptDamper>(problem.system), SwitchingSteps(problem.system),
       problem.start, SweptDamper::start(problem.initial), method,
       collocation_control(problem.system, problem.start, method));
 }

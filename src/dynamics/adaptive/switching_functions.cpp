@@ -251,7 +251,7 @@ class Search {
       const double step = 0.01 * (c.beyond - c.before), x = c.guess;
       const double slope = (rough(c.which, x + step) - rough(c.which, x)) / step;
       const auto truth = [&](double at) { return curve_.truly(c.which, at); };
-      return Edge{c.which, falling_root(truth, c.before, c.beyond, x, slope, closely)};
+      return Edge{c.which, bracketed_root(truth, c.before, c.beyond, x, slope, closely)};
     }
     return nan;
   }
@@ -290,7 +290,7 @@ class Search {
     const auto f = [&](double x) { return rough(c.which, x); };
     // from the middle: at the beginning a step has the zero that the last one ended at
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-    c.guess = falling_root(f, c.before, c.beyond, 0.5 * (c.before + c.beyond), unknown, roughly);
+    c.guess = bracketed_root(f, c.before, c.beyond, 0.5 * (c.before + c.beyond), unknown, roughly);
     found.push_back(c);
   }
 

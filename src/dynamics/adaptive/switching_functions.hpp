@@ -97,7 +97,7 @@ class SwitchWatch {
 // NaN. Secants, and a bisection where they leave the bracket and at every fourth trip: at most 200,
 // and three as a rule.
 template <class F>
-double falling_root(const F& f, double a, double b, double x, double slope, double close) {
+double bracketed_root(const F& f, double a, double b, double x, double slope, double close) {
   if (!(a < x && x < b)) x = 0.5 * (a + b);
   double last = x, f_last = 0.0;
   for (int trip = 0; trip < 200; ++trip) {
@@ -155,7 +155,7 @@ struct EdgeRule {
 //
 // The edges are the borders of penumbras. Others, of facets that turn away or of a shadow like a
 // cylinder, have smooth sides.
-class EdgeGrading {
+class SwitchStepControl {
  public:
   // Before the first step: which functions those are.
   void begin(const SwitchWatch& switches, const DoubleDouble& t, const RotorState& s) {
@@ -255,7 +255,7 @@ class EdgeGrading {
   // Functions along the time, of a body that stays as it is.
   class Ahead final : public SwitchCurve {
    public:
-    Ahead(const EdgeGrading& of, const SwitchWatch& switches, const DoubleDouble& t,
+    Ahead(const SwitchStepControl& of, const SwitchWatch& switches, const DoubleDouble& t,
           const RotorState& s, double h)
         : of_(of), switches_(switches), t_(t), s_(s), h_(h) {}
     std::vector<double> along(double x) const override {
@@ -268,7 +268,7 @@ class EdgeGrading {
     double rounding(std::size_t which) const override { return switches_.rounding(which); }
 
    private:
-    const EdgeGrading& of_;
+    const SwitchStepControl& of_;
     const SwitchWatch& switches_;
     DoubleDouble t_;
     RotorState s_;

@@ -103,7 +103,7 @@ class CollocationStepper final : public BasicStepper<typename Stages::Field::Sta
   using State = typename Field::State;
   using Solver = BasicCollocationSolver<Stages>;
 
-  CollocationStepper(std::shared_ptr<const Field> field, SmoothSteps steps, double start,
+  CollocationStepper(std::shared_ptr<const Field> field, SwitchingSteps steps, double start,
                      const typename Stages::Values& y, const Collocation& method,
                      const CollocationControl& control)
       : field_(field),
@@ -136,7 +136,7 @@ class CollocationStepper final : public BasicStepper<typename Stages::Field::Sta
 
  private:
   std::shared_ptr<const Field> field_;
-  SmoothSteps steps_;
+  SwitchingSteps steps_;
   Solver solver_;
 };
 

@@ -327,7 +327,7 @@ std::string StepJumps::seen(const SplittingMap& map, const SplittingState& from,
       return switches_.values(time(s), map.state(s))[i];
     };
     const double x =
-        falling_root(value, 0.0, 1.0, 0.5, std::numeric_limits<double>::quiet_NaN(), close);
+        bracketed_root(value, 0.0, 1.0, 0.5, std::numeric_limits<double>::quiet_NaN(), close);
     const SplittingState edge = map.stepped(from, x * h);
     std::string refused =
         switches_.refused_jump(i, time(edge), map.state(edge), {map.state(from), end});

@@ -22,7 +22,7 @@ namespace detail {
 std::string frozen_failure_text(std::string_view name, double t);
 
 template <FrozenModel M>
-struct FrozenMap {
+struct FrozenTimeSplitting {
   using Shown = typename M::State;
   using State = TimedState<Shown>;
 
