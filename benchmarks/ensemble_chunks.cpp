@@ -17,13 +17,13 @@
 #include "polhode/ensemble/number_moments.hpp"
 #include "polhode/run/ensemble.hpp"
 #include "polhode/run/run.hpp"
-#include "polhode/trajectory/state_bytes.hpp"
+#include "polhode/trajectory/archive.hpp"
 #include "run/ensemble/ensemble_cells.hpp"
 
 namespace {
 
 using namespace polhode;
-using detail::CellsOfMembers, detail::EnsembleCells, detail::EnsembleChunk, detail::RowStatistics;
+using detail::EnsembleCells, detail::EnsembleChunk, detail::RowStatistics;
 
 constexpr int chunks = 4, of_scatter = 16;
 
@@ -59,15 +59,15 @@ class Chunks {
         cells_(ensemble_, false) {
     const Progress look = [](double) {};
     cells_.frame()->set_base(ensemble_.base(look));
-    const CellsOfMembers some = cells_.pilot_cells();
+    const detail::Source<detail::Pilots> some = cells_.pilots();
     for (std::int64_t k = 0; k < some.count(); ++k) {
-      const detail::Pilots done = cells_.pilots(some, k, look);
+      const detail::Pilots done = some.cell(k, look);
       for (std::size_t m = 0; m < done.size(); ++m)
-        cells_.frame()->add_pilot(some.begin_of(k) + static_cast<std::int64_t>(m), done[m]);
+        cells_.frame()->add_pilot(k * some.each + static_cast<std::int64_t>(m), done[m]);
     }
     cells_.frame()->finish_pilots();
     empty_.emplace(*cells_.frame());
-    cells_.begin(cells_.member_stage(0));
+    cells_.begin(cells_.members(0).stage());
     for (int k = 0; k < chunks; ++k) bytes_.push_back(computed(k));
   }
 
@@ -79,9 +79,9 @@ class Chunks {
   RowStatistics taken() const {
     RowStatistics all(*empty_);
     for (const std::string& from : bytes_) {
-      StateBytes bytes(from);
+      Archive bytes(from);
       EnsembleChunk chunk;
-      chunk.transfer(bytes, cells_.frame());
+      chunk.serialize(bytes, cells_.frame());
       all.merge(*chunk.statistics);
     }
     return all;
@@ -97,10 +97,10 @@ class Chunks {
     }
     return seconds.deviation(0) / seconds.mean(0);
   }
-  double error() const {
+  double error() {
     RowStatistics all(*cells_.frame());
-    for (int k = 0; k < chunks; ++k)
-      all.merge(*cells_.chunk(cells_.member_cells(0), k, [](double) {}).statistics);
+    const detail::Source<EnsembleChunk> members = cells_.members(0);
+    for (int k = 0; k < chunks; ++k) all.merge(*members.cell(k, [](double) {}).statistics);
     const std::vector<double> a = all.rows(), b = taken().rows();
     int wrong = a.size() == b.size() ? 0 : 1;
     for (std::size_t i = 0; i < std::min<std::size_t>(a.size(), b.size()); ++i)
@@ -116,7 +116,7 @@ class Chunks {
   std::vector<std::string> bytes_;
 };
 
-void report(benchmark::State& state, const Chunks& all, int chunks_each) {
+void report(benchmark::State& state, Chunks& all, int chunks_each) {
   state.counters["error"] = all.error();
   state.counters["numbers"] = static_cast<double>(all.bytes()[0].size()) / 8.0;
   state.counters["s_a_chunk"] = benchmark::Counter(
@@ -125,14 +125,14 @@ void report(benchmark::State& state, const Chunks& all, int chunks_each) {
 
 // Arguments of all: what, rows, members of a chunk, bins (0: quantiles are exact).
 void chunk_computed(benchmark::State& state) {
-  const Chunks all(state);
+  Chunks all(state);
   for (auto _ : state) benchmark::DoNotOptimize(all.computed(1).data());
   report(state, all, 1);
   state.counters["scatter"] = all.scatter();
 }
 
 void chunk_taken(benchmark::State& state) {
-  const Chunks all(state);
+  Chunks all(state);
   for (auto _ : state) {
     const RowStatistics done = all.taken();
     benchmark::DoNotOptimize(&done);
@@ -142,12 +142,12 @@ void chunk_taken(benchmark::State& state) {
 
 // What a checkpoint writes.
 void state_written(benchmark::State& state) {
-  const Chunks all(state);
+  Chunks all(state);
   RowStatistics done = all.taken();
   std::size_t size = 0;
   for (auto _ : state) {
-    StateBytes bytes;
-    done.transfer(bytes);
+    Archive bytes;
+    done.serialize(bytes);
     size = bytes.bytes().size();
   }
   report(state, all, 1);

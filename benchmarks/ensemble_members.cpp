@@ -69,7 +69,7 @@ std::vector<double> rows_of(const std::string& text) {
 void ensemble_members(benchmark::State& state) {
   const ScenarioEnsemble ensemble(scenario(state.range(0)), "ensemble.toml");
   for (auto _ : state) {
-    EnsembleOptions options;
+    RunOptions options;
     options.threads = static_cast<int>(state.range(1));
     benchmark::DoNotOptimize(EnsembleRun(ensemble, {}, std::move(options)).run().members);
   }

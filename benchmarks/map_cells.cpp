@@ -71,7 +71,7 @@ void map_cells(benchmark::State& state) {
   const std::string name = folder() + "/map.toml";
   const ScenarioMap map(scenario(rows, 60.0, 90.0, cells), name);
   for (auto _ : state) {
-    MapOptions options;
+    RunOptions options;
     options.threads = static_cast<int>(state.range(1));
     benchmark::DoNotOptimize(MapRun(map, {}, std::move(options)).run().points);
   }

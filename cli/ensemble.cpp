@@ -14,19 +14,17 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "many_runs.hpp"
 #include "polhode/error.hpp"
 #include "polhode/run/ensemble_run.hpp"
-#include "polhode/run/ensemble_work.hpp"
-#include "polhode/run/run.hpp"
-#include "progress.hpp"
+#include "polhode/run/scenario_run.hpp"
+#include "resumable_work.hpp"
 
 namespace polhode::cli {
 namespace {
 
 constexpr std::size_t reasons_shown = 3, columns_shown = 12;
 
-struct EnsembleOfFile : ManyRuns {
+struct EnsembleCommand : WorkOptions {
   std::optional<std::int64_t> member;
   bool any_machine = false;
   // They last until the last message is written: MPI_Finalize does not return once mpirun was told
@@ -118,11 +116,11 @@ std::string summary_of(const ScenarioEnsemble& ensemble, const std::vector<Colum
 }
 
 // The scenario of the member; its rows into the outputs that are no scenario.
-void run_member(const ScenarioEnsemble& ensemble, const EnsembleOfFile& options) {
+void run_member(const ScenarioEnsemble& ensemble, const EnsembleCommand& options) {
   std::string text = ensemble.member_text(*options.member);
   const bool has_rows = std::ranges::any_of(
       options.out, [](const std::string& path) { return !path.ends_with(".toml"); });
-  if (!has_rows && options.begin.begin() != RunBegin::anew)
+  if (!has_rows && (options.resume || options.restart))
     throw DomainError(
         "polhode ensemble: got --resume or --restart of --member without rows in --out, which has "
         "nothing to go on from; expected --member alone, or --out PATH.csv as well");
@@ -145,17 +143,13 @@ void run_member(const ScenarioEnsemble& ensemble, const EnsembleOfFile& options)
           "{}: member {} failed: {}", ensemble.scenario().document.name, *options.member, failure));
   };
   const Scenario member = ensemble.member_scenario(*options.member, std::move(text));
+  RunOptions how = begin_options(options);
   // what the ensemble knows of it beside the columns of a run
   if (!ensemble.events().empty() || !ensemble.plan().indicators.empty()) {
-    const MemberReport report =
-        write_member(ensemble, *options.member, member, rows, options.begin.begin(), begin_words());
+    const MemberReport report = write_member(ensemble, *options.member, member, rows, how);
     if (report.was_complete) return print_nothing_to_do(ensemble.scenario().document.name, rows);
     return require_done(report.failure);
   }
-  RunOptions how;
-  how.begin = options.begin.begin();
-  how.words = begin_words();
-  how.checkpoint_seconds = options.checkpoint;
   ScenarioRun run(member, {rows, {}}, std::move(how));
   if (run.is_complete()) return print_nothing_to_do(member.document.name, rows);
   const RunReport report = run.run();
@@ -163,9 +157,9 @@ void run_member(const ScenarioEnsemble& ensemble, const EnsembleOfFile& options)
 }
 
 // Work together with the ensemble that it is of.
-class OwnWork final : public TeamWork {
+class OwnWork final : public ExecutorWork {
  public:
-  OwnWork(const EnsembleOfFile& options, const Kinds& kinds)
+  OwnWork(const EnsembleCommand& options, const Kinds& kinds)
       : ensemble_(changed_scenario(options.scenario, options.set, kinds)),
         work_(ensemble_work(ensemble_, options.any_machine)) {}
   void begin(const std::string& stage) override { work_->begin(stage); }
@@ -175,11 +169,11 @@ class OwnWork final : public TeamWork {
 
  private:
   ScenarioEnsemble ensemble_;
-  std::unique_ptr<TeamWork> work_;
+  std::unique_ptr<ExecutorWork> work_;
 };
 
 // What the ranks do that do not lead. Signals are for the one that does: it says when to stop.
-void serve(Ranks& ranks, const EnsembleOfFile& options, const Kinds& kinds) {
+void serve(Ranks& ranks, const EnsembleCommand& options, const Kinds& kinds) {
   const StopSignals signals;
   ranks.serve([&] { return std::make_unique<OwnWork>(options, kinds); });
 }
@@ -193,14 +187,13 @@ void say_what_is_not_made(const ScenarioEnsemble& ensemble) {
   for (const auto& [table, count] : {std::pair("histogram", plan.histograms.size()),
                                      std::pair("fraction", plan.fractions.size())})
     if (count > 0)
-      std::fputs(fmt::format("{}: note: [[ensemble.{}]] is left out: it goes with keep = "
-                             "\"statistics\", and this is keep = \"{}\"\n",
-                             ensemble.scenario().document.name, table, keep)
-                     .c_str(),
-                 stderr);
+      say(
+          fmt::format("{}: note: [[ensemble.{}]] is left out: it goes with keep = "
+                      "\"statistics\", and this is keep = \"{}\"",
+                      ensemble.scenario().document.name, table, keep));
 }
 
-void make_ensemble(const EnsembleOfFile& options, const Kinds& kinds) {
+void make_ensemble(const EnsembleCommand& options, const Kinds& kinds) {
   if (options.ranks && !options.ranks->leads()) return serve(*options.ranks, options, kinds);
   if (options.ranks && options.scenario == "-")
     throw DomainError(
@@ -212,41 +205,23 @@ void make_ensemble(const EnsembleOfFile& options, const Kinds& kinds) {
   std::vector<std::string> out = options.out;
   if (out.empty()) out.push_back("-");
   const bool to_standard_output = std::find(out.begin(), out.end(), "-") != out.end();
-  const bool rows_on_terminal = to_standard_output && isatty(STDOUT_FILENO) == 1;
   say_what_is_not_made(ensemble);
-  const StopSignals signals;
-  std::optional<ProgressLine> progress;
-  EnsembleOptions how = work_of<EnsembleOptions>(options);
-  how.team = options.ranks.get();
+  const std::string& name = ensemble.scenario().document.name;
+  ResumableWork work(options, name);
+  RunOptions how = work.run_options(!to_standard_output || isatty(STDOUT_FILENO) == 0);
+  how.executor = options.ranks.get();
   how.any_machine = options.any_machine;
-  if (!rows_on_terminal)
-    how.progress = [&progress](std::int64_t members) { (*progress)(static_cast<double>(members)); };
   EnsembleRun run(ensemble, out, std::move(how));
-  if (run.is_complete()) return print_nothing_to_do(ensemble.scenario().document.name, out);
-  if (options.begin.resume)
-    announce(ensemble.scenario().document.name, run.continues(), run.members(), ensemble.size(),
-             "members");
-  progress.emplace(ensemble.size(), "members");
+  if (run.is_complete()) return print_nothing_to_do(name, out);
+  work.announce(run, ResumableWork::after(run.reached(), ensemble.size(), "members"), "members");
+  work.line().emplace(run.reached(), ensemble.size(), "members");
   const auto begun = std::chrono::steady_clock::now();
-  EnsembleReport report;
-  try {
-    report = run.run();
-  } catch (const EnsembleInterrupted& stopped) {
-    progress.reset();
-    std::vector<std::string> command = command_of("ensemble", options);
-    if (options.any_machine) command.push_back("--any-machine");
-    throw Interrupted(
-        StopSignals::came(),
-        stopped.what() + how_to_continue(options.program, command, stopped.can_resume));
-  }
-  progress.reset();
+  const EnsembleReport report = work.run([&] { return run.run(); });
   if (to_standard_output) return;
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
   print(summary_of(ensemble, run.groups(), report));
-  std::fputs(fmt::format("{}: {:.3g} members a second\n", ensemble.scenario().document.name,
-                         static_cast<double>(report.members - run.members()) / took.count())
-                 .c_str(),
-             stderr);
+  say(fmt::format("{}: {:.3g} members a second", name,
+                  (static_cast<double>(report.members) - run.reached()) / took.count()));
 }
 
 }  // namespace
@@ -256,9 +231,11 @@ void add_ensemble(CLI::App& app, const Kinds& kinds, const std::string& typed,
   CLI::App* command = app.add_subcommand(
       "ensemble",
       "Run a scenario many times with the numbers of its [ensemble] drawn, on all processors");
-  const auto options = std::make_shared<EnsembleOfFile>();
+  const auto options = std::make_shared<EnsembleCommand>();
   options->program = typed;
-  add_files(*command, *options, kinds);
+  options->command = "ensemble";
+  add_scenario(*command, *options);
+  add_tables(*command, *options, kinds);
   command
       ->add_option(
           "--member", options->member,
@@ -267,7 +244,8 @@ void add_ensemble(CLI::App& app, const Kinds& kinds, const std::string& typed,
           "print its scenario")
       ->type_name("K")
       ->check(member_index());
-  add_work(*command, *options, {"an ensemble", "ensemble", "members", "chunks"});
+  add_threads(*command, *options, "chunks");
+  add_begin(*command, *options, {"ensemble", "an ensemble", "members"});
   command->add_flag("--any-machine", options->any_machine,
                     "Let machines work together, or go on, whose sines and logarithms differ in "
                     "last digits: so do the results");
@@ -276,6 +254,7 @@ void add_ensemble(CLI::App& app, const Kinds& kinds, const std::string& typed,
       "\nExample:\n  " +
       full_name(*command) + " examples/apophis-ensemble.toml --out apophis.h5 --threads 2");
   command->callback([options, kinds, ranks] {
+    if (options->any_machine) options->own_flags = {"--any-machine"};
     if (ranks) options->ranks = ranks(std::max(options->threads, 1));
     make_ensemble(*options, kinds);
   });

@@ -12,27 +12,20 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "polhode/ensemble/cells.hpp"
+#include "polhode/ensemble/ordered_parallel_for.hpp"
 #include "polhode/error.hpp"
 #include "polhode/run/fit_checkpoint.hpp"
 #include "polhode/run/light_report.hpp"
 #include "polhode/run/predictions.hpp"
 #include "polhode/run/simulate.hpp"
-#include "progress.hpp"
-#include "resume.hpp"
-#include "stop_signals.hpp"
+#include "resumable_work.hpp"
 
 namespace polhode::cli {
 namespace {
 
-struct FitCommand {
-  std::string scenario;
-  std::vector<std::string> set, residuals, covariance, landscape, at, predict;
-  std::string program;  // as it was typed
+struct FitCommand : WorkOptions {
+  std::vector<std::string> residuals, covariance, landscape, at, predict;
   std::string solution;
-  BeginOptions begin;
-  double checkpoint = 5.0;
-  int threads = 0;
   bool json = false, scans_only = false;
 };
 
@@ -60,8 +53,6 @@ struct NoSolution : std::runtime_error {
   throw NoSolution(fmt::format("{}: no solution: from {} the fit did not converge: {}",
                                scenario.document.name, starts, failure));
 }
-
-void say(const std::string& line) { std::fputs((line + "\n").c_str(), stderr); }
 
 // Whether a table takes the place of the text on standard output.
 bool prints_table(const FitCommand& options) {
@@ -133,54 +124,52 @@ std::vector<std::string> outputs_of(const FitCommand& options) {
   return paths;
 }
 
-std::vector<std::string> command_of(const FitCommand& options) {
-  std::vector<std::string> words = {"fit", options.scenario};
+void add_own_words(FitCommand& options) {
   const auto add = [&](const char* option, const std::vector<std::string>& values) {
-    for (const std::string& value : values) words.insert(words.end(), {option, value});
+    for (const std::string& value : values)
+      options.own_words.insert(options.own_words.end(), {option, value});
   };
-  add("--set", options.set);
   if (!options.solution.empty()) add("--solution", {options.solution});
   add("--residuals", options.residuals);
   add("--covariance", options.covariance);
   add("--landscape", options.landscape);
   add("--at", options.at);
   add("--predict", options.predict);
-  if (options.threads > 0) add("--threads", {std::to_string(options.threads)});
-  if (options.scans_only) words.emplace_back("--scan-only");
-  if (options.json) words.emplace_back("--json");
-  return words;
+  if (options.scans_only) options.own_flags.emplace_back("--scan-only");
+  if (options.json) options.own_flags.emplace_back("--json");
 }
 
 // A fit that keeps what it finds, and says how to continue when it is stopped.
 class KeptFit {
  public:
   KeptFit(const FitCommand& options, const Scenario& scenario)
-      : options_(options),
-        checkpoint_(scenario, outputs_of(options), options.begin.begin(), begin_words(),
-                    options.checkpoint) {
-    if (!options.begin.resume) return;
-    say(scenario.document.name +
-        (checkpoint_.continues()
-             ? fmt::format(": continues after {} results", checkpoint_.results())
-             : std::string(": no results to continue from, starts anew")));
+      : work_(options, scenario.document.name),
+        checkpoint_(scenario, outputs_of(options), work_.run_options(false)) {
+    work_.announce(checkpoint_, fmt::format("after {:.0f} results", checkpoint_.reached()),
+                   "results");
   }
 
   CellJournal* journal() { return &checkpoint_.journal(); }
-  bool is_replaying() { return checkpoint_.journal().is_replaying(); }
+  std::optional<ProgressLine>& line() { return work_.line(); }
+  // Results that are read again take no time.
+  void tell(const RunProgress& at) {
+    if (!line()) return;
+    if (checkpoint_.journal().is_replaying())
+      line()->begin_at(at);
+    else
+      (*line())(at);
+  }
 
-  template <class Fit, class Progress>
-  auto run(const Fit& fit, std::optional<Progress>& progress) {
-    const StopSignals signals;
+  template <class Fit>
+  auto run(const Fit& fit) {
     try {
-      return fit();
-    } catch (const FitStopped& stopped) {
-      progress.reset();
-      const bool is_kept = checkpoint_.keep();
-      throw Interrupted(
-          StopSignals::came(),
-          stopped.what() + (is_kept ? how_to_continue(options_.program, command_of(options_), true)
-                                    : std::string("; a fit that writes a file, such as --solution "
-                                                  "PATH.toml, can be continued")));
+      auto report = fit();
+      work_.end();
+      return report;
+    } catch (const RunInterrupted& stopped) {
+      throw work_.interrupted(
+          stopped, checkpoint_.keep(),
+          "a fit that writes a file, such as --solution PATH.toml, can be continued");
     }
   }
 
@@ -189,7 +178,7 @@ class KeptFit {
   void forget() { checkpoint_.forget(); }
 
  private:
-  const FitCommand& options_;
+  ResumableWork work_;
   FitCheckpoint checkpoint_;
 };
 
@@ -200,19 +189,18 @@ void fit_snapshots(const FitCommand& options, const Scenario& scenario, KeptFit&
                       ": there is none; expected light curves and fit.from = "
                       "\"search\"");
   const std::vector<double> times = times_at(options, scenario);
-  std::optional<ProgressLine> progress;
   FitOptions how;
   how.threads = threads_of(options);
   how.journal = kept.journal();
   how.stop = [] { return StopSignals::came() != 0; };
-  if (const FitPlan* const plan = scenario.fit.get(); plan != nullptr && plan->starts > 1) {
-    progress.emplace(plan->starts, "starts");
-    how.progress = [&](std::int64_t starts) {
-      if (!kept.is_replaying()) (*progress)(static_cast<double>(starts));
+  if (const std::int64_t starts = require_fit(scenario).starts; starts > 1) {
+    kept.line().emplace(0.0, starts, "starts");
+    how.progress = [&kept, starts, threads = how.threads](std::int64_t done) {
+      const auto ended = static_cast<double>(done), left = static_cast<double>(starts - done);
+      kept.tell({ended, part_of_work(ended, left, threads)});
     };
   }
-  const FitReport report = kept.run([&] { return fit_scenario(scenario, how); }, progress);
-  progress.reset();
+  const FitReport report = kept.run([&] { return fit_scenario(scenario, how); });
   if (!report.is_found())
     fail(scenario,
          report.starts == 1 ? std::string("its start")
@@ -242,19 +230,15 @@ void fit_light_curves(FitCommand options, const Scenario& scenario, KeptFit& kep
                       "fit.periods");
   how.journal = kept.journal();
   how.stop = [] { return StopSignals::came() != 0; };
-  std::optional<ProgressLine> progress;
   how.begins = [&](const std::string& stage, const std::string& work) {
-    progress.reset();
-    progress.emplace(stage != "surfaces"                    ? stage
-                     : plan.shape == LightPlan::Shape::mesh ? std::string("fits of the mesh")
-                                                            : std::string("convex bodies"),
-                     work);
+    kept.line().reset();
+    kept.line().emplace(stage != "surfaces"                    ? stage
+                        : plan.shape == LightPlan::Shape::mesh ? std::string("fits of the mesh")
+                                                               : std::string("convex bodies"),
+                        work);
   };
-  how.progress = [&](const std::string&, double part) {
-    if (progress && !kept.is_replaying()) (*progress)(part);
-  };
-  const LightReport report = kept.run([&] { return fit_light_scenario(scenario, how); }, progress);
-  progress.reset();
+  how.progress = [&](const std::string&, double part) { kept.tell({part, part}); };
+  const LightReport report = kept.run([&] { return fit_light_scenario(scenario, how); });
   for (const std::string& path : options.landscape) write_landscape(scenario, report, path);
   if (report.start && !report.is_found() && report.chosen.empty() && report.notes.empty())
     fail(scenario, "its start", report.failure);
@@ -313,9 +297,8 @@ void add_fit(CLI::App& app, const Kinds& kinds, const std::string& typed) {
       "fit", "Find the spin state that was observed, with its uncertainty: kind = \"fit\"");
   const auto options = std::make_shared<FitCommand>();
   options->program = typed;
-  command->add_option("FILE", options->scenario, "Scenario (.toml); - is standard input")
-      ->required();
-  add_set_option(*command, options->set);
+  options->command = "fit";
+  add_scenario(*command, *options);
   command
       ->add_option("--residuals", options->residuals,
                    "Residuals of each observation, PATH.csv or PATH.h5; of a second solution "
@@ -351,21 +334,17 @@ void add_fit(CLI::App& app, const Kinds& kinds, const std::string& typed) {
           "--residuals")
       ->type_name("PATH")
       ->allow_extra_args(false);
-  command
-      ->add_option("--threads", options->threads,
-                   "How many starts at a time; left out: one on each processor. The result does "
-                   "not depend on it")
-      ->check(whole_number());
-  add_begin_options(*command, options->begin,
-                    "Continue a fit that was stopped, from its FIRST_OUTPUT.checkpoint",
-                    "Fit anew where an unfinished fit is, and lose its results");
-  add_checkpoint_option(*command, options->checkpoint);
+  add_threads(*command, *options, "starts");
+  add_begin(*command, *options, {"fit", "a fit", "results"});
   command->add_flag("--scan-only", options->scans_only,
                     "Stop after the period scan (light curves)");
   command->add_flag("--json", options->json, "For programs: every digit");
   command->footer("Example:\n  " + full_name(*command) +
                   " examples/toutatis-1992.toml --solution fitted.toml");
-  command->callback([options, kinds] { fit_file(*options, kinds); });
+  command->callback([options, kinds] {
+    add_own_words(*options);
+    fit_file(*options, kinds);
+  });
 }
 
 void add_simulate(CLI::App& app, const Kinds& kinds) {

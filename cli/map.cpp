@@ -3,19 +3,13 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <memory>
-#include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "commands.hpp"
-#include "many_runs.hpp"
-#include "polhode/error.hpp"
 #include "polhode/run/map_run.hpp"
-#include "polhode/run/run.hpp"
-#include "progress.hpp"
+#include "resumable_work.hpp"
 
 namespace polhode::cli {
 namespace {
@@ -42,33 +36,19 @@ std::string summary_of(const ScenarioMap& map, const MapReport& report) {
   return failed <= reasons_shown ? text : text + "  ...\n";
 }
 
-void make_map(const ManyRuns& options, const Kinds& kinds) {
+void make_map(const WorkOptions& options, const Kinds& kinds) {
   const ScenarioMap map(changed_scenario(options.scenario, options.set, kinds));
   std::vector<std::string> out = options.out;
   if (out.empty()) out.push_back("-");
   require_different("map", out);
   const bool to_standard_output = std::find(out.begin(), out.end(), "-") != out.end();
-  const bool rows_on_terminal = to_standard_output && isatty(STDOUT_FILENO) == 1;
-  const StopSignals signals;
-  std::optional<ProgressLine> progress;
-  MapOptions how = work_of<MapOptions>(options);
-  if (!rows_on_terminal)
-    how.progress = [&progress](std::int64_t cells) { (*progress)(static_cast<double>(cells)); };
-  MapRun run(map, out, std::move(how));
-  if (run.is_complete()) return print_nothing_to_do(map.scenario().document.name, out);
-  if (options.begin.resume)
-    announce(map.scenario().document.name, run.continues(), run.cells(), map.size(), "cells");
-  progress.emplace(map.size(), "cells");
-  MapReport report;
-  try {
-    report = run.run();
-  } catch (const MapInterrupted& stopped) {
-    progress.reset();
-    throw Interrupted(StopSignals::came(),
-                      stopped.what() + how_to_continue(options.program, command_of("map", options),
-                                                       stopped.can_resume));
-  }
-  progress.reset();
+  const std::string& name = map.scenario().document.name;
+  ResumableWork work(options, name);
+  MapRun run(map, out, work.run_options(!to_standard_output || isatty(STDOUT_FILENO) == 0));
+  if (run.is_complete()) return print_nothing_to_do(name, out);
+  work.announce(run, ResumableWork::after(run.reached(), map.size(), "cells"), "cells");
+  work.line().emplace(run.reached(), map.size(), "cells");
+  const MapReport report = work.run([&] { return run.run(); });
   if (!to_standard_output) print(summary_of(map, report));
 }
 
@@ -78,10 +58,13 @@ void add_map(CLI::App& app, const Kinds& kinds, const std::string& typed) {
   CLI::App* command = app.add_subcommand(
       "map",
       "Run a scenario over the grid of its [map], on all processors: chaos, extremes, sections");
-  const auto options = std::make_shared<ManyRuns>();
+  const auto options = std::make_shared<WorkOptions>();
   options->program = typed;
-  add_files(*command, *options, kinds);
-  add_work(*command, *options, {"a map", "map", "cells", "cells"});
+  options->command = "map";
+  add_scenario(*command, *options);
+  add_tables(*command, *options, kinds);
+  add_threads(*command, *options, "cells");
+  add_begin(*command, *options, {"map", "a map", "cells"});
   command->footer(
       "\nCtrl-C stops a map and keeps its cells; --resume continues it.\n"
       "\nExample:\n  " +

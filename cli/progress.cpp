@@ -48,50 +48,45 @@ std::string on_line(const std::string& text, double done, int columns) {
 
 }  // namespace
 
-ProgressLine::ProgressLine(double start, double stop, std::string unit)
-    : start_(start),
+ProgressLine::ProgressLine(Form form, double from, double stop, std::string unit)
+    : form_(form),
+      from_{from, 0.0},
       stop_(stop),
-      from_(start),
       unit_(std::move(unit)),
       terminal_(isatty(STDERR_FILENO) == 1),
       next_(begun_ + quiet) {}
 
-ProgressLine::ProgressLine(std::int64_t count, std::string things)
-    : ProgressLine(0.0, static_cast<double>(count), std::move(things)) {
-  form_ = Form::count;
-}
-
+ProgressLine::ProgressLine(double stop, std::string unit)
+    : ProgressLine(Form::time, 0.0, stop, std::move(unit)) {}
+ProgressLine::ProgressLine(double before, std::int64_t count, std::string things)
+    : ProgressLine(Form::count, before, static_cast<double>(count), std::move(things)) {}
 ProgressLine::ProgressLine(std::string stage, std::string work)
-    : ProgressLine(0.0, 1.0, std::move(stage)) {
+    : ProgressLine(Form::part, 0.0, 1.0, std::move(stage)) {
   work_ = std::move(work);
-  form_ = Form::part;
 }
 
 ProgressLine::~ProgressLine() {
   if (terminal_ && shown_) std::fputs("\r\033[K", stderr);
 }
 
-void ProgressLine::operator()(double t) {
-  if (steps_++ == 0) {
-    from_ = t;
-    begun_ = Clock::now();
-    return;
-  }
-  if (form_ != Form::time || steps_ % stride == 0) look(t);
+void ProgressLine::begin_at(const RunProgress& at) {
+  from_ = at;
+  begun_ = Clock::now();
 }
 
-void ProgressLine::look(double t) {
+void ProgressLine::operator()(const RunProgress& at) {
+  const std::int64_t step = steps_++;
+  if (form_ == Form::time && step == 0) return begin_at(at);  // after it was prepared
+  if (form_ == Form::time && step % stride != 0) return;
   const Clock::time_point now = Clock::now();
   if (now < next_) return;
   next_ = now + (terminal_ ? on_terminal : elsewhere);
-  show(t, std::chrono::duration<double>(now - begun_).count());
+  show(at, std::chrono::duration<double>(now - begun_).count());
 }
 
-void ProgressLine::show(double t, double seconds) {
-  const double span = stop_ - start_;
-  const auto part = [&](double x) { return span == 0.0 ? 0.0 : std::clamp(x / span, 0.0, 1.0); };
-  const double done = part(t - start_), made = part(t - from_);
-  const double rate = std::abs(t - from_) / seconds, percent = std::floor(100.0 * done);
+void ProgressLine::show(const RunProgress& at, double seconds) {
+  const double done = stop_ == 0.0 ? 0.0 : std::clamp(at.reached / stop_, 0.0, 1.0);
+  const double made = at.part - from_.part, percent = std::floor(100.0 * done);
   const bool is_known = made > 0.0;
   if (!work_.empty()) {
     std::string said = unit_ + ": " + work_;
@@ -103,12 +98,13 @@ void ProgressLine::show(double t, double seconds) {
   if (form_ == Form::part) {
     text = fmt::format("{}: {:.0f} %", unit_, percent);
   } else {
+    const double rate = std::abs(at.reached - from_.reached) / seconds;
     const std::string reached = form_ == Form::count
-                                    ? fmt::format("{:.0f} of {:.0f} {}", t, stop_, unit_)
-                                    : fmt::format("t = {:.6g} {}", t, unit_);
+                                    ? fmt::format("{:.0f} of {:.0f} {}", at.reached, stop_, unit_)
+                                    : fmt::format("t = {:.6g} {}", at.reached, unit_);
     text = fmt::format("{:3.0f} %, {}, {:.3g} {} per second", percent, reached, rate, unit_);
   }
-  if (is_known) text += ", " + duration_text((1.0 - done) * seconds / made) + " left";
+  if (is_known) text += ", " + duration_text((1.0 - at.part) * seconds / made) + " left";
   if (terminal_) text = on_line(text, done, columns());
   shown_ = true;
   const std::string line = terminal_ ? "\r" + text + "\033[K" : text + "\n";

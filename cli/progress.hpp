@@ -8,14 +8,16 @@
 #include <cstdint>
 #include <string>
 
+#include "polhode/run/resumable_run.hpp"
+
 namespace polhode::cli {
 
 class ProgressLine {
  public:
-  // From start to stop, in the unit of time `unit` names.
-  ProgressLine(double start, double stop, std::string unit);
-  // So many "members".
-  ProgressLine(std::int64_t count, std::string things);
+  // A run to t = stop, in the unit of time `unit`.
+  ProgressLine(double stop, std::string unit);
+  // So many "members", of which some were done before.
+  ProgressLine(double before, std::int64_t count, std::string things);
   // Parts, up to 1, of a "scan". Where it takes seconds its work is said first, with an estimate.
   ProgressLine(std::string stage, std::string work);
   // Leaves a terminal clean.
@@ -23,21 +25,21 @@ class ProgressLine {
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  // The run has reached time t.
-  void operator()(double t);
+  void operator()(const RunProgress& at);
+  // What is left takes its time from here on.
+  void begin_at(const RunProgress& at);
 
  private:
   using Clock = std::chrono::steady_clock;
-  void look(double t);
-  void show(double t, double seconds);
+  enum class Form { time, count, part };
+  ProgressLine(Form form, double from, double stop, std::string unit);
+  void show(const RunProgress& at, double seconds);
 
-  double start_;
+  Form form_;
+  RunProgress from_;  // since when time is taken
   double stop_;
-  double from_;  // at the first call, from which the rate is measured
   std::string unit_;
   std::string work_;
-  enum class Form { time, count, part };
-  Form form_ = Form::time;
   bool terminal_;
   bool shown_ = false;
   std::int64_t steps_ = 0;

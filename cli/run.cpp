@@ -3,12 +3,9 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <memory>
-#include <optional>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "commands.hpp"
@@ -16,9 +13,7 @@
 #include "polhode/run/disk_space.hpp"
 #include "polhode/run/scenario_run.hpp"
 #include "polhode/run/summary.hpp"
-#include "progress.hpp"
-#include "resume.hpp"
-#include "stop_signals.hpp"
+#include "resumable_work.hpp"
 
 namespace polhode::cli {
 namespace {
@@ -26,14 +21,8 @@ namespace {
 // All files are complete.
 struct NothingToDo {};
 
-struct CommandOptions {
-  std::string program;  // as it was typed
-  std::string scenario;
-  std::vector<std::string> set;
-  std::vector<std::string> out;
+struct RunCommand : WorkOptions {
   std::string events;
-  BeginOptions begin;
-  double checkpoint = 5.0;
 };
 
 // The input was right: whatever goes wrong from here on is a run that failed.
@@ -43,15 +32,6 @@ RunReport report_of(const Scenario& scenario, ScenarioRun& run) {
   } catch (const DomainError& error) {
     throw std::runtime_error(scenario.document.name + ": the run failed: " + error.what());
   }
-}
-
-// The same command, but for what comes after its outputs.
-std::vector<std::string> command_of(const CommandOptions& options) {
-  std::vector<std::string> words = {"run", options.scenario};
-  for (const std::string& change : options.set) words.insert(words.end(), {"--set", change});
-  for (const std::string& path : options.out) words.insert(words.end(), {"--out", path});
-  if (!options.events.empty()) words.insert(words.end(), {"--events", options.events});
-  return words;
 }
 
 // One line: where it ended, why and what to try, and what is left of its rows.
@@ -67,54 +47,29 @@ std::string failure_text(const Scenario& scenario, const RunReport& report,
                        : text + "; rows so far: " + std::to_string(report.rows) + ", in " + parts;
 }
 
-// What a run with --resume has found, on standard error.
-void announce(const CommandOptions& options, const Scenario& scenario, const ScenarioRun& run) {
-  if (!options.begin.resume || run.is_complete()) return;
-  const std::string text =
-      run.continues()
-          ? fmt::format("{}: continues at t = {} {}, after {} rows\n", scenario.document.name,
-                        scenario.units().from_core(run.t(), Dimension::time),
-                        scenario.units().time(), run.rows())
-          : scenario.document.name + ": no checkpoint to continue from, starts anew\n";
-  std::fputs(text.c_str(), stderr);
-}
-
 // That the disk may be too small, where nobody can tell before: of text, or of a run that an event
 // may end.
 void warn_of_room(const Scenario& scenario, const std::vector<std::string>& out,
                   const ScenarioRun& run) {
   for (const DiskNeed& need : disk_needs(scenario, out, run.rows()))
     if (need.usual > need.available)
-      std::fputs((scenario.document.name + ": the disk may not hold " +
-                  disk_text(scenario, need, need.usual, run.rows()) + "\n")
-                     .c_str(),
-                 stderr);
+      say(scenario.document.name + ": the disk may not hold " +
+          disk_text(scenario, need, need.usual, run.rows()));
 }
 
-RunReport run_into_files(const CommandOptions& options, const Scenario& scenario,
+RunReport run_into_files(const RunCommand& options, const Scenario& scenario,
                          const std::vector<std::string>& out, bool rows_on_terminal) {
-  const SaveAt& rows = *row_times(scenario);
-  const StopSignals signals;
-  std::optional<ProgressLine> progress;
-  RunOptions how;
-  how.begin = options.begin.begin();
-  how.words = begin_words();
-  how.checkpoint_seconds = options.checkpoint;
-  how.stop = [] { return StopSignals::came() != 0; };
-  if (!rows_on_terminal) how.progress = [&progress](double t) { (*progress)(t); };
-  ScenarioRun run(scenario, {out, options.events}, std::move(how));
+  ResumableWork work(options, scenario.document.name);
+  ScenarioRun run(scenario, {out, options.events}, work.run_options(!rows_on_terminal));
   if (run.is_complete()) throw NothingToDo();
-  announce(options, scenario, run);
+  const auto time = [&](double t) { return scenario.units().from_core(t, Dimension::time); };
+  work.announce(run,
+                fmt::format("at t = {} {}, after {} rows", time(run.reached()),
+                            scenario.units().time(), run.rows()),
+                "checkpoint");
   warn_of_room(scenario, out, run);
-  progress.emplace(0.0, rows.end(), scenario.units().time());
-  try {
-    return report_of(scenario, run);
-  } catch (const RunInterrupted& stopped) {
-    progress.reset();
-    throw Interrupted(
-        StopSignals::came(),
-        stopped.what() + how_to_continue(options.program, command_of(options), stopped.can_resume));
-  }
+  work.line().emplace(row_times(scenario)->end(), scenario.units().time());
+  return work.run([&] { return report_of(scenario, run); });
 }
 
 // "PATH.csv, PATH.h5"
@@ -129,17 +84,15 @@ std::string output_paths(const OutputFormats& formats) {
 void note_plans(const Scenario& scenario) {
   const auto note = [&](bool has_table, const char* table, const char* command) {
     if (has_table)
-      std::fputs((scenario.document.name + ": note: " + table + " is not used; polhode " + command +
-                  " uses it\n")
-                     .c_str(),
-                 stderr);
+      say(scenario.document.name + ": note: " + table + " is not used; polhode " + command +
+          " uses it");
   };
   note(scenario.map.has_value(), "[map]", "map");
   note(scenario.ensemble.has_value(), "[ensemble]", "ensemble");
   note(scenario.fit != nullptr, "[[observation]]", "fit");
 }
 
-void run_scenario(const CommandOptions& options, const Kinds& kinds) {
+void run_scenario(const RunCommand& options, const Kinds& kinds) {
   const Scenario scenario = changed_scenario(options.scenario, options.set, kinds);
   if (!row_times(scenario))
     throw DomainError(
@@ -187,11 +140,10 @@ void run_scenario(const CommandOptions& options, const Kinds& kinds) {
 
 void add_run(CLI::App& app, const Kinds& kinds, const std::string& typed) {
   CLI::App* command = app.add_subcommand("run", "Propagate a scenario and write its rows");
-  const auto options = std::make_shared<CommandOptions>();
+  const auto options = std::make_shared<RunCommand>();
   options->program = typed;
-  command->add_option("FILE", options->scenario, "Scenario (.toml); - is standard input")
-      ->required();
-  add_set_option(*command, options->set);
+  options->command = "run";
+  add_scenario(*command, *options);
   command
       ->add_option(
           "--out,-o", options->out,
@@ -203,16 +155,15 @@ void add_run(CLI::App& app, const Kinds& kinds, const std::string& typed) {
       ->add_option("--events", options->events,
                    "PATH.csv for the events of the scenario: name, t, direction, and the columns")
       ->type_name("PATH");
-  add_begin_options(
-      *command, options->begin,
-      "Continue a run that was stopped: its files become those of a run that never was",
-      "Run anew where an unfinished run is, and lose its rows");
-  add_checkpoint_option(*command, options->checkpoint);
+  add_begin(*command, *options, {"run", "a run", "rows"});
   command->footer(
       "\nCtrl-C stops a run after its step; --resume continues it.\n"
       "\nExample:\n  " +
       full_name(*command) + " examples/apophis.toml --out apophis.csv --out apophis.h5");
-  command->callback([options, kinds] { run_scenario(*options, kinds); });
+  command->callback([options, kinds] {
+    if (!options->events.empty()) options->own_words = {"--events", options->events};
+    run_scenario(*options, kinds);
+  });
 }
 
 }  // namespace polhode::cli

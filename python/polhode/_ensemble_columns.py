@@ -317,14 +317,14 @@ def run_ensemble(
 ) -> _Results:
     """The ensemble of a file; see Scenario.ensemble."""
     ensemble = file.ensemble()
-    team, names = None, [os.fsdecode(path) for path in paths]
+    run_stage, names = None, [os.fsdecode(path) for path in paths]
     if executor is not None:
-        from polhode._ensemble_team import team_of
+        from polhode._ensemble_executor import stage_runner
 
-        team = team_of(executor, file, any_machine)
+        run_stage = stage_runner(executor, file, any_machine)
         # workers may be in other folders
         names = [os.path.abspath(name) if MARK in name else name for name in names]
-    done = ensemble.run(names, threads or 0, team, resume, restart, any_machine, progress)
+    done = ensemble.run(names, threads or 0, run_stage, resume, restart, any_machine, progress)
     has_index = any(MARK in name for name in names)
     files = [name.replace(MARK, "index", 1) for name in names]
     # what an earlier part wrote is in its files alone

@@ -24,9 +24,9 @@ std::unique_ptr<BasicStepper<DeviatedState>> stepper_by(const Problem& problem,
                       // as it is after rounding, of a neighbour
                       length(By::deviation_of(y, scale))};
   // no pulse of a torque is stepped over, and none is seen from the other side
-  return std::make_unique<SmoothStepper<Field>>(
+  return std::make_unique<SwitchingStepper<Field>>(
       std::make_shared<const Field>(problem.system, growth),
-      SmoothSteps(problem.system, unknown_jump), problem.start, y,
+      SwitchingSteps(problem.system, unknown_jump), problem.start, y,
       step_control(problem.system, problem.start, method));
 }
 

@@ -7,7 +7,7 @@
 
 #include "analysis/detail/deviation_field.hpp"
 #include "dynamics/collocation/collocation_stepper.hpp"
-#include "dynamics/collocation/tangent_stages.hpp"
+#include "dynamics/collocation/variational_stages.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -173,13 +173,13 @@ class GrowthOnStages : public Stages {
   }
 };
 
-class VariationStages : public TangentStages<SweptDeviation<SweptVariation>, 1, 3> {
+class DeviationStages : public VariationalStages<SweptDeviation<SweptVariation>, 1, 3> {
  public:
-  using TangentStages::TangentStages;
+  using VariationalStages::VariationalStages;
 
  protected:
   SweepsEnd motions_solved(double enough, std::int64_t& sweeps) {
-    return TangentStages::solved(enough, sweeps);
+    return VariationalStages::solved(enough, sweeps);
   }
   RotorState first_at(std::size_t i) const { return rotor_at_stage(rotor_.states(), i); }
   RotorState beside_at(std::size_t i) const {
@@ -189,40 +189,40 @@ class VariationStages : public TangentStages<SweptDeviation<SweptVariation>, 1, 
 };
 
 // Both on the sides of the first: they part by less than a step can see.
-class NeighbourStages : public JoinedStages<SweptDeviation<SweptNeighbour>, 10> {
+class NeighbourStages : public AugmentedStages<SweptDeviation<SweptNeighbour>, 10> {
  public:
   static constexpr int motions = 2;
 
   NeighbourStages(const std::shared_ptr<const Field>& field, std::size_t stages, InstructionSet set)
-      : JoinedStages(field, stages, set),
+      : AugmentedStages(field, stages, set),
         other_(std::shared_ptr<const RotorStages::Field>(field, &field->rotor_alone()), stages,
                set) {}
 
   void begin(const DoubleDouble& t, const State& start, double h, const SwitchSides* sides) {
-    JoinedStages::begin(t, start, h, sides);
+    AugmentedStages::begin(t, start, h, sides);
     RotorStages::State s{};
     std::copy_n(start.y.begin() + Field::beside, 7, s.y.begin());
     std::copy_n(start.carry.begin() + Field::beside, 7, s.carry.begin());
     other_.begin(t, s, h, sides);
   }
   void guess_start() {
-    JoinedStages::guess_start();
+    AugmentedStages::guess_start();
     other_.guess_start();
   }
   void guess(const Rows& coefficients, const StageMatrix& at_stages, const NeighbourStages& of) {
-    JoinedStages::guess(coefficients, at_stages, of);
+    AugmentedStages::guess(coefficients, at_stages, of);
     RotorStages::Rows rows{};
     std::copy_n(coefficients.begin() + Field::beside, 7, rows.begin());
     other_.guess(rows, at_stages, of.other_);
   }
   void coefficients(Rows& to) const {
-    JoinedStages::coefficients(to);
+    AugmentedStages::coefficients(to);
     RotorStages::Rows rows{};
     other_.coefficients(rows);
     std::copy(rows.begin(), rows.end(), to.begin() + Field::beside);
   }
   State finished() {
-    State s = JoinedStages::finished();
+    State s = AugmentedStages::finished();
     const RotorStages::State other = other_.finished();
     std::copy_n(other.y.begin(), 7, s.y.begin() + Field::beside);
     std::copy_n(other.carry.begin(), 7, s.carry.begin() + Field::beside);
@@ -255,7 +255,7 @@ std::unique_ptr<BasicStepper<DeviatedState>> stepper_by(const Problem& problem,
   growth.initial_length = length(unscaled.deviation_of(y));  // after rounding, of a neighbour
   return std::make_unique<CollocationStepper<Stages>>(
       std::make_shared<const Field>(problem.system, growth),
-      SmoothSteps(problem.system, unknown_jump), problem.start, y, method,
+      SwitchingSteps(problem.system, unknown_jump), problem.start, y, method,
       collocation_control(problem.system, problem.start, method));
 }
 
@@ -266,7 +266,7 @@ std::unique_ptr<BasicStepper<DeviatedState>> deviation_stepper(const Problem& pr
                                                                const ChaosOptions& options,
                                                                DeviationBy by) {
   if (by == DeviationBy::variational)
-    return stepper_by<GrowthOnStages<VariationStages>>(problem, method, options, 1.0);
+    return stepper_by<GrowthOnStages<DeviationStages>>(problem, method, options, 1.0);
   return stepper_by<GrowthOnStages<NeighbourStages>>(problem, method, options, options.distance);
 }
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
+#include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "analysis/detail/deviated_state.hpp"
 #include "dynamics/splitting/splitting_map.hpp"
-#include "math/finite.hpp"
 #include "math/number_text.hpp"
 
 namespace polhode {
@@ -13,12 +15,8 @@ inline namespace v0 {
 namespace detail {
 namespace {
 
-constexpr double largest_arc = 0x1p20;  // radians a step: as for the motion itself
-constexpr double stretch = 1e-9;        // the last step to a sample may be longer by this
-
-// Where a run is: the motion, its deviation of length one (or a neighbour), and what has grown.
-struct RunState {
-  SplittingState motion;
+// The motion, its deviation of length one (or a neighbour), and what has grown.
+struct DeviationOfSplitting : SplittingState {
   Deviation deviation;
   std::optional<SplittingState> neighbour = {};  // where the deviation is that to it
   double growth = 0.0;                           // L
@@ -26,85 +24,39 @@ struct RunState {
   double megno_total = 0.0;                      // integral of Y
 };
 
-class SplittingDeviation final : public BasicStepper<DeviatedState> {
+class DeviationMap {
  public:
-  SplittingDeviation(const Problem& problem, const Splitting& method, const ChaosOptions& options,
-                     DeviationBy by)
-      : map_(problem.system, method.scheme),
+  using State = DeviationOfSplitting;
+  using Shown = DeviatedState;
+
+  DeviationMap(const Problem& problem, SplittingScheme scheme, const ChaosOptions& options,
+               DeviationBy by)
+      : map_(problem.system, scheme),
         by_(by),
         scale_(options.momentum_scale),
         target_(by == DeviationBy::variational ? 1.0 : options.distance),
-        step_(method.step),
         start_(problem.start),
-        jumps_(problem.system, unknown_jump),
-        grid_(brought_back({map_.start(problem.start, problem.initial), options.deviation})),
-        now_(grid_) {}
+        jumps_(problem.system, unknown_jump) {}
 
-  // Samples between two steps are parts of a step, which the run does not keep.
-  std::string advance(double t) override {
-    const double rest = (t - grid_.motion.t.hi) - grid_.motion.t.lo;
-    const bool last = !(std::abs(rest) > step_ * (1.0 + stretch));
-    const double h = last ? rest : std::copysign(step_, rest);
-    if (!last && grid_.motion.t.hi + h == grid_.motion.t.hi)
-      return "step " + number_text(step_) +
-             " is below the rounding of t = " + number_text(grid_.motion.t.hi) +
-             ": take a larger step";
-    if (map_.rate(grid_.motion) * std::abs(h) > largest_arc)
-      return "a step is more than 1e6 radians of rotation at t = " +
-             number_text(grid_.motion.t.hi) + ": take a step of less than a turn";
-    RunState next = stepped(grid_, h);
-    const RotorState s = map_.state(next.motion);
-    if (!is_finite(s.g) || !std::isfinite(s.q.w + s.q.x + s.q.y + s.q.z) ||
-        !std::isfinite(next.growth))
-      return "the state or its deviation is not finite near t = " + number_text(t) +
-             ": take a smaller step, or see whether a term is finite there";
-    const bool is_whole = !last || std::abs(std::abs(h) - step_) <= stretch * step_;
-    std::string refused = is_whole ? jumps_.seen(map_, grid_.motion, h, next.motion)
-                                   : jumps_.seen_in_part(map_, grid_.motion, h, next.motion);
-    if (!refused.empty()) return refused;
-    ++steps_;
-    if (last) next.motion.t = {t, 0.0};
-    if (next.neighbour) next.neighbour->t = next.motion.t;
-    now_ = next;
-    if (is_whole) grid_ = now_;
-    return {};
+  State start(const RotorState& s, const Deviation& deviation) const {
+    return brought_back({map_.start(start_, s), deviation});
   }
-  double time() const override { return now_.motion.t.hi; }
-  DeviatedState state() const override {
-    return {map_.state(now_.motion), now_.deviation, now_.growth, now_.integral, now_.megno_total};
-  }
-  std::shared_ptr<const BasicDenseStep<DeviatedState>> dense(bool) override { return nullptr; }
-  Statistics statistics() const override { return {steps_, 0, now_.motion.evaluations}; }
-  void transfer(StateBytes& bytes) override {
-    for (RunState* run : {&grid_, &now_}) {
-      detail::transfer(bytes, run->motion);
-      bytes.all(run->deviation.turn, run->deviation.momentum, run->growth, run->integral,
-                run->megno_total);
-      if (run->neighbour) detail::transfer(bytes, *run->neighbour);
-    }
-    jumps_.transfer(bytes);
-    bytes(steps_);
-  }
-
- private:
-  double elapsed(const RunState& run) const {
-    return std::abs((run.motion.t.hi - start_) + run.motion.t.lo);
-  }
-
-  RunState stepped(const RunState& from, double h) const {
-    RunState to = from;
+  State stepped(const State& from, double h) const {
+    State to = from;
+    SplittingState& motion = to;
     if (by_ == DeviationBy::variational) {
       const Vec3 dg = scale_ * from.deviation.momentum;
       const Vec3& turn = from.deviation.turn;
       const DeviationStep step =
-          map_.step_deviation(from.motion, {turn.x, turn.y, turn.z, dg.x, dg.y, dg.z}, h);
+          map_.step_deviation(from, {turn.x, turn.y, turn.z, dg.x, dg.y, dg.z}, h);
       const std::array<double, 6>& x = step.x;
-      to.motion = step.end;
+      motion = step.end;
       to.deviation = {{x[0], x[1], x[2]}, (1.0 / scale_) * Vec3{x[3], x[4], x[5]}};
     } else {
-      to.motion = map_.stepped(from.motion, h);
-      to.neighbour = map_.stepped(*from.neighbour, h);
-      to.deviation = difference(to.motion, *to.neighbour);
+      motion = map_.stepped(from, h);
+      to.neighbour->t = from.t;
+      to.neighbour = map_.stepped(*to.neighbour, h);
+      to.deviation = difference(to, *to.neighbour);
     }
     to.growth = from.growth + std::log(length(to.deviation) / length(from.deviation));
     to = brought_back(to);
@@ -118,22 +70,45 @@ class SplittingDeviation final : public BasicStepper<DeviatedState> {
     return to;
   }
 
-  RunState brought_back(RunState run) const {
+  Shown state(const State& at) const {
+    return {map_.state(at), at.deviation, at.growth, at.integral, at.megno_total};
+  }
+  std::string obstacle(const State& from, double h) const { return map_.obstacle(from, h); }
+  std::string failure(const State& from, const State& to) {
+    std::string why = map_.failure(from, to);
+    if (!why.empty()) return why;
+    if (!std::isfinite(to.growth))
+      return "the deviation is not finite near t = " + number_text(to.t.hi) +
+             ": take a smaller step, or see whether a term is finite there";
+    return jumps_.seen(map_, from, to);
+  }
+  static std::int64_t evaluations(const State& at, std::int64_t) { return at.evaluations; }
+  static void serialize(Archive& bytes, State& at) {
+    SplittingMap::serialize(bytes, at);
+    bytes.all(at.deviation.turn, at.deviation.momentum, at.growth, at.integral, at.megno_total);
+    if (at.neighbour) SplittingMap::serialize(bytes, *at.neighbour);
+  }
+  void serialize(Archive& bytes) { jumps_.serialize(bytes); }
+
+ private:
+  double elapsed(const State& at) const { return std::abs((at.t.hi - start_) + at.t.lo); }
+
+  State brought_back(State run) const {
     const double size = length(run.deviation);
     const bool is_near = target_ < neighbour_reach * size && size < neighbour_reach * target_;
     if (run.neighbour && is_near) return run;
     run.deviation = scaled(run.deviation, target_ / size);
     if (by_ == DeviationBy::neighbour) {
       run.neighbour = neighbour_of(run);
-      run.deviation = difference(run.motion, *run.neighbour);  // as it is after rounding
+      run.deviation = difference(run, *run.neighbour);  // as it is after rounding
     }
     return run;
   }
-  SplittingState neighbour_of(const RunState& run) const {
-    const RotorState s = moved_by({run.motion.q_IB, run.motion.g.hi}, run.deviation, scale_);
-    SplittingState other = run.motion;
+  SplittingState neighbour_of(const State& run) const {
+    const RotorState s = moved_by({run.q_IB, run.g.hi}, run.deviation, scale_);
+    SplittingState other = run;
     other.q_IB = s.q;
-    other.g = {s.g, run.motion.g.lo};
+    other.g = {s.g, run.g.lo};
     other.torque.reset();
     return other;
   }
@@ -145,12 +120,8 @@ class SplittingDeviation final : public BasicStepper<DeviatedState> {
   DeviationBy by_;
   double scale_;
   double target_;
-  double step_;
   double start_;
-  StepJumps jumps_;  // after whole steps
-  RunState grid_;    // after whole steps
-  RunState now_;
-  std::int64_t steps_ = 0;
+  StepJumps jumps_;
 };
 
 }  // namespace
@@ -159,7 +130,9 @@ std::unique_ptr<BasicStepper<DeviatedState>> deviation_stepper(const Problem& pr
                                                                const Splitting& method,
                                                                const ChaosOptions& options,
                                                                DeviationBy by) {
-  return std::make_unique<SplittingDeviation>(problem, method, options, by);
+  DeviationMap map(problem, method.scheme, options, by);
+  const DeviationOfSplitting start = map.start(problem.initial, options.deviation);
+  return std::make_unique<FixedStepper<DeviationMap>>(std::move(map), start, method.step);
 }
 
 }  // namespace detail

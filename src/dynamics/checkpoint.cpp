@@ -14,11 +14,11 @@ inline namespace v0 {
 
 namespace {
 
-constexpr std::string_view magic = "polhode checkpoint 5";
+constexpr std::string_view magic = "polhode checkpoint 6";
 
 template <class... X>
 std::string bytes_of(X... x) {
-  StateBytes bytes;
+  Archive bytes;
   bytes.all(x...);
   return bytes.bytes();
 }
@@ -26,7 +26,7 @@ std::string bytes_of(X... x) {
 }  // namespace
 
 Checkpoint::Checkpoint(std::string bytes) : bytes_(std::move(bytes)) {
-  StateBytes reader(bytes_);
+  Archive reader(bytes_);
   std::string head;
   std::uint64_t hash = 0;
   reader.all(head, hash, t_);
@@ -62,8 +62,8 @@ Checkpoint made_checkpoint(const Features& features, double t, const std::string
   return Checkpoint(bytes_of(std::string(magic), fingerprint(hashed)) + hashed);
 }
 
-StateBytes opened_checkpoint(const Checkpoint& from, const Features& features) {
-  StateBytes bytes(from.bytes());
+Archive opened_checkpoint(const Checkpoint& from, const Features& features) {
+  Archive bytes(from.bytes());
   std::string head;
   std::uint64_t hash = 0;
   double t = 0.0;

@@ -52,10 +52,7 @@ bool equal_but_for_rounding(const std::vector<double>& a, const std::vector<doub
   return true;
 }
 
-std::string frozen_failure_text(std::string_view name, double t, double step, bool is_finite) {
-  if (is_finite)
-    return "step " + number_text(step) + " is below the rounding of t = " + number_text(t) +
-           ": take a larger step or count time from a nearer epoch";
+std::string frozen_failure_text(std::string_view name, double t) {
   return "the state of " + std::string(name) +
          " is not finite after the step from t = " + number_text(t) +
          ": does what it depends on end there?";

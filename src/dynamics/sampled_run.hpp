@@ -17,9 +17,9 @@ inline namespace v0 {
 namespace detail {
 
 template <class Method>
-inline constexpr bool steps_to_samples = true;
+inline constexpr bool steps_to_samples = false;
 template <>
-inline constexpr bool steps_to_samples<Collocation> = false;
+inline constexpr bool steps_to_samples<Adaptive> = true;
 
 // The stepper is at the start; times run from there in the direction of the run.
 template <MotionState S>

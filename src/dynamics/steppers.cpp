@@ -2,20 +2,37 @@
 // The stepper of a problem by its method, and the steppers of a rotor with a damper.
 #include "dynamics/steppers.hpp"
 
+#include <memory>
+#include <string>
+#include <utility>
 #include <variant>
 
 #include "dynamics/adaptive/adaptive_stepper.hpp"
 #include "dynamics/adaptive/damper_field.hpp"
 #include "dynamics/collocation/collocation_stepper.hpp"
 #include "dynamics/collocation/damper_stages.hpp"
+#include "dynamics/splitting/splitting_map.hpp"
+#include "math/number_text.hpp"
+#include "polhode/dynamics/detail/fixed_stepper.hpp"
 
 namespace polhode {
 inline namespace v0 {
 namespace detail {
 
+std::string below_rounding_text(double step, double t) {
+  return "step " + number_text(step) + " is below the rounding of t = " + number_text(t) +
+         ": take a larger step or count time from a nearer epoch";
+}
+
 std::unique_ptr<Stepper> make_stepper(const Problem& problem) {
   return std::visit([&](const auto& method) { return make_stepper(problem, method); },
                     problem.method);
+}
+
+std::unique_ptr<Stepper> make_stepper(const Problem& problem, const Splitting& method) {
+  SplittingMap map(problem.system, method.scheme);
+  const SplittingState start = map.start(problem.start, problem.initial);
+  return std::make_unique<FixedStepper<SplittingMap>>(std::move(map), start, method.step);
 }
 
 std::unique_ptr<BasicStepper<DampedRotorState>> make_stepper(const DampedProblem& problem) {
@@ -33,7 +50,7 @@ std::unique_ptr<BasicStepper<DampedRotorState>> make_stepper(const DampedProblem
                                                              const Collocation& method) {
   require_valid(method);
   return std::make_unique<CollocationStepper<DamperStages>>(
-      std::make_shared<const SweptDamper>(problem.system), SmoothSteps(problem.system),
+      std::make_shared<const SweptDamper>(problem.system), SwitchingSteps(problem.system),
       problem.start, SweptDamper::start(problem.initial), method,
       collocation_control(problem.system, problem.start, method));
 }

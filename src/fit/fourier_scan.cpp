@@ -336,7 +336,7 @@ Landscape scanned(const std::string& who, const ScanPoints& points, Landscape of
   of.chi_square.resize(of.first.count * of.second.count);
   const Scan scan(points, of, options.set);
   std::size_t done = 0;
-  run_cells(
+  ordered_parallel_for(
       options.journal, scan.blocks(), options.threads,
       [&](std::int64_t k) {
         if (options.between) options.between();
@@ -351,7 +351,7 @@ Landscape scanned(const std::string& who, const ScanPoints& points, Landscape of
         if (options.progress)
           options.progress(static_cast<double>(done) / static_cast<double>(of.chi_square.size()));
       },
-      [](StateBytes& bytes, BlockResult& r) {
+      [](Archive& bytes, BlockResult& r) {
         bytes.all(r.row, r.column, r.rows, r.columns, r.again, r.chi_square);
       });
   return of;

@@ -9,27 +9,27 @@ namespace detail {
 namespace {
 
 template <class E>
-void serialize_word(StateBytes& bytes, E& word) {
+void serialize_word(Archive& bytes, E& word) {
   auto number = static_cast<std::int64_t>(word);
   bytes(number);
   if (bytes.reads()) word = static_cast<E>(number);
 }
 
-void serialize(StateBytes& bytes, LeastSquaresResult& r) {
+void serialize(Archive& bytes, LeastSquaresResult& r) {
   serialize_word(bytes, r.end);
   bytes.all(r.sentence, r.iterations, r.evaluations, r.x, r.numbers, r.chi_square, r.cost, r.bound);
 }
 
-void serialize(StateBytes& bytes, UnknownsCovariance& c) {
+void serialize(Archive& bytes, UnknownsCovariance& c) {
   bytes.all(c.names, c.matrix);
   bytes.list(c.weak, [&](UnknownsCovariance::Combination& one) {
     bytes.all(one.is_determined, one.direction, one.sentence);
   });
 }
 
-void serialize(StateBytes& bytes, Scattering& law) { bytes.all(law.single, law.multiple); }
+void serialize(Archive& bytes, Scattering& law) { bytes.all(law.single, law.multiple); }
 
-void serialize(StateBytes& bytes, LightOutcome& found) {
+void serialize(Archive& bytes, LightOutcome& found) {
   serialize(bytes, found.result);
   serialize(bytes, found.covariance);
   serialize_word(bytes, found.periods.mode);
@@ -42,15 +42,15 @@ void serialize(StateBytes& bytes, LightOutcome& found) {
 
 }  // namespace
 
-void serialize(StateBytes& bytes, SpinState& s) { bytes.all(s.t0, s.q, s.w_F, s.inertia_F); }
+void serialize(Archive& bytes, SpinState& s) { bytes.all(s.t0, s.q, s.w_F, s.inertia_F); }
 
-void serialize(StateBytes& bytes, EllipsoidModel& body) {
+void serialize(Archive& bytes, EllipsoidModel& body) {
   serialize(bytes, body.spin);
   bytes.all(body.shape.a, body.shape.b, body.shape.c);
   serialize(bytes, body.law);
 }
 
-void serialize(StateBytes& bytes, std::optional<ConvexModel>& body) {
+void serialize(Archive& bytes, std::optional<ConvexModel>& body) {
   bool is_there = body.has_value();
   bytes(is_there);
   if (!is_there) return;
@@ -62,12 +62,12 @@ void serialize(StateBytes& bytes, std::optional<ConvexModel>& body) {
   bytes(body->coefficients);
 }
 
-void serialize(StateBytes& bytes, LightSolution& found) {
+void serialize(Archive& bytes, LightSolution& found) {
   serialize(bytes, static_cast<LightOutcome&>(found));
   serialize(bytes, found.body);
 }
 
-void serialize(StateBytes& bytes, SpinSolution& found) {
+void serialize(Archive& bytes, SpinSolution& found) {
   serialize(bytes, found.state);
   serialize(bytes, found.result);
   serialize(bytes, found.covariance);
@@ -75,7 +75,7 @@ void serialize(StateBytes& bytes, SpinSolution& found) {
             found.held);
 }
 
-void serialize(StateBytes& bytes, RefinedPair& refined) {
+void serialize(Archive& bytes, RefinedPair& refined) {
   FourierFit& fit = refined.fit;
   bytes.all(fit.f1, fit.f2, fit.chi_square, fit.degrees_of_freedom, fit.rank, fit.unknowns,
             fit.condition, fit.constants);

@@ -8,22 +8,22 @@
 #include "polhode/fit/fourier_fit.hpp"
 #include "polhode/fit/light_fit.hpp"
 #include "polhode/fit/spin_fit.hpp"
-#include "polhode/trajectory/state_bytes.hpp"
+#include "polhode/trajectory/archive.hpp"
 
 namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-void serialize(StateBytes& bytes, SpinState& s);
-void serialize(StateBytes& bytes, EllipsoidModel& body);
-void serialize(StateBytes& bytes, std::optional<ConvexModel>& body);
-void serialize(StateBytes& bytes, LightSolution& found);
-void serialize(StateBytes& bytes, SpinSolution& found);
-void serialize(StateBytes& bytes, RefinedPair& refined);
+void serialize(Archive& bytes, SpinState& s);
+void serialize(Archive& bytes, EllipsoidModel& body);
+void serialize(Archive& bytes, std::optional<ConvexModel>& body);
+void serialize(Archive& bytes, LightSolution& found);
+void serialize(Archive& bytes, SpinSolution& found);
+void serialize(Archive& bytes, RefinedPair& refined);
 
 // Nothing, or what there is.
 template <class T>
-void serialize(StateBytes& bytes, std::optional<T>& x) {
+void serialize(Archive& bytes, std::optional<T>& x) {
   bool is_there = x.has_value();
   bytes(is_there);
   if (bytes.reads() && is_there) x.emplace();

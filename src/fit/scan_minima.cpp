@@ -81,7 +81,7 @@ std::vector<ScanMinimum> scan_minima(const ScanPoints& points, const Landscape& 
   if (of.second.count > 1) reach = std::min(reach, of.second.step);
   if (!std::isfinite(reach)) reach = 1.0 / points.time_base();
   std::vector<ScanMinimum> found;
-  run_cells(
+  ordered_parallel_for(
       options.journal, static_cast<std::int64_t>(cells.size()), options.threads,
       [&](std::int64_t k) {
         if (options.between) options.between();
@@ -97,7 +97,7 @@ std::vector<ScanMinimum> scan_minima(const ScanPoints& points, const Landscape& 
         const bool edge = at_end(r, of.first) || at_end(c, of.second);
         found.push_back({r, c, of.at(r, c), edge, is_resolved(refined.fit), refined});
       },
-      [](StateBytes& bytes, RefinedPair& refined) { detail::serialize(bytes, refined); });
+      [](Archive& bytes, RefinedPair& refined) { detail::serialize(bytes, refined); });
   std::stable_sort(found.begin(), found.end(), [](const ScanMinimum& a, const ScanMinimum& b) {
     return a.refined.fit.chi_square < b.refined.fit.chi_square;
   });

@@ -19,8 +19,8 @@ constexpr std::size_t most_waiting_bytes = std::size_t{1} << 30;
 
 }  // namespace
 
-Leader::Leader(OwnCells& own, int ranks, const TeamWork& work, const TeamStage& stage,
-               const Team::Take& take)
+Leader::Leader(OwnCells& own, int ranks, const ExecutorWork& work, const ExecutorStage& stage,
+               const Executor::Take& take)
     : own_(own),
       work_(work),
       take_(take),
@@ -102,7 +102,7 @@ bool Leader::take_next() {
   const Cell cell = std::move(found->second);
   waiting_.erase(found);
   waiting_bytes_ -= std::min(waiting_bytes_, cell.bytes.size());
-  if (cell.fate == Cell::Fate::failed) throw TeamError(cell.bytes);
+  if (cell.fate == Cell::Fate::failed) throw ExecutorError(cell.bytes);
   take_(taken_, cell.bytes);
   ++taken_;
   return true;

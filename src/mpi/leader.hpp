@@ -11,7 +11,7 @@
 
 #include "mpi/messages.hpp"
 #include "mpi/own_cells.hpp"
-#include "polhode/ensemble/team.hpp"
+#include "polhode/ensemble/executor.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -20,11 +20,11 @@ namespace detail {
 class Leader {
  public:
   // `ranks` processes, this one included, that compute as many cells at a time as this one.
-  Leader(OwnCells& own, int ranks, const TeamWork& work, const TeamStage& stage,
-         const Team::Take& take);
+  Leader(OwnCells& own, int ranks, const ExecutorWork& work, const ExecutorStage& stage,
+         const Executor::Take& take);
 
-  // Until all are taken, or one has failed: TeamError. What `look` or `take` throws passes through.
-  // Nothing is under way afterwards.
+  // Until all are taken, or one has failed: ExecutorError. What `look` or `take` throws passes
+  // through. Nothing is under way afterwards.
   void run(const std::function<void()>& look);
 
  private:
@@ -40,8 +40,8 @@ class Leader {
   void drop_all();
 
   OwnCells& own_;
-  const TeamWork& work_;
-  const Team::Take& take_;
+  const ExecutorWork& work_;
+  const Executor::Take& take_;
   std::int64_t next_;                     // to be handed out
   std::int64_t taken_;                    // all before it are
   std::int64_t stop_;                     // before it, where all goes well

@@ -41,7 +41,7 @@ class MpiRanks final : public Ranks {
   int processes() const override { return size_; }
   bool leads() const override { return rank_ == 0; }
 
-  void run(TeamWork& work, const TeamStage& stage, const Take& take,
+  void run(ExecutorWork& work, const ExecutorStage& stage, const Take& take,
            const std::function<void()>& look) override {
     for (int rank = 1; rank < size_; ++rank) detail::send(rank, {.subject = Subject::stage});
     std::string bytes = stage.bytes;
@@ -51,7 +51,7 @@ class MpiRanks final : public Ranks {
   }
 
   void serve(const MakeWork& make) override {
-    std::unique_ptr<TeamWork> work;
+    std::unique_ptr<ExecutorWork> work;
     std::string failure;  // why cells cannot be computed
     detail::Patience patience;
     for (;;) {
@@ -79,7 +79,7 @@ class MpiRanks final : public Ranks {
 
  private:
   // The stage that the leader tells; why it cannot begin.
-  std::string begun(const MakeWork& make, std::unique_ptr<TeamWork>& work) {
+  std::string begun(const MakeWork& make, std::unique_ptr<ExecutorWork>& work) {
     std::string stage;
     detail::broadcast(stage);
     own_.resume();

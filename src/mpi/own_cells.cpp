@@ -30,7 +30,7 @@ OwnCells::~OwnCells() {
     if (!next()) patience.wait();
 }
 
-void OwnCells::add(const TeamWork& work, std::int64_t index) {
+void OwnCells::add(const ExecutorWork& work, std::int64_t index) {
   ++unfinished_;
   arena_.enqueue([this, &work, index] { ended_.push(computed(work, index)); });
 }
@@ -42,7 +42,7 @@ std::optional<Cell> OwnCells::next() {
   return cell;
 }
 
-Cell OwnCells::computed(const TeamWork& work, std::int64_t index) const {
+Cell OwnCells::computed(const ExecutorWork& work, std::int64_t index) const {
   const auto look = [this] {
     if (drops_) throw Dropped();
   };

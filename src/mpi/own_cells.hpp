@@ -12,7 +12,7 @@
 #include <optional>
 
 #include "mpi/messages.hpp"
-#include "polhode/ensemble/team.hpp"
+#include "polhode/ensemble/executor.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -28,7 +28,7 @@ class OwnCells {
 
   int threads() const { return threads_; }
   // `work` is there until next() has given the cell back.
-  void add(const TeamWork& work, std::int64_t index);
+  void add(const ExecutorWork& work, std::int64_t index);
   // One that has come to its end, if there is one.
   std::optional<Cell> next();
   // Those that wait are not computed, and those that are look and stop; until resume().
@@ -36,7 +36,7 @@ class OwnCells {
   void resume() { drops_ = false; }
 
  private:
-  Cell computed(const TeamWork& work, std::int64_t index) const;
+  Cell computed(const ExecutorWork& work, std::int64_t index) const;
 
   int threads_;
   int unfinished_ = 0;

@@ -15,7 +15,7 @@
 #include "output/part_file.hpp"
 #include "polhode/error.hpp"
 #include "polhode/output/sink.hpp"
-#include "polhode/trajectory/state_bytes.hpp"
+#include "polhode/trajectory/archive.hpp"
 #include "text/file_bytes.hpp"
 
 namespace polhode {
@@ -61,7 +61,7 @@ struct Piece {
   std::string bytes;
   std::uint64_t hash = 0;
 
-  void transfer(StateBytes& visit) { visit.all(offset, bytes, hash); }
+  void serialize(Archive& visit) { visit.all(offset, bytes, hash); }
   std::uint64_t true_hash() const { return fingerprint(bytes) ^ offset; }
 };
 
@@ -70,7 +70,7 @@ struct Piece {
 std::vector<Piece> pieces_of(const std::string& path, const JournaledFile::Savepoint& savepoint) {
   const std::string undo = file_bytes(undo_path(path)).value_or("");
   std::vector<Piece> pieces;
-  StateBytes reader(undo);
+  Archive reader(undo);
   try {
     std::string head;
     JournaledFile::Savepoint of{};
@@ -78,7 +78,7 @@ std::vector<Piece> pieces_of(const std::string& path, const JournaledFile::Savep
     if (head != title || of.bytes != savepoint.bytes || of.number != savepoint.number) return {};
     while (!reader.is_done()) {
       Piece piece;
-      piece.transfer(reader);
+      piece.serialize(reader);
       if (piece.hash != piece.true_hash()) break;
       pieces.push_back(std::move(piece));
     }
@@ -208,7 +208,7 @@ bool JournaledFile::put_all(Place begin, Place end, std::int64_t length) const {
 
 // Before a byte of the marked state is overwritten, it is in PATH-undo, on the disk.
 void JournaledFile::keep_old_pages() {
-  StateBytes added;
+  Archive added;
   std::vector<std::uint64_t> pages;
   for (const auto& [page, bytes] : waiting_) {
     const auto begin = static_cast<std::int64_t>(page * page_bytes);
@@ -217,7 +217,7 @@ void JournaledFile::keep_old_pages() {
     Piece piece{page * page_bytes, std::string(static_cast<std::size_t>(count), '\0'), 0};
     if (!read_at(descriptor_, piece.bytes, piece.offset)) fail(errno);
     piece.hash = piece.true_hash();
-    piece.transfer(added);
+    piece.serialize(added);
     pages.push_back(page);
   }
   if (pages.empty()) return;
@@ -226,7 +226,7 @@ void JournaledFile::keep_old_pages() {
     if (undo_ < 0) fail(errno);
   }
   const off_t end = ::lseek(undo_, 0, SEEK_END);
-  StateBytes head;
+  Archive head;
   if (end == 0) {
     std::string text(title);
     head.all(text, savepoint_.bytes, savepoint_.number);

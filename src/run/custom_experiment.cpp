@@ -44,7 +44,8 @@ RunReport formula_rows(const CustomExperiment& own, const Units& units, RowWrite
       }
     });
     const double t = rows[last - 1];
-    if (last < rows.size() && control.due && control.due(t)) control.keep({t, last, {}});
+    if (last < rows.size() && control.due && control.due(t))
+      control.keep({t, last}, [](Archive&) {});
     if (control.progress) control.progress(t);
   }
   return report;
@@ -81,8 +82,7 @@ RunReport rows_of(const CustomExperiment& own, const Scenario& scenario,
   if (own.maker == nullptr && !own.formula)
     throw DomainError(scenario.document.name + ": kind: got \"" + own.kind +
                       "\" without a model; expected one that custom_experiment has made");
-  RowWriter writer(row_width(row_groups(own, scenario)), sinks,
-                   control.from == nullptr ? 0 : control.from->pushed);
+  RowWriter writer(row_width(row_groups(own, scenario)), sinks, control.rows);
   return completed(own.formula ? formula_rows(own, scenario.units(), writer, control)
                                : own.maker->run(writer, control),
                    writer);

@@ -55,7 +55,7 @@ std::vector<std::string> cited_parts(const Obliquity& of) {
 RunReport rows_of(const Obliquity& of, const Scenario& scenario,
                   std::span<const std::unique_ptr<Sink>> sinks, const RunControl& control) {
   const SpinLayout layout(of.columns, scenario.units());
-  RowWriter writer(layout.width(), sinks, control.from == nullptr ? 0 : control.from->pushed);
+  RowWriter writer(layout.width(), sinks, control.rows);
   return with_problem(of, [&]<class Model>(const BasicProblem<Model>& problem) {
     const auto write = [&](std::span<const BasicSample<typename Model::State>> samples,
                            std::span<double> numbers) {

@@ -94,9 +94,7 @@ class FreeRun {
     if (rotation_.events.empty()) return;
     search_.emplace(motion_, rotation_.frame,
                     events_of<RotorState>(scenario, system_, origin_.initial_energy), rows_[0]);
-    if (control.from == nullptr) return;
-    StateBytes bytes(control.from->motion);
-    search_->transfer(bytes);
+    if (control.motion != nullptr) search_->serialize(*control.motion);
   }
 
   RunReport report() {
@@ -202,9 +200,9 @@ class FreeRun {
 
   void offer_state(double t) {
     if (!control_.due || !control_.due(t)) return;
-    StateBytes bytes;
-    if (search_) search_->transfer(bytes);
-    control_.keep({t, writer_.rows(), bytes.bytes()});
+    control_.keep({t, writer_.rows()}, [this](Archive& bytes) {
+      if (search_) search_->serialize(bytes);
+    });
   }
 
   const Rotation& rotation_;
@@ -307,7 +305,7 @@ std::vector<ColumnGroup> detail::row_groups(const Rotation& rotation, const Scen
 RunReport detail::rows_of(const Rotation& rotation, const Scenario& scenario,
                           std::span<const std::unique_ptr<Sink>> sinks, const RunControl& control) {
   const RowLayout layout = row_layout(rotation, scenario);
-  RowWriter writer(layout.width(), sinks, control.from == nullptr ? 0 : control.from->pushed);
+  RowWriter writer(layout.width(), sinks, control.rows);
   return completed(is_free(rotation) ? FreeRun(scenario, layout, writer, control).report()
                                      : run_integrated(scenario, layout, writer, control),
                    writer);

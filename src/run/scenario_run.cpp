@@ -13,8 +13,8 @@
 #include "polhode/run/detail/run_state.hpp"
 #include "polhode/run/disk_space.hpp"
 #include "polhode/run/run.hpp"
-#include "run/detail/checkpoint.hpp"
 #include "run/detail/output_checks.hpp"
+#include "run/detail/sweep.hpp"
 #include "text/number_text.hpp"
 #include "text/words.hpp"
 
@@ -105,26 +105,18 @@ std::string file_name(const std::string& path) {
   return std::filesystem::path(path).filename().string();
 }
 
-std::vector<detail::PlannedOutput> planned(const RunFiles& files,
-                                           const std::vector<ColumnGroup>& groups) {
-  std::vector<detail::PlannedOutput> all;
-  for (const std::string& path : files.outputs) all.push_back({path, groups});
-  if (!files.events.empty()) all.push_back({files.events, detail::event_groups(groups)});
-  return all;
-}
-
-detail::KeptSetup setup_of(const Scenario& scenario, const RunFiles& files,
-                           const std::vector<ColumnGroup>& groups, const RunOptions& options) {
+detail::CheckpointSetup setup_of(const Scenario& scenario, const RunFiles& files) {
   std::vector<std::string> paths = files.outputs;
   if (!files.events.empty()) paths.push_back(files.events);
   detail::require_own_files(scenario.document, paths);
+  const std::vector<ColumnGroup> groups = row_groups(scenario);
+  std::vector<detail::PlannedOutput> planned;
+  for (const std::string& path : files.outputs) planned.push_back({path, groups});
+  if (!files.events.empty()) planned.push_back({files.events, detail::event_groups(groups)});
   return {{"run", "runs the scenario anew"},
           detail::identity_of(scenario, {files.outputs, files.events, scenario.output.columns}),
-          planned(files, groups),
-          scenario.output.formats,
-          options.begin,
-          options.words,
-          options.checkpoint_seconds};
+          std::move(planned),
+          scenario.output.formats};
 }
 
 // As a report keeps it: its row is in the table of events.
@@ -133,37 +125,25 @@ RunEvent without_row(RunEvent event) {
   return event;
 }
 
-// All that the checkpoint of a run holds.
-struct Kept {
-  detail::RunState run;
-  std::vector<RunEvent> events;
-  std::int64_t events_met = 0;
-
-  void transfer(StateBytes& bytes) {
-    run.transfer(bytes);
-    bytes.list(events, [&](RunEvent& e) { bytes.all(e.name, e.t, e.direction, e.state); });
-    bytes(events_met);
-  }
-};
-
 }  // namespace
 
-class ScenarioRun::Parts {
+// A sweep of one cell, which is kept between its steps.
+class ScenarioRun::Parts final : public detail::Sweep {
  public:
   Parts(const Scenario& scenario, RunFiles files, RunOptions options)
-      : scenario_(scenario),
-        files_(std::move(files)),
-        options_(std::move(options)),
-        groups_(row_groups(scenario)),
-        outputs_(setup_of(scenario, files_, groups_, options_), provenance(scenario)) {
+      : Sweep(scenario, setup_of(scenario, files), row_groups(scenario), provenance(scenario),
+              std::move(options)),
+        files_(std::move(files)) {
     if (outputs_.is_complete()) return;
-    if (outputs_.continues()) {
-      StateBytes bytes(outputs_.state());
-      kept_.transfer(bytes);
-      from_ = kept_.run;
-    }
+    resume();
     require_room();
-    outputs_.with_remedy([&] { open(); });
+    open([this](
+             const std::string& path,
+             const std::optional<SinkPosition>& from) -> std::optional<detail::CheckpointedOutput> {
+      if (sinks_.size() < files_.outputs.size()) return std::nullopt;
+      events_.emplace(path, scenario_, from);
+      return detail::CheckpointedOutput{[this] { return events_->position(); }, [] {}};
+    });
   }
 
   RunReport run() {
@@ -181,80 +161,75 @@ class ScenarioRun::Parts {
     for (std::size_t i = 0; report.outcome.ok() && i < files_.outputs.size(); ++i)
       for (const std::string& warning : sinks_[i]->warnings())
         report.warnings.push_back(detail::printable(files_.outputs[i], 500) + ": " + warning);
-    report.events_met = kept_.events_met;
-    report.events = std::move(kept_.events);
+    report.events_met = events_met_;
+    report.events = std::move(events_so_far_);
     outputs_.forget();
     return report;
   }
 
-  const detail::KeptOutputs& outputs() const { return outputs_; }
-  const detail::RunState& state() const { return from_; }
-
  private:
+  // The bytes of what moves are the last: those of a run that is resumed wait for its motion.
+  void serialize(Archive& bytes) override {
+    bytes.all(t_, rows_);
+    bytes.list(events_so_far_, [&](RunEvent& e) { bytes.all(e.name, e.t, e.direction, e.state); });
+    bytes(events_met_);
+    if (write_motion_ != nullptr) (*write_motion_)(bytes);
+  }
+  double reached() const override { return t_; }
+  detail::CheckpointPlace place() const override {
+    const std::string at = "t = " + time_text(t_);
+    std::string reached = detail::printable(scenario_.document.name, 200) + " at " + at + ", " +
+                          std::to_string(rows_) + " rows, in ";
+    std::vector<std::string> paths = files_.outputs;
+    if (!files_.events.empty()) paths.push_back(files_.events);
+    for (const std::string& path : paths)
+      reached += (path == paths.front() ? "" : ", ") + detail::printable(file_name(path), 200);
+    return {reached, "at " + at, "from " + at};
+  }
+
   // Before anything is written: days of work would end with a disk that is full.
   void require_room() const {
     if (may_end_early(scenario_)) return;
-    for (const DiskNeed& need : disk_needs(scenario_, files_.outputs, from_.pushed))
+    for (const DiskNeed& need : disk_needs(scenario_, files_.outputs, rows_))
       if (need.least > need.available)
         throw OutputError(scenario_.document.name + ": got " +
-                          disk_text(scenario_, need, need.least, from_.pushed) +
+                          disk_text(scenario_, need, need.least, rows_) +
                           "; expected fewer rows or columns, or another disk");
-  }
-
-  void open() {
-    const Provenance origin = provenance(scenario_);
-    outputs_.open([&](const std::string& path, const std::optional<SinkPosition>& from) {
-      if (sinks_.size() < files_.outputs.size()) {
-        sinks_.push_back(open_sink(path, groups_, origin, from, scenario_.output.formats));
-        return detail::kept_output(*sinks_.back());
-      }
-      events_.emplace(path, scenario_, from);
-      return detail::KeptOutput{[this] { return events_->position(); }, [] {}};
-    });
-    if (options_.extra_sink) sinks_.push_back(std::move(options_.extra_sink));
   }
 
   detail::RunControl control() {
     detail::RunControl control;
-    control.progress = options_.progress;
+    if (options_.progress)
+      control.progress = [this, from = reached_before(),
+                          end = row_times(scenario_)->end()](double t) {
+        options_.progress({t, end == from ? 1.0 : (t - from) / (end - from)});
+      };
     control.event = [this](const RunEvent& event) {
       if (events_) events_->push(event);
-      ++kept_.events_met;
-      if (options_.keep_events || kept_.events.size() < events_shown)
-        kept_.events.push_back(without_row(event));
+      ++events_met_;
+      if (options_.keep_events || events_so_far_.size() < events_shown)
+        events_so_far_.push_back(without_row(event));
     };
     control.events_have_rows = events_.has_value();
     control.due = [this](double) {
-      stopping_ = options_.stop && options_.stop();
+      stopping_ = is_stopped();
       return stopping_ || outputs_.is_due();
     };
-    control.keep = [this](const detail::RunState& state) {
-      if (outputs_.keeps()) keep(state);
-      if (stopping_)
-        throw RunInterrupted(scenario_.document.name + ": stopped at t = " + time_text(state.t),
-                             state.t, outputs_.keeps());
+    control.keep = [this](const detail::RunState& state, const detail::WriteMotion& motion) {
+      t_ = state.t;
+      rows_ = state.rows;
+      write_motion_ = &motion;
+      if (stopping_) interrupt();
+      keep();
     };
-    if (outputs_.continues()) control.from = &from_;
+    control.rows = rows_;
+    if (outputs_.continues()) control.motion = &outputs_.state();
     return control;
   }
 
   std::string time_text(double t) const {
     return detail::number_text(scenario_.units().from_core(t, Dimension::time)) + " " +
            scenario_.units().time();
-  }
-
-  void keep(const detail::RunState& state) {
-    kept_.run = state;
-    StateBytes bytes;
-    kept_.transfer(bytes);
-    const std::string at = "t = " + time_text(state.t);
-    std::string reached = detail::printable(scenario_.document.name, 200) + " at " + at + ", " +
-                          std::to_string(state.pushed) + " rows, in ";
-    const std::vector<detail::PlannedOutput> all = planned(files_, groups_);
-    for (const detail::PlannedOutput& output : all)
-      reached += (output.path == all.front().path ? "" : ", ") +
-                 detail::printable(file_name(output.path), 200);
-    outputs_.keep({bytes.bytes(), reached, "from " + at});
   }
 
   RunReport complete_report() const {
@@ -264,29 +239,28 @@ class ScenarioRun::Parts {
     return report;
   }
 
-  const Scenario& scenario_;
   RunFiles files_;
-  RunOptions options_;
-  std::vector<ColumnGroup> groups_;
-  detail::KeptOutputs outputs_;
-  Kept kept_;
-  detail::RunState from_;
-  std::vector<std::unique_ptr<Sink>> sinks_;
+  double t_ = 0.0;
+  std::vector<RunEvent> events_so_far_;
+  std::int64_t events_met_ = 0;
   std::optional<EventTable> events_;
+  const detail::WriteMotion* write_motion_ = nullptr;
   bool stopping_ = false;
 };
 
-ScenarioRun::ScenarioRun(const Scenario& scenario, RunFiles files, RunOptions options) {
-  if (!row_times(scenario))
-    throw DomainError(scenario.document.name + ": time: got nothing; expected [time]");
-  parts_ = std::make_unique<Parts>(scenario, std::move(files), std::move(options));
+namespace {
+
+const Scenario& with_rows(const Scenario& scenario) {
+  if (row_times(scenario)) return scenario;
+  throw DomainError(scenario.document.name + ": time: got nothing; expected [time]");
 }
-ScenarioRun::~ScenarioRun() = default;
-bool ScenarioRun::continues() const { return parts_->outputs().continues(); }
-bool ScenarioRun::is_complete() const { return parts_->outputs().is_complete(); }
-double ScenarioRun::t() const { return parts_->state().t; }
-std::int64_t ScenarioRun::rows() const { return parts_->state().pushed; }
-RunReport ScenarioRun::run() { return parts_->run(); }
+
+}  // namespace
+
+ScenarioRun::ScenarioRun(const Scenario& scenario, RunFiles files, RunOptions options)
+    : ResumableRun(
+          std::make_unique<Parts>(with_rows(scenario), std::move(files), std::move(options))) {}
+RunReport ScenarioRun::run() { return static_cast<Parts&>(*sweep_).run(); }
 
 }  // namespace v0
 }  // namespace polhode

@@ -16,7 +16,7 @@
 #include <utility>
 
 #include "polhode/scenario/schema.hpp"
-#include "polhode/trajectory/state_bytes.hpp"
+#include "polhode/trajectory/archive.hpp"
 #include "scenario/detail/experiment_kinds.hpp"
 #include "scenario/detail/schema_table.hpp"
 #include "scenario/ensemble/ensemble_plan.hpp"

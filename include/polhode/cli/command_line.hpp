@@ -15,7 +15,7 @@
 #include <functional>
 #include <memory>
 
-#include "polhode/ensemble/team.hpp"
+#include "polhode/ensemble/executor.hpp"
 #include "polhode/scenario/kinds.hpp"
 
 namespace polhode {

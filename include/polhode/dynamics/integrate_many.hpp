@@ -4,7 +4,7 @@
 // Equations   those of integrate.
 // Units       those of each system.
 // Domain      any problems of a rotor. integrate_body may be called from several threads, for
-//             example by run_cells (polhode/ensemble/cells.hpp).
+//             example by ordered_parallel_for (polhode/ensemble/ordered_parallel_for.hpp).
 // Accuracy    the bits of integrate for each.
 // Errors      a body that fails leaves the others as they are. A run that cannot go on has a
 //             trajectory whose outcome says so, as from integrate. An invalid problem, or one whose

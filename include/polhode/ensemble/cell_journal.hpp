@@ -2,8 +2,8 @@
 // CellJournal: results of cells as bytes, so that a search that was interrupted does not compute
 // them again.
 //
-// Domain      work that calls run_cells with the same cells in the same order each time: each call
-//             is a stage of the journal, and its results stand there in order.
+// Domain      work that calls ordered_parallel_for with the same cells in the same order each time:
+//             each call is a stage of the journal, and its results stand there in order.
 // Accuracy    a result is kept to the last bit: what follows from it is the same.
 // Errors      DomainError for bytes that end too early, and for results of other work.
 // Cost        the bytes of all results, in memory.
@@ -17,9 +17,9 @@
 #include <utility>
 #include <vector>
 
-#include "polhode/ensemble/cells.hpp"
+#include "polhode/ensemble/ordered_parallel_for.hpp"
 #include "polhode/error.hpp"
-#include "polhode/trajectory/state_bytes.hpp"
+#include "polhode/trajectory/archive.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -30,7 +30,7 @@ class CellJournal {
   std::function<void()> added = {};
 
   // The stages that were begun, with their results.
-  void serialize(StateBytes& bytes) {
+  void serialize(Archive& bytes) {
     bytes(stages_);
     if (!bytes.reads()) return;
     begun_ = 0;
@@ -56,15 +56,15 @@ class CellJournal {
     const std::int64_t known = std::ssize(stages_[place]);
     if (known > count) throw other_work();
     for (std::int64_t k = 0; k < known; ++k) {
-      StateBytes bytes(stages_[place][static_cast<std::size_t>(k)]);
+      Archive bytes(stages_[place][static_cast<std::size_t>(k)]);
       Result result{};
       visit(bytes, result);
       if (!bytes.is_done()) throw other_work();
       --left_;
       sink(k, std::as_const(result));
     }
-    run_cells(known, count, threads, cell, [&](std::int64_t k, const Result& result) {
-      StateBytes bytes;
+    ordered_parallel_for(known, count, threads, cell, [&](std::int64_t k, const Result& result) {
+      Archive bytes;
       Result visited = result;
       visit(bytes, visited);
       stages_[place].push_back(bytes.bytes());
@@ -85,10 +85,10 @@ class CellJournal {
 
 // The same with a journal, or without one.
 template <class Cell, class Sink, class Visit>
-void run_cells(CellJournal* journal, std::int64_t count, int threads, const Cell& cell,
-               const Sink& sink, const Visit& visit) {
+void ordered_parallel_for(CellJournal* journal, std::int64_t count, int threads, const Cell& cell,
+                          const Sink& sink, const Visit& visit) {
   if (journal != nullptr) return journal->run(count, threads, cell, sink, visit);
-  run_cells(0, count, threads, cell, sink);
+  ordered_parallel_for(0, count, threads, cell, sink);
 }
 
 }  // namespace v0

@@ -15,7 +15,7 @@
 #include <cstdint>
 #include <type_traits>
 
-#include "polhode/ensemble/cells.hpp"
+#include "polhode/ensemble/ordered_parallel_for.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -39,8 +39,9 @@ void run_parts(std::size_t size, std::size_t least, int threads, const Part& par
   };
   if (parts.count == 0) return;
   if (parts.count == 1) return sink(std::size_t{0}, result(0));
-  run_cells(0, parts.count, static_cast<int>(std::min<std::int64_t>(threads, parts.count)), result,
-            [&](std::int64_t k, const auto& found) { sink(begin(k), found); });
+  ordered_parallel_for(0, parts.count,
+                       static_cast<int>(std::min<std::int64_t>(threads, parts.count)), result,
+                       [&](std::int64_t k, const auto& found) { sink(begin(k), found); });
 }
 
 // Of a function that returns nothing.

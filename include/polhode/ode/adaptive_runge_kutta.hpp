@@ -136,7 +136,7 @@ class AdaptiveRungeKutta {
   // Every number that the steps to come depend on, between two steps, by reference: `visit` keeps
   // them or puts them back.
   template <class Visit>
-  void transfer(Visit& visit) {
+  void serialize(Visit& visit) {
     visit.all(h_, t_, state_.y, state_.carry, before_, trial_, least_steps_, steps_, rejected_,
               evaluations_);
     rate_known_ = false;  // as after every step

@@ -12,7 +12,7 @@
 //             alone.
 // Errors      ScenarioError at the place of what a fit does not take, and for more unknowns than
 //             data; as read_observations (polhode/scenario/observation.hpp). Files: OutputError.
-//             What `stop` says yes to ends it with FitStopped.
+//             What `stop` says yes to ends it with RunInterrupted.
 // Cost        2 ms a start of 17 attitudes.
 #pragma once
 
@@ -20,12 +20,12 @@
 #include <functional>
 #include <optional>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "polhode/fit/spin_fit.hpp"
 #include "polhode/output/columns.hpp"
+#include "polhode/run/resumable_run.hpp"
 #include "polhode/scenario/fit_plan.hpp"
 #include "polhode/scenario/scenario.hpp"
 
@@ -33,11 +33,6 @@ namespace polhode {
 inline namespace v0 {
 
 class CellJournal;
-
-class FitStopped : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
 
 struct FoundSpin {
   SpinSolution raw;  // with errors as they were given

@@ -7,39 +7,30 @@
 //             the same outputs at the same time.
 // Accuracy    a fit that was interrupted and continued finds what a fit in one go finds, to the
 //             last bit (same build of polhode).
-// Errors      the constructor throws DomainError as that of ScenarioRun.
+// Errors      the constructor as there.
 // Cost        the bytes of all results, chi-square of each pair of a scan included, held in memory
 //             and written as a whole; at most a twentieth of the time of the fit.
 #pragma once
 
-#include <cstddef>
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "polhode/ensemble/cell_journal.hpp"
-#include "polhode/run/scenario_run.hpp"
+#include "polhode/run/resumable_run.hpp"
 #include "polhode/scenario/scenario.hpp"
 
 namespace polhode {
 inline namespace v0 {
 
-class FitCheckpoint {
+class FitCheckpoint : public ResumableRun {
  public:
   // `outputs` are the files that the fit will write, the first of which gives the checkpoint its
-  // name. `scenario` must outlive it.
-  FitCheckpoint(const Scenario& scenario, const std::vector<std::string>& outputs, RunBegin begin,
-                const BeginWords& words = {}, double seconds = 5.0);
-  ~FitCheckpoint();
-  FitCheckpoint(const FitCheckpoint&) = delete;
-  FitCheckpoint& operator=(const FitCheckpoint&) = delete;
+  // name; of the options begin, words and checkpoint_seconds count. `scenario` must outlive it.
+  FitCheckpoint(const Scenario& scenario, const std::vector<std::string>& outputs,
+                RunOptions options);
 
-  // True if there is a fit to continue.
-  bool continues() const;
   // For the options of the fit. Checkpoints are written while it gets results.
   CellJournal& journal();
-  // How many results it has.
-  std::size_t results() const;
   // Writes a checkpoint; false if this fit has none.
   bool keep();
   // Removes the checkpoint: the fit is complete, or has no solution.
@@ -47,7 +38,7 @@ class FitCheckpoint {
 
  private:
   class Parts;
-  std::unique_ptr<Parts> parts_;
+  Parts& parts();
 };
 
 }  // namespace v0

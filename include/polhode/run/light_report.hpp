@@ -21,7 +21,7 @@
 // Errors      ScenarioError at the place of what a fit does not take: more unknowns than data, a
 //             scan of more than most_scan_pairs, with the keys that make it smaller; as
 //             read_observations (polhode/scenario/observation.hpp). Files: OutputError. What `stop`
-//             says yes to ends it with FitStopped.
+//             says yes to ends it with RunInterrupted.
 // Cost        benchmarks/fit_light_curves.cpp, fit_fourier_scan.cpp; minutes for a night.
 #pragma once
 

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "polhode/dynamics/problem.hpp"
-#include "polhode/trajectory/state_bytes.hpp"
+#include "polhode/trajectory/archive.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -23,7 +23,7 @@ struct RunEvent {
   std::string name;
   double t = 0.0;
   int direction = 0;       // +1: rising through zero, -1: falling, 0: touching it
-  std::string state = {};  // bytes (polhode/trajectory/state_bytes.hpp)
+  std::string state = {};  // bytes (polhode/trajectory/archive.hpp)
   // The columns of the run there, where a table of events asks for them.
   std::vector<double> row = {};
 
@@ -32,7 +32,7 @@ struct RunEvent {
 
 template <MotionState S>
 RunEvent event_of(BasicEventRecord<S> record, std::vector<double> row = {}) {
-  StateBytes bytes;
+  Archive bytes;
   bytes(record.s);
   return {std::move(record.name), record.t, record.direction, bytes.bytes(), std::move(row)};
 }
@@ -40,7 +40,7 @@ RunEvent event_of(BasicEventRecord<S> record, std::vector<double> row = {}) {
 template <MotionState S>
 BasicEventRecord<S> record_of(const RunEvent& event) {
   BasicEventRecord<S> record{event.name, event.t, {}, event.direction};
-  StateBytes bytes(event.state);
+  Archive bytes(event.state);
   bytes(record.s);
   return record;
 }

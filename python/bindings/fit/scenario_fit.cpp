@@ -12,7 +12,7 @@
 #include "io/io_parts.hpp"
 #include "io/work_loop.hpp"
 #include "motion/samples.hpp"
-#include "polhode/ensemble/cells.hpp"
+#include "polhode/ensemble/ordered_parallel_for.hpp"
 #include "polhode/run/fit.hpp"
 #include "polhode/run/predictions.hpp"
 #include "polhode/run/simulate.hpp"

@@ -7,13 +7,12 @@
 
 #include "interface/arrays.hpp"
 #include "interface/signals.hpp"
-#include "io/executor_team.hpp"
 #include "io/io_parts.hpp"
+#include "io/python_executor.hpp"
 #include "io/work_loop.hpp"
 #include "motion/samples.hpp"
 #include "polhode/error.hpp"
 #include "polhode/run/ensemble_run.hpp"
-#include "polhode/run/ensemble_work.hpp"
 #include "polhode/scenario/schema.hpp"
 #include "polhode/text/separated.hpp"
 
@@ -63,9 +62,9 @@ void reserve(const ScenarioEnsemble& ensemble, Ensemble& result) {
   }
 }
 
-// `team`: a function that runs a stage on an executor (executor_team.hpp), or None.
+// `executor`: a function that runs a stage on an executor (python_executor.hpp), or None.
 Ensemble run_ensemble(const ScenarioEnsemble& ensemble, const nb::list& outputs, int threads,
-                      nb::handle team, bool resume, bool restart, bool any_machine,
+                      nb::handle executor, bool resume, bool restart, bool any_machine,
                       nb::handle progress) {
   Ensemble result{{}, 0, {}};
   std::vector<std::string> paths;
@@ -75,15 +74,13 @@ Ensemble run_ensemble(const ScenarioEnsemble& ensemble, const nb::list& outputs,
                       readable_paths(ensemble.scenario().output.formats) +
                       "; expected one of them");
   WorkLoop loop("the ensemble was stopped", progress);
-  ExecutorTeam workers(team);
-  EnsembleOptions options;
-  options.begin = begin_of("ensemble", resume, restart);
-  options.words = begin_words();
+  PythonExecutor workers(executor);
+  RunOptions options = run_options("ensemble", resume, restart);
   options.threads = threads;
   options.any_machine = any_machine;
-  if (!team.is_none()) options.team = &workers;
+  if (!executor.is_none()) options.executor = &workers;
+  loop.listen(options);
   options.stop = [&] { return loop.is_stopped() || workers.has_failed(); };
-  options.progress = [&loop](std::int64_t members) { loop.reach(members); };
   options.extra_sink = std::make_unique<TableSink>(result.rows);
   EnsembleRun run(ensemble, paths, std::move(options));
   result.groups = run.groups();
@@ -94,7 +91,7 @@ Ensemble run_ensemble(const ScenarioEnsemble& ensemble, const nb::list& outputs,
   if (result.is_whole) reserve(ensemble, result);
   try {
     loop.do_work(ensemble.size(), [&] { result.report = run.run(); });
-  } catch (const EnsembleInterrupted&) {
+  } catch (const RunInterrupted&) {
     workers.raise();  // what they have done is kept
     throw;
   }
@@ -103,7 +100,7 @@ Ensemble run_ensemble(const ScenarioEnsemble& ensemble, const nb::list& outputs,
 
 // What a worker has: the ensemble, and the stage that it computes cells of.
 struct EnsembleWork {
-  std::unique_ptr<TeamWork> work;
+  std::unique_ptr<ExecutorWork> work;
 };
 
 nb::bytes cell_of(const EnsembleWork& of, std::int64_t index) {
@@ -262,8 +259,8 @@ void bind_ensemble(nb::module_& m, nb::class_<Scenario>& scenario) {
             return new EnsembleWork{ensemble_work(e, any_machine)};
           },
           nb::rv_policy::take_ownership, nb::keep_alive<0, 1>(), "any_machine"_a)
-      .def("run", run_ensemble, "outputs"_a, "threads"_a, "team"_a.none(), "resume"_a, "restart"_a,
-           "any_machine"_a, "progress"_a.none());
+      .def("run", run_ensemble, "outputs"_a, "threads"_a, "executor"_a.none(), "resume"_a,
+           "restart"_a, "any_machine"_a, "progress"_a.none());
   scenario.def_prop_ro("has_ensemble", [](const Scenario& s) { return s.ensemble.has_value(); });
   scenario.def(
       "ensemble", [](const Scenario& s) { return new ScenarioEnsemble(s); },

@@ -27,18 +27,15 @@ Map run_map(const Scenario& scenario, const nb::list& outputs, int threads, bool
   std::vector<std::string> paths;
   for (const nb::handle path : outputs) paths.push_back(path_text(path));
   WorkLoop loop("the map was stopped", progress);
-  const auto begun = [&](RunBegin begin) {
-    MapOptions options;
-    options.begin = begin;
-    options.words = begin_words();
+  const auto begun = [&](bool resumes, bool restarts) {
+    RunOptions options = run_options("map", resumes, restarts);
     options.threads = threads;
-    options.stop = [&loop] { return loop.is_stopped(); };
-    options.progress = [&loop](std::int64_t cells) { loop.reach(cells); };
+    loop.listen(options);
     options.extra_sink = std::make_unique<TableSink>(result.rows);
     return std::make_unique<MapRun>(map, paths, std::move(options));
   };
-  std::unique_ptr<MapRun> run = begun(begin_of("map", resume, restart));
-  if (run->is_complete()) run = begun(RunBegin::restart);  // its rows are wanted all the same
+  std::unique_ptr<MapRun> run = begun(resume, restart);
+  if (run->is_complete()) run = begun(false, true);  // its rows are wanted all the same
   result.rows_before = run->rows();
   loop.do_work(map.size(), [&] { result.report = run->run(); });
   run.reset();  // closes its files

@@ -11,7 +11,7 @@
 #include "bindings.hpp"
 #include "polhode/output/output_format.hpp"
 #include "polhode/output/sink.hpp"
-#include "polhode/run/scenario_run.hpp"
+#include "polhode/run/resumable_run.hpp"
 #include "polhode/run/summary.hpp"
 #include "polhode/scenario/scenario.hpp"
 
@@ -43,8 +43,7 @@ void bind_map(nb::module_& m, nb::class_<Scenario>& scenario);
 // The method ensemble of _Scenario, the ensemble that it returns, and _kinds_of_table.
 void bind_ensemble(nb::module_& m, nb::class_<Scenario>& scenario);
 // What resume and restart ask for, and what messages call them.
-RunBegin begin_of(const char* function, bool resume, bool restart);
-BeginWords begin_words();
+RunOptions run_options(const char* function, bool resume, bool restart);
 // A path as the file system has it.
 std::string path_text(nb::handle path);
 // In front of the rows of this part of a run, those that an earlier part has left in its files.

@@ -98,15 +98,14 @@ Run run_scenario(const Scenario& scenario, const nb::list& outputs, nb::handle e
   RunFiles files;
   for (const nb::handle path : outputs) files.outputs.push_back(path_text(path));
   if (!events.is_none()) files.events = path_text(events);
-  RunOptions options;
-  options.begin = begin_of("run", resume, restart);
-  options.words = begin_words();
+  RunOptions options = run_options("run", resume, restart);
   options.keep_events = keep;
   const OutputFormats& formats = scenario.output.formats;
   if (resume && keep && !files.outputs.empty() && !can_read_rows(formats, files.outputs))
     throw DomainError("run: resume=True with keep=True reads the rows so far from " +
                       readable_paths(formats) + "; expected one of them, or keep=False");
-  options.progress = progress_to(progress);
+  if (const Progress told = progress_to(progress))
+    options.progress = [told](const RunProgress& at) { told(at.reached); };
   std::exception_ptr raised;
   options.stop = Stop(raised);
   if (keep) {
@@ -179,14 +178,15 @@ std::string readable_paths(const OutputFormats& formats) {
   return paths_in_words(formats, [](const OutputFormat& format) { return bool(format.rows); });
 }
 
-RunBegin begin_of(const char* function, bool resume, bool restart) {
+RunOptions run_options(const char* function, bool resume, bool restart) {
   if (resume && restart)
     throw DomainError(std::string(function) +
                       ": got resume=True and restart=True; expected one of them");
-  return resume ? RunBegin::resume : (restart ? RunBegin::restart : RunBegin::anew);
+  RunOptions options;
+  options.begin = resume ? RunBegin::resume : (restart ? RunBegin::restart : RunBegin::anew);
+  options.words = {"resume=True", "restart=True", "any_machine=True"};
+  return options;
 }
-
-BeginWords begin_words() { return {"resume=True", "restart=True", "any_machine=True"}; }
 
 void bind_run(nb::module_& m, nb::class_<Scenario>& scenario) {
   nb::class_<Run>(m, "_Run")

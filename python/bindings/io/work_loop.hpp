@@ -15,6 +15,7 @@
 #include <string>
 
 #include "bindings.hpp"
+#include "polhode/run/resumable_run.hpp"
 
 namespace polhode::python {
 
@@ -26,6 +27,14 @@ class WorkLoop {
   // With the GIL, which it gives up: `work`, of so many things, from beginning to end. What Python
   // raises meanwhile stops it, and is thrown; then what `work` has thrown.
   void do_work(std::int64_t of, const std::function<void()>& work);
+
+  // The work is told to stop, and tells of its progress.
+  void listen(RunOptions& options) {
+    options.stop = [this] { return is_stopped(); };
+    options.progress = [this](const RunProgress& at) {
+      reach(static_cast<std::int64_t>(at.reached));
+    };
+  }
 
   // In the work, from any thread.
   bool is_stopped() const { return stopped_.load(std::memory_order_relaxed); }

@@ -16,7 +16,7 @@
 #include "motion/samples.hpp"
 #include "motion/trajectory_value.hpp"
 #include "polhode/dynamics/integrate_many.hpp"
-#include "polhode/ensemble/cells.hpp"
+#include "polhode/ensemble/ordered_parallel_for.hpp"
 #include "polhode/error.hpp"
 
 namespace polhode::python {
@@ -117,7 +117,7 @@ void integrate_on_threads(const std::vector<DampedProblem>& problems, const Keep
   std::vector<DampedBodyRun> runs(problems.size());
   const auto count = static_cast<std::int64_t>(runs.size());
   loop.do_work(count, [&] {
-    run_cells(
+    ordered_parallel_for(
         0, count, hardware_threads(),
         [&](std::int64_t index) {
           const auto k = static_cast<std::size_t>(index);

@@ -29,9 +29,9 @@ inline StepControl step_control(const System& system, double start, const Adapti
 }
 
 // `jumps`: see SwitchWatch.
-class SmoothSteps {
+class SwitchingSteps {
  public:
-  explicit SmoothSteps(const System& system, const char* jumps = nullptr)
+  explicit SwitchingSteps(const System& system, const char* jumps = nullptr)
       : breakpoints_(system), switches_(system, jumps) {}
 
   template <class Field>
@@ -43,21 +43,21 @@ class SmoothSteps {
     return SmoothStep<Solver, Field>(solver, field, breakpoints_, switches_, grading_, stop).made();
   }
   template <class Rates>
-  void transfer(StateBytes& bytes, Rates& rates) {
+  void serialize(Archive& bytes, Rates& rates) {
     bytes.all(rates.stretch.from, rates.stretch.to);  // of the step made last
-    switches_.transfer(bytes);
-    switches_.transfer(bytes, rates.sides);
-    grading_.transfer(bytes);
+    switches_.serialize(bytes);
+    switches_.serialize(bytes, rates.sides);
+    grading_.serialize(bytes);
   }
 
  private:
   Breakpoints breakpoints_;
   SwitchWatch switches_;
-  EdgeGrading grading_;
+  SwitchStepControl grading_;
 };
 
 template <class Field>
-using SmoothStepper = AdaptiveStepper<Field, SmoothSteps>;
+using SwitchingStepper = AdaptiveStepper<Field, SwitchingSteps>;
 
 // The stepper of Adaptive for a problem of a System, of a field with a damper or without. Each is
 // made in a source of its own: next to the other, the compiler takes less of the inner loop in
@@ -68,9 +68,9 @@ std::unique_ptr<BasicStepper<S>> term_stepper(const BasicProblem<System, S>& pro
   require_valid(method);
   const auto made = [&]<class F>(std::shared_ptr<const F> field) {
     const typename F::Values y = field->start(problem.initial);
-    return std::make_unique<SmoothStepper<F>>(std::move(field), SmoothSteps(problem.system),
-                                              problem.start, y,
-                                              step_control(problem.system, problem.start, method));
+    return std::make_unique<SwitchingStepper<F>>(
+        std::move(field), SwitchingSteps(problem.system), problem.start, y,
+        step_control(problem.system, problem.start, method));
   };
   if (method.precision == Precision::compensated)
     return made(std::make_shared<const Field<double>>(problem.system));

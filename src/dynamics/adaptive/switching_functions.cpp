@@ -199,12 +199,12 @@ std::string SwitchWatch::refused_jump(std::size_t which, const DoubleDouble& t, 
          "\" jumps where the state says so, at t = " + number_text(t.hi) + ": " + jumps_;
 }
 
-void SwitchWatch::transfer(StateBytes& bytes) {
+void SwitchWatch::serialize(Archive& bytes) {
   bytes.all(begun_, crossed_at_once_, largest_);
-  transfer(bytes, sides_);
+  serialize(bytes, sides_);
 }
 
-void SwitchWatch::transfer(StateBytes& bytes, std::shared_ptr<const SwitchSides>& sides) const {
+void SwitchWatch::serialize(Archive& bytes, std::shared_ptr<const SwitchSides>& sides) const {
   SwitchSides values = sides ? *sides : SwitchSides{};
   std::vector<std::int64_t> first(values.first.begin(), values.first.end());
   bytes.all(first, values.values);
@@ -251,7 +251,7 @@ class Search {
       const double step = 0.01 * (c.beyond - c.before), x = c.guess;
       const double slope = (rough(c.which, x + step) - rough(c.which, x)) / step;
       const auto truth = [&](double at) { return curve_.truly(c.which, at); };
-      return Edge{c.which, falling_root(truth, c.before, c.beyond, x, slope, closely)};
+      return Edge{c.which, bracketed_root(truth, c.before, c.beyond, x, slope, closely)};
     }
     return nan;
   }
@@ -290,7 +290,7 @@ class Search {
     const auto f = [&](double x) { return rough(c.which, x); };
     // from the middle: at the beginning a step has the zero that the last one ended at
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-    c.guess = falling_root(f, c.before, c.beyond, 0.5 * (c.before + c.beyond), unknown, roughly);
+    c.guess = bracketed_root(f, c.before, c.beyond, 0.5 * (c.before + c.beyond), unknown, roughly);
     found.push_back(c);
   }
 

@@ -17,7 +17,7 @@
 
 #include "math/finite.hpp"
 #include "polhode/system/rotor_equations.hpp"
-#include "polhode/trajectory/state_bytes.hpp"
+#include "polhode/trajectory/archive.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -74,9 +74,9 @@ class SwitchWatch {
   // that begins at t.
   double bend(std::size_t which, const DoubleDouble& t, const RotorState& s, double h) const;
 
-  void transfer(StateBytes& bytes);
+  void serialize(Archive& bytes);
   // Sides that the dense output of a step keeps.
-  void transfer(StateBytes& bytes, std::shared_ptr<const SwitchSides>& sides) const;
+  void serialize(Archive& bytes, std::shared_ptr<const SwitchSides>& sides) const;
 
  private:
   std::size_t term_of(std::size_t which) const;
@@ -97,7 +97,7 @@ class SwitchWatch {
 // NaN. Secants, and a bisection where they leave the bracket and at every fourth trip: at most 200,
 // and three as a rule.
 template <class F>
-double falling_root(const F& f, double a, double b, double x, double slope, double close) {
+double bracketed_root(const F& f, double a, double b, double x, double slope, double close) {
   if (!(a < x && x < b)) x = 0.5 * (a + b);
   double last = x, f_last = 0.0;
   for (int trip = 0; trip < 200; ++trip) {
@@ -155,7 +155,7 @@ struct EdgeRule {
 //
 // The edges are the borders of penumbras. Others, of facets that turn away or of a shadow like a
 // cylinder, have smooth sides.
-class EdgeGrading {
+class SwitchStepControl {
  public:
   // Before the first step: which functions those are.
   void begin(const SwitchWatch& switches, const DoubleDouble& t, const RotorState& s) {
@@ -201,7 +201,7 @@ class EdgeGrading {
   }
 
   template <class Visit>
-  void transfer(Visit& visit) {
+  void serialize(Visit& visit) {
     std::vector<double> fading(is_fading_.begin(), is_fading_.end());
     visit.all(fading, usual_, is_near_);
     is_fading_.assign(fading.begin(), fading.end());
@@ -210,7 +210,7 @@ class EdgeGrading {
       visit(is_there);
       if (!is_there) border->reset();
       if (is_there && !*border) *border = Border{};
-      if (is_there) (*border)->transfer(visit);
+      if (is_there) (*border)->serialize(visit);
     }
   }
 
@@ -226,7 +226,7 @@ class EdgeGrading {
     std::optional<double> least = std::nullopt;  // the step next to it, once it is asked for
 
     template <class Visit>
-    void transfer(Visit& visit) {
+    void serialize(Visit& visit) {
       std::int64_t number = static_cast<std::int64_t>(which);
       visit.all(number, t, least);
       which = static_cast<std::size_t>(number);
@@ -255,7 +255,7 @@ class EdgeGrading {
   // Functions along the time, of a body that stays as it is.
   class Ahead final : public SwitchCurve {
    public:
-    Ahead(const EdgeGrading& of, const SwitchWatch& switches, const DoubleDouble& t,
+    Ahead(const SwitchStepControl& of, const SwitchWatch& switches, const DoubleDouble& t,
           const RotorState& s, double h)
         : of_(of), switches_(switches), t_(t), s_(s), h_(h) {}
     std::vector<double> along(double x) const override {
@@ -268,7 +268,7 @@ class EdgeGrading {
     double rounding(std::size_t which) const override { return switches_.rounding(which); }
 
    private:
-    const EdgeGrading& of_;
+    const SwitchStepControl& of_;
     const SwitchWatch& switches_;
     DoubleDouble t_;
     RotorState s_;

@@ -148,7 +148,7 @@ template <class Solver, class Field>
 class SmoothStep {
  public:
   SmoothStep(Solver& solver, const Field& field, const Breakpoints& breakpoints,
-             SwitchWatch& switches, EdgeGrading& grading, double stop)
+             SwitchWatch& switches, SwitchStepControl& grading, double stop)
       : solver_(solver),
         field_(field),
         switches_(switches),
@@ -295,7 +295,7 @@ class SmoothStep {
   Solver& solver_;
   const Field& field_;
   SwitchWatch& switches_;
-  EdgeGrading& grading_;
+  SwitchStepControl& grading_;
   double stop_;
   DoubleDouble begin_;
   RotorState start_;

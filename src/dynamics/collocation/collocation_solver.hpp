@@ -133,9 +133,9 @@ class BasicCollocationSolver {
   void count(std::int64_t evaluations) { evaluations_ += evaluations; }
 
   template <class Visit>
-  void transfer(Visit& visit) {
+  void serialize(Visit& visit) {
     visit.all(next_.h, t_, state_.y, state_.carry, trial_, steps_, rejected_, evaluations_);
-    next_.transfer(visit);
+    next_.serialize(visit);
     visit(is_counted_);
     refined_.h = 0.0;
     Polynomial& step = polynomials_[last_];

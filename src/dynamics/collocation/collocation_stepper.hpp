@@ -103,7 +103,7 @@ class CollocationStepper final : public BasicStepper<typename Stages::Field::Sta
   using State = typename Field::State;
   using Solver = BasicCollocationSolver<Stages>;
 
-  CollocationStepper(std::shared_ptr<const Field> field, SmoothSteps steps, double start,
+  CollocationStepper(std::shared_ptr<const Field> field, SwitchingSteps steps, double start,
                      const typename Stages::Values& y, const Collocation& method,
                      const CollocationControl& control)
       : field_(field),
@@ -129,14 +129,14 @@ class CollocationStepper final : public BasicStepper<typename Stages::Field::Sta
   Statistics statistics() const override {
     return {solver_.steps(), solver_.rejected(), solver_.evaluations()};
   }
-  void transfer(StateBytes& bytes) override {
-    solver_.transfer(bytes);
-    steps_.transfer(bytes, solver_.field());
+  void serialize(Archive& bytes) override {
+    solver_.serialize(bytes);
+    steps_.serialize(bytes, solver_.field());
   }
 
  private:
   std::shared_ptr<const Field> field_;
-  SmoothSteps steps_;
+  SwitchingSteps steps_;
   Solver solver_;
 };
 

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "dynamics/adaptive/damper_field.hpp"
+#include "dynamics/collocation/augmented_stages.hpp"
 #include "dynamics/collocation/gauss_scheme.hpp"
-#include "dynamics/collocation/joined_stages.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -79,15 +79,15 @@ class SweptDamper : public DamperField<double> {
   DamperKernel<double> kernel_;
 };
 
-class DamperStages : public JoinedStages<SweptDamper, 3> {
+class DamperStages : public AugmentedStages<SweptDamper, 3> {
  public:
   DamperStages(std::shared_ptr<const Field> field, std::size_t stages, InstructionSet set)
-      : JoinedStages(std::move(field), stages, set), friction_(*this) {
+      : AugmentedStages(std::move(field), stages, set), friction_(*this) {
     rotor_.add(friction_);
   }
 
   void begin(const DoubleDouble& t, const State& start, double h, const SwitchSides* sides) {
-    JoinedStages::begin(t, start, h, sides);
+    AugmentedStages::begin(t, start, h, sides);
     if (h == h_) return;
     for (std::size_t n = 0; n < 3; ++n)
       decays_[n].prepare(scheme(), rotor_.weights(), field_->kernel().decay(n));
@@ -127,7 +127,7 @@ class DamperStages : public JoinedStages<SweptDamper, 3> {
   }
   std::array<double, 6> effects(const DoubleDouble& t, const Values& y,
                                 const SwitchSides* sides) const {
-    std::array<double, 6> found = JoinedStages::effects(t, y, sides);
+    std::array<double, 6> found = AugmentedStages::effects(t, y, sides);
     const Vec3 v = field_->kernel().rate_of_body({y[7], y[8], y[9]});
     for (int n = 0; n < 3; ++n) found[3 + static_cast<std::size_t>(n)] += v[n];
     return found;
@@ -136,7 +136,7 @@ class DamperStages : public JoinedStages<SweptDamper, 3> {
     for (std::size_t n = 0; n < 3; ++n)  // as the sums take them
       for (std::size_t i = 0; i < scheme().stages; ++i)
         rest_.L[n][i] = rotor_.weights()[i] * rest_.F[n][i];
-    return JoinedStages::finished();
+    return AugmentedStages::finished();
   }
 
  private:

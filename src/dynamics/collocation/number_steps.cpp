@@ -4,14 +4,14 @@
 #include <utility>
 
 #include "dynamics/collocation/collocation_solver.hpp"
-#include "dynamics/collocation/number_stages.hpp"
+#include "dynamics/collocation/generic_stages.hpp"
 
 namespace polhode {
 inline namespace v0 {
 namespace detail {
 namespace {
 
-using Solver = BasicCollocationSolver<NumberStages>;
+using Solver = BasicCollocationSolver<GenericStages>;
 
 class Curve final : public NumberCurve {
  public:
@@ -34,7 +34,7 @@ class Curve final : public NumberCurve {
 
  private:
   DoubleDouble t_;
-  NumberStages::State start_;
+  GenericStages::State start_;
   double h_;
   std::size_t numbers_;
   std::vector<double> rates_;  // by degrees
@@ -62,7 +62,7 @@ class Steps final : public NumberSteps {
   Statistics statistics() const override {
     return {solver_.steps(), solver_.rejected(), solver_.evaluations()};
   }
-  void transfer(StateBytes& bytes) override { solver_.transfer(bytes); }
+  void serialize(Archive& bytes) override { solver_.serialize(bytes); }
 
  private:
   Solver solver_;

@@ -151,7 +151,7 @@ class StepChoice {
   }
 
   template <class Visit>
-  void transfer(Visit& visit) {
+  void serialize(Visit& visit) {
     visit.all(largest_error_, since_, patience_, kept_, kept_length_, lasting_, is_cut_);
   }
 

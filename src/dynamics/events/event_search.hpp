@@ -44,7 +44,7 @@ class TermMotion {
     return {nearer(to.rotor.q, s.rotor), s.damper_rate};
   }
   std::int64_t evaluations() const { return evaluations_; }
-  void transfer(StateBytes& bytes) { bytes(evaluations_); }
+  void serialize(Archive& bytes) { bytes(evaluations_); }
 
  private:
   typename Field::Values rates(const Sample& s, bool forward) const;
@@ -76,9 +76,9 @@ class FreeEventSearch {
   // Why it cannot go on; empty where it can.
   const std::string& refusal() const { return watch_.refusal(); }
   Sample sample(double t) const;
-  void transfer(StateBytes& bytes) {
+  void serialize(Archive& bytes) {
     bytes(t_);
-    watch_.transfer(bytes);
+    watch_.serialize(bytes);
   }
 
  private:

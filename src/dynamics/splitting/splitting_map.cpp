@@ -10,6 +10,7 @@
 
 #include "dynamics/adaptive/switching_functions.hpp"
 #include "math/finite.hpp"
+#include "math/number_text.hpp"
 #include "polhode/error.hpp"
 #include "polhode/free/free_rotation.hpp"
 #include "system/variational_equations.hpp"
@@ -27,13 +28,19 @@ constexpr double slowest = 1e-28;
 constexpr double shortest_arc = 1e-20;
 // What is left of a component, as a rate, whose square would do so: nothing.
 constexpr double smallest_part = 1e-150;
+// A step beyond this many radians has lost its phase to rounding, and no kick can follow.
+constexpr double largest_arc = 0x1p20;
+
+bool is_finite_state(const SplittingState& s) {
+  return has_finite_numbers(RotorState{s.q_IB, s.g.hi});
+}
 
 // The momentum at the end of a flow, keeping the low part where the flow leaves g as it is.
 TwoPartMomentum replaced(const TwoPartMomentum& g, const Vec3& now) { return g + (now - g.hi); }
 
 }  // namespace
 
-void transfer(StateBytes& bytes, SplittingState& s) {
+void SplittingMap::serialize(Archive& bytes, SplittingState& s) {
   bytes.all(s.t, s.q_IB, s.g.hi, s.g.lo, s.evaluations);
   bool has_torque = s.torque.has_value();
   bytes(has_torque);
@@ -206,6 +213,41 @@ void SplittingMap::require_kicks() const {
                       "\" has no derivative: use Adaptive for state transitions");
 }
 
+std::string SplittingMap::obstacle(const SplittingState& s, double h) const {
+  const double arc = rate(s) * std::abs(h);
+  if (!(arc > largest_arc)) return {};
+  return "step " + number_text(std::abs(h)) + " is " + number_text(std::rint(arc)) +
+         " radians of rotation at t = " + number_text(s.t.hi) + ": take a step of less than a turn";
+}
+
+// The step that failed is gone through again in small pieces.
+std::string SplittingMap::failure(const SplittingState& from, const SplittingState& to) const {
+  if (is_finite_state(to)) return {};
+  const double piece = (to.t.hi - from.t.hi) / 16.0;
+  SplittingState s = from;
+  std::string name = term_not_finite(s);
+  for (int i = 0; name.empty() && i < 16; ++i) {  // 16 trips
+    SplittingState tried = stepped(s, piece);
+    if (is_finite_state(tried)) {
+      s = tried;
+      name = term_not_finite(s);
+    } else {
+      s.t.hi += piece;
+      name = term_not_finite(s);
+      break;
+    }
+  }
+  const std::string place = "t = " + number_text(s.t.hi);
+  if (!name.empty())
+    return "term \"" + name + "\" is not finite near " + place + ": check it there, or stop before";
+  if (may_grow_backwards())
+    return "the state is not finite near " + place +
+           ": a part of a step of this scheme goes back in time, where a strong damping grows: "
+           "take a smaller step, or the scheme order 2";
+  return "the state is not finite near " + place +
+         ": take a smaller step, or see whether a term grows without bound";
+}
+
 Matrix6 SplittingMap::step_transition(SplittingState s, double h) const {
   require_kicks();
   Matrix6 M = Matrix6::identity();
@@ -262,7 +304,7 @@ DeviationStep SplittingMap::step_deviation(SplittingState s, std::array<double, 
   return {std::move(s), {turn.x, turn.y, turn.z, dg.x, dg.y, dg.z}};
 }
 
-std::string StepJumps::seen(const SplittingMap& map, const SplittingState& from, double h,
+std::string StepJumps::seen(const SplittingMap& map, const SplittingState& from,
                             const SplittingState& to) {
   if (!switches_.is_needed()) return {};
   // A kink is distinguished from a jump where the change of torque is 1e-6 of what it is at the
@@ -274,6 +316,7 @@ std::string StepJumps::seen(const SplittingMap& map, const SplittingState& from,
     has_begun_ = true;
   }
   if (switches_.size() == 0) return {};
+  const double h = (to.t.hi - from.t.hi) + (to.t.lo - from.t.lo);
   const RotorState end = map.state(to);
   const std::vector<double> values = switches_.values(time(to), end);
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -284,7 +327,7 @@ std::string StepJumps::seen(const SplittingMap& map, const SplittingState& from,
       return switches_.values(time(s), map.state(s))[i];
     };
     const double x =
-        falling_root(value, 0.0, 1.0, 0.5, std::numeric_limits<double>::quiet_NaN(), close);
+        bracketed_root(value, 0.0, 1.0, 0.5, std::numeric_limits<double>::quiet_NaN(), close);
     const SplittingState edge = map.stepped(from, x * h);
     std::string refused =
         switches_.refused_jump(i, time(edge), map.state(edge), {map.state(from), end});
@@ -293,12 +336,6 @@ std::string StepJumps::seen(const SplittingMap& map, const SplittingState& from,
   }
   switches_.see(values);
   return {};
-}
-
-std::string StepJumps::seen_in_part(const SplittingMap& map, const SplittingState& from, double h,
-                                    const SplittingState& to) const {
-  if (!switches_.is_needed()) return {};  // without a copy
-  return StepJumps(*this).seen(map, from, h, to);
 }
 
 }  // namespace detail

@@ -11,11 +11,12 @@
 
 #include "dynamics/adaptive/switching_functions.hpp"
 #include "free/short_flow.hpp"
+#include "polhode/dynamics/detail/fixed_stepper.hpp"
 #include "polhode/dynamics/detail/splitting_scheme.hpp"
 #include "polhode/math/error_free.hpp"
 #include "polhode/math/matrix6.hpp"
 #include "polhode/system/system.hpp"
-#include "polhode/trajectory/state_bytes.hpp"
+#include "polhode/trajectory/archive.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -34,11 +35,12 @@ struct DeviationStep {
   SplittingState end;
   std::array<double, 6> x;
 };
-// Every number of it, kept or put back.
-void transfer(StateBytes& bytes, SplittingState& s);
 
 class SplittingMap {
  public:
+  using State = SplittingState;
+  using Shown = RotorState;
+
   // DomainError when a term has no flow.
   SplittingMap(const System& system, SplittingScheme scheme);
 
@@ -46,8 +48,15 @@ class SplittingMap {
   SplittingState start(double t, const RotorState& s) const;
   RotorState state(const SplittingState& s) const;  // q_SB, normalised
 
+  // Why no step by h is tried: empty, or that it turns too far.
+  std::string obstacle(const SplittingState& s, double h) const;
   // A step from s. Non-finite numbers are passed on; what a term throws passes through.
   SplittingState stepped(SplittingState s, double h) const;
+
+  // Which term was it, if `to` is not finite?
+  std::string failure(const SplittingState& from, const SplittingState& to) const;
+  static std::int64_t evaluations(const SplittingState& s, std::int64_t) { return s.evaluations; }
+  static void serialize(Archive& bytes, SplittingState& s);
 
   // d(dtheta_B, dg_B) after the step by those before. DomainError when a term is not a kick written
   // as a template on the number type.
@@ -56,14 +65,13 @@ class SplittingMap {
   // a step from s makes of x = (dtheta_B, dg_B).
   DeviationStep step_deviation(SplittingState s, std::array<double, 6> x, double h) const;
 
+ private:
   // The largest component of I^-1 g.
   double rate(const SplittingState& s) const;
   // Whether a damping acts for negative times in a part of a step, and grows there.
   bool may_grow_backwards() const;
   // The first term whose effect at s is not finite; empty if there is none.
   std::string term_not_finite(const SplittingState& s) const;
-
- private:
   // A fraction of a step in two parts, so that the fractions of a step add up to it.
   bool is_at_rest(const SplittingState& s, double time) const;
   void drift(SplittingState& s, const TwoTerms<double>& time) const noexcept;
@@ -92,18 +100,13 @@ class StepJumps {
   // `why` ends the sentence that refuses a jump.
   StepJumps(const System& system, const char* why) : switches_(system, why) {}
 
-  // After a step by h. Empty, or where a torque jumps because the state says so. A function that
+  // After a step. Empty, or where a torque jumps because the state says so. A function that
   // changes its sign and back within one step is not seen, though kicks inside the step may feel
   // the torque between: steps must be shorter than that.
-  std::string seen(const SplittingMap& map, const SplittingState& from, double h,
-                   const SplittingState& to);
-  // The same after a part of a step, up to a sample, which the run does not keep.
-  std::string seen_in_part(const SplittingMap& map, const SplittingState& from, double h,
-                           const SplittingState& to) const;
-
-  void transfer(StateBytes& bytes) {
+  std::string seen(const SplittingMap& map, const SplittingState& from, const SplittingState& to);
+  void serialize(Archive& bytes) {
     bytes(has_begun_);
-    switches_.transfer(bytes);
+    switches_.serialize(bytes);
   }
 
  private:

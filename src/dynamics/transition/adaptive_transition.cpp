@@ -46,9 +46,9 @@ class TransitionField {
 
 std::unique_ptr<BasicStepper<TransitionState>> transition_stepper(const Problem& problem,
                                                                   const Adaptive& method) {
-  return std::make_unique<SmoothStepper<TransitionField>>(
+  return std::make_unique<SwitchingStepper<TransitionField>>(
       std::make_shared<const TransitionField>(problem.system),
-      SmoothSteps(problem.system, no_transition_at_jump), problem.start,
+      SwitchingSteps(problem.system, no_transition_at_jump), problem.start,
       TransitionField::start(problem.initial), step_control(problem.system, problem.start, method));
 }
 

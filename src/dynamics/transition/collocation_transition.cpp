@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // By the derivative of the steps themselves, of which the motion is that of the method without.
 #include "dynamics/collocation/collocation_stepper.hpp"
-#include "dynamics/collocation/tangent_stages.hpp"
+#include "dynamics/collocation/variational_stages.hpp"
 #include "dynamics/transition/transition_steppers.hpp"
 #include "free/hub_tangent.hpp"
 
@@ -10,7 +10,7 @@ inline namespace v0 {
 namespace detail {
 namespace {
 
-// (q, g), and the six columns as TangentStages order them.
+// (q, g), and the six columns as VariationalStages order them.
 class SweptTransition {
  public:
   using Values = std::array<double, 49>;
@@ -71,9 +71,9 @@ class SweptTransition {
 
 std::unique_ptr<BasicStepper<TransitionState>> transition_stepper(const Problem& problem,
                                                                   const Collocation& method) {
-  return std::make_unique<CollocationStepper<TangentStages<SweptTransition, 6>>>(
+  return std::make_unique<CollocationStepper<VariationalStages<SweptTransition, 6>>>(
       std::make_shared<const SweptTransition>(problem.system),
-      SmoothSteps(problem.system, no_transition_at_jump), problem.start,
+      SwitchingSteps(problem.system, no_transition_at_jump), problem.start,
       SweptTransition::start(problem.initial), method,
       collocation_control(problem.system, problem.start, method));
 }

@@ -51,8 +51,6 @@ std::unique_ptr<BasicStepper<TransitionState>> transition_stepper(const Problem&
                                                                   const Adaptive& method);
 std::unique_ptr<BasicStepper<TransitionState>> transition_stepper(const Problem& problem,
                                                                   const Collocation& method);
-// Where a step is longer than what is left to a sample, a part of it is made for the sample, and
-// the run goes on from the start of the step.
 std::unique_ptr<BasicStepper<TransitionState>> transition_stepper(const Problem& problem,
                                                                   const Splitting& method);
 

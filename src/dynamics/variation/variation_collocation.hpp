@@ -185,7 +185,7 @@ class AdaptiveCollocation {
 
   // Every number that the steps to come depend on, by reference.
   template <class Visit>
-  void transfer(Visit& visit) {
+  void serialize(Visit& visit) {
     visit.all(h_, t_, state_.y, state_.carry, trial_, steps_, rejected_, evaluations_);
   }
 

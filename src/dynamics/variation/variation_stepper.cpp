@@ -225,8 +225,8 @@ class VariationStepper final : public Stepper {
   Statistics statistics() const override {
     return {solver_.steps(), solver_.rejected(), solver_.evaluations()};
   }
-  void transfer(StateBytes& bytes) override {
-    solver_.transfer(bytes);
+  void serialize(Archive& bytes) override {
+    solver_.serialize(bytes);
     DoubleDouble epoch = field_->epoch(), epoch_before = before_.epoch();
     bytes.all(epoch, epoch_before, begin_, start_.y, start_.carry);
     *field_ = field_->from(epoch);

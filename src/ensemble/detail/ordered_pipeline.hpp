@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The pipeline of run_cells on oneTBB. Alone in its file, so that tests/tsan.supp can name it.
+// The pipeline of ordered_parallel_for on oneTBB. Alone in its file, so that tests/tsan.supp can
+// name it.
 #pragma once
 
 #include <tbb/global_control.h>

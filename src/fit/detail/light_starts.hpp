@@ -35,7 +35,7 @@ struct LightTrial {
   EllipsoidModel body;
   double cost = 0.0;  // what was minimised
 };
-inline void serialize(StateBytes& bytes, LightTrial& trial) {
+inline void serialize(Archive& bytes, LightTrial& trial) {
   serialize(bytes, trial.body);
   bytes(trial.cost);
 }

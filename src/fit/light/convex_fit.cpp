@@ -12,7 +12,7 @@
 #include "fit/detail/convex_surface.hpp"
 #include "fit/detail/light_outcome.hpp"
 #include "math/number_text.hpp"
-#include "polhode/ensemble/cells.hpp"
+#include "polhode/ensemble/ordered_parallel_for.hpp"
 #include "polhode/error.hpp"
 #include "polhode/light/convex_body.hpp"
 #include "polhode/light/light_curve_checks.hpp"
@@ -461,7 +461,7 @@ std::vector<FoundConvex> fit_convex_of_periods(const LightSearchResult& found, c
     if (!is_known) starts.push_back({f.periods, &f.solution.body});
   }
   std::vector<FoundConvex> all;
-  run_cells(
+  ordered_parallel_for(
       0, std::ssize(starts), threads,
       [&](std::int64_t k) {
         if (between) between();

@@ -362,7 +362,7 @@ class Extension {
   };
 
   void fit(const std::vector<Begin>& begins, Pass& pass, detail::DistinctSolutions& finds) {
-    run_cells(
+    ordered_parallel_for(
         asked_.journal, std::ssize(begins), asked_.threads,
         [&](std::int64_t k) {
           if (asked_.between) asked_.between();
@@ -380,7 +380,7 @@ class Extension {
             pass.unfinished.push_back({s.result.cost, {s.body, from}});
           }
         },
-        [](StateBytes& bytes, LightSolution& s) { detail::serialize(bytes, s); });
+        [](Archive& bytes, LightSolution& s) { detail::serialize(bytes, s); });
   }
 
   // Of the present session.

@@ -203,7 +203,7 @@ class EllipsoidSearch {
     }();
     Trials found(search_.periods.size());
     tried_ += numbers.size();
-    run_cells(
+    ordered_parallel_for(
         search_.journal, std::ssize(numbers), search_.threads,
         [&](std::int64_t k) {
           if (search_.between) search_.between();
@@ -218,9 +218,7 @@ class EllipsoidSearch {
           const std::uint64_t number = numbers[static_cast<std::size_t>(k)];
           found[static_cast<std::size_t>(number % search_.periods.size())].push_back(*trial);
         },
-        [](StateBytes& bytes, std::optional<LightTrial>& trial) {
-          detail::serialize(bytes, trial);
-        });
+        [](Archive& bytes, std::optional<LightTrial>& trial) { detail::serialize(bytes, trial); });
     return found;
   }
 
@@ -317,7 +315,7 @@ class EllipsoidSearch {
   // Keeps what has not come to its end where `goes_on`.
   void fit(const std::vector<Finalist>& finalists, int most_iterations, bool goes_on) {
     if (goes_on) result_.finalists += finalists.size();
-    run_cells(
+    ordered_parallel_for(
         search_.journal, std::ssize(finalists), search_.threads,
         [&](std::int64_t k) {
           if (search_.between) search_.between();
@@ -333,7 +331,7 @@ class EllipsoidSearch {
           else if (goes_on && s.result.end == LeastSquaresResult::End::iteration_limit)
             unfinished_.push_back({s.result.cost, {s.body, periods}});
         },
-        [](StateBytes& bytes, LightSolution& s) { detail::serialize(bytes, s); });
+        [](Archive& bytes, LightSolution& s) { detail::serialize(bytes, s); });
   }
 
   void add_notes(std::size_t seldom) {

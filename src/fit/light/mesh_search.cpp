@@ -173,7 +173,7 @@ class Search {
   // Of each pair of periods the best, and after it the next best that is unlike those taken.
   std::vector<Start> finalists() {
     std::vector<std::vector<Start>> all(search_.periods.size());
-    run_cells(
+    ordered_parallel_for(
         search_.journal, static_cast<std::int64_t>(search_.starts), search_.threads,
         [&](std::int64_t k) { return start(static_cast<std::uint64_t>(k)); },
         [&](std::int64_t, const std::optional<Start>& one) {
@@ -181,7 +181,7 @@ class Search {
           ++result_.starts;
           all[one->periods].push_back(*one);
         },
-        [](StateBytes& bytes, std::optional<Start>& one) {
+        [](Archive& bytes, std::optional<Start>& one) {
           bool is_there = one.has_value();
           bytes(is_there);
           if (bytes.reads() && is_there) one.emplace();
@@ -211,7 +211,7 @@ class Search {
 
   void fit(const std::vector<Start>& starts) {
     result_.finalists += starts.size();
-    run_cells(
+    ordered_parallel_for(
         search_.journal, std::ssize(starts), search_.threads,
         [&](std::int64_t k) {
           if (search_.between) search_.between();
@@ -225,7 +225,7 @@ class Search {
         [&](std::int64_t k, const LightSolution& s) {
           if (s.is_found()) finds_.add(s, starts[static_cast<std::size_t>(k)].periods);
         },
-        [](StateBytes& bytes, LightSolution& s) { detail::serialize(bytes, s); });
+        [](Archive& bytes, LightSolution& s) { detail::serialize(bytes, s); });
   }
 
   void add_notes() {

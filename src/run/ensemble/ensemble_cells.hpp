@@ -3,33 +3,30 @@
 // members, from which bins and references come, then all of them.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "polhode/ensemble/team.hpp"
 #include "polhode/run/ensemble.hpp"
 #include "polhode/run/ensemble_run.hpp"
-#include "run/detail/checkpoint.hpp"
+#include "run/detail/sweep.hpp"
 #include "run/ensemble/statistics/statistics.hpp"
 
 namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-// Members begin to end - 1 of all: how a stage cuts them into cells.
-struct CellsOfMembers {
-  std::int64_t first = 0;  // of the cell 0
-  std::int64_t each = 1;
-  std::int64_t end = 0;  // after the last member
-
-  std::int64_t count() const { return (end - first + each - 1) / each; }
-  std::int64_t begin_of(std::int64_t cell) const { return first + cell * each; }
-  std::int64_t end_of(std::int64_t cell) const { return std::min(end, begin_of(cell + 1)); }
-};
+// Whether two machines compute alike to the last bit: polhode's own kernels do; sines and
+// logarithms are those of the C library, which has several of each and takes one that the processor
+// can run. A mark of what they give for some arguments.
+IdentityPart elementary_functions();
+// For a comparison in which they do not matter: theirs as ours, and where they differ the numbers
+// of orbits and torques too, which are made with them.
+void take_elementary_functions(Identity& theirs, const Identity& ours);
+// Whether it is this part that two differ in, as difference() says it.
+bool differs_in_elementary_functions(const std::string& difference);
 
 // What one cell of the members gives: rows, or statistics.
 struct EnsembleChunk {
@@ -39,13 +36,12 @@ struct EnsembleChunk {
   std::optional<RowStatistics> statistics;
 
   // Statistics need the frame to be read.
-  void transfer(StateBytes& bytes, const StatisticsFrame* frame);
+  void serialize(Archive& bytes, const StatisticsFrame* frame);
 };
 
 using Pilots = std::vector<EnsembleMember>;
-void transfer(StateBytes& bytes, Pilots& pilots);
 
-class EnsembleCells final : public TeamWork {
+class EnsembleCells final : public ExecutorWork {
  public:
   // With a file for each chunk where `chunk_files` is not empty (ChunkFiles). DomainError where
   // statistics would not fit into memory.
@@ -58,33 +54,32 @@ class EnsembleCells final : public TeamWork {
   std::vector<std::string> files_before(std::int64_t member) const;
   // Whether a cell is a chunk of the plan.
   bool is_by_chunks() const { return frame_ || has_files(); }
-  CellsOfMembers pilot_cells() const;
+  // The first members.
+  Source<Pilots> pilots();
   // From this member on, which begins a chunk where cells are chunks.
-  CellsOfMembers member_cells(std::int64_t from) const;
+  Source<EnsembleChunk> members(std::int64_t from);
 
-  Pilots pilots(const CellsOfMembers& cells, std::int64_t cell, const Progress& look) const;
-  EnsembleChunk chunk(const CellsOfMembers& cells, std::int64_t cell, const Progress& look) const;
-
-  // The same by bytes. The frame of the leader goes along where members are computed.
-  std::string pilot_stage() const;
-  std::string member_stage(std::int64_t from) const;
+  // The same in another process. The frame of the leader goes along where members are computed.
   void begin(const std::string& stage) override;
   std::string cell(std::int64_t index, const std::function<void()>& look) const override;
 
  private:
   struct Stage {
     bool pilots = false;
-    CellsOfMembers cells;
-    Identity identity;  // of the ensemble
+    std::int64_t first = 0, each = 1, end = 0;  // members; so many a cell
+    Identity identity;                          // of the ensemble
     std::string chunk_files;
-    std::string frame;
 
-    void transfer(StateBytes& bytes);
+    void serialize(Archive& bytes);
+    std::int64_t begin_of(std::int64_t cell) const { return first + cell * each; }
   };
-  std::string stage_bytes(bool pilots, const CellsOfMembers& cells) const;
+  template <class Result>
+  Source<Result> source(Stage stage,
+                        Result (EnsembleCells::*made)(std::int64_t begin, std::int64_t end,
+                                                      const Progress& look) const);
   std::int64_t members_at_a_time() const;
-  std::vector<EnsembleMember> members(std::int64_t begin, std::int64_t end,
-                                      const Progress& look) const;
+  Pilots members_of(std::int64_t begin, std::int64_t end, const Progress& look) const;
+  EnsembleChunk chunk_of(std::int64_t begin, std::int64_t end, const Progress& look) const;
   void append_rows(std::int64_t index, const EnsembleMember& member, std::vector<double>& to) const;
 
   const ScenarioEnsemble& ensemble_;

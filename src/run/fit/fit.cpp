@@ -174,13 +174,14 @@ FitReport fit_scenario(const Scenario& scenario, const FitOptions& options) {
   Solutions solutions(report.problem, plan, report);
   const auto stop = [&] {
     if (options.stop && options.stop())
-      throw FitStopped(scenario.document.name + ": stopped after " + std::to_string(report.starts) +
-                       " of " + std::to_string(plan.starts) + " starts");
+      throw RunInterrupted(scenario.document.name + ": stopped after " +
+                           std::to_string(report.starts) + " of " + std::to_string(plan.starts) +
+                           " starts");
   };
   report.starts = 0;
   stop();
   plan.places.unknowns.built([&] {
-    run_cells(
+    ordered_parallel_for(
         options.journal, plan.starts, options.threads,
         [&](std::int64_t start) { return tried(report, plan, start); },
         [&](std::int64_t start, const Tried& one) {
@@ -189,7 +190,7 @@ FitReport fit_scenario(const Scenario& scenario, const FitOptions& options) {
           if (options.progress) options.progress(report.starts);
           if (report.starts < plan.starts) stop();
         },
-        [](StateBytes& bytes, Tried& one) {
+        [](Archive& bytes, Tried& one) {
           detail::serialize(bytes, one.found);
           bytes(one.failure);
         });

@@ -3,81 +3,69 @@
 
 #include <algorithm>
 #include <iterator>
-#include <optional>
 #include <utility>
-#include <vector>
 
 #include "polhode/run/run.hpp"
-#include "run/detail/checkpoint.hpp"
 #include "run/detail/output_checks.hpp"
+#include "run/detail/sweep.hpp"
 #include "text/words.hpp"
 
 namespace polhode {
 inline namespace v0 {
 namespace {
 
-detail::KeptSetup setup_of(const Scenario& scenario, const std::vector<std::string>& paths,
-                           RunBegin begin, const BeginWords& words, double seconds) {
+detail::CheckpointSetup setup_of(const Scenario& scenario, const std::vector<std::string>& paths) {
   std::vector<std::string> files;  // what goes to standard output is written at the end
   std::ranges::copy_if(paths, std::back_inserter(files), detail::is_file);
-  detail::KeptSetup setup = detail::setup_of_tables({"fit", "fits anew"}, scenario, {}, files);
-  setup.begin = begin;
-  setup.words = words;
-  setup.seconds = seconds;
+  detail::CheckpointSetup setup =
+      detail::setup_of_tables({"fit", "fits anew"}, scenario, {}, files);
   setup.can_be_complete = false;  // files of a fit do not tell which fit they are of
   return setup;
 }
 
 }  // namespace
 
-class FitCheckpoint::Parts {
+// A sweep whose cells are the results of the journal; the fit itself computes them.
+class FitCheckpoint::Parts final : public detail::Sweep {
  public:
-  Parts(const Scenario& scenario, detail::KeptSetup setup)
-      : scenario_(scenario), outputs_(std::move(setup), provenance(scenario)) {
-    if (outputs_.continues()) {
-      StateBytes bytes(outputs_.state());
-      journal_.serialize(bytes);
-    }
-    outputs_.open([](const std::string&, const std::optional<SinkPosition>&) {
-      return detail::KeptOutput{[] { return SinkPosition{}; }, [] {}};
+  Parts(const Scenario& scenario, const std::vector<std::string>& paths, RunOptions options)
+      : Sweep(scenario, setup_of(scenario, paths), {}, provenance(scenario), std::move(options)) {
+    resume();
+    open([](const std::string&, const std::optional<SinkPosition>&) {
+      return detail::CheckpointedOutput{[] { return SinkPosition{}; }, [] {}};
     });
     journal_.added = [this] {
       if (outputs_.is_due()) keep();
     };
   }
 
-  void keep() {
-    StateBytes bytes;
-    journal_.serialize(bytes);
-    const std::string results = std::to_string(journal_.results()) + " results";
-    outputs_.keep({bytes.bytes(),
-                   detail::printable(scenario_.document.name, 200) + " after " + results,
-                   "after " + results});
-  }
-
-  detail::KeptOutputs& outputs() { return outputs_; }
+  using Sweep::keep;
+  bool keeps() const { return outputs_.keeps(); }
+  void forget() { outputs_.forget(); }
   CellJournal& journal() { return journal_; }
 
  private:
-  const Scenario& scenario_;
+  void serialize(Archive& bytes) override { journal_.serialize(bytes); }
+  double reached() const override { return static_cast<double>(journal_.results()); }
+  detail::CheckpointPlace place() const override {
+    const std::string after = "after " + std::to_string(journal_.results()) + " results";
+    return {detail::printable(scenario_.document.name, 200) + " " + after, after, after};
+  }
+
   CellJournal journal_;
-  detail::KeptOutputs outputs_;
 };
 
 FitCheckpoint::FitCheckpoint(const Scenario& scenario, const std::vector<std::string>& outputs,
-                             RunBegin begin, const BeginWords& words, double seconds)
-    : parts_(
-          std::make_unique<Parts>(scenario, setup_of(scenario, outputs, begin, words, seconds))) {}
-FitCheckpoint::~FitCheckpoint() = default;
-bool FitCheckpoint::continues() const { return parts_->outputs().continues(); }
-CellJournal& FitCheckpoint::journal() { return parts_->journal(); }
-std::size_t FitCheckpoint::results() const { return parts_->journal().results(); }
+                             RunOptions options)
+    : ResumableRun(std::make_unique<Parts>(scenario, outputs, std::move(options))) {}
+FitCheckpoint::Parts& FitCheckpoint::parts() { return static_cast<Parts&>(*sweep_); }
+CellJournal& FitCheckpoint::journal() { return parts().journal(); }
 bool FitCheckpoint::keep() {
-  if (!parts_->outputs().keeps()) return false;
-  parts_->keep();
+  if (!parts().keeps()) return false;
+  parts().keep();
   return true;
 }
-void FitCheckpoint::forget() { parts_->outputs().forget(); }
+void FitCheckpoint::forget() { parts().forget(); }
 
 }  // namespace v0
 }  // namespace polhode

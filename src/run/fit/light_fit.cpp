@@ -161,7 +161,7 @@ void search(const Scenario& scenario, const FitPlan& plan, const LightFitOptions
   if (options.progress) options.progress("search", 0.0);
   how.between = [&] {
     if (options.stop && options.stop())
-      throw FitStopped(scenario.document.name + ": stopped in the search");
+      throw RunInterrupted(scenario.document.name + ": stopped in the search");
   };
   if (options.progress) how.progress = [&](double part) { options.progress("search", part); };
   LightSearchResult found = search_light(how);

@@ -267,7 +267,7 @@ class Scan {
 
   void end_if_asked() const {
     if (options_.stop && options_.stop())
-      throw FitStopped(scenario_.document.name + ": stopped in the scan");
+      throw RunInterrupted(scenario_.document.name + ": stopped in the scan");
   }
 
   ScanOptions how() const {

@@ -72,7 +72,7 @@ void extend_to_sessions(const Scenario& scenario, std::size_t first,
   how.journal = options.journal;
   how.between = [&] {
     if (options.stop && options.stop())
-      throw FitStopped(scenario.document.name + ": stopped while sessions were joined");
+      throw RunInterrupted(scenario.document.name + ": stopped while sessions were joined");
   };
   if (options.begins)
     options.begins("sessions", counted(how.curves.size(), "session", "sessions") + " one by one");

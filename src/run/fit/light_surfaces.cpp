@@ -132,7 +132,7 @@ class Surfaces {
   template <class Made, class Take>
   void fit(std::size_t count, bool has_images, const Made& made, const Take& take) {
     double fits = 0.0;
-    run_cells(
+    ordered_parallel_for(
         options_.journal, static_cast<std::int64_t>(count), options_.threads,
         [&](std::int64_t k) {
           end_if_asked();
@@ -146,7 +146,7 @@ class Surfaces {
           tell_progress((all_of_them - done) * std::max(fits, 1.0) / done +
                         (has_images ? images_of_one * static_cast<double>(count_within()) : 0.0));
         },
-        [](StateBytes& bytes, std::vector<SurfaceFound>& all) {
+        [](Archive& bytes, std::vector<SurfaceFound>& all) {
           bytes.list(all, [&](SurfaceFound& one) {
             serialize(bytes, one.solution);
             serialize(bytes, one.convex);
@@ -214,8 +214,8 @@ class Surfaces {
 
   void end_if_asked() const {
     if (options_.stop && options_.stop())
-      throw FitStopped(scenario_.document.name + ": stopped in the fits of " +
-                       (report_.mesh ? "the mesh" : "convex bodies"));
+      throw RunInterrupted(scenario_.document.name + ": stopped in the fits of " +
+                           (report_.mesh ? "the mesh" : "convex bodies"));
   }
 
   // The best that converged, or else the best.

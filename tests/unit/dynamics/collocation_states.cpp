@@ -12,7 +12,7 @@
 #include "budgets.hpp"
 #include "dynamics/collocation/collocation_solver.hpp"
 #include "dynamics/collocation/damper_stages.hpp"
-#include "dynamics/collocation/number_stages.hpp"
+#include "dynamics/collocation/generic_stages.hpp"
 #include "message_of.hpp"
 #include "polhode/dynamics/integrate_model.hpp"
 #include "polhode/perturb/torque_table.hpp"
@@ -83,8 +83,8 @@ TEST(CollocationStates, DoNotDependOnTheProcessor) {
       constexpr InstructionSet base = InstructionSet::baseline;
       EXPECT_EQ(bits_after<detail::DamperStages>(with_damper, first, stages, set),
                 bits_after<detail::DamperStages>(with_damper, first, stages, base));
-      EXPECT_EQ(bits_after<detail::NumberStages>(numbers, eleven, stages, set),
-                bits_after<detail::NumberStages>(numbers, eleven, stages, base));
+      EXPECT_EQ(bits_after<detail::GenericStages>(numbers, eleven, stages, set),
+                bits_after<detail::GenericStages>(numbers, eleven, stages, base));
     }
 }
 

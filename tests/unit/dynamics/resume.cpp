@@ -20,7 +20,7 @@
 #include "polhode/perturb/gravity_gradient.hpp"
 #include "polhode/perturb/torque_table.hpp"
 #include "polhode/perturb/user_terms.hpp"
-#include "polhode/trajectory/state_bytes.hpp"
+#include "polhode/trajectory/archive.hpp"
 #include "unit/dynamics/resume_support.hpp"
 
 namespace {
@@ -223,7 +223,7 @@ TEST(Resume, AFlippedBitAnywhereIsSeen) {
 
 // What follows the hash, under a head that is right.
 Checkpoint with_hash(const Checkpoint& from, const std::string& hashed) {
-  StateBytes reader(from.bytes()), head;
+  Archive reader(from.bytes()), head;
   std::string magic;
   reader(magic);
   std::uint64_t hash = fingerprint(hashed);
@@ -232,7 +232,7 @@ Checkpoint with_hash(const Checkpoint& from, const std::string& hashed) {
 }
 
 std::string behind_hash(const Checkpoint& from) {
-  StateBytes reader(from.bytes());
+  Archive reader(from.bytes());
   std::string magic;
   reader(magic);
   return from.bytes().substr(8 + magic.size() + 8);

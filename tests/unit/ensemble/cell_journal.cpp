@@ -13,8 +13,8 @@
 
 namespace {
 
+using polhode::Archive;
 using polhode::CellJournal;
-using polhode::StateBytes;
 
 struct Interrupted {};
 
@@ -25,7 +25,7 @@ std::vector<double> worked(CellJournal* journal, int threads, std::int64_t most,
   double sum = 0.0;
   for (const std::int64_t count : {7, 5}) {
     const double from = sum;
-    polhode::run_cells(
+    polhode::ordered_parallel_for(
         journal, count, threads,
         [&](std::int64_t k) {
           ++computed;
@@ -36,17 +36,17 @@ std::vector<double> worked(CellJournal* journal, int threads, std::int64_t most,
           seen.push_back(x);
           if (static_cast<std::int64_t>(seen.size()) == most) throw Interrupted();
         },
-        [](StateBytes& bytes, double& x) { bytes(x); });
+        [](Archive& bytes, double& x) { bytes(x); });
   }
   return seen;
 }
 
 CellJournal read_again(CellJournal& journal) {
-  StateBytes bytes;
+  Archive bytes;
   journal.serialize(bytes);
   const std::string text = bytes.bytes();
   CellJournal read;
-  StateBytes reader(text);
+  Archive reader(text);
   read.serialize(reader);
   return read;
 }
@@ -89,11 +89,11 @@ TEST(CellJournal, BytesThatEndEarlyAreRejected) {
   CellJournal journal;
   std::atomic<int> computed{0};
   worked(&journal, 1, -1, computed);
-  StateBytes bytes;
+  Archive bytes;
   journal.serialize(bytes);
   const std::string text = bytes.bytes().substr(0, bytes.bytes().size() - 3);
   CellJournal read;
-  StateBytes reader(text);
+  Archive reader(text);
   EXPECT_THROW(read.serialize(reader), polhode::DomainError);
 }
 

@@ -44,7 +44,7 @@ class RunOfAnyState : public test::InTempFolder {
 
   IntegratedEnd<GyrostatState> run(const std::vector<std::unique_ptr<Sink>>& sinks,
                                    const RunControl& control) const {
-    RowWriter writer(3, sinks, control.from == nullptr ? 0 : control.from->pushed);
+    RowWriter writer(3, sinks, control.rows);
     const RowsOfMotion<Gyrostat> motion{problem_, rows_, write};
     auto end = detail::integrated_run(motion, writer, control);
     writer.finish();
@@ -65,26 +65,29 @@ class RunOfAnyState : public test::InTempFolder {
   // From its bytes alone, again and again, as another process would.
   RunReport run_with_stops(const std::string& name, double every) {
     std::optional<RunState> kept;
+    std::string motion;
     std::optional<SinkPosition> position;
     for (;;) {
       std::vector<std::unique_ptr<Sink>> sinks;
       sinks.push_back(opened(name, position));
-      const std::optional<RunState> from = kept;
-      const double begun = from ? from->t : 0.0;
+      const double begun = kept ? kept->t : 0.0;
+      const std::string from = motion;
+      Archive reader(from);
       RunControl control;
-      control.from = from ? &*from : nullptr;
+      if (kept) {
+        control.rows = kept->rows;
+        control.motion = &reader;
+      }
       control.event = [&](const RunEvent& event) { events_.push_back(event); };
       control.events_have_rows = true;
       control.due = [&](double t) { return t > begun + every; };
-      control.keep = [&](const RunState& state) {
-        kept.emplace();
-        StateBytes bytes;
-        RunState copy = state;
-        copy.transfer(bytes);
-        StateBytes reader(bytes.bytes());
-        kept->transfer(reader);
+      control.keep = [&](const RunState& state, const detail::WriteMotion& write) {
+        Archive bytes;
+        write(bytes);
+        kept = state;
+        motion = bytes.bytes();
         position = sinks[0]->position();
-        EXPECT_EQ(position.value().rows, state.pushed);
+        EXPECT_EQ(position.value().rows, state.rows);
         sinks[0]->kept();
         ++stops_;
         throw Stopped{};

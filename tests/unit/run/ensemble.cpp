@@ -14,7 +14,6 @@
 #include "message_of.hpp"
 #include "polhode/error.hpp"
 #include "polhode/run/ensemble_run.hpp"
-#include "polhode/run/ensemble_work.hpp"
 #include "polhode/run/run.hpp"
 #include "temp_folder.hpp"
 
@@ -80,7 +79,7 @@ std::vector<double> rows_of(const Scenario& scenario) {
 std::vector<double> ensemble_rows(const std::string& text, int threads) {
   const ScenarioEnsemble ensemble(text, "e.toml");
   std::vector<double> rows;
-  EnsembleOptions options;
+  RunOptions options;
   options.threads = threads;
   options.extra_sink = std::make_unique<Rows>(rows);
   EnsembleRun(ensemble, {}, std::move(options)).run();
@@ -159,18 +158,18 @@ void expect_resumable(const std::string& text, int least, const auto& set_up) {
   int stops = 0;
   for (bool done = false; !done; ++stops) {
     std::atomic<bool> enough = false;
-    EnsembleOptions options;
+    RunOptions options;
     options.begin = RunBegin::resume;
     options.checkpoint_seconds = 0.0;
     set_up(options, stops);
-    options.progress = [&](std::int64_t) { enough = true; };
+    options.progress = [&](const RunProgress&) { enough = true; };
     options.stop = [&] { return enough.load(); };
     try {
       EnsembleRun(ensemble, {parts}, std::move(options)).run();
       done = true;
-    } catch (const EnsembleInterrupted& stopped) {
+    } catch (const RunInterrupted& stopped) {
       EXPECT_TRUE(stopped.can_resume);
-      EXPECT_LT(stopped.members, ensemble.size());
+      EXPECT_LT(stopped.reached, static_cast<double>(ensemble.size()));
     }
   }
   EXPECT_GT(stops, least);
@@ -182,16 +181,27 @@ TEST(EnsembleRun, WhatIsStoppedGoesOn) {
     std::string text = body + torque + varied;
     text.replace(text.find("size = 20"), 9, "size = 60\nkeep = \"" + std::string(keep) + "\"");
     expect_resumable(text, 2,
-                     [](EnsembleOptions& options, int stops) { options.threads = 1 + stops % 2; });
+                     [](RunOptions& options, int stops) { options.threads = 1 + stops % 2; });
   }
 }
 
 TEST(EnsembleRun, WhatProgressThrowsPassesThrough) {
   const ScenarioEnsemble ensemble(body + varied, "e.toml");
-  EnsembleOptions options;
-  options.progress = [](std::int64_t) { throw std::runtime_error("enough"); };
+  RunOptions options;
+  options.progress = [](const RunProgress&) { throw std::runtime_error("enough"); };
   EnsembleRun run(ensemble, {}, std::move(options));
   EXPECT_THROW(run.run(), std::runtime_error);
+}
+
+// The base, two pilots and 20 members in chunks of 6, on one thread; half of the next chunk counts.
+TEST(EnsembleRun, PartsOfTheWorkCountPilotsAndTheChunkUnderWay) {
+  const ScenarioEnsemble ensemble(body + varied, "e.toml");
+  std::vector<double> parts;
+  RunOptions options;
+  options.threads = 1;
+  options.progress = [&](const RunProgress& at) { parts.push_back(at.part); };
+  EnsembleRun(ensemble, {}, std::move(options)).run();
+  EXPECT_EQ(parts, (std::vector<double>{12.0 / 23.0, 18.0 / 23.0, 22.0 / 23.0, 1.0}));
 }
 
 TEST(EnsembleRun, StatisticsThatDoNotFitAreRefused) {
@@ -236,17 +246,17 @@ struct Process {
   explicit Process(const std::string& text)
       : ensemble(text, "e.toml"), work(ensemble_work(ensemble)) {}
   ScenarioEnsemble ensemble;
-  std::unique_ptr<TeamWork> work;
+  std::unique_ptr<ExecutorWork> work;
 };
 
 // Processes that read the text for themselves, and answer in any order.
-class ShuffledTeam : public Team {
+class ShuffledExecutor : public Executor {
  public:
-  ShuffledTeam(const std::string& text, int processes, unsigned seed) : random_(seed) {
+  ShuffledExecutor(const std::string& text, int processes, unsigned seed) : random_(seed) {
     for (int k = 0; k < processes; ++k) all_.push_back(std::make_unique<Process>(text));
   }
   int processes() const override { return static_cast<int>(all_.size()); }
-  void run(TeamWork&, const TeamStage& stage, const Take& take,
+  void run(ExecutorWork&, const ExecutorStage& stage, const Take& take,
            const std::function<void()>& look) override {
     for (const auto& process : all_) process->work->begin(stage.bytes);
     std::vector<std::int64_t> order;
@@ -263,12 +273,12 @@ class ShuffledTeam : public Team {
   std::mt19937 random_;
 };
 
-std::vector<double> rows_of(const std::string& text, Team* team) {
+std::vector<double> rows_of(const std::string& text, Executor* executor) {
   const ScenarioEnsemble ensemble(text, "e.toml");
   std::vector<double> rows;
-  EnsembleOptions options;
+  RunOptions options;
   options.threads = 2;
-  options.team = team;
+  options.executor = executor;
   options.extra_sink = std::make_unique<Rows>(rows);
   const EnsembleReport report = EnsembleRun(ensemble, {}, std::move(options)).run();
   EXPECT_EQ(report.members, ensemble.size());
@@ -285,60 +295,60 @@ low = 2.2
 high = 2.7
 )";
 
-TEST(EnsembleTeam, GivesTheRowsOfThreads) {
+TEST(EnsembleExecutor, GivesTheRowsOfThreads) {
   for (const char* const keep : {"statistics", "final", "rows"}) {
     const std::string text =
         scenario("size = 60\nchunk = 7\nkeep = \"" + std::string(keep) + "\"") + impossible;
-    ShuffledTeam team(text, 3, 5);
-    const std::vector<double> rows = rows_of(text, &team);
+    ShuffledExecutor executor(text, 3, 5);
+    const std::vector<double> rows = rows_of(text, &executor);
     EXPECT_FALSE(rows.empty());
     EXPECT_TRUE(same_bits(rows, rows_of(text, nullptr))) << keep;
   }
 }
 
 // Of more numbers than are all kept: bins need the first members.
-TEST(EnsembleTeam, GivesTheQuantilesOfThreadsFromBins) {
+TEST(EnsembleExecutor, GivesTheQuantilesOfThreadsFromBins) {
   std::string text = scenario("size = 7000\nchunk = 900\nbins = 20\n") + impossible;
   text = replaced(text, "step = 0.5", "count = 400");
   text = replaced(text, "\"q\", \"omega\", \"tumbler\"", "\"omega\"");
   const std::vector<ColumnGroup> groups = ensemble_groups(ScenarioEnsemble(text, "e.toml"));
   EXPECT_EQ(groups.back().columns.back().name, "w3_p_error");
-  ShuffledTeam team(text, 2, 3);
-  EXPECT_TRUE(same_bits(rows_of(text, &team), rows_of(text, nullptr)));
+  ShuffledExecutor executor(text, 2, 3);
+  EXPECT_TRUE(same_bits(rows_of(text, &executor), rows_of(text, nullptr)));
 }
 
-// Stopped by turns with a team and with threads.
-TEST(EnsembleTeam, GoesOnWhereThreadsStopped) {
+// Stopped by turns with an executor and with threads.
+TEST(EnsembleExecutor, GoesOnWhereThreadsStopped) {
   for (const char* const keep : {"statistics", "final", "rows"}) {
     const std::string text =
         scenario("size = 90\nchunk = 8\nkeep = \"" + std::string(keep) + "\"") + impossible;
-    std::unique_ptr<ShuffledTeam> team;
-    expect_resumable(text, 3, [&](EnsembleOptions& options, int stops) {
-      team = std::make_unique<ShuffledTeam>(text, 1 + stops % 3, 7);
-      if (stops % 2 == 0) options.team = team.get();
+    std::unique_ptr<ShuffledExecutor> executor;
+    expect_resumable(text, 3, [&](RunOptions& options, int stops) {
+      executor = std::make_unique<ShuffledExecutor>(text, 1 + stops % 3, 7);
+      if (stops % 2 == 0) options.executor = executor.get();
     });
   }
 }
 
-TEST(EnsembleTeam, AnotherEnsembleIsRefused) {
+TEST(EnsembleExecutor, AnotherEnsembleIsRefused) {
   const std::string text = scenario("size = 60\nchunk = 7\n");
   for (const auto& [from, to] :
        {std::pair<std::string, std::string>{"size = 60", "size = 61"}, {"1.7, 2.2", "1.7, 2.1"}}) {
-    ShuffledTeam team(replaced(text, from, to), 2, 1);
+    ShuffledExecutor executor(replaced(text, from, to), 2, 1);
     const ScenarioEnsemble ensemble(text, "e.toml");
-    EnsembleOptions options;
-    options.team = &team;
+    RunOptions options;
+    options.executor = &executor;
     EnsembleRun run(ensemble, {}, std::move(options));
     EXPECT_REJECTED(run.run(), "e.toml: is not the ensemble that is run: scenario was");
   }
 }
 
-TEST(EnsembleTeam, MoreProcessesThanChunksAreRefused) {
+TEST(EnsembleExecutor, MoreProcessesThanChunksAreRefused) {
   const std::string text = scenario("size = 60\nchunk = 20\n");
-  ShuffledTeam team(text, 4, 1);
+  ShuffledExecutor executor(text, 4, 1);
   const ScenarioEnsemble ensemble(text, "e.toml");
-  EnsembleOptions options;
-  options.team = &team;
+  RunOptions options;
+  options.executor = &executor;
   EXPECT_REJECTED(EnsembleRun(ensemble, {}, std::move(options)),
                   "4 processes for 3 chunks of members; expected a chunk for each at least: "
                   "fewer processes, or a smaller ensemble.chunk");

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "run/detail/attitude_errors.hpp"
-#include "run/detail/checkpoint.hpp"
+#include "run/detail/checkpointed_outputs.hpp"
 #include "scenario_text.hpp"
 
 namespace polhode {

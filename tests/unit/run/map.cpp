@@ -409,11 +409,11 @@ class MapRuns : public InFolder {
   // Of all cells, or up to one.
   MapReport run(const ScenarioMap& map, RunBegin begin, std::int64_t up_to = -1,
                 const std::string& path = "m.csv") const {
-    MapOptions options;
+    RunOptions options;
     options.begin = begin;
     options.checkpoint_seconds = 0.0;
     std::int64_t done = 0;
-    options.progress = [&](std::int64_t cells) { done = cells; };
+    options.progress = [&](const RunProgress& at) { done = static_cast<std::int64_t>(at.reached); };
     options.stop = [&] { return done == up_to; };
     options.threads = 1;
     return MapRun(map, {folder_ + "/" + path}, std::move(options)).run();
@@ -451,7 +451,7 @@ TEST_F(MapRuns, KeepSectionsWhole) {
   EXPECT_EQ(whole.points, 16 * 10);
   for (std::int64_t stop = 1; stop < 13; ++stop) {
     std::filesystem::remove(path_);
-    EXPECT_THROW(run(map, RunBegin::resume, stop), MapInterrupted);
+    EXPECT_THROW(run(map, RunBegin::resume, stop), RunInterrupted);
     EXPECT_FALSE(std::filesystem::exists(path_));
     const MapReport report = run(map, RunBegin::resume);
     EXPECT_EQ(text_of(path_), straight) << stop;
@@ -478,7 +478,7 @@ TEST_F(MapRuns, KeepAReasonOnce) {
   std::string text = section;
   text.replace(text.find("from = 0.8\nto = 2\ncount = 13"), 28, "from = 2\nto = 2\ncount = 9");
   const ScenarioMap map(text, "m.toml");
-  EXPECT_THROW(run(map, RunBegin::anew, 7), MapInterrupted);
+  EXPECT_THROW(run(map, RunBegin::anew, 7), RunInterrupted);
   const std::string kept = text_of(checkpoint()), reason = map.cell(0).failure;
   ASSERT_NE(reason, "");
   const std::size_t first = kept.find(reason);
@@ -506,7 +506,7 @@ TEST_F(MapRuns, GoOnFromTheCheckpointOfAnEarlierOne) {
   run(map, RunBegin::resume);  // nothing there: from the start
   const std::string straight = text_of(path_);
   std::filesystem::remove(path_);
-  EXPECT_THROW(run(map, RunBegin::anew, 7), MapInterrupted);
+  EXPECT_THROW(run(map, RunBegin::anew, 7), RunInterrupted);
   const std::string kept = text_of(checkpoint()), part = text_of(path_ + ".part");
   EXPECT_EQ(std::count(part.begin(), part.end(), '\n') -
                 std::count(straight.begin(), straight.end(), '#'),
@@ -530,7 +530,7 @@ TEST_F(MapRuns, GoOnFromTheCheckpointOfAnEarlierOne) {
 
 TEST_F(MapRuns, RefuseWhatIsOfAnother) {
   const ScenarioMap map(section, "m.toml");
-  EXPECT_THROW(run(map, RunBegin::anew, 9), MapInterrupted);
+  EXPECT_THROW(run(map, RunBegin::anew, 9), RunInterrupted);
   const std::string kept = text_of(checkpoint()), part = text_of(path_ + ".part");
   const auto refusal_of = [&](const ScenarioMap& other) {
     return test::message_of([&] { run(other, RunBegin::resume); });
@@ -555,17 +555,17 @@ TEST_F(MapRuns, RefuseWhatIsOfAnother) {
 
 TEST_F(MapRuns, WhatProgressThrowsKeepsTheCellsBefore) {
   const ScenarioMap map(section, "m.toml");
-  MapOptions options;
+  RunOptions options;
   options.threads = 3;
-  options.progress = [](std::int64_t cells) {
-    if (cells == 7) throw std::runtime_error("enough");
+  options.progress = [](const RunProgress& at) {
+    if (at.reached == 7.0) throw std::runtime_error("enough");
   };
   EXPECT_THROW(MapRun(map, {path_}, std::move(options)).run(), std::runtime_error);
-  MapOptions rest;
+  RunOptions rest;
   rest.begin = RunBegin::resume;
   MapRun run(map, {path_}, std::move(rest));
   EXPECT_TRUE(run.continues());
-  EXPECT_EQ(run.cells(), 7);
+  EXPECT_EQ(run.reached(), 7.0);
   EXPECT_EQ(run.run().cells, 13);
 }
 

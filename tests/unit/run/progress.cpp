@@ -120,16 +120,24 @@ const std::string methods[] = {"", "[method]\nkind = \"collocation\"\n",
 struct Ran {
   std::vector<double> numbers;
   RunReport report;
-  std::vector<detail::RunState> states;
+  std::vector<std::pair<detail::RunState, std::string>> states;  // with what moves
 };
-Ran ran(const Scenario& s, const detail::RunState* from = nullptr) {
+Ran ran(const Scenario& s, const std::pair<detail::RunState, std::string>* from = nullptr) {
   Ran all;
   std::vector<std::unique_ptr<Sink>> sinks;
   sinks.push_back(std::make_unique<Kept>(all.numbers));
   detail::RunControl control;
   control.due = [](double) { return true; };
-  control.keep = [&](const detail::RunState& state) { all.states.push_back(state); };
-  control.from = from;
+  control.keep = [&](const detail::RunState& state, const detail::WriteMotion& motion) {
+    Archive bytes;
+    motion(bytes);
+    all.states.emplace_back(state, bytes.bytes());
+  };
+  Archive motion(from != nullptr ? std::string_view(from->second) : std::string_view());
+  if (from != nullptr) {
+    control.rows = from->first.rows;
+    control.motion = &motion;
+  }
   all.report = detail::run_rows(s, sinks, control);
   return all;
 }
@@ -168,9 +176,10 @@ TEST(ToStop, AContinuedRunIsTheStraightOne) {
     const Scenario s = scenario("stop = 7\nstep = 4\n", method + half);
     const Ran straight = ran(s);
     ASSERT_EQ(straight.report.events.size(), 1U) << method;
-    for (const detail::RunState& state : straight.states) {
-      const Ran rest = ran(s, &state);
-      const std::size_t before = static_cast<std::size_t>(state.pushed) * 5;
+    for (const auto& kept : straight.states) {
+      const detail::RunState& state = kept.first;
+      const Ran rest = ran(s, &kept);
+      const std::size_t before = static_cast<std::size_t>(state.rows) * 5;
       EXPECT_EQ(before + rest.numbers.size(), straight.numbers.size()) << method << state.t;
       EXPECT_TRUE(std::equal(rest.numbers.begin(), rest.numbers.end(),
                              straight.numbers.end() - static_cast<int>(rest.numbers.size())));

@@ -71,7 +71,7 @@ class ShorterStep final : public BasicDenseStep<typename Field::State> {
 // `Steps` makes one step of the solver:
 //   auto rates(std::shared_ptr<const Field>) const     a callable with a member `field`
 //   std::string advance(solver, field, stop)           empty, or why no step was made
-//   void transfer(StateBytes&, rates)                  what it and the rates keep between steps
+//   void serialize(Archive&, rates)                  what it and the rates keep between steps
 template <class Field, class Steps>
 class AdaptiveStepper final : public BasicStepper<typename Field::State> {
  public:
@@ -111,10 +111,10 @@ class AdaptiveStepper final : public BasicStepper<typename Field::State> {
   Statistics statistics() const override {
     return {solver_.steps(), solver_.rejected(), solver_.evaluations()};
   }
-  void transfer(StateBytes& bytes) override {
-    solver_.transfer(bytes);
+  void serialize(Archive& bytes) override {
+    solver_.serialize(bytes);
     bytes.all(begin_, start_.y, start_.carry);
-    steps_.transfer(bytes, solver_.field());
+    steps_.serialize(bytes, solver_.field());
   }
 
  private:

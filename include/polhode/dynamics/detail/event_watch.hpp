@@ -13,7 +13,7 @@
 #include "polhode/dynamics/detail/met_events.hpp"
 #include "polhode/dynamics/detail/time_zeros.hpp"
 #include "polhode/dynamics/event.hpp"
-#include "polhode/trajectory/state_bytes.hpp"
+#include "polhode/trajectory/archive.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -94,13 +94,13 @@ class EventWatch {
   // Of the terms, for slopes of the functions.
   std::int64_t evaluations() const { return motion_.evaluations(); }
 
-  void transfer(StateBytes& bytes) {
+  void serialize(Archive& bytes) {
     for (Watched& w : watched_) {
-      w.search.transfer(bytes);
+      w.search.serialize(bytes);
       bytes.all(w.value, w.at_zero);
     }
     bytes(last_);
-    motion_.transfer(bytes);
+    motion_.serialize(bytes);
   }
 
  private:

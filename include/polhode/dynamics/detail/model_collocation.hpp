@@ -72,7 +72,7 @@ class ModelCollocation final : public BasicStepper<typename M::State> {
   }
   int intervals() const override { return solver_->intervals(); }
   Statistics statistics() const override { return solver_->statistics(); }
-  void transfer(StateBytes& bytes) override { solver_->transfer(bytes); }
+  void serialize(Archive& bytes) override { solver_->serialize(bytes); }
 
  private:
   class Dense final : public BasicDenseStep<State> {

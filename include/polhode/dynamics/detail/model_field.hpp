@@ -65,7 +65,7 @@ struct PlainSteps {
     return model_failure_text(name, solver.time().hi, solver.trial(), outcome);
   }
   template <class Rates>
-  void transfer(StateBytes&, Rates&) const {}
+  void serialize(Archive&, Rates&) const {}
 };
 
 template <Model M>
@@ -95,7 +95,7 @@ class ModelMotion {
       return s;
   }
   std::int64_t evaluations() const { return evaluations_; }
-  void transfer(StateBytes& bytes) { bytes(evaluations_); }
+  void serialize(Archive& bytes) { bytes(evaluations_); }
 
  private:
   M model_;

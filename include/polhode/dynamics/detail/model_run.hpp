@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "polhode/dynamics/detail/event_watch.hpp"
-#include "polhode/dynamics/detail/frozen_stepper.hpp"
+#include "polhode/dynamics/detail/frozen_time_splitting.hpp"
 #include "polhode/dynamics/detail/model_collocation.hpp"
 #include "polhode/dynamics/detail/model_field.hpp"
 #include "polhode/dynamics/detail/run_forms.hpp"
@@ -63,7 +63,9 @@ std::unique_ptr<BasicStepper<S>> stepper_of_model(const BasicProblem<M, S>& prob
                                                   const S& initial) {
   if constexpr (FrozenModel<M>)
     if (const Splitting* const method = method_of_frozen_models(problem.method))
-      return std::make_unique<FrozenStepper<M>>(problem.system, problem.start, initial, *method);
+      return std::make_unique<FixedStepper<FrozenTimeSplitting<M>>>(
+          FrozenTimeSplitting<M>{problem.system, splitting_coefficients(method->scheme, false)},
+          TimedState<S>{problem.start, initial}, method->step);
   if constexpr (!Model<M>) {
     refuse_all_but_splitting(M::name);
   } else {

@@ -11,7 +11,7 @@
 #include "polhode/dynamics/method.hpp"
 #include "polhode/math/double_double.hpp"
 #include "polhode/ode/adaptive_runge_kutta.hpp"
-#include "polhode/trajectory/state_bytes.hpp"
+#include "polhode/trajectory/archive.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -56,7 +56,7 @@ class NumberSteps {
   // Looks that one step needs, whatever moves.
   virtual int intervals() const = 0;
   virtual Statistics statistics() const = 0;
-  virtual void transfer(StateBytes& bytes) = 0;
+  virtual void serialize(Archive& bytes) = 0;
 };
 
 std::unique_ptr<NumberSteps> collocation_steps(std::shared_ptr<const NumberField> field,

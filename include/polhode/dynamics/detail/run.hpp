@@ -33,14 +33,14 @@ std::string times_bytes(const SaveAt& times);
 std::string number_bytes(double x);
 template <MotionState S>
 std::string state_bytes(S s) {
-  StateBytes bytes;
+  Archive bytes;
   bytes(s);
   return bytes.bytes();
 }
 
 Checkpoint made_checkpoint(const Features& features, double t, const std::string& state);
 // The numbers behind the features. DomainError where these are of another problem, saying which.
-StateBytes opened_checkpoint(const Checkpoint& from, const Features& features);
+Archive opened_checkpoint(const Checkpoint& from, const Features& features);
 
 // Why a run ends whose steps are too many for the memory that it may take.
 std::string full_text(double most_bytes, double t);
@@ -51,7 +51,7 @@ class EndJudge {
   explicit EndJudge(double t) : t_(t) {}
   // Empty, or why it will not: `steps` have been made up to t.
   std::string judged(double t, double stop, std::int64_t steps);
-  void transfer(StateBytes& bytes) { bytes.all(t_, steps_); }
+  void serialize(Archive& bytes) { bytes.all(t_, steps_); }
 
  private:
   double t_;  // where it was seen last
@@ -95,8 +95,8 @@ class Run {
 
   // Goes on where a checkpoint was made.
   void restore(const Checkpoint& from) {
-    StateBytes bytes = opened_checkpoint(from, features_);
-    transfer(bytes);
+    Archive bytes = opened_checkpoint(from, features_);
+    serialize(bytes);
     if (!bytes.is_done())
       throw DomainError(
           "resume: the checkpoint is of another problem: it holds more numbers than a run of this "
@@ -221,18 +221,18 @@ class Run {
     }
   }
 
-  void transfer(StateBytes& bytes) {
+  void serialize(Archive& bytes) {
     bytes.all(parts_.outcome.t, parts_.events, inside_step_, stopped_, end_);
-    judge_.transfer(bytes);
-    stepper_->transfer(bytes);
-    watch_.transfer(bytes);
-    samples_.transfer(bytes);
+    judge_.serialize(bytes);
+    stepper_->serialize(bytes);
+    watch_.serialize(bytes);
+    samples_.serialize(bytes);
   }
 
   void offer_checkpoint(double t) {
     if (streams_ == nullptr || !streams_->checkpoint_due || !streams_->checkpoint_due(t)) return;
-    StateBytes state;
-    transfer(state);
+    Archive state;
+    serialize(state);
     if (streams_->checkpoint) streams_->checkpoint(made_checkpoint(features_, t, state.bytes()));
   }
 

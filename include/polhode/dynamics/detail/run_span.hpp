@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "polhode/trajectory/state_bytes.hpp"
+#include "polhode/trajectory/archive.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -42,7 +42,7 @@ struct NoEvents {
   Found finish() { return {}; }
   std::string refusal() const { return {}; }
   static std::int64_t evaluations() { return 0; }
-  void transfer(StateBytes&) {}
+  void serialize(Archive&) {}
 };
 
 }  // namespace detail

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "polhode/trajectory/archive.hpp"
 #include "polhode/trajectory/progress.hpp"
 #include "polhode/trajectory/save_at.hpp"
-#include "polhode/trajectory/state_bytes.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -33,7 +33,7 @@ class DueTimes {
   std::optional<double> last() const;
   void pass() { ++next_; }
   bool is_before(double a, double b) const { return forward_ ? a < b : a > b; }
-  void transfer(StateBytes& bytes) { bytes(next_); }
+  void serialize(Archive& bytes) { bytes(next_); }
 
  private:
   // Up to where samples are due in a step that ends at t.
@@ -91,8 +91,8 @@ class SampleQueue {
     sink_(full);
   }
   // Which sample is next, and those that wait for their block to fill.
-  void transfer(StateBytes& bytes) {
-    times_.transfer(bytes);
+  void serialize(Archive& bytes) {
+    times_.serialize(bytes);
     bytes.all(latest_, block_);
   }
 

@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "polhode/trajectory/state_bytes.hpp"
+#include "polhode/trajectory/archive.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -31,7 +31,7 @@ class BasicStepper {
   virtual Statistics statistics() const = 0;
   // Every number that the steps to come and the dense output of the last one depend on: kept, or
   // put back into a stepper of the same problem.
-  virtual void transfer(StateBytes& bytes) = 0;
+  virtual void serialize(Archive& bytes) = 0;
 };
 
 }  // namespace detail

@@ -67,7 +67,7 @@ class ZeroSearch {
 
   // Every number that the search depends on.
   template <class Visit>
-  void transfer(Visit& visit) {
+  void serialize(Visit& visit) {
     visit.all(sign_, at_zero_, stretch_, is_exact_, is_near_, counts_, t_zero_, scale_, floor_);
   }
 

@@ -38,14 +38,14 @@ class IntegratedRun {
  public:
   IntegratedRun(const RowsOfMotion<M, S>& motion, RowWriter& writer, const RunControl& control)
       : motion_(motion), writer_(writer), control_(control) {
-    if (control.from == nullptr) return;
-    StateBytes bytes(control.from->motion);
-    kept_.transfer(bytes);
-    from_.emplace(kept_.integration);
+    if (control.motion == nullptr) return;
+    std::string integration;
+    serialize(*control.motion, integration);
+    from_.emplace(std::move(integration));
   }
 
   IntegratedEnd<S> run() {
-    if (!kept_.among_rows) {
+    if (!among_rows_) {
       go_to_first_row();
       if (!report_.outcome.ok()) return {std::move(report_), std::nullopt};
     }
@@ -54,15 +54,11 @@ class IntegratedRun {
   }
 
  private:
-  // All that the bytes of a checkpoint hold.
-  struct Kept {
-    bool among_rows = false;  // or on the way to the first
-    std::string integration;  // of a Checkpoint
-    Statistics before{};      // of the way to the first row
-    BasicSample<S> first{};   // where the rows start
-
-    void transfer(StateBytes& bytes) { bytes.all(among_rows, integration, before, first); }
-  };
+  // `integration`: the bytes of a Checkpoint.
+  void serialize(Archive& bytes, std::string& integration) {
+    bytes.all(among_rows_, before_, first_);
+    bytes.rest(integration);
+  }
 
   void go_to_first_row() {
     BasicProblem<M, S> lead_in = motion_.from_zero;
@@ -72,18 +68,18 @@ class IntegratedRun {
     if (lead_in.start != lead_in.stop)
       integrate_on(lead_in, SaveAt::times({lead_in.stop}),
                    [&](std::span<const BasicSample<S>> samples) { there = samples.back(); });
-    kept_.first = {lead_in.stop, there.s};
-    kept_.before = report_.statistics;
-    kept_.among_rows = true;
+    first_ = {lead_in.stop, there.s};
+    before_ = report_.statistics;
+    among_rows_ = true;
     from_.reset();
   }
 
   void go_along_rows() {
-    report_.statistics = kept_.before;
+    report_.statistics = before_;
     BasicProblem<M, S> along = motion_.from_zero;
     along.start = motion_.rows[0];
     along.stop = motion_.rows.end();
-    along.initial = kept_.first.s;
+    along.initial = first_.s;
     const BasicTrajectory<S> trajectory =
         integrate_on(along, motion_.rows, [&](std::span<const BasicSample<S>> samples) {
           writer_.push(samples.size(),
@@ -103,10 +99,10 @@ class IntegratedRun {
         control_.event(run_event(event));
       };
     streams.checkpoint = [this](const Checkpoint& now) {
-      kept_.integration = now.bytes();
-      StateBytes bytes;
-      kept_.transfer(bytes);
-      control_.keep({now.t(), writer_.rows(), bytes.bytes()});
+      control_.keep({now.t(), writer_.rows()}, [&](Archive& bytes) {
+        std::string integration = now.bytes();
+        serialize(bytes, integration);
+      });
     };
     BasicTrajectory<S> trajectory = from_
                                         ? resume(problem, times, *from_, streams, control_.progress)
@@ -128,7 +124,9 @@ class IntegratedRun {
   const RowsOfMotion<M, S>& motion_;
   RowWriter& writer_;
   const RunControl& control_;
-  Kept kept_;
+  bool among_rows_ = false;  // or on the way to the first
+  Statistics before_{};      // of the way to the first row
+  BasicSample<S> first_{};   // where the rows start
   std::optional<Checkpoint> from_;
   std::optional<BasicSample<S>> latest_;
   RunReport report_;

@@ -11,28 +11,28 @@
 #include <vector>
 
 #include "polhode/run/run.hpp"
-#include "polhode/trajectory/state_bytes.hpp"
+#include "polhode/trajectory/archive.hpp"
 
 namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-// What the rest of the run depends on, in addition to the scenario.
 struct RunState {
   double t = 0.0;
-  std::int64_t pushed = 0;  // rows, into the sinks
-  std::string motion;       // bytes of the experiment's own
-
-  void transfer(StateBytes& bytes) { bytes.all(t, pushed, motion); }
+  std::int64_t rows = 0;  // in the sinks
 };
+// Writes what moves, which depends on the experiment.
+using WriteMotion = std::function<void(Archive&)>;
 
 struct RunControl {
   Progress progress = {};
   std::function<void(const RunEvent&)> event = {};  // empty: the report has them
   bool events_have_rows = false;
   std::function<bool(double t)> due = {};  // whether to keep the state now
-  std::function<void(const RunState&)> keep = {};
-  const RunState* from = nullptr;
+  std::function<void(const RunState&, const WriteMotion&)> keep = {};
+  // Of a run that is resumed: its rows in the sinks, and the reader of what WriteMotion wrote.
+  std::int64_t rows = 0;
+  Archive* motion = nullptr;
 };
 
 // What an EventTable holds: the columns of a row, with name in front and direction behind t.

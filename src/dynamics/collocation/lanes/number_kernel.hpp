@@ -4,7 +4,7 @@
 #pragma once
 
 #include "dynamics/collocation/gauss_scheme.hpp"
-#include "dynamics/collocation/lanes/of_stages.hpp"
+#include "dynamics/collocation/lanes/dispatch_stage_count.hpp"
 #include "dynamics/collocation/lanes/product_error.hpp"
 #include "polhode/math/error_free.hpp"
 #include "polhode/math/pack.hpp"
@@ -150,7 +150,7 @@ struct NumberKernel {
 
 template <InstructionSet isa>
 NumberLanes number_kernels(std::size_t stages) {
-  return of_stages(stages, []<std::size_t s>() {
+  return dispatch_stage_count(stages, []<std::size_t s>() {
     using K = NumberKernel<isa, s>;
     return NumberLanes{&K::move, &K::multiply, &K::finish, &K::transform};
   });

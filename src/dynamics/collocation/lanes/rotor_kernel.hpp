@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "dynamics/collocation/gauss_scheme.hpp"
-#include "dynamics/collocation/lanes/of_stages.hpp"
+#include "dynamics/collocation/lanes/dispatch_stage_count.hpp"
 #include "dynamics/collocation/lanes/product_error.hpp"
 #include "dynamics/collocation/lanes/rotor_rates.hpp"
 
@@ -208,7 +208,7 @@ struct RotorKernel {
 
 template <InstructionSet isa>
 RotorLanes rotor_kernels(std::size_t stages) {
-  return of_stages(stages, []<std::size_t s>() {
+  return dispatch_stage_count(stages, []<std::size_t s>() {
     using K = RotorKernel<isa, s>;
     return RotorLanes{&K::place, &K::measure, &K::sweep, &K::finish, &K::transform};
   });

@@ -235,16 +235,16 @@ std::vector<EnsembleReport::FirstTimes> RowStatistics::first_times() const {
   return all;
 }
 
-void RowStatistics::transfer(StateBytes& bytes) {
+void RowStatistics::serialize(Archive& bytes) {
   bytes(counts_);
-  transfer_all(bytes, moments_);
-  transfer_all(bytes, quantiles_);
-  transfer_all(bytes, attitudes_);
-  transfer_all(bytes, modes_);
-  transfer_all(bytes, parts_);
-  transfer_all(bytes, events_);
+  serialize_all(bytes, moments_);
+  serialize_all(bytes, quantiles_);
+  serialize_all(bytes, attitudes_);
+  serialize_all(bytes, modes_);
+  serialize_all(bytes, parts_);
+  serialize_all(bytes, events_);
   bytes(happened_);
-  for (std::vector<MemberHistogram>& of_times : histograms_) transfer_all(bytes, of_times);
+  for (std::vector<MemberHistogram>& of_times : histograms_) serialize_all(bytes, of_times);
 }
 
 namespace {

@@ -20,7 +20,7 @@
 #include "polhode/ensemble/number_moments.hpp"
 #include "polhode/ensemble/quantiles.hpp"
 #include "polhode/run/ensemble_run.hpp"
-#include "polhode/trajectory/state_bytes.hpp"
+#include "polhode/trajectory/archive.hpp"
 #include "run/ensemble/member_columns.hpp"
 
 namespace polhode {
@@ -29,7 +29,7 @@ namespace detail {
 
 // Accumulators as bytes of a checkpoint or a message: for each how many numbers it has, then these.
 template <class A>
-void transfer_all(StateBytes& bytes, std::vector<A>& all) {
+void serialize_all(Archive& bytes, std::vector<A>& all) {
   for (A& one : all) {
     std::vector<double> numbers;
     if (!bytes.reads()) numbers = one.numbers();
@@ -158,7 +158,7 @@ class StatisticsFrame {
   std::vector<ColumnGroup> groups() const;
   std::vector<std::string> notes() const;
   // References and ranges, for a checkpoint.
-  void transfer(StateBytes& bytes);
+  void serialize(Archive& bytes);
 
  private:
   struct Range {
@@ -197,7 +197,7 @@ class RowStatistics {
   // When the events came, over all members.
   std::vector<EnsembleReport::FirstTimes> first_times() const;
   std::vector<EnsembleReport::Histogram> histograms() const;
-  void transfer(StateBytes& bytes);
+  void serialize(Archive& bytes);
 
  private:
   void add_attitudes(std::int64_t first, std::span<const EnsembleMember> members,

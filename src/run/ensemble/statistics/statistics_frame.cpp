@@ -211,7 +211,7 @@ std::optional<StatisticsFrame::FirstTime> StatisticsFrame::first_time(
   return FirstTime{is_backwards() ? -t : t, static_cast<std::size_t>(epoch - times_.begin())};
 }
 
-void StatisticsFrame::transfer(StateBytes& bytes) {
+void StatisticsFrame::serialize(Archive& bytes) {
   bytes.all(base_, references_);
   for (std::vector<Range>* const all : {&ranges_, &axis_ranges_}) {
     std::vector<double> ends;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/ensemble/cells.hpp"
+#include "polhode/ensemble/ordered_parallel_for.hpp"
 
 #include <tbb/info.h>
 
@@ -86,11 +86,12 @@ int hardware_threads() { return tbb::info::default_concurrency(); }
 
 namespace detail {
 
-void run_erased_cells(std::int64_t first, std::int64_t count, int threads,
-                      const std::function<std::shared_ptr<const void>(std::int64_t)>& cell,
-                      const std::function<void(std::int64_t, const void*)>& sink) {
+void erased_parallel_for(std::int64_t first, std::int64_t count, int threads,
+                         const std::function<std::shared_ptr<const void>(std::int64_t)>& cell,
+                         const std::function<void(std::int64_t, const void*)>& sink) {
   if (threads < 1)
-    throw DomainError("run_cells: threads " + std::to_string(threads) + " must be at least 1");
+    throw DomainError("ordered_parallel_for: threads " + std::to_string(threads) +
+                      " must be at least 1");
   const std::size_t at_a_time = waiting_per_thread * static_cast<std::size_t>(threads);
   Cells cells(first, count, at_a_time, cell, sink);
   run_pipeline(cells, threads, at_a_time);

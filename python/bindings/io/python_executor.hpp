@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// ExecutorTeam: the processes of an executor of Python as a Team. A function of Python submits the
-// cells and waits for what they give (python/polhode/_ensemble_team.py); it is called in the thread
-// of the loop, with the GIL.
+// PythonExecutor: the processes of an executor of Python as an Executor. A function of Python
+// submits the cells and waits for what they give (python/polhode/_ensemble_executor.py); it is
+// called in the thread of the loop, with the GIL.
 #pragma once
 
 #include <atomic>
@@ -9,19 +9,19 @@
 #include <functional>
 
 #include "bindings.hpp"
-#include "polhode/ensemble/team.hpp"
+#include "polhode/ensemble/executor.hpp"
 
 namespace polhode::python {
 
-class ExecutorTeam : public Team {
+class PythonExecutor : public Executor {
  public:
   // Called as function(stage, first, count, take, is_stopped). take(cell, bytes) is for cells in
   // order; it returns False, as is_stopped() returns True, when the function is to return.
-  explicit ExecutorTeam(nb::handle function) : function_(function.ptr()) {}
+  explicit PythonExecutor(nb::handle function) : function_(function.ptr()) {}
 
   // Of an executor nobody says how many work for this one.
   int processes() const override { return 1; }
-  void run(TeamWork& work, const TeamStage& stage, const Take& take,
+  void run(ExecutorWork& work, const ExecutorStage& stage, const Take& take,
            const std::function<void()>& look) override;
 
   // Whether the function has raised; from any thread. The ensemble is then to stop, as at Ctrl-C.

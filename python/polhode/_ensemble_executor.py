@@ -49,7 +49,7 @@ def cells(
     return time.perf_counter() - started, found
 
 
-def team_of(executor: Any, file: Any, any_machine: bool) -> Callable[..., None]:
+def stage_runner(executor: Any, file: Any, any_machine: bool) -> Callable[..., None]:
     """The function that runs a stage of the ensemble of a scenario on an executor."""
     if not isinstance(executor, Executor):
         raise TypeError(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// StateBytes: the numbers of a state as bytes and back, to the last bit. One function of an object
+// Archive: the numbers of a state as bytes and back, to the last bit. One function of an object
 // visits its numbers for both ways, so that what is read is what was written.
 //
 // Units       any.
@@ -36,10 +36,10 @@ inline std::uint64_t fingerprint(std::string_view bytes, std::uint64_t hash = 0x
   return hash;
 }
 
-class StateBytes {
+class Archive {
  public:
-  StateBytes() = default;  // to write
-  explicit StateBytes(std::string_view bytes) : rest_(bytes), reads_(true) {}
+  Archive() = default;  // to write
+  explicit Archive(std::string_view bytes) : rest_(bytes), reads_(true) {}
 
   bool reads() const { return reads_; }
   const std::string& bytes() const { return bytes_; }
@@ -125,6 +125,14 @@ class StateBytes {
   template <class... T>
   void all(T&... x) {
     ((*this)(x), ...);
+  }
+  // The last text, without its size: all that is left.
+  void rest(std::string& x) {
+    if (reads_) {
+      x = taken(rest_.size());
+    } else {
+      bytes_ += x;
+    }
   }
   // A list: the number of its elements, then each, as `each` visits it.
   template <class T, class Each>

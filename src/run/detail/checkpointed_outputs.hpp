@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Checkpoints of runs, maps, ensembles and fits: what one must agree in with the run that resumes
-// from it, when to make one, the files that an earlier run has left, and the outputs that are
-// written with it.
+// Outputs that are written with checkpoints, of runs, maps, ensembles and fits: what a checkpoint
+// must agree in with the run that resumes from it, when to make one, and the files that an earlier
+// run has left.
 #pragma once
 
 #include <algorithm>
@@ -16,9 +16,9 @@
 
 #include "output/part_file.hpp"
 #include "polhode/output/output_format.hpp"
-#include "polhode/run/scenario_run.hpp"
+#include "polhode/run/resumable_run.hpp"
 #include "polhode/scenario/scenario.hpp"
-#include "polhode/trajectory/state_bytes.hpp"
+#include "polhode/trajectory/archive.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -47,11 +47,11 @@ std::string difference(const Identity& theirs, const Identity& ours);
 
 // Decides when to make a checkpoint: looks at the clock after every 1 to 64 steps, and leaves most
 // of the time to the run.
-class Pace {
+class CheckpointTimer {
  public:
   using Clock = std::chrono::steady_clock;
 
-  explicit Pace(double seconds) : seconds_(std::max(seconds, 0.0)) { wait(0.0); }
+  explicit CheckpointTimer(double seconds) : seconds_(std::max(seconds, 0.0)) { wait(0.0); }
   bool due() {
     if (--calls_left_ > 0) return false;
     const Clock::time_point now = Clock::now();
@@ -80,33 +80,11 @@ class Pace {
   Clock::time_point next_;
 };
 
-// A path as messages name it.
-std::string shown_path(const std::string& path);
-// PATH.checkpoint
-std::string checkpoint_path(const std::string& output);
-// The checkpoint of the unfinished run that an output belongs to: next to it, or next to the first
-// output of that run. Empty: there is none. DomainError when there should be one.
-std::string checkpoint_among(std::span<const std::string> outputs, const BeginWords& words);
-// Leaves next to an output where the checkpoint of its run is.
-void point_to_checkpoint(const std::string& output, const std::string& checkpoint);
-// Also removes what a kill can leave beside them: PATH.checkpoint.part and PATH.part-undo.
-void forget_checkpoints(std::span<const std::string> outputs);
-// A renamed file is on the disk when its folder is.
-void sync_folder_of(const std::string& path);
-
-// "FILE: an unfinished run is there (TOLD); resume continues it, ..."
-[[noreturn]] void refuse_unfinished(const std::string& file, const std::string& kind,
-                                    const std::string& progress, const BeginWords& words);
-
 // Where an output is to be, and its columns.
 struct PlannedOutput {
   std::string path;
   std::vector<ColumnGroup> groups;
 };
-// Whether all outputs are there, with none on its way. DomainError for one of another scenario, of
-// other files that the scenario names or with other columns, and for one that does not say.
-bool are_complete(std::span<const PlannedOutput> outputs, const OutputFormats& formats,
-                  const Provenance& provenance, const BeginWords& words);
 
 // A disk that was full says what to do: make space, and what `next` says. Empty: nothing helps.
 template <class F, class Next>
@@ -121,19 +99,16 @@ void with_remedy(const F& f, const Next& next) {
 }
 
 // The words of messages for a run, a map, an ensemble or a fit.
-struct KeptKind {
+struct CheckpointKind {
   std::string name;   // "run"
   std::string again;  // what a restart does: "runs the scenario anew"
 };
 
-struct KeptSetup {
-  KeptKind kind;
+struct CheckpointSetup {
+  CheckpointKind kind;
   Identity identity;
   std::vector<PlannedOutput> outputs;  // the checkpoint stands next to the first
   OutputFormats formats;               // that there are
-  RunBegin begin = RunBegin::anew;
-  BeginWords words = {};
-  double seconds = 5.0;  // between two checkpoints, at least
   // True if complete outputs can be recognised, so that there is nothing to do.
   bool can_be_complete = true;
   // Makes of the identity of a checkpoint what may differ from ours.
@@ -141,47 +116,56 @@ struct KeptSetup {
   // What a message adds that says how they differ.
   std::function<std::string(const std::string& difference)> advice = {};
 };
+// Of tables with the same columns each, those of a map or an ensemble.
+CheckpointSetup setup_of_tables(CheckpointKind kind, const Scenario& scenario,
+                                const std::vector<ColumnGroup>& groups,
+                                const std::vector<std::string>& paths);
 
 // What a checkpoint asks of an output that is open; see Sink.
-struct KeptOutput {
+struct CheckpointedOutput {
   std::function<std::optional<SinkPosition>()> position;
   std::function<void()> kept;
 };
-KeptOutput kept_output(Sink& sink);
+CheckpointedOutput checkpointed_output(Sink& sink);
 
-// A state of the run or map, between two steps or cells.
-struct KeptState {
-  std::string bytes;
-  std::string reached;  // "7 of 143 cells": where an unfinished one is
-  std::string goes_on;  // "after 7 of 143 cells", behind "--resume goes on "
+// Where a run or map is, between two steps or cells.
+struct CheckpointPlace {
+  std::string reached;  // "7 of 143 cells": what is said of an unfinished one
+  std::string stopped;  // "after 7 of 143 cells", behind "stopped "
+  std::string goes_on;  // the same behind "--resume goes on "
 };
 
-struct CheckpointFile;
+struct CheckpointHead;
 
-// The outputs of a run or a map that may be stopped, killed and continued: the files that earlier
+// The outputs of a run or a map that may be stopped, killed and resumed: the files that earlier
 // ones have left next to them, how far each has been written, and the checkpoint
-// FIRST_OUTPUT.checkpoint, which is replaced as a whole.
-class KeptOutputs {
+// FIRST_OUTPUT.checkpoint, which is replaced as a whole: a line for people and one archive.
+class CheckpointedOutputs {
  public:
-  // Finds what is there. DomainError for what must not be lost or is of another run.
-  KeptOutputs(KeptSetup setup, const Provenance& provenance);
+  // Finds what is there. DomainError for what must not be lost or is of another run. `options` must
+  // outlive it.
+  CheckpointedOutputs(CheckpointSetup setup, const RunOptions& options,
+                      const Provenance& provenance);
+  CheckpointedOutputs(const CheckpointedOutputs&) = delete;
+  CheckpointedOutputs& operator=(const CheckpointedOutputs&) = delete;
 
   bool continues() const { return continues_; }
   // All outputs are there: nothing to do.
   bool is_complete() const { return complete_; }
-  // The bytes of the state to go on from.
-  const std::string& state() const { return state_.bytes; }
+  // Reads the state to resume from.
+  Archive& state() { return state_; }
 
   // Calls the function for each path in order, with where the output goes on, and forgets what was
   // there before where all of it begins anew.
-  using Open =
-      std::function<KeptOutput(const std::string& path, const std::optional<SinkPosition>& from)>;
+  using Open = std::function<CheckpointedOutput(const std::string& path,
+                                                const std::optional<SinkPosition>& from)>;
   void open(const Open& open);
 
   // Whether there are checkpoints, and whether the next one is due.
   bool keeps() const { return keeps_; }
-  bool is_due() { return keeps_ && pace_.due(); }
-  void keep(KeptState state);
+  bool is_due() { return keeps_ && timer_.due(); }
+  // `serialize` writes the state.
+  void keep(CheckpointPlace place, const std::function<void(Archive&)>& serialize);
   // The checkpoint goes: nothing will go on from it.
   void forget();
 
@@ -193,33 +177,25 @@ class KeptOutputs {
 
  private:
   void find(const Provenance& provenance);
-  void take_up(const std::string& found, std::optional<CheckpointFile> file);
+  void take_up(const std::string& found, CheckpointHead* head);
   bool are_files() const;
   std::string remedy() const;
 
-  KeptSetup setup_;
+  CheckpointSetup setup_;
+  const RunOptions& options_;
   std::vector<std::string> paths_;  // of the outputs
-  Pace pace_;
-  KeptState state_;  // of the latest checkpoint
+  CheckpointTimer timer_;
+  std::string found_;    // the text of a checkpoint
+  Archive state_;        // reads what it says of the state
+  std::string goes_on_;  // of the latest checkpoint
   std::vector<SinkPosition> positions_;
-  std::vector<KeptOutput> outputs_;
+  std::vector<CheckpointedOutput> outputs_;
   bool continues_ = false;
   bool complete_ = false;
   bool keeps_ = false;
   bool is_safe_ = false;  // there is a checkpoint
   bool pointed_ = false;  // each output says where the checkpoint is
 };
-
-// Of tables with the same columns each, those of a map or an ensemble. How they begin, and the
-// seconds between checkpoints, are for the caller to set.
-KeptSetup setup_of_tables(KeptKind kind, const Scenario& scenario,
-                          const std::vector<ColumnGroup>& groups,
-                          const std::vector<std::string>& paths);
-
-// Sinks of all of them, in the order of the paths.
-std::vector<std::unique_ptr<Sink>> opened_tables(KeptOutputs& outputs, const Scenario& scenario,
-                                                 const std::vector<ColumnGroup>& groups,
-                                                 const Provenance& origin);
 
 }  // namespace detail
 }  // namespace v0

@@ -16,7 +16,7 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-class NumberStages {
+class GenericStages {
  public:
   using Field = NumberField;
   using Values = std::vector<double>;
@@ -36,7 +36,7 @@ class NumberStages {
   };
 
   // The first step says how many numbers there are.
-  NumberStages(std::shared_ptr<const Field> field, std::size_t stages, InstructionSet set)
+  GenericStages(std::shared_ptr<const Field> field, std::size_t stages, InstructionSet set)
       : field_(std::move(field)),
         scheme_(gauss_scheme(stages)),
         lanes_(number_lanes(stages, set)) {}
@@ -63,7 +63,7 @@ class NumberStages {
     for (StageRow& row : step_.F) row = {};
     move();
   }
-  void guess(const Rows& coefficients, const StageMatrix& at_stages, const NumberStages& of) {
+  void guess(const Rows& coefficients, const StageMatrix& at_stages, const GenericStages& of) {
     of.lanes_.transform(at_stages, scheme_.stages, coefficients.data(), coefficients.size(),
                         step_.F.data());
     move();

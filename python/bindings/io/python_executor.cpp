@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "io/executor_team.hpp"
+#include "io/python_executor.hpp"
 
 #include <cstdint>
 #include <string>
@@ -35,8 +35,8 @@ class Ended {
 
 }  // namespace
 
-void ExecutorTeam::run(TeamWork&, const TeamStage& stage, const Take& take,
-                       const std::function<void()>& look) {
+void PythonExecutor::run(ExecutorWork&, const ExecutorStage& stage, const Take& take,
+                         const std::function<void()>& look) {
   Ended ended;
   {
     const WithGil acquired;

@@ -8,7 +8,7 @@
 #include <memory>
 #include <utility>
 
-#include "dynamics/collocation/joined_stages.hpp"
+#include "dynamics/collocation/augmented_stages.hpp"
 #include "dynamics/collocation/step_control.hpp"
 #include "polhode/math/dual.hpp"
 
@@ -51,9 +51,9 @@ class RotorJacobian {
 // `columns` small changes (dq, dg) of seven numbers, and numbers that follow from them. Of the
 // further numbers all dq come first, then all dg. `F` knows the Jacobian of its rotor.
 template <class F, std::size_t columns, std::size_t following = 0>
-class TangentStages : public JoinedStages<F, 7 * columns + following> {
+class VariationalStages : public AugmentedStages<F, 7 * columns + following> {
  public:
-  using Joined = JoinedStages<F, 7 * columns + following>;
+  using Joined = AugmentedStages<F, 7 * columns + following>;
   static constexpr std::size_t first_momentum = 4 * columns;
   static constexpr std::size_t end_of_columns = 7 * columns;
 
@@ -72,7 +72,7 @@ class TangentStages : public JoinedStages<F, 7 * columns + following> {
 
  private:
   struct Linear {
-    TangentStages& of;
+    VariationalStages& of;
     double sweep() { return of.sweep_columns(); }
   };
 

@@ -22,7 +22,7 @@ inline RotorState rotor_at_stage(const StageStates& at, std::size_t i) {
 // What the kinds of them share. `F` is a field whose values are 7 + more doubles, and which knows
 // the field of its rotor alone.
 template <class F, std::size_t more>
-class JoinedStages {
+class AugmentedStages {
  public:
   static constexpr std::size_t numbers = 7 + more;
   using Field = F;
@@ -31,15 +31,15 @@ class JoinedStages {
   using State = CompensatedState<double, numbers>;
   using Rows = std::array<StageRow, numbers>;
 
-  JoinedStages(std::shared_ptr<const F> field, std::size_t stages, InstructionSet set)
+  AugmentedStages(std::shared_ptr<const F> field, std::size_t stages, InstructionSet set)
       : field_(std::move(field)),
         rotor_(std::shared_ptr<const RotorStages::Field>(field_, &field_->rotor_alone()), stages,
                set),
         lanes_(number_lanes(stages, set)),
         rest_(more) {}
   // The stages of the rotor know where a term of them is.
-  JoinedStages(const JoinedStages&) = delete;
-  JoinedStages& operator=(const JoinedStages&) = delete;
+  AugmentedStages(const AugmentedStages&) = delete;
+  AugmentedStages& operator=(const AugmentedStages&) = delete;
 
   const GaussScheme& scheme() const { return rotor_.scheme(); }
   const DoubleDouble& length() const { return rotor_.length(); }
@@ -59,7 +59,7 @@ class JoinedStages {
     for (StageRow& row : rest_.F) row = {};
     place();
   }
-  void guess(const Rows& coefficients, const StageMatrix& at_stages, const JoinedStages& of) {
+  void guess(const Rows& coefficients, const StageMatrix& at_stages, const AugmentedStages& of) {
     RotorStages::Rows first{};
     std::copy_n(coefficients.begin(), 7, first.begin());
     rotor_.guess(first, at_stages, of.rotor_);

@@ -10,7 +10,7 @@ namespace detail {
 
 // of.operator()<s>() for s = 4, 8, 16 or 32 stages.
 template <class Of>
-auto of_stages(std::size_t stages, const Of& of) {
+auto dispatch_stage_count(std::size_t stages, const Of& of) {
   switch (stages) {
     case 4:
       return of.template operator()<4>();

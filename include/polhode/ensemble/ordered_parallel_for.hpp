@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// run_cells: one function for many indices, on the processors of one machine, results in order.
+// ordered_parallel_for: one function for many indices, on the processors of one machine, results in
+// order.
 //
 // Domain      `cell` may be called from any thread, for several indices at a time, and must depend
 //             on its index alone; `sink` is called for first, first + 1, ... one after the other.
@@ -14,7 +15,7 @@
 #include <memory>
 #include <type_traits>
 
-#include "polhode/ensemble/detail/erased_cells.hpp"
+#include "polhode/ensemble/detail/erased_parallel_for.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -24,10 +25,10 @@ int hardware_threads();
 
 // sink(k, cell(k)) for the cells first to count - 1.
 template <class Cell, class Sink>
-void run_cells(std::int64_t first, std::int64_t count, int threads, const Cell& cell,
-               const Sink& sink) {
+void ordered_parallel_for(std::int64_t first, std::int64_t count, int threads, const Cell& cell,
+                          const Sink& sink) {
   using Result = std::invoke_result_t<const Cell&, std::int64_t>;
-  detail::run_erased_cells(
+  detail::erased_parallel_for(
       first, count, threads,
       [&](std::int64_t k) -> std::shared_ptr<const void> {
         return std::make_shared<const Result>(cell(k));

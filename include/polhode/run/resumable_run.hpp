@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+// Runs, maps, ensembles and fits that write files: how they begin, how they are stopped, killed and
+// resumed.
+//
+// Domain      one that is under way has a small file FIRST_OUTPUT.checkpoint, from which it can be
+//             resumed. It is replaced every few seconds, and removed when all is complete or
+//             has failed for good; PATH.checkpoint next to each other output holds the path to it.
+//             Outputs that are not files ("-", a pipe, a device) have no checkpoints.
+// Accuracy    one that was interrupted and resumed, however often and on any number of threads,
+//             leaves the same files: text byte for byte, HDF5 with the same contents (same build
+//             of polhode).
+// Errors      constructors throw DomainError: for outputs that cannot be, for a checkpoint that is
+//             there although neither resume nor restart was asked for, and for one of another
+//             scenario, version, columns or outputs, with what differs.
+// Cost        a checkpoint is some kB and a few fsync, at most a twentieth of the time.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "polhode/ensemble/executor.hpp"
+#include "polhode/output/sink.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+class Sweep;
+}  // namespace detail
+
+// What to do if an unfinished one is there.
+enum class RunBegin {
+  anew,     // is rejected, so that nothing is lost
+  resume,   // continues it, or begins if there is none
+  restart,  // begins, whatever is there
+};
+
+// How messages call the two.
+struct BeginWords {
+  std::string resume = "resume";
+  std::string restart = "restart";
+  std::string any_machine = "any_machine";  // of ensembles
+};
+
+struct RunProgress {
+  double reached;  // t in core units; or the number of cells, members or starts so far
+  double part;     // of the work since it began or was resumed, up to 1: for the time that is left
+};
+// That part, of cells of which `at_a_time` are under way: these are half done on average.
+inline double part_of_work(double done, double left, double at_a_time) {
+  return (done + 0.5 * std::min(at_a_time, left)) / (done + left);
+}
+
+struct RunOptions {
+  RunBegin begin = RunBegin::anew;
+  BeginWords words = {};
+  double checkpoint_seconds = 5.0;  // between two checkpoints, at least
+  // Called after every step, block of rows, cell or chunk, one call after the other, from any
+  // thread. What it throws ends the work and passes through.
+  std::function<void(const RunProgress&)> progress = {};
+  std::function<bool()> stop = {};        // asked after every step, from any thread
+  std::unique_ptr<Sink> extra_sink = {};  // gets the rows of this part of the work too
+  // Of maps and ensembles: how many cells or chunks are computed at a time; 0: one on each
+  // processor.
+  int threads = 0;
+  // Of ensembles: computes the chunks in place of these threads, in several processes, each with
+  // an ensemble_work of the same ensemble.
+  Executor* executor = nullptr;
+  // Of ensembles: machines may work together, or one after the other, whose sines and logarithms
+  // differ in last digits: so do the results then.
+  bool any_machine = false;
+  // Of runs: the report has all events; otherwise the first 20.
+  bool keep_events = false;
+};
+
+// It was stopped from outside. Its files are there, as far as it came.
+class RunInterrupted : public std::runtime_error {
+ public:
+  explicit RunInterrupted(const std::string& what, double at = 0.0, bool resumes = false)
+      : std::runtime_error(what), reached(at), can_resume(resumes) {}
+  double reached;   // as that of RunProgress
+  bool can_resume;  // whether there is a checkpoint of that moment
+};
+
+// What ScenarioRun, MapRun, EnsembleRun and FitCheckpoint have found.
+class ResumableRun {
+ public:
+  ResumableRun(const ResumableRun&) = delete;
+  ResumableRun& operator=(const ResumableRun&) = delete;
+
+  // There is one to continue, at reached() with rows() in its files; or all files are complete.
+  bool continues() const;
+  bool is_complete() const;
+  double reached() const;  // as that of RunProgress
+  std::int64_t rows() const;
+
+ protected:
+  explicit ResumableRun(std::unique_ptr<detail::Sweep> sweep);
+  ~ResumableRun();
+  std::unique_ptr<detail::Sweep> sweep_;
+};
+
+}  // namespace v0
+}  // namespace polhode

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+// Sweep: the engine of runs, maps and ensembles. Cells of a source are computed on an executor,
+// reduced in their order, written block by block, checkpointed, stopped and resumed. A run is a
+// sweep of one cell, whose own state is in the checkpoint.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "polhode/ensemble/executor.hpp"
+#include "polhode/ensemble/ordered_parallel_for.hpp"
+#include "polhode/run/resumable_run.hpp"
+#include "polhode/trajectory/progress.hpp"
+#include "run/detail/checkpointed_outputs.hpp"
+
+namespace polhode {
+inline namespace v0 {
+namespace detail {
+
+// Cells that can be computed in any order.
+template <class Result>
+struct Source {
+  std::int64_t members = 0;
+  std::int64_t each = 1;  // members of a cell; the last may have fewer
+  // From any thread; `look` is called now and then, and what it throws passes through.
+  std::function<Result(std::int64_t cell, const Progress& look)> cell;
+  // The same in other processes, by bytes: what they begin with, and a result.
+  ExecutorWork* work = nullptr;
+  std::function<std::string()> stage = {};
+  std::function<void(Archive&, Result&)> serialize = {};
+
+  std::int64_t count() const { return (members + each - 1) / each; }
+};
+
+class Sweep {
+ public:
+  virtual ~Sweep() = default;
+  Sweep(const Sweep&) = delete;
+  Sweep& operator=(const Sweep&) = delete;
+
+  const CheckpointedOutputs& outputs() const { return outputs_; }
+  // What earlier parts have done, as ResumableRun says it.
+  double reached_before() const { return reached_before_; }
+  std::int64_t rows_before() const { return rows_before_; }
+
+ protected:
+  // Finds what is there. `scenario` must outlive it.
+  Sweep(const Scenario& scenario, CheckpointSetup setup, std::vector<ColumnGroup> groups,
+        Provenance origin, RunOptions&& options);
+
+  // All that the rest of it depends on, but for the scenario.
+  virtual void serialize(Archive& bytes) = 0;
+  virtual double reached() const = 0;
+  virtual CheckpointPlace place() const = 0;
+  // False until it has a state from which it can be resumed.
+  virtual bool has_state() const { return true; }
+
+  // Reads the state of what is resumed.
+  void resume();
+  // Opens the outputs, those that are no tables by `other`.
+  using Other = std::function<std::optional<CheckpointedOutput>(
+      const std::string& path, const std::optional<SinkPosition>& from)>;
+  void open(const Other& other = {});
+
+  bool is_stopped() const { return options_.stop && options_.stop(); }
+  void keep();
+  // Keeps the state, and throws what `progress` has thrown, or RunInterrupted.
+  [[noreturn]] void interrupt();
+
+  // reduce(cell, result) for all cells in order, on the threads of this process or an executor.
+  // After each it tells `progress`, looks whether to stop, and keeps the state if that is due. A
+  // preparation comes before the cells that `progress` hears of.
+  enum class Stage { preparation, cells };
+  template <class Result, class Reduce>
+  void compute(const Source<Result>& source, const Reduce& reduce, Stage stage = Stage::cells);
+
+  // Rows wait for their block to fill, in checkpoints too: blocks do not depend on when these were
+  // made.
+  void add_rows(std::span<const double> rows);
+  void push_rows();
+  void serialize_rows(Archive& bytes) { bytes.all(rows_, waiting_); }
+  std::ptrdiff_t width() const { return static_cast<std::ptrdiff_t>(row_width(groups_)); }
+  // "7 of 143 cells"
+  CheckpointPlace place_among(std::int64_t size, const std::string& things) const;
+
+  const Scenario& scenario_;
+  RunOptions options_;
+  std::vector<ColumnGroup> groups_;
+  Provenance origin_;
+  CheckpointedOutputs outputs_;
+  std::vector<std::unique_ptr<Sink>> sinks_;
+  std::int64_t rows_ = 0;  // in the outputs
+
+ private:
+  struct Stopped {};  // ends the loop over the cells, from within
+  int threads() const;
+  // So many members, of cells of so many each.
+  void took(std::int64_t members, std::int64_t each, std::int64_t left, Stage stage);
+
+  double reached_before_ = 0.0;
+  std::int64_t rows_before_ = 0;
+  std::vector<double> waiting_;  // rows that are not
+  std::int64_t worked_ = 0;      // members since this part began, preparations included
+  std::exception_ptr raised_;    // by `progress`
+};
+
+template <class Result, class Reduce>
+void Sweep::compute(const Source<Result>& source, const Reduce& reduce, Stage stage) {
+  const Progress look = [this](double) {
+    if (is_stopped()) throw Stopped();
+  };
+  const auto take = [&](std::int64_t cell, const Result& result) {
+    reduce(cell, result);
+    took(std::min(source.each, source.members - cell * source.each), source.each,
+         std::max<std::int64_t>(source.members - (cell + 1) * source.each, 0), stage);
+  };
+  try {
+    if (options_.executor == nullptr || source.work == nullptr)
+      return ordered_parallel_for(
+          0, source.count(), threads(), [&](std::int64_t cell) { return source.cell(cell, look); },
+          take);
+    options_.executor->run(
+        *source.work, {source.stage(), 0, source.count()},
+        [&](std::int64_t cell, const std::string& from) {
+          Archive bytes(from);
+          Result result;
+          source.serialize(bytes, result);
+          take(cell, result);
+        },
+        [&] { look(0.0); });
+  } catch (const ExecutorError&) {  // of another process: what this one has is whole
+    if (reached() > reached_before_) keep();
+    throw;
+  } catch (const Stopped&) {
+    interrupt();
+  }
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace polhode
