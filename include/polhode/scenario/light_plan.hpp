@@ -39,7 +39,7 @@ struct ScanPlan {
   std::size_t at_order = 3;
 };
 
-// Of a convex body: facets, and what keeps them smooth (polhode/fit/convex_fit.hpp).
+// Of a convex body: facets, and what keeps them smooth (polhode/fit/light_fit.hpp).
 struct ConvexPlan {
   int degree = 6;
   int rows = 8;
