@@ -8,9 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "fit/detail/light_residuals.hpp"
 #include "polhode/ensemble/counter_random.hpp"
-#include "polhode/fit/convex_fit.hpp"
 #include "polhode/fit/light_search.hpp"
 #include "polhode/fit/residual_function.hpp"
 #include "polhode/light/convex_body.hpp"
@@ -18,9 +16,9 @@
 namespace {
 using namespace polhode;
 
-EllipsoidModel tumbler() {
-  return EllipsoidModel::homogeneous(0.0, normalized(Quaternion{0.6, 0.3, -0.5, 0.2}),
-                                     {0.6, 0.5, 1.0}, {1.0, 0.85, 0.5});
+LightModel tumbler() {
+  return LightModel::homogeneous(0.0, normalized(Quaternion{0.6, 0.3, -0.5, 0.2}), {0.6, 0.5, 1.0},
+                                 {1.0, 0.85, 0.5});
 }
 
 // Times of 60 units, with 2 % of noise.
@@ -59,23 +57,26 @@ void search_of_a_start(benchmark::State& state) {
 BENCHMARK(search_of_a_start)->Unit(benchmark::kMillisecond);
 
 void residuals_with_derivatives(benchmark::State& state) {
-  const detail::LightResiduals residuals(night(), {}, tumbler());
+  const ResidualFunction f(least_squares_of({night(), tumbler(), {}, {}}));
   const std::vector<double> x = light_unknowns_at({}, tumbler(), tumbler());
-  std::vector<double> numbers(residuals.points()), jacobian(numbers.size() * x.size());
+  std::vector<double> numbers(f.size()), jacobian(numbers.size() * x.size());
   for (auto _ : state) {
-    bool has_value = residuals.at(x, numbers, jacobian);
+    bool has_value = f.at(x, numbers, jacobian);
     benchmark::DoNotOptimize(has_value);
   }
 }
 BENCHMARK(residuals_with_derivatives)->Unit(benchmark::kMicrosecond);
 
+LightFit fit_of_facets() {
+  LightFit fit{night(), tumbler(), {.moments = MomentSource::fit}, {}, 100};
+  fit.start.shape = ConvexShape::of(tumbler().ellipsoid());
+  return fit;
+}
+
 // The same of 512 facets that stand for patches, with 49 coefficients: 56 unknowns. Error:
 // chi-square of the body that the light is of, per point.
 void convex_residuals(benchmark::State& state) {
-  ConvexFit fit;
-  fit.curves = night();
-  fit.start = tumbler();
-  const LeastSquares problem = least_squares_of(fit);
+  const LeastSquares problem = least_squares_of(fit_of_facets());
   const ResidualFunction f(problem);
   std::vector<double> x, numbers(f.size()), jacobian(f.size() * f.unknowns());
   for (const Unknown& u : problem.unknowns) x.push_back(u.start);
@@ -93,12 +94,10 @@ BENCHMARK(convex_residuals)->Arg(0)->Arg(1)->Unit(benchmark::kMicrosecond);
 // From the ellipsoid itself to 512 facets of 49 coefficients: time a fit, beside what its
 // chi-square per degree of freedom is off 1.
 void convex_step(benchmark::State& state) {
-  ConvexFit fit;
-  fit.curves = night();
-  fit.start = tumbler();
-  ConvexSolution found{{}, {{}, {}, GaussianImage(0, 1), {}}};
+  const LightFit fit = fit_of_facets();
+  LightSolution found;
   for (auto _ : state) {
-    found = fit_convex(fit);
+    found = fit_light(fit);
     benchmark::DoNotOptimize(found);
   }
   state.counters["iterations"] = found.result.iterations;
@@ -109,7 +108,7 @@ BENCHMARK(convex_step)->Unit(benchmark::kMillisecond);
 // The body of those areas as a mesh: time, beside what its area is off theirs.
 void body_of_areas(benchmark::State& state) {
   const GaussianImage image(6, 8);
-  const std::vector<double> A = image.areas(image.coefficients(tumbler().shape));
+  const std::vector<double> A = image.areas(image.coefficients(tumbler().ellipsoid()));
   FacetShape mesh = convex_body(image.normals(), A);
   for (auto _ : state) {
     mesh = convex_body(image.normals(), A);

@@ -23,7 +23,7 @@ state = polhode.to_rotor(apophis, tumbler)
 motion = polhode.FreeRotation(apophis, state)
 moments = np.array(apophis.moments)
 axes = np.sqrt(moments.sum() / 2 - moments)  # of a uniform ellipsoid
-body = polhode.EllipsoidModel(polhode.SpinState(state.q, state.g / moments, moments), axes)
+body = polhode.LightModel(polhode.SpinState(state.q, state.g / moments, moments), axes)
 
 toward = np.radians([120.0, 162.0])  # ecliptic longitudes of the Earth and the Sun from Apophis
 observer, sun = np.stack([np.cos(toward), np.sin(toward), [0.0, 0.0]], axis=1)

@@ -11,7 +11,7 @@ import polhode
 from polhode import figures
 
 sun, observer = [1.0, 0.2, 0.3], [0.8, 0.6, 0.1]
-body = polhode.EllipsoidModel.homogeneous(
+body = polhode.LightModel.homogeneous(
     [0.6, 0.3, -0.5, 0.2], [0.12, 0.1, 0.2], [1.0, 0.7, 0.5]
 )
 random = np.random.default_rng(1)
@@ -23,7 +23,7 @@ for name, begin, stop in (("first night", 0.0, 110.0), ("second night", 160.0, 2
     seen = flux * (1.0 + 0.02 * random.normal(size=t.size))
     nights.append(polhode.LightCurve(t, seen, 0.02 * flux, sun, observer, name=name))
 
-start = polhode.EllipsoidModel.homogeneous(body.spin.q, 1.0005 * body.spin.w, [1.0, 0.75, 0.55])
+start = polhode.LightModel.homogeneous(body.spin.q, 1.0005 * body.spin.w, [1.0, 0.75, 0.55])
 found = polhode.fit_light(start, nights)
 axes = figures.light_curve_fit(nights, found, unit="min")
 figures.save(axes, "light_curve_fit.png")

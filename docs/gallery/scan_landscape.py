@@ -11,7 +11,7 @@ import polhode
 from polhode import figures
 
 sun, observer = [1.0, 0.2, 0.3], [0.8, 0.6, 0.1]
-body = polhode.EllipsoidModel.homogeneous(
+body = polhode.LightModel.homogeneous(
     [0.6, 0.3, -0.5, 0.2], [0.12, 0.1, 0.2], [1.0, 0.7, 0.5]
 )
 random = np.random.default_rng(1)

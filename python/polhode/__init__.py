@@ -30,13 +30,7 @@ from polhode.fits import (
 from polhode.free_wobble import FreeWobble, without_free_wobble
 from polhode.harmonics import ArgumentFit, HarmonicFit, argument_fit, harmonic_fit
 from polhode.interchange import to_scipy
-from polhode.light_bodies import (
-    ConvexModel,
-    EllipsoidModel,
-    LightCurve,
-    MeshModel,
-    model_fluxes,
-)
+from polhode.light_bodies import ConvexShape, LightCurve, LightModel, model_fluxes
 from polhode.light_fits import (
     FoundLight,
     JoinedSession,
@@ -77,20 +71,11 @@ from polhode.spin_fits import (
     SpinState,
     fit_spin,
 )
-from polhode.surface_fits import (
-    ConvexResiduals,
-    MeshResiduals,
-    fit_convex,
-    fit_mesh,
-    search_mesh,
-)
 
 __all__ = [
     "ArgumentFit",
     "Citation",
-    "ConvexModel",
-    "ConvexResiduals",
-    "EllipsoidModel",
+    "ConvexShape",
     "EnsembleHistogram",
     "EnsembleResults",
     "FirstTimes",
@@ -106,14 +91,13 @@ __all__ = [
     "JoinedSession",
     "LightCurve",
     "LightExtensionResult",
+    "LightModel",
     "LightResiduals",
     "LightScenarioSolution",
     "LightSearchResult",
     "LightSolution",
     "LikelyPeriods",
     "MapResults",
-    "MeshModel",
-    "MeshResiduals",
     "PeriodLabel",
     "Posterior",
     "ResidualFunction",
@@ -132,9 +116,7 @@ __all__ = [
     "ensemble",
     "extend_light",
     "fit",
-    "fit_convex",
     "fit_light",
-    "fit_mesh",
     "fit_spin",
     "fourier_scan",
     "harmonic_fit",
@@ -146,7 +128,6 @@ __all__ = [
     "posterior",
     "scan_advice",
     "search_light",
-    "search_mesh",
     "simulate",
     "to_scipy",
     "vary",

@@ -15,19 +15,12 @@ from polhode import _core
 from polhode._arguments import column, whole
 from polhode._notebook import html_rows
 from polhode.fit_tables import FitPredictions, FitResiduals
-from polhode.light_bodies import (
-    ConvexModel,
-    EllipsoidModel,
-    LightCurve,
-    MeshModel,
-    surface_of,
-)
+from polhode.light_bodies import LightCurve, LightModel
 from polhode.light_fits import FoundLight, LightResiduals, found_light
 from polhode.posterior import Posterior, posterior
 from polhode.scans import FourierScan, scan_of
 from polhode.scenarios import Scenario, load
 from polhode.spin_fits import SpinResiduals, SpinState
-from polhode.surface_fits import ConvexResiduals, MeshResiduals
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -184,7 +177,7 @@ class ScenarioSolution:
 
     def residual_function(
         self, scaled: bool = False, epoch: float | None = None
-    ) -> SpinResiduals | LightResiduals | ConvexResiduals | MeshResiduals:
+    ) -> SpinResiduals | LightResiduals:
         """Residuals as a function of the unknowns, from this solution on, for other optimisers: in
         radians and the scenario's unit of time, turns about the attitude that was found.
 
@@ -236,13 +229,10 @@ class LightScenarioSolution(ScenarioSolution):
     def light(self) -> FoundLight:
         """What search_light would return, in radians and the scenario's unit of time: body, mode,
         periods, pole, what it is beside earlier solutions, `model` of the curves."""
-        compiled = self._results._compiled
-        parts = compiled.surface(self._place)
-        surface = None if parts is None else surface_of(parts)
-        return found_light(compiled.raw(self._place), surface)
+        return found_light(self._results._compiled.raw(self._place))
 
     @property
-    def body(self) -> EllipsoidModel | ConvexModel | MeshModel:
+    def body(self) -> LightModel:
         """Spin state and shape; its t0 is the middle of the light curves, or 0 from a start."""
         return self.light.body
 
@@ -306,24 +296,18 @@ class LightScenarioSolution(ScenarioSolution):
         factor = self.error_factor
         return None if factor is None else factor**2 * self.covariance
 
-    def residual_function(
-        self, scaled: bool = False, epoch: object = None
-    ) -> LightResiduals | ConvexResiduals | MeshResiduals:
+    def residual_function(self, scaled: bool = False, epoch: object = None) -> LightResiduals:
         """Residuals as a function of the unknowns, from this solution on, for other optimisers: in
         radians and the scenario's unit of time, turns about the attitude that was found.
 
         scaled : with errors that make chi-square per degree of freedom 1.
-        epoch : None; it is the middle of the light curves.
-
-        Of a convex body or a mesh ConvexResiduals or MeshResiduals, which say what residuals and
-        derivatives are."""
+        epoch : None; it is the middle of the light curves."""
         if epoch is not None:
             raise ValueError(
                 f"epoch: got {epoch!r}; expected None: it is the middle of the light curves"
             )
-        kinds: dict[str, Any] = {"convex": ConvexResiduals, "mesh": MeshResiduals}
         compiled = self._results._compiled.residuals_from(self._place, bool(scaled))
-        made = kinds.get(self._results._report["model"], LightResiduals)._of(compiled)
+        made = LightResiduals._of(compiled)
         made._inputs = (_light_residuals, (self, bool(scaled)))
         return made
 

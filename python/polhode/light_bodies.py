@@ -97,84 +97,37 @@ def curve_parts(curves: Any) -> list[tuple[str, bool, Array]]:
     return [curve._parts() for curve in given]
 
 
-def _check(body: Any) -> None:
-    if not isinstance(body.spin, SpinState):
-        raise TypeError(f"spin: got {body.spin!r}; expected SpinState")
-    single, multiple = (float(_number(weight, "law")) for weight in body.law)
-    object.__setattr__(body, "law", (single, multiple))
-
-
 @dataclass(frozen=True, eq=False)
-class EllipsoidModel:
-    """A tumbling ellipsoid that scatters light.
+class ConvexShape:
+    """A convex body by the areas of facets on fixed normals.
 
     Attributes
     ----------
-    spin : SpinState; body axes are those of the ellipsoid. Its inertia is what a fit with
-        moments="start" or "fit" reads; with moments="shape" it is that of an even filling.
-    axes : (3,), semi-axes a, b, c; only ratios act.
-    law : weights of the laws of Lommel and Seeliger, and of Lambert.
-    """
-
-    spin: SpinState
-    axes: Any
-    law: tuple[float, float] = (1.0, 0.0)
-
-    def __post_init__(self) -> None:
-        _check(self)
-        object.__setattr__(self, "axes", of_shape(self.axes, "axes", (3,)))
-
-    @classmethod
-    def homogeneous(
-        cls,
-        q: ArrayLike,
-        w: ArrayLike,
-        axes: ArrayLike,
-        t0: float = 0.0,
-        law: tuple[float, float] = (1.0, 0.0),
-    ) -> EllipsoidModel:
-        """With the moments of an even filling."""
-        a, b, c = (x * x for x in of_shape(axes, "axes", (3,)))
-        return cls(SpinState(q, w, [b + c, c + a, a + b], t0), axes, law)
-
-    def _parts(self) -> tuple[Any, ...]:
-        return self.spin._parts(), self.axes, self.law
-
-    @classmethod
-    def _of(cls, parts: Sequence[Any]) -> EllipsoidModel:
-        spin, axes, law = parts
-        return cls(SpinState._of(spin), axes, law)
-
-
-@dataclass(frozen=True, eq=False)
-class ConvexModel:
-    """A tumbling convex body that scatters light, by the areas of facets on fixed normals.
-
-    Attributes
-    ----------
-    spin : SpinState; body axes are those of the facets, and principal.
     degree, rows : of the series of areas, 1 to 40, and of the 8 rows^2 normals.
     coefficients : ((degree + 1)^2,), c_lm at l^2 + l + m: an area is w exp(sum of c_lm Y_lm(n)),
         w the solid angle of its normal n. Y_lm is sqrt(4 pi) times the real orthonormal harmonic,
         so that Y_00 is 1.
-    law : weights of the laws of Lommel and Seeliger, and of Lambert.
 
     Fluxes (`model_fluxes`, fits) are those of patches: each facet stands for a small range of
     normals, so that its light fades smoothly at the terminator. The plain sum over `normals` and
     `areas` differs by 0.1 to 2.5 %.
     """
 
-    spin: SpinState
     degree: int
     rows: int
     coefficients: Any
-    law: tuple[float, float] = (1.0, 0.0)
 
     def __post_init__(self) -> None:
-        _check(self)
-        object.__setattr__(self, "degree", whole(self.degree, "degree"))
+        object.__setattr__(self, "degree", whole(self.degree, "degree", 0))
         object.__setattr__(self, "rows", whole(self.rows, "rows"))
         object.__setattr__(self, "coefficients", column(self.coefficients, "coefficients"))
+
+    @classmethod
+    def of(cls, axes: ArrayLike, degree: int = 6, rows: int = 8) -> ConvexShape:
+        """The facets of an ellipsoid with semi-axes (3,), in units of the second. ValueError for
+        more coefficients than facets."""
+        size, count = whole(degree, "degree", 0), whole(rows, "rows")
+        return cls(*_core._facets_like(of_shape(axes, "axes", (3,)), size, count))
 
     @property
     def normals(self) -> Array:
@@ -194,74 +147,88 @@ class ConvexModel:
         return _core._convex_mesh(self._parts())
 
     def _parts(self) -> tuple[Any, ...]:
-        return self.spin._parts(), self.degree, self.rows, self.coefficients, self.law
-
-    @classmethod
-    def _of(cls, parts: Sequence[Any]) -> ConvexModel:
-        spin, degree, rows, coefficients, law = parts
-        return cls(SpinState._of(spin), degree, rows, coefficients, law)
+        return self.degree, self.rows, self.coefficients
 
 
 @dataclass(frozen=True, eq=False)
-class MeshModel:
-    """A tumbling body of known shape that scatters light; facets shade each other.
+class LightModel:
+    """A tumbling body that scatters light.
 
     Attributes
     ----------
-    spin : SpinState; body axes are those of the mesh.
-    shape : FacetShape, in any unit.
+    spin : SpinState; body axes are those of the shape. Its inertia is what a fit with
+        moments="start" or "fit" reads; with moments="shape" it is that of an even filling.
+    shape : (3,), semi-axes a, b, c of an ellipsoid, of which only ratios act; a ConvexShape, whose
+        axes are principal; or the FacetShape of a known body, whose facets shade each other.
     law : weights of the laws of Lommel and Seeliger, and of Lambert.
     """
 
     spin: SpinState
-    shape: FacetShape
+    shape: Any
     law: tuple[float, float] = (1.0, 0.0)
 
     def __post_init__(self) -> None:
-        _check(self)
-        if not isinstance(self.shape, FacetShape):
-            raise TypeError(f"shape: got {self.shape!r}; expected FacetShape")
+        if not isinstance(self.spin, SpinState):
+            raise TypeError(f"spin: got {self.spin!r}; expected SpinState")
+        single, multiple = (float(_number(weight, "law")) for weight in self.law)
+        object.__setattr__(self, "law", (single, multiple))
+        if not isinstance(self.shape, (ConvexShape, FacetShape)):
+            object.__setattr__(self, "shape", of_shape(self.shape, "shape", (3,)))
 
     @classmethod
     def homogeneous(
-        cls, q: Any, w: Any, shape: FacetShape, t0: float = 0.0,
+        cls, q: ArrayLike, w: ArrayLike, shape: Any, t0: float = 0.0,
         law: tuple[float, float] = (1.0, 0.0),
-    ) -> MeshModel:  # fmt: skip
-        """With the inertia of an even filling about the centre of mass; the mesh must be closed."""
-        return cls(SpinState(q, w, _core._homogeneous_inertia(shape), t0), shape, law)
+    ) -> LightModel:  # fmt: skip
+        """With the inertia of an even filling about the centre of mass, of an ellipsoid or of a
+        closed mesh, which a ConvexShape is made first."""
+        if isinstance(shape, (ConvexShape, FacetShape)):
+            mesh = shape.mesh if isinstance(shape, ConvexShape) else shape
+            return cls(SpinState(q, w, _core._homogeneous_inertia(mesh), t0), shape, law)
+        a, b, c = (x * x for x in of_shape(shape, "shape", (3,)))
+        return cls(SpinState(q, w, [b + c, c + a, a + b], t0), shape, law)
+
+    def convex(self, degree: int = 6, rows: int = 8) -> LightModel:
+        """An ellipsoid as facets (ConvexShape.of), from which fits of convex bodies begin."""
+        if self.kind != "ellipsoid":
+            raise TypeError(f"convex: got a body of kind {self.kind}; expected an ellipsoid")
+        return LightModel(self.spin, ConvexShape.of(self.shape, degree, rows), self.law)
+
+    @property
+    def kind(self) -> str:
+        """"ellipsoid", "convex" or "mesh"."""
+        kinds = {ConvexShape: "convex", FacetShape: "mesh"}
+        return kinds.get(type(self.shape), "ellipsoid")
 
     @property
     def mesh(self) -> FacetShape:
-        """The shape."""
-        return self.shape
+        """Of a convex body or a mesh."""
+        if self.kind == "ellipsoid":
+            raise TypeError("mesh: got an ellipsoid; expected a convex body or a mesh")
+        return self.shape.mesh if self.kind == "convex" else self.shape
 
     def _parts(self) -> tuple[Any, ...]:
-        return self.spin._parts(), self.shape, self.law
+        shape = self.shape._parts() if self.kind == "convex" else self.shape
+        return self.spin._parts(), shape, self.law
 
     @classmethod
-    def _of(cls, parts: Sequence[Any]) -> MeshModel:
+    def _of(cls, parts: Sequence[Any]) -> LightModel:
         spin, shape, law = parts
-        return cls(SpinState._of(spin), shape, law)
+        return cls(
+            SpinState._of(spin), ConvexShape(*shape) if isinstance(shape, tuple) else shape, law
+        )
 
 
-def surface_of(parts: Sequence[Any]) -> ConvexModel | MeshModel:
-    return ConvexModel._of(parts) if len(parts) == 5 else MeshModel._of(parts)
+def model_of(body: Any, function: str) -> LightModel:
+    if not isinstance(body, LightModel):
+        raise TypeError(f"{function}: got {body!r}; expected LightModel")
+    return body
 
 
 def model_fluxes(
-    body: EllipsoidModel | ConvexModel | MeshModel,
-    curves: LightCurve | Iterable[LightCurve],
-    loss: Loss = "squared",
+    body: LightModel, curves: LightCurve | Iterable[LightCurve], loss: Loss = "squared"
 ) -> list[Array]:
     """Fluxes of a body at the points of each light curve, with the best factor of each session
     under a loss, as in fit_spin."""
-    models: dict[type, Any] = {
-        EllipsoidModel: _core._model_fluxes, ConvexModel: _core._convex_fluxes,
-        MeshModel: _core._mesh_fluxes,
-    }  # fmt: skip
-    for kind, fluxes in models.items():
-        if isinstance(body, kind):
-            return fluxes(body._parts(), curve_parts(curves), *loss_of(loss))
-    raise TypeError(
-        f"model_fluxes: got {body!r}; expected EllipsoidModel, ConvexModel or MeshModel"
-    )
+    parts = model_of(body, "model_fluxes")._parts()
+    return _core._model_fluxes(parts, curve_parts(curves), loss_of(loss))

@@ -12,14 +12,7 @@ import numpy as np
 from polhode import _core
 from polhode._arguments import loss_of, one_of, whole
 from polhode._core import _number
-from polhode.light_bodies import (
-    ConvexModel,
-    EllipsoidModel,
-    LightCurve,
-    MeshModel,
-    curve_parts,
-    model_fluxes,
-)
+from polhode.light_bodies import LightCurve, LightModel, curve_parts, model_fluxes, model_of
 from polhode.residual_functions import ResidualFunction
 from polhode.spin_fits import FitSolution, common_parts
 
@@ -39,12 +32,11 @@ _OF_NORMAL = 1.482602218505602
 
 @dataclass(frozen=True, eq=False, repr=False)
 class LightSolution(FitSolution):
-    """A spin state and shape that light curves are of; made by fit_light, fit_convex, fit_mesh,
-    search_light and search_mesh.
+    """A spin state and shape that light curves are of; made by fit_light and search_light.
 
     Attributes
     ----------
-    body : EllipsoidModel, a = 1; a ConvexModel or MeshModel of fits of these.
+    body : LightModel; of an ellipsoid a = 1.
     factors : of each session, flux over model.
     mode : "SAM", "LAM", or another regime.
     precession_period, rotation_period : of the long axis about the momentum, and about the long
@@ -54,7 +46,7 @@ class LightSolution(FitSolution):
     points : of all light curves; residuals begin with theirs.
     """
 
-    body: EllipsoidModel | ConvexModel | MeshModel
+    body: LightModel
     factors: Array
     mode: str
     precession_period: float
@@ -81,7 +73,7 @@ class LightSolution(FitSolution):
 
     def _rank(self) -> str:
         """What solutions are ranked by."""
-        if hasattr(self.body, "coefficients"):
+        if self.body.kind == "convex":
             return f"cost {self.cost:.5g} with chi-square {self.chi_square:.5g}"
         if self.loss[0] == "squared":
             return f"chi-square {self.chi_square:.5g}"
@@ -146,171 +138,232 @@ def listed(head: str, solutions: Sequence[FoundLight]) -> str:
     return "\n".join([head, *lines]) + ">"
 
 
-def light_parts(found: Mapping[str, Any], body: Any = None) -> dict[str, Any]:
+def light_parts(found: Mapping[str, Any]) -> dict[str, Any]:
     mode, precession, rotation = found["periods"]
     return {
-        **common_parts(found), "body": body or EllipsoidModel._of(found["body"]),
+        **common_parts(found), "body": LightModel._of(found["body"]),
         "factors": found["factors"], "mode": mode, "precession_period": precession,
         "rotation_period": rotation, "pole": found["pole"], "loss": found["loss"],
         "points": found["points"],
     }  # fmt: skip
 
 
-def found_light(found: Mapping[str, Any], body: Any = None) -> FoundLight:
+def found_light(found: Mapping[str, Any]) -> FoundLight:
     return FoundLight(
-        **light_parts(found, body), starts=found["starts"], beside=found["beside"], of=found["of"],
+        **light_parts(found), starts=found["starts"], beside=found["beside"], of=found["of"],
         relation=found["relation"],
     )  # fmt: skip
 
 
-def wanted_periods(periods: Iterable[Periods]) -> list[Periods]:
-    return [
-        (one_of(mode, "periods", ("SAM", "LAM")), float(_number(phi, "periods")),
-         float(_number(psi, "periods")))
-        for mode, phi, psi in periods
-    ]  # fmt: skip
+def _unknowns(bodies: Sequence[LightModel], shape: Any, moments: Any, multiple: Any) -> Any:
+    """For the core; moments that are None are those of the kind of the first body."""
+    usual = {"ellipsoid": "shape", "convex": "fit", "mesh": "start"}
+    kind = bodies[0].kind if bodies else "ellipsoid"
+    return bool(shape), one_of(moments or usual[kind], "moments", MOMENTS), bool(multiple)
 
 
-def search_result(
-    found: Mapping[str, Any], wanted: list[Periods], bodies: Sequence[Any] | None = None
-) -> LightSearchResult:
-    solutions = found["solutions"]
-    all_bodies = bodies or [None] * len(solutions)
-    return LightSearchResult(
-        [found_light(one, body) for one, body in zip(solutions, all_bodies)], wanted,
-        found["chi_square_of_periods"], found["starts"], found["finalists"], found["converged"],
-        found["notes"],
-    )  # fmt: skip
+def _regularisation(errors: dict[str, Any], about: Any) -> tuple[Any, ...]:
+    usual = None if about is None else model_of(about, "about")._parts()
+    return (*(float(_number(x, name)) for name, x in errors.items()), usual)
 
 
-def _light_problem(
-    start: Any, curves: Any, shape: Any, moments: Any, multiple: Any, loss: Any, iterations: Any
-) -> Any:
-    if not isinstance(start, EllipsoidModel):
-        raise TypeError(f"fit_light: got {start!r}; expected EllipsoidModel")
-    kind, scale = loss_of(loss)
+def _problem(
+    start: Any, curves: Any, shape: Any, moments: Any, multiple: Any, loss: Any, iterations: Any,
+    errors: dict[str, Any], about: Any,
+) -> Any:  # fmt: skip
+    body = model_of(start, "fit_light")
     return _core._light_problem(
-        curve_parts(curves), start._parts(), bool(shape), one_of(moments, "moments", MOMENTS),
-        bool(multiple), kind, scale, whole(iterations, "most_iterations"),
+        curve_parts(curves), body._parts(), _unknowns([body], shape, moments, multiple),
+        loss_of(loss), whole(iterations, "most_iterations"),
+        _regularisation(errors, about),
     )  # fmt: skip
 
 
 def fit_light(
-    start: EllipsoidModel,
+    start: LightModel,
     curves: LightCurve | Iterable[LightCurve],
     *,
     shape: bool = True,
-    moments: str = "shape",
+    moments: str | None = None,
     multiple: bool = False,
+    about: LightModel | None = None,
+    roughness_error: float = 3.0,
+    moments_error: float = 0.1,
+    closure_error: float = 1e-3,
+    axes_error: float = 1e-2,
     loss: Loss = "squared",
     most_iterations: int = 200,
 ) -> LightSolution:
-    """The spin state and shape of a tumbling ellipsoid from light curves, from one start.
+    """The spin state and shape of a tumbling body from light curves, from one start.
 
     Parameters
     ----------
-    start : near the answer: phases at the ends of the data within a quarter of a turn.
+    start : LightModel near the answer: phases at the ends of the data within a quarter of a turn.
+        A convex body begins with the best ellipsoid of every pair of periods, `solution.body.convex
+        (degree, rows)`: the ellipsoid is wrong about real bodies, and an alias can suit it better.
+        Degree 6 and rows 8 suit some 350 points, 3 and 4 some 80.
     curves : LightCurve, one or several, with vectors.
-    shape : whether b/a and c/b are unknown.
+    shape : whether b/a and c/b, or the coefficients of facets are unknown; a mesh is known.
     moments : "shape", those of an even filling; "start", as they are; "fit", unknowns Ixx/Izz and
-        Iyy/Izz.
+        Iyy/Izz, of a convex body about the usual ones, to moments_error. None: "shape" of an
+        ellipsoid, "fit" of a convex body, "start" of a mesh. "shape" of a convex body goes from
+        round to round, needs rows of about 12, and has not converged where they do not come to
+        rest. Axes of a mesh must be principal with "fit"; it has no "shape".
     multiple : whether the weight of Lambert's law is unknown, that of Lommel and Seeliger being 1.
+    about : the ellipsoid or convex body whose coefficients and moments are the usual ones of a
+        convex body, so that a fit can go on from another one. None: the start.
+    roughness_error : of l (l + 1) times what coefficients of degree l are off the usual ones;
+        smaller ones give smoother bodies.
+    closure_error, axes_error : of the sum of areas times normals, and of the products of their
+        tensor, over the whole area.
     loss : as in fit_spin.
 
     Returns
     -------
     LightSolution
         Of what did not converge too: `.converged` says so. Unknowns: turn_x, turn_y, turn_z, w_x,
-        w_y, w_z, b/a, c/b, then those asked for.
+        w_y, w_z; b/a and c/b; moments and the weight that are asked for; c_l_m. Converged is nearer
+        to the least than a thousandth of a standard error, of a mesh than one, as its facets bend
+        the light where they pass a terminator. At the edge of a shadow brightness jumps by a facet:
+        fits of coarse meshes may stall there. Errors of convex bodies are under their
+        regularisation.
 
-    DomainError (a ValueError) for light curves that are not sound, a start that no body has, fewer
-    points than unknowns. Exact derivatives. Releases the GIL.
+    DomainError (a ValueError) for light curves that are not sound, a start that no body has, errors
+    that are not above 0, fewer points than unknowns. Exact derivatives. Releases the GIL; a second
+    for a convex body and 350 points.
     """
-    problem = _light_problem(start, curves, shape, moments, multiple, loss, most_iterations)
+    errors = {
+        "roughness_error": roughness_error, "moments_error": moments_error,
+        "closure_error": closure_error, "axes_error": axes_error,
+    }  # fmt: skip
+    problem = _problem(
+        start, curves, shape, moments, multiple, loss, most_iterations, errors, about
+    )
     return LightSolution(**light_parts(problem.fit()))
 
 
 class LightResiduals(ResidualFunction):
-    """Residuals of light curves as a function of the unknowns of a tumbling ellipsoid.
+    """Residuals of light curves as a function of the unknowns of a tumbling body.
 
-    Parameters as of fit_light: start, curves, shape, moments, multiple, loss. Factors of sessions
-    are the best ones under the loss at every x, and the derivatives know it (variable projection):
-    the likelihood is the profile over factors.
+    Parameters as of fit_light: start, curves, shape, moments, multiple, about, the four errors,
+    loss. Turns are about the attitude of the start. Factors of sessions are the best ones under the
+    loss at every x, and the derivatives know it (variable projection): the likelihood is the
+    profile over factors.
+
+    Regularisation of a convex body is among the residuals, after those of data: three of closure,
+    three of the products of the area tensor, one of roughness for each c_l_m, and of unknown
+    moments two about the usual ones. So `log_likelihood` is of the light alone, and `log_posterior`
+    has them as priors: draws are bodies as smooth as roughness_error says, no others.
+    moments="shape": those of an even filling of the body at every x, a tenth of a second each for
+    512 facets; residuals are NaN where the areas are those of no body.
+
+    Of a mesh derivatives are exact between the directions at which a facet passes a terminator,
+    where they have a step, or the edge of a shadow, where the residuals have one: optimisers come
+    to rest beside the least, as fit_light does, and samplers refuse some more steps.
     """
 
     def __init__(
         self,
-        start: EllipsoidModel,
+        start: LightModel,
         curves: LightCurve | Iterable[LightCurve],
         *,
         shape: bool = True,
-        moments: str = "shape",
+        moments: str | None = None,
         multiple: bool = False,
+        about: LightModel | None = None,
+        roughness_error: float = 3.0,
+        moments_error: float = 0.1,
+        closure_error: float = 1e-3,
+        axes_error: float = 1e-2,
         loss: Loss = "squared",
     ) -> None:
-        problem = _light_problem(start, curves, shape, moments, multiple, loss, 1)
+        errors = {
+            "roughness_error": roughness_error, "moments_error": moments_error,
+            "closure_error": closure_error, "axes_error": axes_error,
+        }  # fmt: skip
+        problem = _problem(start, curves, shape, moments, multiple, loss, 1, errors, about)
         super().__init__(problem.residuals())
 
-    def state(self, x: ArrayLike) -> EllipsoidModel:
+    def state(self, x: ArrayLike) -> LightModel:
         """The body at x."""
-        return EllipsoidModel._of(self._compiled.state(x))
+        return LightModel._of(self._compiled.state(x))
 
 
 def search_light(
     curves: LightCurve | Iterable[LightCurve],
     periods: Iterable[Periods],
     *,
+    body: LightModel | None = None,
     starts: int = 1000,
     within: float = 1.5,
     threads: int = 1,
     seed: int = 0,
-    tries: int = 30,
-    short_iterations: int = 8,
+    tries: int | None = None,
+    short_iterations: int | None = None,
     finalists: int = 4,
     shape: bool = True,
-    moments: str = "shape",
+    moments: str | None = None,
     multiple: bool = False,
     lambert: float = 0.0,
     loss: Loss = "squared",
     most_iterations: int = 60,
 ) -> LightSearchResult:
-    """All spin states and shapes of a tumbling ellipsoid that light curves allow, from many starts.
+    """All spin states of a tumbler that light curves allow, from many starts: with the shape of an
+    ellipsoid, or of a body that is known.
 
     Parameters
     ----------
     curves : LightCurve, one or several, with vectors.
-    periods : (mode, P_phi, P_psi), mode "SAM" or "LAM": FourierScan.periods lists them.
-    starts : at first, in all, taken by the pairs of periods in turn; pairs near the lowest get
+    periods : (mode, P_phi, P_psi), mode "SAM" or "LAM": FourierScan.periods lists them. Those that
+        a known body cannot have are left out, and a note says how many.
+    body : LightModel whose shape, law and inertia are known, such as that of a mesh; its attitude,
+        rate and t0 are not looked at. With its moments a pair of periods leaves a phase of the
+        polhode and an attitude to be found, on either side of the axis of circulation. None: an
+        ellipsoid.
+    starts : in all, taken by the pairs of periods in turn; of ellipsoids, pairs near the lowest get
         more.
     within : chi-square, or the sum under a robust loss, over the lowest, up to which solutions are
         reported.
     threads : the bits of the result do not depend on it.
     seed : of starts.
-    tries : attitudes of a start, of which the best is taken. short_iterations : of each start.
-    finalists : of each pair of periods that are fitted to the end, with most_iterations; near the
-        lowest they may go on for four times as many.
-    shape, moments, multiple, loss : as in fit_light; lambert is the weight of Lambert's law.
+    tries : attitudes of a start, of which the best is taken; of a known body by some 60 points.
+        short_iterations : of each start. None: 30 and 8 of ellipsoids, 60 and 6 of a known body.
+    finalists : of each pair of periods that are fitted to the end, with most_iterations; ellipsoids
+        near the lowest may go on for four times as many.
+    shape, moments, multiple, loss : as in fit_light; of a known body the shape stays, and moments
+        are unknown of finalists alone. lambert is the weight of Lambert's law of ellipsoids.
 
     Returns
     -------
     LightSearchResult
         The lowest chi-square or loss is no proof: images, aliases and the other mode are listed
-        beside it.
+        beside it. Seen and lit from fixed directions, a mesh has the same light after a half turn
+        about the bisector of Sun and observer: two poles, where an ellipsoid has four.
 
     DomainError (a ValueError) as fit_light, and without periods. Some milliseconds a start. Ctrl-C
-    ends it between two starts. Releases the GIL.
+    ends it between two attitudes. Releases the GIL.
     """
-    wanted = wanted_periods(periods)
-    kind, scale = loss_of(loss)
+    wanted = [
+        (one_of(mode, "periods", ("SAM", "LAM")), float(_number(phi, "periods")),
+         float(_number(psi, "periods")))
+        for mode, phi, psi in periods
+    ]  # fmt: skip
+    known = [] if body is None else [model_of(body, "search_light")]
+    usual_tries, usual_iterations = (60, 6) if known else (30, 8)
     found = _core._search_light(
-        curve_parts(curves), wanted, whole(starts, "starts"), whole(tries, "tries"),
-        whole(short_iterations, "short_iterations"), whole(finalists, "finalists"),
-        float(_number(within, "within")), bool(shape), one_of(moments, "moments", MOMENTS),
-        bool(multiple), float(_number(lambert, "lambert")), kind, scale,
-        whole(most_iterations, "most_iterations"), whole(seed, "seed", 0),
+        curve_parts(curves), wanted, known[0]._parts() if known else None, whole(starts, "starts"),
+        whole(usual_tries if tries is None else tries, "tries"),
+        whole(usual_iterations if short_iterations is None else short_iterations,
+              "short_iterations"),
+        whole(finalists, "finalists"), float(_number(within, "within")),
+        _unknowns(known, shape, moments, multiple), float(_number(lambert, "lambert")),
+        loss_of(loss), whole(most_iterations, "most_iterations"), whole(seed, "seed", 0),
         whole(threads, "threads"),
     )  # fmt: skip
-    return search_result(found, wanted)
+    return LightSearchResult(
+        [found_light(one) for one in found["solutions"]], wanted, found["chi_square_of_periods"],
+        found["starts"], found["finalists"], found["converged"], found["notes"],
+    )  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -358,14 +411,19 @@ class LightExtensionResult:
 
 def extend_light(
     curves: Iterable[LightCurve],
-    starts: EllipsoidModel | Iterable[EllipsoidModel],
+    starts: LightModel | Iterable[LightModel],
     *,
     first: int = 0,
     within: float = 1.5,
     threads: int = 1,
     shape: bool = True,
-    moments: str = "shape",
+    moments: str | None = None,
     multiple: bool = False,
+    about: LightModel | None = None,
+    roughness_error: float = 3.0,
+    moments_error: float = 0.1,
+    closure_error: float = 1e-3,
+    axes_error: float = 1e-2,
     loss: Loss = "squared",
     most_counts: int = 5000,
     most_iterations: int = 200,
@@ -378,13 +436,15 @@ def extend_light(
     Parameters
     ----------
     curves : LightCurve, the sessions, with vectors.
-    starts : EllipsoidModel, one or several, near what the session `first` has: bodies of the
-        solutions of search_light.
+    starts : LightModel, one or several of one kind, near what the session `first` has: bodies of
+        the solutions of search_light. A convex body is regularised about its start, if not `about`
+        another body.
     first : the place of that session.
     within : chi-square, or the sum under a robust loss, over the lowest, up to which solutions go
         on and are reported.
     threads : the bits of the result do not depend on it.
-    shape, moments, multiple, loss : as in fit_light.
+    shape, moments, multiple, about, roughness_error, moments_error, closure_error, axes_error, loss
+        : as in fit_light.
     most_counts : of turns, for one solution and session; where there are more, `failure` says so.
     most_iterations : of each fit; near the limit it may go on for five times as many.
 
@@ -396,15 +456,17 @@ def extend_light(
     solution, some milliseconds for each 100 points. Ctrl-C ends it between two fits. Releases the
     GIL.
     """
-    bodies = [starts] if isinstance(starts, EllipsoidModel) else list(starts)
-    for body in bodies:
-        if not isinstance(body, EllipsoidModel):
-            raise TypeError(f"extend_light: starts: got {body!r}; expected EllipsoidModel")
+    bodies = [starts] if isinstance(starts, LightModel) else list(starts)
+    given = [model_of(body, "extend_light: starts")._parts() for body in bodies]
+    errors = {
+        "roughness_error": roughness_error, "moments_error": moments_error,
+        "closure_error": closure_error, "axes_error": axes_error,
+    }  # fmt: skip
     found = _core._extend_light(
-        curve_parts(curves), [body._parts() for body in bodies], whole(first, "first", 0),
-        float(_number(within, "within")), bool(shape), one_of(moments, "moments", MOMENTS),
-        bool(multiple), *loss_of(loss), whole(most_counts, "most_counts"),
-        whole(most_iterations, "most_iterations"), whole(threads, "threads"),
+        curve_parts(curves), given, whole(first, "first", 0), float(_number(within, "within")),
+        _unknowns(bodies, shape, moments, multiple), loss_of(loss),
+        whole(most_counts, "most_counts"), whole(most_iterations, "most_iterations"),
+        whole(threads, "threads"), _regularisation(errors, about),
     )  # fmt: skip
     return LightExtensionResult(
         [found_light(one) for one in found["solutions"]],

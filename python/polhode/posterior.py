@@ -176,7 +176,7 @@ def posterior(
 
     Parameters
     ----------
-    of : SpinResiduals, LightResiduals, ConvexResiduals or MeshResiduals, whose start is a solution;
+    of : SpinResiduals or LightResiduals, whose start is a solution;
         the method sample of a solution makes it.
     draws : of each chain, after warm_up draws that find the length of steps.
     chains : independent ones, started from Laplace's approximation, twice as wide.

@@ -19,8 +19,7 @@ Own = TypeVar("Own", bound="ResidualFunction")
 
 
 class ResidualFunction:
-    """What SpinResiduals, LightResiduals, ConvexResiduals and MeshResiduals have in common; made by
-    them.
+    """What SpinResiduals and LightResiduals have in common; made by them.
 
     Unknowns are arrays x (P,) in the order of `names`. Residuals are in standard errors, those of
     data first and those of priors after them; a robust loss is part of them, so that the sum of

@@ -13,7 +13,7 @@ TIMES = np.linspace(0.0, 30.0, 20)
 SUN, OBSERVER = [1.0, 0.2, 0.3], [0.8, 0.6, 0.1]
 STATE = polhode.SpinState([1.0, 0.0, 0.0, 0.0], [0.1, 0.2, 0.3], [1.0, 2.0, 2.5])
 RATES = polhode.Snapshots(rates=([0.0], [[0.1, 0.2, 0.31]], 0.01))
-BODY = polhode.EllipsoidModel.homogeneous([1.0, 0, 0, 0], [0.4, 0.5, 1.0], [1.0, 0.8, 0.5])
+BODY = polhode.LightModel.homogeneous([1.0, 0, 0, 0], [0.4, 0.5, 1.0], [1.0, 0.8, 0.5])
 
 
 def _curve():
@@ -25,7 +25,7 @@ def _curve():
 CURVE = _curve()
 TETRAHEDRON = polhode.FacetShape([[1, 0, -0.3], [-0.6, 0.8, -0.3], [-0.6, -0.8, -0.3], [0, 0, 0.6]],
                                  [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]])  # fmt: skip
-MESH = polhode.MeshModel.homogeneous([1.0, 0, 0, 0], [0.4, 0.5, 1.0], TETRAHEDRON)
+MESH = polhode.LightModel.homogeneous([1.0, 0, 0, 0], [0.4, 0.5, 1.0], TETRAHEDRON)
 
 
 def quietly(function):
@@ -44,10 +44,9 @@ def of_fits():
     found = polhode.fit_spin(STATE, RATES, "rate")
     f = polhode.SpinResiduals(STATE, RATES, "rate")
     light = polhode.LightResiduals(BODY, CURVE)
-    convex_numbers = {"degree": 2, "rows": 3, "roughness_error": 3.0, "moments_error": 0.1,
-                      "closure_error": 1e-3, "axes_error": 1e-2}  # fmt: skip
-    convex = polhode.ConvexResiduals(BODY, CURVE, **convex_numbers)
-    mesh = polhode.MeshResiduals(MESH, CURVE)
+    errors = {"roughness_error": 3.0, "moments_error": 0.1, "closure_error": 1e-3,
+              "axes_error": 1e-2}  # fmt: skip
+    facets = BODY.convex(2, 3)
     scan = polhode.fourier_scan(CURVE, (0.05, 0.2, 0.01), order=1)
     (best,) = polhode.fit(TOUTATIS).solutions
     few = {"draws": 4, "chains": 1, "warm_up": 3, "seed": 1, "accept": 0.8}
@@ -62,10 +61,8 @@ def of_fits():
         **{f"ResidualFunction.{name}": (getattr(f, name), x, {}) for name in functions},
         "SpinResiduals.state": (f.state, x, {}),
         "LightResiduals.state": (light.state, {"x": light.start}, {}),
-        "ConvexResiduals.state": (convex.state, {"x": convex.start}, {}),
-        "MeshResiduals.state": (mesh.state, {"x": mesh.start}, {}),
-        "ConvexResiduals.__init__": (
-            polhode.ConvexResiduals, convex_numbers, {"start": BODY, "curves": CURVE},
+        "LightResiduals.__init__": (
+            polhode.LightResiduals, errors, {"start": facets, "curves": CURVE},
         ),
         "SpinResiduals.__init__": (polhode.SpinResiduals, {"error_factor": 1.0}, start),
         "fit_spin": (polhode.fit_spin, {"error_factor": 1.0, "most_iterations": 20}, start),
@@ -82,18 +79,16 @@ def of_fits():
             {"t": TIMES, "flux": TIMES, "sigma": 0.1, "to_sun": SUN, "to_observer": OBSERVER},
             {},
         ),
-        "EllipsoidModel.homogeneous": (
-            polhode.EllipsoidModel.homogeneous,
-            {"q": [1.0, 0, 0, 0], "w": SUN, "axes": [1.0, 0.8, 0.5], "t0": 0.0, "law": [1.0, 0.1]},
+        "LightModel.homogeneous": (
+            polhode.LightModel.homogeneous,
+            {"q": [1.0, 0, 0, 0], "w": SUN, "shape": [1.0, 0.8, 0.5], "t0": 0.0, "law": [1.0, 0.1]},
             {},
         ),
-        "fit_light": (polhode.fit_light, {"most_iterations": 2}, {"start": BODY, "curves": CURVE}),
-        "fit_convex": (polhode.fit_convex, {**convex_numbers, "most_iterations": 2},
-                       {"start": BODY, "curves": CURVE}),
-        "fit_mesh": (polhode.fit_mesh, {"most_iterations": 2}, {"start": MESH, "curves": CURVE}),
-        "MeshModel.homogeneous": (polhode.MeshModel.homogeneous,
-                                  {"q": [1.0, 0, 0, 0], "w": SUN, "t0": 0.0, "law": [1.0, 0.1]},
-                                  {"shape": TETRAHEDRON}),
+        "LightModel.convex": (BODY.convex, {"degree": 2, "rows": 3}, {}),
+        "ConvexShape.of": (polhode.ConvexShape.of,
+                           {"axes": [1.0, 0.8, 0.5], "degree": 2, "rows": 3}, {}),
+        "fit_light": (polhode.fit_light, {**errors, "most_iterations": 2},
+                      {"start": facets, "curves": CURVE}),
         "likely_periods": (
             polhode.likely_periods, {"f1": 0.1, "f2": 0.27, "order": 1}, {"curves": CURVE},
         ),
@@ -101,10 +96,9 @@ def of_fits():
             polhode.search_light, search, {"curves": CURVE, "periods": [("SAM", 10.0, 25.0)]},
         ),
         "extend_light": (polhode.extend_light,
-                         {"first": 0, "within": 2.0, "most_counts": 9, "most_iterations": 2},
+                         {"first": 0, "within": 2.0, "most_counts": 9, "most_iterations": 2,
+                          **errors},
                          {"curves": [CURVE], "starts": BODY}),
-        "search_mesh": (polhode.search_mesh, {k: x for k, x in search.items() if k != "lambert"},
-                        {"body": MESH, "curves": CURVE, "periods": [("SAM", 10.0, 25.0)]}),
         "FourierScan.periods": (scan.periods, {"pairs": 1, "labels": 1}, {}),
         "scan_advice": (polhode.scan_advice, {"order": 2}, {"curves": CURVE}),
         "fourier_scan": (

@@ -141,13 +141,13 @@ def test_a_body_is_seen_where_its_ellipsoid_is():
         edge = axis.patches[0].get_xy()
         for angle in np.linspace(0.0, 3.0, 7):
             n = np.cos(angle) * right + np.sin(angle) * up
-            reach = np.linalg.norm(BODY.axes * (polhode.attitude_matrix(q) @ n))
+            reach = np.linalg.norm(BODY.shape * (polhode.attitude_matrix(q) @ n))
             drawn = (edge @ [np.cos(angle), np.sin(angle)]).max()
             assert_allclose(drawn, reach, atol=budgets.drawn_edge)
     light = axes[0].images[0].get_array()
     seen = light[np.isfinite(light)]
     assert largest(seen) == 1.0 and smallest(seen) >= DARK
-    with pytest.raises(TypeError, match="expected a solution, an EllipsoidModel"):
+    with pytest.raises(TypeError, match="expected a solution or a LightModel"):
         figures.body_as_seen(3, [0.0], SUN, OBSERVER)
     rejected(ValueError, "to_sun: got shape", figures.body_as_seen, BODY, [0.0], [1.0], OBSERVER)
 

@@ -101,7 +101,7 @@ def test_residual_functions_begin_at_the_solution(night):
     f = best.residual_function()
     assert f.names == best.names and f.size == 121
     assert_allclose(f.log_likelihood(f.start), -0.5 * best.chi_square, rtol=budgets.fit_freedom)
-    assert_allclose(f.state(f.start).axes, best.body.axes)
+    assert_allclose(f.state(f.start).shape, best.body.shape)
     core = np.array(best.report["covariance_core"])
     assert_allclose(np.sqrt(np.diag(f.covariance(f.start))), np.sqrt(np.diag(core)),
                     rtol=budgets.python_covariance)  # fmt: skip

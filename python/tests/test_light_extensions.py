@@ -5,10 +5,10 @@ import budgets
 import numpy as np
 import polhode
 import pytest
-from polhode import EllipsoidModel, LightCurve
+from polhode import LightCurve, LightModel
 
 # that of tests/unit/fit/light_extension.cpp
-BODY = EllipsoidModel.homogeneous([0.6, 0.3, -0.5, 0.2], [2.4, 0.9, 0.3], [1.0, 0.6, 0.45])
+BODY = LightModel.homogeneous([0.6, 0.3, -0.5, 0.2], [2.4, 0.9, 0.3], [1.0, 0.6, 0.45])
 SUN, OBSERVER = [1.0, 0.2, 0.3], [0.8, 0.6, 0.1]
 PERIOD = 2.0 * np.pi / BODY.spin.free_rotation.precession_rate_long
 
@@ -40,6 +40,22 @@ def test_two_nights_join():
     assert f"P_phi {best.precession_period:.6g}" in repr(found)
 
 
+@pytest.mark.parametrize("shape", [polhode.ConvexShape.of(BODY.shape, 2, 3), None])
+def test_nights_of_other_shapes_join(shape):
+    """Facets of the ellipsoid, free and with their priors; and its mesh, with the moments of the
+    ellipsoid."""
+    facets = shape or polhode.ConvexShape.of(BODY.shape, 4, 4).mesh
+    body = polhode.LightModel(BODY.spin, facets)
+    flux = polhode.model_fluxes(body, NIGHTS)
+    nights = [LightCurve(n.t, f, 0.02 * f, SUN, OBSERVER) for n, f in zip(NIGHTS, flux)]
+    found = polhode.extend_light(nights, body, first=1, threads=2, moments="start")
+    assert found.failure == "" and found.joined[1].counts > 1
+    best = found.solutions[0]
+    assert best.body.kind == body.kind
+    assert abs(best.precession_period - PERIOD) < 2e-4 * PERIOD
+    assert best.cost < budgets.light_noise * best.degrees_of_freedom
+
+
 def test_a_session_that_is_too_far_is_named():
     found = polhode.extend_light(NIGHTS, BODY, first=1, most_counts=1)
     assert found.solutions == [] and "session 1 is too far from those before it" in found.failure
@@ -48,7 +64,7 @@ def test_a_session_that_is_too_far_is_named():
 
 @pytest.mark.parametrize(("change", "said"), [
     ({"starts": []}, "no starts"),
-    ({"starts": [3]}, "starts: got 3; expected EllipsoidModel"),
+    ({"starts": [3]}, "starts: got 3; expected LightModel"),
     ({"first": 2}, "first = 2 must be below 2"),
     ({"within": 0.5}, "within = 0.5 must be 1 or more"),
     ({"most_counts": 0}, "most_counts"),

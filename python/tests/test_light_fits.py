@@ -8,10 +8,10 @@ import polhode
 import pytest
 from closeness import assert_allclose, largest
 from interrupts import LATEST, seconds_from_signal
-from polhode import EllipsoidModel, LightCurve
+from polhode import LightCurve, LightModel
 
 # that of tests/unit/fit/light_fit.cpp
-BODY = EllipsoidModel.homogeneous([0.6, 0.3, -0.5, 0.2], [0.6, 0.5, 1.0], [1.0, 0.85, 0.5])
+BODY = LightModel.homogeneous([0.6, 0.3, -0.5, 0.2], [0.6, 0.5, 1.0], [1.0, 0.85, 0.5])
 SUN, OBSERVER = [1.0, 0.2, 0.3], [0.8, 0.6, 0.1]
 NOISE = 0.01
 
@@ -38,7 +38,7 @@ CURVE = night()
 
 def test_one_start_finds_the_body_near_it():
     spin = BODY.spin
-    start = EllipsoidModel.homogeneous(spin.q, 1.001 * spin.w, [1.0, 0.83, 0.52])
+    start = LightModel.homogeneous(spin.q, 1.001 * spin.w, [1.0, 0.83, 0.52])
     found = polhode.fit_light(start, CURVE)
     assert found.converged and found.names[:3] == ("turn_x", "turn_y", "turn_z")
     truth = [*spin.w, 0.85, 0.5 / 0.85]
@@ -100,7 +100,7 @@ def test_derivatives_are_those_of_the_residuals(keys, budget):
         assert_allclose(slope / size, J[:, k] / size, atol=budget)
     gradient = f.log_likelihood_gradient(x)
     assert_allclose(gradient, -J.T @ f.residuals(x), rtol=budgets.numpy_random)
-    assert f.state(x).axes[0] == 1.0
+    assert f.state(x).shape[0] == 1.0
 
 
 def test_a_search_finds_the_body_on_any_threads():
@@ -113,7 +113,7 @@ def test_a_search_finds_the_body_on_any_threads():
     assert best.values.tobytes() == same.values.tobytes()
     assert best.chi_square == same.chi_square and repr(found[0]) == repr(found[1])
     assert best.converged and best.beside == "first"
-    assert_allclose(sorted(best.body.axes), [0.5, 0.85, 1.0], atol=budgets.python_axes)
+    assert_allclose(sorted(best.body.shape), [0.5, 0.85, 1.0], atol=budgets.python_axes)
     images = [one for one in found[0].solutions if one.beside == "image"]
     assert images and all(one.relation for one in images)  # one night: four poles
 
@@ -155,7 +155,7 @@ def test_a_scan_has_a_minimum_at_lines_of_the_motion():
         (lambda: LightCurve([0.0, 1.0], [1.0, 2.0], [0.1, 0.1, 0.1]), "sigma: got shape"),
         (lambda: polhode.fit_light(BODY, 3), "not iterable"),
         (lambda: polhode.fit_light(BODY, [3]), "got 3; expected LightCurve"),
-        (lambda: polhode.fit_light(3, CURVE), "got 3; expected EllipsoidModel"),
+        (lambda: polhode.fit_light(3, CURVE), "got 3; expected LightModel"),
         (lambda: polhode.fit_light(BODY, CURVE, moments="own"), "moments: got 'own'"),
         (lambda: polhode.search_light(CURVE, []), "periods"),
         (lambda: polhode.search_light(CURVE, [("SAM", 1.0, -2.0)]), "-2"),

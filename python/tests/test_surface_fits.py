@@ -25,10 +25,10 @@ SMALL = {"degree": 3, "rows": 4}
 def convex():
     """A convex body that is no ellipsoid, from one of its fits; and its light with errors."""
     rng = np.random.default_rng(4)
-    found = polhode.fit_convex(fit_calls.BODY, fit_calls.CURVE, **SMALL)
-    coefficients = found.body.coefficients.copy()
+    found = polhode.fit_light(fit_calls.BODY.convex(**SMALL), fit_calls.CURVE)
+    coefficients = found.body.shape.coefficients.copy()
     coefficients[[4, 8, 9, 12]] += [0.1, -0.15, 0.08, 0.1]
-    body = polhode.ConvexModel(found.body.spin, 3, 4, coefficients)
+    body = polhode.LightModel(found.body.spin, polhode.ConvexShape(3, 4, coefficients))
     t = np.linspace(0.0, 40.0, 90)
     blank = polhode.LightCurve(t, np.ones(90), 1.0, SUN, OBSERVER)
     (flux,) = polhode.model_fluxes(body, blank)
@@ -40,15 +40,15 @@ def test_facets_fit_what_no_ellipsoid_does(convex):
     body, curve = convex
     first = polhode.fit_light(fit_calls.BODY, curve)
     assert first.converged
-    found = polhode.fit_convex(first.body, curve, **SMALL)
-    assert found.converged and isinstance(found.body, polhode.ConvexModel)
+    found = polhode.fit_light(first.body.convex(**SMALL), curve)
+    assert found.converged and isinstance(found.body.shape, polhode.ConvexShape)
     assert found.chi_square < 0.7 * first.chi_square
     assert found.names[:6] == first.names[:6] and found.names[6:8] == ("Ixx/Izz", "Iyy/Izz")
     assert len(found.names) == 8 + 15 and found.covariance.shape == (23, 23)
     (model,) = found.model(curve)
     assert_allclose(np.sum(((model - curve.flux) / curve.sigma) ** 2), found.chi_square,
                     rtol=budgets.fit_freedom)  # fmt: skip
-    of = found.body
+    of = found.body.shape
     assert of.normals.shape == (128, 3) and smallest(of.areas) > 0.0
     assert_allclose(np.linalg.norm(of.normals, axis=1), 1.0, atol=budgets.fit_rotation)
     # the mesh has these facets: each of its own lies on one of the normals, with their areas
@@ -57,7 +57,7 @@ def test_facets_fit_what_no_ellipsoid_does(convex):
     areas = np.bincount(places, np.asarray(mesh.areas), 128)
     assert_allclose(areas.sum(), of.areas.sum(), rtol=budgets.python_convex_closure)
     assert np.abs(areas - of.areas).max() < budgets.python_convex_closure * of.areas.sum()
-    again = polhode.MeshModel(of.spin, mesh, of.law)
+    again = polhode.LightModel(found.body.spin, mesh, found.body.law)
     (of_mesh,) = polhode.model_fluxes(again, curve)
     assert_allclose(of_mesh, model, rtol=budgets.python_convex_light)
 
@@ -65,14 +65,14 @@ def test_facets_fit_what_no_ellipsoid_does(convex):
 def test_a_given_mesh_is_fitted_from_a_start_nearby():
     rng = np.random.default_rng(5)
     shape = fit_calls.TETRAHEDRON
-    truth = polhode.MeshModel.homogeneous([0.9, 0.1, 0.3, 0.2], [0.4, 0.5, 1.0], shape)
+    truth = polhode.LightModel.homogeneous([0.9, 0.1, 0.3, 0.2], [0.4, 0.5, 1.0], shape)
     t = np.linspace(0.0, 30.0, 80)
     blank = polhode.LightCurve(t, np.ones(80), 1.0, SUN, OBSERVER)
     (flux,) = polhode.model_fluxes(truth, blank)
     sigma = 0.01 * flux.mean()
     curve = polhode.LightCurve(t, flux + sigma * rng.standard_normal(80), sigma, SUN, OBSERVER)
-    start = polhode.MeshModel.homogeneous([0.9, 0.11, 0.29, 0.21], [0.401, 0.5, 1.0], shape)
-    found = polhode.fit_mesh(start, curve)
+    start = polhode.LightModel.homogeneous([0.9, 0.11, 0.29, 0.21], [0.401, 0.5, 1.0], shape)
+    found = polhode.fit_light(start, curve)
     assert found.converged and found.names == (
         "turn_x", "turn_y", "turn_z", "w_x", "w_y", "w_z")  # fmt: skip
     off = (found.body.spin.w - truth.spin.w) @ np.linalg.inv(found.covariance[3:, 3:])
@@ -82,16 +82,20 @@ def test_a_given_mesh_is_fitted_from_a_start_nearby():
 
 
 @pytest.mark.parametrize(("call", "error", "message"), [
-    (lambda: polhode.fit_convex(3, fit_calls.CURVE), TypeError, "expected EllipsoidModel"),
-    (lambda: polhode.fit_mesh(fit_calls.BODY, fit_calls.CURVE), TypeError, "expected MeshModel"),
-    (lambda: polhode.fit_convex(fit_calls.BODY, fit_calls.CURVE, degree=20), ValueError, "rows"),
-    (lambda: polhode.fit_convex(fit_calls.BODY, fit_calls.CURVE, roughness_error=0.0), ValueError,
-     "roughness_error = 0 must be above 0"),
-    (lambda: polhode.fit_convex(fit_calls.BODY, fit_calls.CURVE, moments="even"), ValueError,
+    (lambda: polhode.fit_light(3, fit_calls.CURVE), TypeError, "got 3; expected LightModel"),
+    (lambda: fit_calls.MESH.convex(), TypeError, "kind mesh; expected an ellipsoid"),
+    (lambda: fit_calls.BODY.convex(degree=20), ValueError, "rows"),
+    (lambda: polhode.ConvexShape.of([1.0, 0.0, 1.0]), ValueError, "semi-axis 0 must be above 0"),
+    (lambda: polhode.fit_light(fit_calls.BODY.convex(), fit_calls.CURVE, roughness_error=0.0),
+     ValueError, "roughness_error = 0 must be above 0"),
+    (lambda: polhode.fit_light(fit_calls.BODY, fit_calls.CURVE, moments="even"), ValueError,
      "moments"),
-    (lambda: polhode.MeshModel(fit_calls.STATE, 3), TypeError, "expected FacetShape"),
-    (lambda: polhode.ConvexModel(3, 3, 4, [0.0] * 16), TypeError, "expected SpinState"),
-    (lambda: polhode.model_fluxes(3, fit_calls.CURVE), TypeError, "ConvexModel or MeshModel"),
+    (lambda: polhode.fit_light(fit_calls.BODY.convex(), fit_calls.CURVE, about=fit_calls.MESH),
+     ValueError, "usual body"),
+    (lambda: polhode.LightModel(fit_calls.STATE, 3), ValueError, "shape"),
+    (lambda: polhode.LightModel(3, [1.0, 0.8, 0.5]), TypeError, "expected SpinState"),
+    (lambda: fit_calls.BODY.mesh, TypeError, "expected a convex body or a mesh"),
+    (lambda: polhode.model_fluxes(3, fit_calls.CURVE), TypeError, "expected LightModel"),
     (lambda: polhode.likely_periods(fit_calls.CURVE, -1.0, 0.1, order=1), ValueError,
      "f1: got -1.0; expected a frequency above 0"),
 ])  # fmt: skip
@@ -119,12 +123,13 @@ def test_a_scenario_with_a_convex_body(tmp_path):
     found = polhode.fit(polhode.load(NIGHT).replace({**NEARBY, **changes}),
                         progress=lambda done, of: told.append(done))  # fmt: skip
     (one,) = found
-    assert isinstance(one.body, polhode.ConvexModel) and one.report["convex"]["facets"] == 128
+    assert one.body.kind == "convex" and one.report["convex"]["facets"] == 128
     assert told == sorted(told)
     ellipsoid = polhode.fit(polhode.load(NIGHT).replace(NEARBY))[0]
-    again = polhode.fit_convex(ellipsoid.body, found.curves, **SMALL)
+    again = polhode.fit_light(ellipsoid.body.convex(**SMALL), found.curves)
     assert_allclose(again.chi_square, one.chi_square, rtol=budgets.fit_freedom)
-    assert_allclose(again.body.coefficients, one.body.coefficients, rtol=budgets.fit_exact)
+    assert_allclose(again.body.shape.coefficients, one.body.shape.coefficients,
+                    rtol=budgets.fit_exact)  # fmt: skip
     (model,) = one.light.model(found.curves)
     assert_allclose(one.residuals["model"], model, rtol=budgets.fit_motion)
     assert "c_1_0" in one.unknowns and one.covariance.shape == (23, 23)
@@ -143,7 +148,7 @@ def test_a_scenario_with_a_convex_body(tmp_path):
 def test_facets_are_drawn_where_they_are():
     """Corners on paper are those of the mesh; what is lit and faces the observer is bright."""
     shape = fit_calls.TETRAHEDRON
-    body = polhode.MeshModel.homogeneous([1.0, 0.2, 0.0, 0.1], [0.4, 0.5, 1.0], shape)
+    body = polhode.LightModel.homogeneous([1.0, 0.2, 0.0, 0.1], [0.4, 0.5, 1.0], shape)
     eye = np.array(OBSERVER) / np.linalg.norm(OBSERVER)
     (axis,) = figures.body_as_seen(body, [0.0], SUN, OBSERVER)
     (drawn,) = axis.collections
@@ -163,5 +168,5 @@ def test_facets_are_drawn_where_they_are():
             nearest = smallest(*np.linalg.norm(onto - corner, axis=1))
             assert nearest < budgets.drawn_edge
     assert largest(*drawn.get_array()) <= 1.0
-    convex = polhode.fit_convex(fit_calls.BODY, fit_calls.CURVE, **SMALL)
+    convex = polhode.fit_light(fit_calls.BODY.convex(**SMALL), fit_calls.CURVE)
     assert len(figures.body_as_seen(convex, [0.0, 1.0], SUN, OBSERVER)) == 2

@@ -11,7 +11,7 @@ import numpy as np
 import polhode
 import pytest
 from closeness import assert_allclose, largest, smallest
-from polhode import ConvexResiduals, MeshResiduals
+from polhode import LightResiduals
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 NIGHT = ROOT / "examples/tumbling-night.toml"
@@ -44,16 +44,16 @@ def slopes(f, x, k, step):
 @pytest.fixture(scope="module")
 def convex():
     curve = seen(fit_calls.BODY)
-    return polhode.fit_convex(fit_calls.BODY, curve, **SMALL), curve
+    return polhode.fit_light(fit_calls.BODY.convex(**SMALL), curve), curve
 
 
 @pytest.fixture(scope="module")
 def mesh():
-    truth = polhode.MeshModel.homogeneous(
+    truth = polhode.LightModel.homogeneous(
         [0.9, 0.1, 0.3, 0.2], [0.4, 0.5, 1.0], fit_calls.TETRAHEDRON
     )
     curve = seen(truth)
-    found = polhode.fit_mesh(truth, curve)
+    found = polhode.fit_light(truth, curve)
     assert found.converged
     return found, curve
 
@@ -61,7 +61,7 @@ def mesh():
 def test_a_convex_body_begins_at_what_was_found(convex):
     found, curve = convex
     assert found.converged
-    f = ConvexResiduals(fit_calls.BODY, curve, body=found.body)
+    f = LightResiduals(found.body, curve, about=fit_calls.BODY)
     assert f.names == found.names and len(f.names) == 8 + 8
     # after the data closure, products, roughness, and the two ratios of moments
     assert (f.data, f.size) == (70, 70 + 6 + 8 + 2)
@@ -72,26 +72,25 @@ def test_a_convex_body_begins_at_what_was_found(convex):
     slope = f.log_posterior_gradient(f.start) * found.errors
     assert largest(np.abs(slope)) < budgets.python_optimum
     same = f.state(f.start)
-    assert isinstance(same, polhode.ConvexModel) and (same.degree, same.rows) == (2, 3)
-    assert np.array_equal(same.coefficients, found.body.coefficients)
+    assert same.kind == "convex" and (same.shape.degree, same.shape.rows) == (2, 3)
+    assert np.array_equal(same.shape.coefficients, found.body.shape.coefficients)
     # at the ellipsoid of the start without a body, with the same numbers at the same body
-    g = ConvexResiduals(fit_calls.BODY, curve, **SMALL)
+    g = LightResiduals(fit_calls.BODY.convex(**SMALL), curve)
     assert_allclose(g.state(g.start).spin.w, fit_calls.BODY.spin.w)
     assert_allclose(g.residuals(g.start)[76:], 0.0, atol=budgets.fit_line)
     x = g.start
     x[3:] = f.start[3:]
-    turned = ConvexResiduals(
-        polhode.EllipsoidModel(
-            polhode.SpinState(found.body.spin.q, fit_calls.BODY.spin.w,
-                              fit_calls.BODY.spin.inertia), fit_calls.BODY.axes),
-        curve, **SMALL)  # fmt: skip
+    state = polhode.SpinState(found.body.spin.q, fit_calls.BODY.spin.w,
+                              fit_calls.BODY.spin.inertia)  # fmt: skip
+    there = polhode.LightModel(state, fit_calls.BODY.shape).convex(**SMALL)
+    turned = LightResiduals(there, curve)
     assert_allclose(turned.residuals(x), f.residuals(f.start), atol=budgets.fit_line)
 
 
 @pytest.mark.parametrize("keys", [{"moments": "start"}, {"moments": "fit", "multiple": True}])
 def test_convex_derivatives_are_those_of_the_residuals(convex, keys):
     found, curve = convex
-    f = ConvexResiduals(fit_calls.BODY, curve, body=found.body, **keys)
+    f = LightResiduals(found.body, curve, about=fit_calls.BODY, **keys)
     x = f.start
     J = f.jacobian(x)
     for k in range(len(x)):
@@ -106,16 +105,16 @@ def test_convex_derivatives_are_those_of_the_residuals(convex, keys):
 def test_a_fit_of_a_convex_body_goes_on(convex):
     """One iteration and then the rest are as good as all at once."""
     found, curve = convex
-    first = polhode.fit_convex(fit_calls.BODY, curve, most_iterations=1, **SMALL)
+    first = polhode.fit_light(fit_calls.BODY.convex(**SMALL), curve, most_iterations=1)
     assert not first.converged
-    then = polhode.fit_convex(fit_calls.BODY, curve, body=first.body)
-    assert then.converged and len(then.body.coefficients) == 9
+    then = polhode.fit_light(first.body, curve, about=fit_calls.BODY)
+    assert then.converged and len(then.body.shape.coefficients) == 9
     assert_allclose(then.chi_square, found.chi_square, rtol=budgets.python_optimum)
 
 
 def test_a_mesh_begins_at_what_was_found(mesh):
     found, curve = mesh
-    f = MeshResiduals(found.body, curve)
+    f = LightResiduals(found.body, curve)
     assert f.names == found.names == ("turn_x", "turn_y", "turn_z", "w_x", "w_y", "w_z")
     assert f.data == f.size == 70
     assert_allclose(-2.0 * f.log_likelihood(f.start), found.chi_square, rtol=budgets.fit_freedom)
@@ -123,7 +122,7 @@ def test_a_mesh_begins_at_what_was_found(mesh):
                     rtol=budgets.python_covariance)  # fmt: skip
     assert f.state(f.start).shape is not None
     assert np.array_equal(f.state(f.start).spin.w, found.body.spin.w)
-    wide = MeshResiduals(found.body, curve, multiple=True)
+    wide = LightResiduals(found.body, curve, multiple=True)
     assert wide.names[-1] == "multiple" and wide.bounds[0][-1] > 0.0
     J = wide.jacobian(wide.start)
     for k in range(7):  # between the bends of facets
@@ -138,8 +137,8 @@ def test_posteriors_are_sampled(kind, convex, mesh):
     pytest.importorskip("mici")
     pytest.importorskip("arviz_stats")
     found, curve = convex if kind == "convex" else mesh
-    f = (ConvexResiduals(fit_calls.BODY, curve, body=found.body) if kind == "convex"
-         else MeshResiduals(found.body, curve))  # fmt: skip
+    f = (LightResiduals(found.body, curve, about=fit_calls.BODY) if kind == "convex"
+         else LightResiduals(found.body, curve))  # fmt: skip
     draws = quietly(polhode.posterior, f, draws=250, warm_up=60, chains=1, seed=2)
     assert draws.draws.shape == (1, 250, len(f.names))
     spread = np.sqrt(np.diag(draws.covariance) / np.diag(draws.laplace_covariance))
@@ -160,15 +159,15 @@ def test_posteriors_are_sampled(kind, convex, mesh):
 def test_solutions_of_a_scenario_are_functions(changes):
     (one,) = polhode.fit(polhode.load(NIGHT).replace({**NEARBY, **changes}))
     f = one.residual_function()
-    assert isinstance(f, ConvexResiduals) and f.names == one.names
+    assert isinstance(f, LightResiduals) and f.names == one.names
     assert_allclose(-2.0 * f.log_likelihood(f.start), one.chi_square, rtol=budgets.fit_freedom)
     slope = f.log_posterior_gradient(f.start) * np.sqrt(np.diag(f.covariance(f.start)))
     assert largest(np.abs(slope)) < budgets.python_optimum
     scaled = one.residual_function(scaled=True)
     assert_allclose(-2.0 * scaled.log_likelihood(f.start), one.degrees_of_freedom,
                     rtol=budgets.fit_freedom)  # fmt: skip
-    assert isinstance(f.state(f.start), polhode.ConvexModel)
-    assert smallest(f.state(f.start).areas) > 0.0
+    assert f.state(f.start).kind == "convex"
+    assert smallest(f.state(f.start).shape.areas) > 0.0
 
 
 def test_a_mesh_of_a_scenario_is_a_function(tmp_path):
@@ -177,21 +176,20 @@ def test_a_mesh_of_a_scenario_is_a_function(tmp_path):
     one.write(tmp_path / "body.toml")
     (again,) = polhode.fit(tmp_path / "body.toml")
     f = again.residual_function()
-    assert isinstance(f, MeshResiduals) and f.names == again.names
+    assert isinstance(f, LightResiduals) and f.names == again.names
     assert_allclose(-2.0 * f.log_likelihood(f.start), again.chi_square, rtol=budgets.fit_freedom)
-    assert isinstance(f.state(f.start), polhode.MeshModel)
+    assert f.state(f.start).kind == "mesh"
 
 
 @pytest.mark.parametrize(("call", "error", "message"), [
-    (lambda: ConvexResiduals(3, fit_calls.CURVE), TypeError, "expected EllipsoidModel"),
-    (lambda: ConvexResiduals(fit_calls.BODY, fit_calls.CURVE, body=3), TypeError,
-     "body: got 3; expected ConvexModel or None"),
-    (lambda: ConvexResiduals(fit_calls.BODY, fit_calls.CURVE, axes_error=-1.0), ValueError,
+    (lambda: LightResiduals(3, fit_calls.CURVE), TypeError, "got 3; expected LightModel"),
+    (lambda: LightResiduals(fit_calls.BODY.convex(), fit_calls.CURVE, about=3), TypeError,
+     "about: got 3; expected LightModel"),
+    (lambda: LightResiduals(fit_calls.BODY.convex(), fit_calls.CURVE, axes_error=-1.0), ValueError,
      "axes_error = -1 must be above 0"),
-    (lambda: MeshResiduals(3, fit_calls.CURVE), TypeError, "expected MeshModel"),
-    (lambda: MeshResiduals(fit_calls.MESH, fit_calls.CURVE, moments="shape"), ValueError,
+    (lambda: LightResiduals(fit_calls.MESH, fit_calls.CURVE, moments="shape"), ValueError,
      "moments"),
-    (lambda: MeshResiduals(fit_calls.MESH, fit_calls.CURVE).state([1.0]), ValueError,
+    (lambda: LightResiduals(fit_calls.MESH, fit_calls.CURVE).state([1.0]), ValueError,
      r"x: got shape \(1,\); expected \(..., 6\)"),
 ])  # fmt: skip
 def test_what_is_no_function_is_refused(call, error, message):

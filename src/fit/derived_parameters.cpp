@@ -49,8 +49,8 @@ Parts parts_of_shape(std::string_view unknown, const Ellipsoid& shape) {
 std::vector<Parts> parts_of(const LightSolution& solution, const LightUnknowns& unknowns) {
   std::vector<Parts> parts;
   for (const std::string& name : solution.covariance.names)
-    parts.push_back(unknowns.moments == MomentSource::shape
-                        ? parts_of_shape(name, solution.body.shape)
+    parts.push_back(solution.body.is_ellipsoid() && unknowns.moments == MomentSource::shape
+                        ? parts_of_shape(name, solution.body.ellipsoid())
                         : parts_of(name));
   return parts;
 }

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "polhode/fit/light_fit.hpp"
+#include "polhode/fit/light_search.hpp"
 #include "polhode/light/light_curve.hpp"
 
 namespace polhode {
@@ -24,7 +24,11 @@ LightGeometry geometry_of(std::span<const LightCurve> curves);
 // Whether two fits of one body of facets came to one spin state: to two standard errors, as facets
 // bend the light, or where these are small to 0.01 rad and 1e-4 of the rate; with the same counts
 // of turns over the time base.
-bool are_same_spins(const LightSolution& a, const LightSolution& b, double time_base);
+// `half_turns`: up to half turns about the axes of the ellipsoids that are like the bodies.
+bool are_same_spins(const FoundLight& a, const FoundLight& b, bool half_turns, double time_base);
+
+// The spin and the law of a solution with the ellipsoid that is like its body.
+LightModel as_ellipsoid(const FoundLight& found);
 
 // By cost; `solution` is that of an element. Images under a Sun and an observer that do not move
 // have one cost but for rounding: of these the one with the highest pole is first, so that the

@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include "polhode/error.hpp"
+
 namespace polhode {
 inline namespace v0 {
 namespace detail {
@@ -27,9 +29,44 @@ void serialize(Archive& bytes, UnknownsCovariance& c) {
   });
 }
 
-void serialize(Archive& bytes, Scattering& law) { bytes.all(law.single, law.multiple); }
+void serialize(Archive& bytes, SpinState& s) { bytes.all(s.t0, s.q, s.w_F, s.inertia_F); }
 
-void serialize(Archive& bytes, LightOutcome& found) {
+void serialize(Archive& bytes, ConvexShape& shape) {
+  int degree = shape.image.degree(), rows = shape.image.rows();
+  bytes.all(degree, rows);
+  if (bytes.reads()) shape.image = GaussianImage(degree, rows);
+  bytes(shape.coefficients);
+}
+
+// The place of the shape among those of LightShape, then its numbers.
+void serialize(Archive& bytes, LightShape& shape, const KnownBody& known) {
+  std::uint64_t place = shape.index();
+  bytes(place);
+  if (bytes.reads() && place == 1) shape = ConvexShape{GaussianImage(0, 1), {}};
+  if (bytes.reads() && place == 2) {
+    if (!known || !known->is_mesh())
+      throw DomainError("CellJournal: a result is of a mesh that this search does not have");
+    shape = known->shape;
+  }
+  if (auto* e = std::get_if<Ellipsoid>(&shape)) bytes.all(e->a, e->b, e->c);
+  if (auto* c = std::get_if<ConvexShape>(&shape)) serialize(bytes, *c);
+}
+
+}  // namespace
+
+void serialize(Archive& bytes, LightModel& body, const KnownBody& known) {
+  serialize(bytes, body.spin);
+  serialize(bytes, body.shape, known);
+  bytes.all(body.law.single, body.law.multiple);
+}
+
+void serialize(Archive& bytes, LightTrial& trial, const KnownBody& known) {
+  serialize(bytes, trial.body, known);
+  bytes(trial.cost);
+}
+
+void serialize(Archive& bytes, LightSolution& found, const KnownBody& known) {
+  serialize(bytes, found.body, known);
   serialize(bytes, found.result);
   serialize(bytes, found.covariance);
   serialize_word(bytes, found.periods.mode);
@@ -40,31 +77,13 @@ void serialize(Archive& bytes, LightOutcome& found) {
   bytes.list(found.terms, [&](CostTerm& term) { bytes.all(term.name, term.value); });
 }
 
-}  // namespace
-
-void serialize(Archive& bytes, SpinState& s) { bytes.all(s.t0, s.q, s.w_F, s.inertia_F); }
-
-void serialize(Archive& bytes, EllipsoidModel& body) {
-  serialize(bytes, body.spin);
-  bytes.all(body.shape.a, body.shape.b, body.shape.c);
-  serialize(bytes, body.law);
-}
-
-void serialize(Archive& bytes, std::optional<ConvexModel>& body) {
-  bool is_there = body.has_value();
-  bytes(is_there);
-  if (!is_there) return;
-  int degree = body ? body->image.degree() : 0, rows = body ? body->image.rows() : 0;
-  bytes.all(degree, rows);
-  if (bytes.reads()) body.emplace(ConvexModel{{}, {}, GaussianImage(degree, rows), {}});
-  serialize(bytes, body->spin);
-  serialize(bytes, body->law);
-  bytes(body->coefficients);
-}
-
-void serialize(Archive& bytes, LightSolution& found) {
-  serialize(bytes, static_cast<LightOutcome&>(found));
-  serialize(bytes, found.body);
+void serialize(Archive& bytes, FoundLight& found, const KnownBody& known) {
+  serialize(bytes, found.solution, known);
+  bytes.all(found.periods, found.starts, found.of, found.sentence, found.ellipsoid.a,
+            found.ellipsoid.b, found.ellipsoid.c);
+  serialize_word(bytes, found.beside);
+  serialize_word(bytes, found.image);
+  serialize(bytes, found.begun, known);
 }
 
 void serialize(Archive& bytes, SpinSolution& found) {

@@ -4,9 +4,10 @@
 
 #include <optional>
 
-#include "polhode/fit/convex_fit.hpp"
+#include "fit/detail/light_starts.hpp"
 #include "polhode/fit/fourier_fit.hpp"
 #include "polhode/fit/light_fit.hpp"
+#include "polhode/fit/light_search.hpp"
 #include "polhode/fit/spin_fit.hpp"
 #include "polhode/trajectory/archive.hpp"
 
@@ -14,20 +15,23 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-void serialize(Archive& bytes, SpinState& s);
-void serialize(Archive& bytes, EllipsoidModel& body);
-void serialize(Archive& bytes, std::optional<ConvexModel>& body);
-void serialize(Archive& bytes, LightSolution& found);
+// A mesh is not among the bytes: that of a body which is read is that of `known`.
+using KnownBody = std::optional<LightModel>;
+
+void serialize(Archive& bytes, LightModel& body, const KnownBody& known);
+void serialize(Archive& bytes, LightTrial& trial, const KnownBody& known);
+void serialize(Archive& bytes, LightSolution& found, const KnownBody& known = {});
+void serialize(Archive& bytes, FoundLight& found, const KnownBody& known);
 void serialize(Archive& bytes, SpinSolution& found);
 void serialize(Archive& bytes, RefinedPair& refined);
 
 // Nothing, or what there is.
-template <class T>
-void serialize(Archive& bytes, std::optional<T>& x) {
+template <class T, class... Known>
+void serialize(Archive& bytes, std::optional<T>& x, const Known&... known) {
   bool is_there = x.has_value();
   bytes(is_there);
   if (bytes.reads() && is_there) x.emplace();
-  if (is_there) serialize(bytes, *x);
+  if (is_there) serialize(bytes, *x, known...);
 }
 
 }  // namespace detail

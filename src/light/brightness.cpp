@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -332,25 +333,25 @@ ShadedMesh::ShadedMesh(FacetShape shape) : shape_(std::move(shape)) {
   const std::size_t count = shape_.facets().size();
   const double least = flat * size_of(shape_);
   const bool is_closed = shape_.is_closed();
-  first_.assign(1, 0);
-  horizon_.assign(count, 0.0);
+  Sky sky{{0}, {}, std::vector<double>(count, 0.0)};
   for (std::size_t i = 0; i < count; ++i) {
     const Facet& own = shape_.facets()[i];
     for (const Obstacle& o : obstacles_of(shape_, i, least, is_closed)) {
-      above_.push_back(o.facet);
+      sky.above.push_back(o.facet);
       const double sine = highest(own.centre, own.normal, corners(shape_, o.facet));
-      horizon_[i] = std::max(horizon_[i], sine);
+      sky.horizon[i] = std::max(sky.horizon[i], sine);
     }
-    first_.push_back(above_.size());
+    sky.first.push_back(sky.above.size());
   }
+  sky_ = std::make_shared<const Sky>(std::move(sky));
 }
 
 bool ShadedMesh::is_free(std::size_t i, const Vec3& direction) const {
   const Facet& own = shape_.facets()[i];
   constexpr double margin = 1e-9;  // of the horizon, which has roundings
-  if (dot(own.normal, direction) > horizon_[i] + margin) return true;
-  for (std::size_t k = first_[i]; k < first_[i + 1]; ++k)
-    if (meets(own.centre, direction, corners(shape_, above_[k]))) return false;
+  if (dot(own.normal, direction) > sky_->horizon[i] + margin) return true;
+  for (std::size_t k = sky_->first[i]; k < sky_->first[i + 1]; ++k)
+    if (meets(own.centre, direction, corners(shape_, sky_->above[k]))) return false;
   return true;
 }
 
@@ -362,7 +363,7 @@ double ShadedMesh::brightness(const Scattering& law, const Vec3& to_sun,
     const Facet& f = shape_.facets()[i];
     const double mu = dot(f.normal, o), mu0 = dot(f.normal, s);
     if (mu <= 0.0 || mu0 <= 0.0) continue;  // NaN goes on
-    if (first_[i] != first_[i + 1] && !(is_free(i, s) && is_free(i, o))) continue;
+    if (obstacles(i) > 0 && !(is_free(i, s) && is_free(i, o))) continue;
     sum += f.area * law.at(mu, mu0);
   }
   return sum;

@@ -11,8 +11,8 @@
 //             unknowns of those frequencies, x + C J^T V^-1 d, by Newton's method. What comes to
 //             one state is one solution, and those within the limit go on to the next session.
 // Units       as fit_light.
-// Domain      as fit_light. Where the data do not determine the two periods, or the motion is none
-//             that has two, a solution goes on as it is.
+// Domain      as fit_light, of bodies of any shape. Where the data do not determine the two
+//             periods, or the motion is none that has two, a solution goes on as it is.
 // Accuracy    the bits do not depend on threads.
 // Errors      DomainError as fit_light; no starts, a first session that is not there, fewer than
 //             one iteration, count or thread, `within` below 1.
@@ -33,7 +33,7 @@ class CellJournal;
 struct LightExtension {
   std::vector<LightCurve> curves;  // the sessions
   std::size_t first = 0;           // of them the one that the starts are near
-  std::vector<EllipsoidModel> starts;
+  std::vector<LightModel> starts;
   LightUnknowns unknowns;
   Loss loss;
   double within = 1.5;             // as LightSearch
@@ -46,6 +46,7 @@ struct LightExtension {
   std::function<void(double part)> progress = {};
   // Keeps the results of a search that may be interrupted.
   CellJournal* journal = nullptr;
+  Regularisation regularisation = {};  // of convex bodies
 };
 
 // What a session came to when it joined those before it.

@@ -1,19 +1,26 @@
 // SPDX-License-Identifier: MIT
-// search_light(): light curves of a tumbler to all its spin states and shapes that fit, from many
-// starts.
+// search_light(): light curves of a tumbler to all its spin states and shapes that fit, from pairs
+// of periods and many starts: of ellipsoids, or of a body whose shape is known.
 //
-// Equations   a start takes one pair of periods, a tilt and a ratio of moments
+// Equations   of an ellipsoid a start takes one pair of periods, a tilt and a ratio of moments
 //             (inertia_from_periods.hpp), a phase of the polhode; of `tries` attitudes the one that
 //             fits best; then fit_light in a few iterations. Of each pair of periods the best and
 //             those that differ most are fitted to the end, whatever the other pairs reach. Pairs
 //             near the limit get more starts, in rounds of 50, at most eight pairs a round: one
-//             round where nothing is within the limit, else two to six, until no solution within
-//             it was found from a single start (Good 1953, Biometrika 40, 237). What comes to one
+//             round where nothing is within the limit, else two to six, until no solution within it
+//             was found from a single start (Good 1953, Biometrika 40, 237). What comes to one
 //             state, up to half turns about the axes of the ellipsoid, is one solution. Each that
 //             is within is started from its images, too: turned by pi about the normal of the plane
 //             of Sun and observer, about their bisector, and about the difference of their
 //             directions (see LightImage). Moments and a law that are unknown are freed at the end,
 //             from what was found without them: first the law, then both.
+//             Where shape and moments are known, a pair of periods and a mode leave the momentum of
+//             the body its size and its polhode (to_rotor of polhode/free/tumbler.hpp), on either
+//             side of the axis of circulation. A start takes one pair, a side and a phase;
+//             attitudes are tried on some of the points. There are no rounds, and half turns of the
+//             body are other states. Of the images only the half turn about the bisector of Sun and
+//             observer leaves the light of every body as it is, where the directions stay: it
+//             exchanges both, and facets that are lit and seen do not mind.
 // Units       as fit_light.
 // Domain      periods as the labels of a scan list them (`labelled_periods`). An ellipsoid fits an
 //             alias as well as the truth at times: solutions are all that there are, the lowest
@@ -21,7 +28,9 @@
 // Accuracy    the bits do not depend on threads: a start is drawn by its number.
 // Errors      DomainError as fit_light; no periods, periods that are not positive, fewer than one
 //             start, try, iteration, finalist or thread, `within` below 1.
-// Cost        benchmarks/fit_light_curves.cpp: ms a start.
+// Cost        benchmarks/fit_light_curves.cpp: ms a start. Of a mesh a start takes `tries` times
+//             some 60 of its brightnesses (10 at least of each session), and a few iterations of
+//             all points (benchmarks/brightness.cpp).
 #pragma once
 
 #include <cstddef>
@@ -45,13 +54,13 @@ class CellJournal;
 // do not change when Sun and observer are exchanged give the others.
 enum class LightImage { none, normal, bisector, difference };
 
-EllipsoidModel image_of(const EllipsoidModel& body, LightImage image, const Vec3& to_sun,
-                        const Vec3& to_observer);
+LightModel image_of(const LightModel& body, LightImage image, const Vec3& to_sun,
+                    const Vec3& to_observer);
 
-// The second state as it is nearest to the first: up to half turns about the axes of the
-// ellipsoid, and up to any exchange of axes where moments are not those of an even filling, so that
-// nothing says which axis comes first.
-EllipsoidModel nearest_of_same(const EllipsoidModel& about, const EllipsoidModel& body);
+// The second ellipsoid in the state that is nearest to the first: up to half turns about its axes,
+// and up to any exchange of axes where moments are not those of an even filling, so that nothing
+// says which axis comes first.
+LightModel nearest_of_same(const LightModel& about, const LightModel& body);
 
 struct LabelChoice {
   // The lowest minima of a scan; those that are not resolved, not converged or at the edge of the
@@ -73,19 +82,25 @@ struct LightSearch {
   std::size_t finalists = 4;  // of each pair of periods
   double within = 1.5;        // chi-square, or the sum under a robust loss, over the lowest, up to
                               // which solutions are reported
+  // With a known body, its shape stays, and moments are unknown of finalists alone.
   LightUnknowns unknowns;
-  Scattering law;
+  Scattering law;  // of ellipsoids
   Loss loss;
-  int most_iterations = 60;  // of a finalist; near the limit it may go on for four times as many
+  int most_iterations = 60;  // of a finalist; an ellipsoid near the limit may go on for four times
+                             // as many
   std::uint64_t seed = 0;
   int threads = 1;
-  // Called before each start and each fit, in any of the threads; what it throws ends the search.
+  // Called before each attitude that is tried and each fit, in any of the threads; what it throws
+  // ends the search.
   std::function<void()> between = {};
   // Called with the part of the work that is done, in one thread at a time; the last call has 1.
   // The number of further fits is estimated from the solutions found so far, so the part may fall.
   std::function<void(double part)> progress = {};
   // Keeps the results of a search that may be interrupted.
   CellJournal* journal = nullptr;
+  // Whose shape, law and inertia are known; attitude, rate and epoch are not looked at. None: an
+  // ellipsoid.
+  std::optional<LightModel> body = std::nullopt;
 };
 
 struct FoundLight {
@@ -99,7 +114,14 @@ struct FoundLight {
   LightImage image = LightImage::none;
   std::size_t of = 0;
   std::string sentence;
+  // Its own shape, or of another body the ellipsoid of the same moments, a = 1.
+  Ellipsoid ellipsoid{1.0, 1.0, 1.0};
+  std::optional<LightModel> begun =
+      std::nullopt;  // the ellipsoid that another body was fitted from
 };
+
+// Of a solution by itself.
+FoundLight found_light(LightSolution solution, std::size_t periods = 0);
 
 struct LightSearchResult {
   // By what was minimised, chi-square or the sum under a robust loss; those whose sums differ by
@@ -109,8 +131,8 @@ struct LightSearchResult {
   // robust loss; infinite where nothing converged. It is a bound from above, of few fits where a
   // pair is far beyond the limit.
   std::vector<double> chi_square_of_periods;
-  // The best body of each pair of periods, also beyond the limit: from where fit_convex goes on.
-  // Where fits with unknown law or moments did not converge, it is the one without them.
+  // The best body of each pair of periods, also beyond the limit: from where fits of convex bodies
+  // go on. Where fits with unknown law or moments did not converge, it is the one without them.
   std::vector<std::optional<LightSolution>> best_of_periods;
   std::size_t starts = 0;     // that had a body
   std::size_t finalists = 0;  // fitted to the end, images included

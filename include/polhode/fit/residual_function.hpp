@@ -8,7 +8,7 @@
 //             density but for a constant, and -J^T r its gradient.
 // Units       those of the unknowns; the numbers are in standard errors.
 // Domain      any x: where there is no value, `at` says so. Bounds are not looked at.
-// Accuracy    derivatives are exact: those of fit_spin, fit_light, fit_convex and fit_mesh.
+// Accuracy    derivatives are exact: those of fit_spin and fit_light.
 // Errors      DomainError as solve() for what is no problem.
 // Cost        one evaluation of the residuals.
 #pragma once

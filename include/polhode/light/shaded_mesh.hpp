@@ -11,13 +11,15 @@
 // Accuracy    a facet is in shadow or not: errors of the size of the facets that the border of a
 //             shadow meets, with jumps when it passes a centre. No derivatives.
 // Errors      none beyond those of FacetShape; NaN in, NaN out.
-// Cost        the constructor looks at each pair of facets (benchmarks/brightness.cpp). A value: as
-//             facet_brightness, and some ns for each facet above the horizon of one that is lit and
-//             seen; nothing where the direction is above all of its horizon.
+// Cost        the constructor looks at each pair of facets (benchmarks/brightness.cpp); copies
+//             share what it found. A value: as facet_brightness, and some ns for each facet above
+//             the horizon of one that is lit and seen; nothing where the direction is above all of
+//             its horizon.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "polhode/light/scattering.hpp"
@@ -32,9 +34,9 @@ class ShadedMesh {
 
   const FacetShape& shape() const { return shape_; }
   // No facet can shade another: convex, or as good as that.
-  bool is_shadowless() const { return above_.empty(); }
+  bool is_shadowless() const { return sky_->above.empty(); }
   // Facets that stand above the horizon of facet i, the largest in its sky first.
-  std::size_t obstacles(std::size_t i) const { return first_[i + 1] - first_[i]; }
+  std::size_t obstacles(std::size_t i) const { return sky_->first[i + 1] - sky_->first[i]; }
 
   // Whether a ray from the centre of facet i leaves the body, for a direction of length 1 above
   // its plane.
@@ -42,10 +44,13 @@ class ShadedMesh {
   double brightness(const Scattering& law, const Vec3& to_sun, const Vec3& to_observer) const;
 
  private:
+  struct Sky {
+    std::vector<std::size_t> first;    // of facet i: above[first[i]] .. above[first[i + 1]]
+    std::vector<std::uint32_t> above;  // facets
+    std::vector<double> horizon;       // sine of the highest elevation that one of them reaches
+  };
   FacetShape shape_;
-  std::vector<std::size_t> first_;    // of facet i: above_[first_[i]] .. above_[first_[i + 1]]
-  std::vector<std::uint32_t> above_;  // facets
-  std::vector<double> horizon_;       // sine of the highest elevation that one of them reaches
+  std::shared_ptr<const Sky> sky_;
 };
 
 // Closed, and no vertex above the plane of a facet by more than the rounding of coordinates.

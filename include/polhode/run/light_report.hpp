@@ -4,13 +4,12 @@
 // files, scenarios that go on from a solution.
 //
 // Equations   those of scan_pairs, labelled_periods, search_light and fit_light (polhode/fit/). A
-//             convex body (fit_convex) and a given mesh (fit_mesh) follow the ellipsoid: of a
-//             search they start from the best ellipsoid of every pair of periods, whatever it
-//             came to, and of what comes within the limit again from its images. A mesh is
-//             looked for by periods (search_mesh), and takes those, pole and phases of the
-//             ellipsoid, too, in four half turns. Sessions one by one: extend_light
-//             begins with the solutions that a search finds in the session with most points, or
-//             with the start, in the session that it fits best.
+//             convex body and a given mesh follow the ellipsoid: of a search they start from the
+//             best ellipsoid of every pair of periods, whatever it came to, and of what comes
+//             within the limit again from its images. A mesh is looked for by periods, and takes
+//             those, pole and phases of the ellipsoid, too, in four half turns. Sessions one by
+//             one: extend_light begins with the solutions that a search finds in the session with
+//             most points, or with the start, in the session that it fits best.
 //             chi-square of a scan is the same for f1 and f2 exchanged: half of it is computed.
 // Units       core units; texts and files in the units of the scenario.
 // Domain      free rotation relative to inertial axes. Axes of solutions are the principal ones in
@@ -31,11 +30,9 @@
 #include <string>
 #include <vector>
 
-#include "polhode/fit/convex_fit.hpp"
 #include "polhode/fit/derived_parameters.hpp"
 #include "polhode/fit/light_extension.hpp"
 #include "polhode/fit/light_search.hpp"
-#include "polhode/fit/mesh_fit.hpp"
 #include "polhode/fit/scan_advice.hpp"
 #include "polhode/run/fit.hpp"
 
@@ -103,18 +100,14 @@ struct LightReport {
   ReadObservations observed;
   LightPlan::Shape shape = LightPlan::Shape::ellipsoid;
   LightUnknowns unknowns;
-  std::optional<EllipsoidModel> start;      // of a fit that has one
-  std::optional<EllipsoidModel> ellipsoid;  // that its convex body began with
+  std::optional<LightModel> start;  // of a fit that has one: an ellipsoid or a mesh
   std::optional<LightScan> scan;
   std::vector<ChosenPair> chosen;
   std::vector<PairFound> pairs;
   std::vector<JoinedSession> joined;  // where sessions are fitted one by one
-  // By what was minimised. Where the shape is no ellipsoid `body` has the spin and the law, and the
-  // ellipsoid of the same moments of inertia as the shape filled evenly.
+  // By what was minimised. `ellipsoid` of a convex body is that of the same moments of inertia as
+  // the body filled evenly.
   std::vector<FoundLight> solutions;
-  std::vector<ConvexModel> convex;    // of each solution, where the shape is convex
-  std::vector<EllipsoidModel> begun;  // and the ellipsoid that it was fitted from
-  std::optional<ShadedMesh> mesh;     // of all, where it is a mesh
   std::size_t starts = 1, finalists = 1, converged = 0;  // of ellipsoids
   std::size_t surfaces = 0, surfaces_converged = 0;      // fits of convex bodies, or of the mesh
   std::vector<std::string> notes;
@@ -150,13 +143,10 @@ std::vector<FitNumber> light_numbers(const Scenario& scenario, const LightReport
                                      std::size_t solution);
 
 // By which errors of a solution are scaled, its error_factor(); NaN where that is none or 0.
-double light_error_factor(const LightOutcome& found);
+double light_error_factor(const LightSolution& found);
 
-// The fit that a solution is of, from that solution on; DomainError where its shape is another.
-LightFit ellipsoid_fit_at(const Scenario& scenario, const LightReport& report,
-                          std::size_t solution);
-ConvexFit convex_fit_at(const Scenario& scenario, const LightReport& report, std::size_t solution);
-MeshFit mesh_fit_at(const Scenario& scenario, const LightReport& report, std::size_t solution);
+// The fit that a solution is of, from that solution on.
+LightFit light_fit_at(const Scenario& scenario, const LightReport& report, std::size_t solution);
 
 // With attitudes that are predicted, as those of fit_text.
 std::string light_text(const Scenario& scenario, const LightReport& report,

@@ -45,7 +45,7 @@ struct ScanPlan {
   Places places = {};
 };
 
-// Of a convex body: facets, and what keeps them smooth (polhode/fit/convex_fit.hpp).
+// Of a convex body: facets, and what keeps them smooth (polhode/fit/light_fit.hpp).
 struct ConvexPlan {
   int degree = 6;
   int rows = 8;

@@ -231,7 +231,6 @@ void bind_fit(nb::module_& m) {
   bind_residuals(m);
   bind_spin_fit(m);
   bind_light_fit(m);
-  bind_surface_fit(m);
   bind_scan(m);
   bind_scenario_fit(m);
   bind_light_scenario_fit(m);

@@ -22,7 +22,6 @@ void bind_fit(nb::module_& m);
 
 void bind_spin_fit(nb::module_& m);
 void bind_light_fit(nb::module_& m);
-void bind_surface_fit(nb::module_& m);
 void bind_scan(nb::module_& m);
 void bind_scenario_fit(nb::module_& m);
 void bind_light_scenario_fit(nb::module_& m);

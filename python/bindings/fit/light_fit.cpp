@@ -1,33 +1,80 @@
 // SPDX-License-Identifier: MIT
-// Fits of light curves: one start, and many.
-#include "polhode/fit/light_fit.hpp"
-
+// Fits of light curves: one start, many, sessions that join one by one; and likely periods.
 #include <algorithm>
+#include <cstdint>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 #include "fit/bind_fit.hpp"
-#include "fit/light_curves.hpp"
 #include "fit/light_problem.hpp"
 #include "io/work_loop.hpp"
+#include "motion/samples.hpp"
 #include "polhode/fit/light_extension.hpp"
 #include "polhode/fit/light_search.hpp"
+#include "polhode/fit/likely_periods.hpp"
+#include "polhode/fit/scan_points.hpp"
 
 namespace polhode::python {
 
 namespace {
 
-nb::tuple body_parts(const EllipsoidModel& body) {
-  const Ellipsoid& s = body.shape;
-  return nb::make_tuple(spin_parts(body.spin), nb::make_tuple(s.a, s.b, s.c),
-                        nb::make_tuple(body.law.single, body.law.multiple));
+// A fit, and the mesh of its body as Python holds it, or None.
+struct LightProblem {
+  LightFit fit;
+  nb::object mesh;
+};
+
+nb::object mesh_of(const nb::tuple& parts) {
+  return nb::isinstance<FacetShape>(parts[1]) ? nb::object(parts[1]) : nb::none();
 }
 
-LightUnknowns light_unknowns_of(bool shape, const std::string& moments, bool multiple) {
+LightShape shape_of(nb::handle given) {
+  if (nb::isinstance<FacetShape>(given)) return ShadedMesh(nb::cast<const FacetShape&>(given));
+  if (!nb::isinstance<nb::tuple>(given)) {
+    const Vec3 axes = vec3(given, "axes");
+    return Ellipsoid{axes.x, axes.y, axes.z};
+  }
+  const nb::tuple parts = nb::cast<nb::tuple>(given);
+  GaussianImage image(nb::cast<int>(parts[0]), nb::cast<int>(parts[1]));
+  const Numbers numbers(parts[2], "coefficients", {});
+  std::vector<double> coefficients;
+  for (std::size_t k = 0; k < size_of(numbers.shape()); ++k) coefficients.push_back(*numbers.at(k));
+  return ConvexShape{std::move(image), std::move(coefficients)};
+}
+
+nb::object shape_parts(const LightShape& shape, nb::handle mesh) {
+  if (const auto* e = std::get_if<Ellipsoid>(&shape)) return array_of(Vec3{e->a, e->b, e->c});
+  if (const auto* c = std::get_if<ConvexShape>(&shape))
+    return nb::make_tuple(c->image.degree(), c->image.rows(),
+                          array_of(std::span<const double>(c->coefficients)));
+  if (mesh.is_valid() && !mesh.is_none()) return nb::borrow(mesh);
+  return nb::cast(std::get<ShadedMesh>(shape).shape());
+}
+
+// (shape, moments, multiple)
+using UnknownParts = std::tuple<bool, std::string, bool>;
+LightUnknowns light_unknowns_of(const UnknownParts& parts) {
+  const auto& [shape, moments, multiple] = parts;
   const MomentSource source = moments == "shape"   ? MomentSource::shape
                               : moments == "start" ? MomentSource::start
                                                    : MomentSource::fit;
   return {shape, source, multiple};
+}
+
+// (roughness, moments, closure and axes errors, the usual body or None)
+using RegularisationParts = std::tuple<double, double, double, double, nb::object>;
+Regularisation regularisation_of(const RegularisationParts& parts) {
+  const auto& [roughness, moments, closure, axes, about] = parts;
+  Regularisation r{closure, axes, roughness, moments};
+  if (!about.is_none()) r.about = body_of(nb::cast<nb::tuple>(about));
+  return r;
+}
+
+// (kind, scale)
+using LossParts = std::tuple<std::string, double>;
+Loss loss_of_parts(const LossParts& parts) {
+  return loss_of(std::get<0>(parts), std::get<1>(parts));
 }
 
 const char* mode_word(Regime mode) {
@@ -50,27 +97,38 @@ nb::tuple period_parts(const TumblerPeriods& p) {
   return nb::make_tuple(mode_word(p.mode), p.precession_period, p.rotation_period);
 }
 
-LightFit light_problem(const nb::list& curves, const nb::tuple& start, bool shape,
-                       const std::string& moments, bool multiple, const std::string& loss,
-                       double scale, int most_iterations) {
-  return {light_curves_of(curves), ellipsoid_of(start), light_unknowns_of(shape, moments, multiple),
-          loss_of(loss, scale), most_iterations};
+LightProblem light_problem(const nb::list& curves, const nb::tuple& start,
+                           const UnknownParts& unknowns, const LossParts& loss, int most_iterations,
+                           const RegularisationParts& regularisation) {
+  return {{light_curves_of(curves), body_of(start), light_unknowns_of(unknowns),
+           loss_of_parts(loss), most_iterations, 0.0, regularisation_of(regularisation)},
+          mesh_of(start)};
 }
 
-nb::dict fitted_light(const LightFit& fit) {
+nb::dict light_dict(const LightSolution& found, nb::handle mesh) {
+  nb::dict d = dict_of(found.result, found.covariance, found.degrees_of_freedom, found.notes);
+  d["body"] = body_parts(found.body, mesh);
+  d["factors"] = array_of(std::span<const double>(found.factors));
+  d["periods"] = period_parts(found.periods);
+  d["pole"] = array_of(found.pole);
+  d["loss"] = loss_parts(found.loss);
+  d["points"] = found.points;
+  return d;
+}
+
+nb::dict fitted_light(const LightProblem& problem) {
   LightSolution found;
   {
     const WithoutGil released;
-    found = fit_light(fit);
+    found = fit_light(problem.fit);
   }
-  return light_dict(found);
+  return light_dict(found, problem.mesh);
 }
 
-nb::list model_of(const nb::tuple& body, const nb::list& curves, const std::string& loss,
-                  double scale) {
+nb::list model_of(const nb::tuple& body, const nb::list& curves, const LossParts& loss) {
   nb::list list;
   for (const std::vector<double>& flux :
-       model_fluxes(ellipsoid_of(body), light_curves_of(curves), loss_of(loss, scale)))
+       model_fluxes(body_of(body), light_curves_of(curves), loss_of_parts(loss)))
     list.append(array_of(std::span<const double>(flux)));
   return list;
 }
@@ -91,22 +149,37 @@ const char* beside_word(FoundLight::Beside beside) {
   return "other-pole";
 }
 
-nb::dict searched(const nb::list& curves, const PeriodParts& periods, std::size_t starts,
-                  std::size_t tries, int short_iterations, std::size_t finalists, double within,
-                  bool shape, const std::string& moments, bool multiple, double single,
-                  const std::string& loss, double scale, int most_iterations, std::uint64_t seed,
-                  int threads) {
+nb::list found_list(const std::vector<FoundLight>& all, nb::handle mesh) {
+  nb::list list;
+  for (const FoundLight& f : all) list.append(found_dict(f, mesh));
+  return list;
+}
+
+// `body` is one that is known, or None.
+nb::dict searched(const nb::list& curves,
+                  const std::vector<std::tuple<std::string, double, double>>& periods,
+                  const nb::object& body, std::size_t starts, std::size_t tries,
+                  int short_iterations, std::size_t finalists, double within,
+                  const UnknownParts& unknowns, double lambert, const LossParts& loss,
+                  int most_iterations, std::uint64_t seed, int threads) {
   LightSearch search;
   search.curves = light_curves_of(curves);
-  search.periods = periods_of_parts(periods);
+  for (const auto& [mode, precession, rotation] : periods)
+    search.periods.push_back(
+        {mode == "SAM" ? Regime::short_axis : Regime::long_axis, precession, rotation});
+  nb::object mesh = nb::none();
+  if (!body.is_none()) {
+    search.body = body_of(nb::cast<nb::tuple>(body));
+    mesh = mesh_of(nb::cast<nb::tuple>(body));
+  }
   search.starts = starts;
   search.tries = tries;
   search.short_iterations = short_iterations;
   search.finalists = finalists;
   search.within = within;
-  search.unknowns = light_unknowns_of(shape, moments, multiple);
-  search.law = {1.0, single};
-  search.loss = loss_of(loss, scale);
+  search.unknowns = light_unknowns_of(unknowns);
+  search.law = {1.0, lambert};
+  search.loss = loss_of_parts(loss);
   search.most_iterations = most_iterations;
   search.seed = seed;
   search.threads = checked_threads(threads);
@@ -114,92 +187,108 @@ nb::dict searched(const nb::list& curves, const PeriodParts& periods, std::size_
   search.between = [&loop] { loop.go_on(); };
   LightSearchResult found;
   loop.do_work(0, [&] { found = search_light(search); });
-  return search_dict(found);
+  nb::dict d;
+  d["solutions"] = found_list(found.solutions, mesh);
+  d["chi_square_of_periods"] = array_of(std::span<const double>(found.chi_square_of_periods));
+  d["starts"] = found.starts;
+  d["finalists"] = found.finalists;
+  d["converged"] = found.converged;
+  d["notes"] = nb::tuple(nb::cast(found.notes));
+  return d;
 }
 
 nb::dict extended(const nb::list& curves, const nb::list& starts, std::size_t first, double within,
-                  bool shape, const std::string& moments, bool multiple, const std::string& loss,
-                  double scale, std::size_t most_counts, int most_iterations, int threads) {
+                  const UnknownParts& unknowns, const LossParts& loss, std::size_t most_counts,
+                  int most_iterations, int threads, const RegularisationParts& regularisation) {
   LightExtension how;
   how.curves = light_curves_of(curves);
-  for (const nb::handle start : starts)
-    how.starts.push_back(ellipsoid_of(nb::cast<nb::tuple>(start)));
+  nb::object mesh = nb::none();
+  for (const nb::handle start : starts) {
+    const nb::tuple parts = nb::cast<nb::tuple>(start);
+    how.starts.push_back(body_of(parts));
+    if (mesh.is_none()) mesh = mesh_of(parts);
+  }
   how.first = first;
   how.within = within;
-  how.unknowns = light_unknowns_of(shape, moments, multiple);
-  how.loss = loss_of(loss, scale);
+  how.unknowns = light_unknowns_of(unknowns);
+  how.loss = loss_of_parts(loss);
   how.most_counts = most_counts;
   how.most_iterations = most_iterations;
   how.threads = checked_threads(threads);
+  how.regularisation = regularisation_of(regularisation);
   WorkLoop loop("the extension was stopped", nb::none());
   how.between = [&loop] { loop.go_on(); };
   LightExtensionResult found;
   loop.do_work(0, [&] { found = extend_light(how); });
   nb::dict d;
-  nb::list solutions, joined;
-  for (const FoundLight& f : found.solutions) solutions.append(found_dict(f));
+  nb::list joined;
   for (const JoinedSession& j : found.joined)
     joined.append(
         nb::make_tuple(j.session, j.distance, j.counts, j.converged, j.solutions, j.cost));
-  d["solutions"] = solutions;
+  d["solutions"] = found_list(found.solutions, mesh);
   d["joined"] = joined;
   d["failure"] = found.failure;
   d["notes"] = nb::tuple(nb::cast(found.notes));
   return d;
 }
 
+ConvexShape convex_of(const nb::tuple& parts) { return std::get<ConvexShape>(shape_of(parts)); }
+
+// (degree, rows, coefficients) of the facets of an ellipsoid.
+nb::object facets_like(nb::handle axes, int degree, int rows) {
+  const Vec3 e = vec3(axes, "axes");
+  return shape_parts(ConvexShape::of({e.x, e.y, e.z}, degree, rows), {});
+}
+
+// Normals (M, 3) and areas (M,).
+nb::tuple facets_of(const nb::tuple& parts) {
+  const ConvexShape shape = convex_of(parts);
+  const std::vector<double> areas = shape.areas();
+  Result normals({areas.size(), 3});
+  for (std::size_t k = 0; k < areas.size(); ++k) {
+    const Vec3& n = shape.image.normals()[k];
+    for (int i = 0; i < 3; ++i) normals.at(0)[3 * k + static_cast<std::size_t>(i)] = n[i];
+  }
+  return nb::make_tuple(normals.take(), array_of(std::span<const double>(areas)));
+}
+
+// (mode, P_phi, P_psi, score)
+nb::list likely_of(const nb::list& curves, double f1, double f2, std::size_t order) {
+  const ScanPoints points(light_curves_of(curves));
+  nb::list list;
+  for (const LikelyPeriods& l :
+       likely_periods(fourier_fit(points, f1, f2, FourierOrders::pair(order))))
+    list.append(nb::make_tuple(mode_word(l.periods.mode), l.periods.precession_period,
+                               l.periods.rotation_period, l.score));
+  return list;
+}
+
 }  // namespace
 
-PythonResiduals light_residuals_of(const LightFit& fit) {
-  return {ResidualFunction(least_squares_of(fit)),
-          [fit](std::span<const double> x) -> nb::object { return body_parts(body_at(fit, x)); }};
-}
-
-EllipsoidModel ellipsoid_of(const nb::tuple& parts) {
-  const Vec3 axes = vec3(parts[1], "axes");
+LightModel body_of(const nb::tuple& parts) {
   const auto [single, multiple] = nb::cast<std::tuple<double, double>>(parts[2]);
-  return {spin_of(nb::cast<nb::tuple>(parts[0])), {axes.x, axes.y, axes.z}, {single, multiple}};
+  return {spin_of(nb::cast<nb::tuple>(parts[0])), shape_of(parts[1]), {single, multiple}};
 }
 
-nb::dict light_dict(const LightSolution& found) {
-  nb::dict d = dict_of(found.result, found.covariance, found.degrees_of_freedom, found.notes);
-  d["body"] = body_parts(found.body);
-  d["factors"] = array_of(std::span<const double>(found.factors));
-  d["periods"] = period_parts(found.periods);
-  d["pole"] = array_of(found.pole);
-  d["loss"] = loss_parts(found.loss);
-  d["points"] = found.points;
-  return d;
+nb::tuple body_parts(const LightModel& body, nb::handle mesh) {
+  return nb::make_tuple(spin_parts(body.spin), shape_parts(body.shape, mesh),
+                        nb::make_tuple(body.law.single, body.law.multiple));
 }
 
-nb::dict found_dict(const FoundLight& found) {
-  nb::dict d = light_dict(found.solution);
+PythonResiduals light_residuals_of(const LightFit& fit, const nb::object& mesh) {
+  return {ResidualFunction(least_squares_of(fit)),
+          [fit, mesh](std::span<const double> x) -> nb::object {
+            return body_parts(body_at(fit, x), mesh);
+          }};
+}
+
+nb::dict found_dict(const FoundLight& found, nb::handle mesh) {
+  nb::dict d = light_dict(found.solution, mesh);
   d["place_of_periods"] = found.periods;
   d["starts"] = found.starts;
   d["beside"] = beside_word(found.beside);
   d["of"] = found.of;
   d["relation"] = found.sentence;
-  return d;
-}
-
-std::vector<TumblerPeriods> periods_of_parts(const PeriodParts& parts) {
-  std::vector<TumblerPeriods> periods;
-  for (const auto& [mode, precession, rotation] : parts)
-    periods.push_back(
-        {mode == "SAM" ? Regime::short_axis : Regime::long_axis, precession, rotation});
-  return periods;
-}
-
-nb::dict search_dict(const LightSearchResult& result) {
-  nb::dict d;
-  nb::list solutions;
-  for (const FoundLight& f : result.solutions) solutions.append(found_dict(f));
-  d["solutions"] = solutions;
-  d["chi_square_of_periods"] = array_of(std::span<const double>(result.chi_square_of_periods));
-  d["starts"] = result.starts;
-  d["finalists"] = result.finalists;
-  d["converged"] = result.converged;
-  d["notes"] = nb::tuple(nb::cast(result.notes));
   return d;
 }
 
@@ -234,13 +323,23 @@ std::vector<LightCurve> light_curves_of(const nb::list& curves) {
 }
 
 void bind_light_fit(nb::module_& m) {
-  nb::class_<LightFit>(m, "_LightProblem")
+  nb::class_<LightProblem>(m, "_LightProblem")
       .def("fit", fitted_light)
-      .def("residuals", light_residuals_of);
+      .def("residuals", [](const LightProblem& problem) {
+        return light_residuals_of(problem.fit, problem.mesh);
+      });
   m.def("_light_problem", light_problem);
   m.def("_model_fluxes", model_of);
-  m.def("_search_light", searched);
+  m.def("_search_light", searched, "curves"_a, "periods"_a, "body"_a.none(), "starts"_a, "tries"_a,
+        "short_iterations"_a, "finalists"_a, "within"_a, "unknowns"_a, "lambert"_a, "loss"_a,
+        "most_iterations"_a, "seed"_a, "threads"_a);
   m.def("_extend_light", extended);
+  m.def("_facets_like", facets_like);
+  m.def("_convex_facets", facets_of);
+  m.def("_convex_mesh", [](const nb::tuple& parts) { return convex_of(parts).mesh(); });
+  m.def("_homogeneous_inertia",
+        [](const FacetShape& shape) { return array_of(homogeneous_inertia(shape)); });
+  m.def("_likely_periods", likely_of);
 }
 
 }  // namespace polhode::python

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a fit of light curves found, as Python is given it.
+// Light curves, bodies and solutions of their fits, as Python has them.
 #pragma once
 
 #include <string>
@@ -8,28 +8,23 @@
 
 #include "bindings.hpp"
 #include "fit/bind_fit.hpp"
-#include "polhode/fit/convex_fit.hpp"
 #include "polhode/fit/light_search.hpp"
-#include "polhode/fit/mesh_fit.hpp"
+#include "polhode/light/light_curve.hpp"
 
 namespace polhode::python {
 
-// (spin, (a, b, c), (single, multiple))
-EllipsoidModel ellipsoid_of(const nb::tuple& parts);
-// (spin, degree, rows, coefficients, (single, multiple))
-nb::tuple convex_parts(const ConvexModel& body);
+// (name, calibrated, rows of t, flux, sigma, to_sun, to_observer) of each.
+std::vector<LightCurve> light_curves_of(const nb::list& curves);
+nb::list curves_parts(const std::vector<LightCurve>& curves);
+
+// (spin, shape, (single, multiple)); a shape is an array a, b, c, (degree, rows, coefficients) or a
+// FacetShape, which is `mesh` again where that is given.
+LightModel body_of(const nb::tuple& parts);
+nb::tuple body_parts(const LightModel& body, nb::handle mesh = {});
 
 // Residuals of fits, as functions of the unknowns.
-PythonResiduals light_residuals_of(const LightFit& fit);
-PythonResiduals convex_residuals_of(const ConvexFit& fit);
-PythonResiduals mesh_residuals_of(const MeshFit& fit);
+PythonResiduals light_residuals_of(const LightFit& fit, const nb::object& mesh);
 
-nb::dict light_dict(const LightSolution& found);
-nb::dict found_dict(const FoundLight& found);
-nb::dict search_dict(const LightSearchResult& result);
-
-// (mode, P_phi, P_psi) of each pair
-using PeriodParts = std::vector<std::tuple<std::string, double, double>>;
-std::vector<TumblerPeriods> periods_of_parts(const PeriodParts& parts);
+nb::dict found_dict(const FoundLight& found, nb::handle mesh = {});
 
 }  // namespace polhode::python

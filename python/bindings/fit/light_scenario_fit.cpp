@@ -4,7 +4,6 @@
 
 #include "fit/bind_fit.hpp"
 #include "fit/kept_rows.hpp"
-#include "fit/light_curves.hpp"
 #include "fit/light_problem.hpp"
 #include "fit/scan_found.hpp"
 #include "io/io_parts.hpp"
@@ -66,38 +65,15 @@ nb::object scan_of(const LightScenarioFit& fit) {
   return nb::cast(ScanFound{fit.report.scan->landscape, fit.report.scan->minima});
 }
 
-// Errors are those that the solution has scaled, where asked for.
-template <class Fit>
-Fit with_errors(Fit problem, const LightScenarioFit& fit, std::size_t solution, bool scaled) {
-  const LightSolution& from = fit.report.solutions.at(solution).solution;
-  const double factor = light_error_factor(from);
+// As functions of the unknowns, from a solution on; errors are those that it has scaled, where
+// asked for.
+PythonResiduals residuals_from(const LightScenarioFit& fit, std::size_t solution, bool scaled) {
+  LightFit problem = light_fit_at(fit.scenario, fit.report, solution);
+  const double factor = light_error_factor(fit.report.solutions.at(solution).solution);
   if (scaled && factor > 0.0)
     for (LightCurve& curve : problem.curves)
       for (LightPoint& point : curve.points) point.sigma *= factor;
-  return problem;
-}
-
-// As functions of the unknowns, from a solution on.
-PythonResiduals residuals_from(const LightScenarioFit& fit, std::size_t solution, bool scaled) {
-  const LightReport& report = fit.report;
-  if (report.shape == LightPlan::Shape::convex)
-    return convex_residuals_of(
-        with_errors(convex_fit_at(fit.scenario, report, solution), fit, solution, scaled));
-  if (report.shape == LightPlan::Shape::mesh)
-    return mesh_residuals_of(
-        with_errors(mesh_fit_at(fit.scenario, report, solution), fit, solution, scaled));
-  return light_residuals_of(
-      with_errors(ellipsoid_fit_at(fit.scenario, report, solution), fit, solution, scaled));
-}
-
-// Of a solution that is no ellipsoid: (spin, degree, rows, coefficients, law) of a convex body,
-// (spin, FacetShape, law) of a mesh.
-nb::object surface_of(const LightScenarioFit& fit, std::size_t solution) {
-  const EllipsoidModel& body = fit.report.solutions.at(solution).solution.body;
-  if (!fit.report.convex.empty()) return convex_parts(fit.report.convex.at(solution));
-  if (!fit.report.mesh) return nb::none();
-  return nb::make_tuple(spin_parts(body.spin), fit.report.mesh->shape(),
-                        nb::make_tuple(body.law.single, body.law.multiple));
+  return light_residuals_of(problem, nb::none());
 }
 
 }  // namespace
@@ -115,7 +91,6 @@ void bind_light_scenario_fit(nb::module_& m) {
            [](const F& f, std::size_t k, nb::handle path) {
              write_light_solution(f.scenario, f.report, k, path_text(path));
            })
-      .def("surface", surface_of)
       .def("residuals", light_rows)
       .def("predicted", predicted_light)
       .def("raw", [](const F& f, std::size_t k) { return found_dict(f.report.solutions.at(k)); })

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "fit/bind_fit.hpp"
-#include "fit/light_curves.hpp"
+#include "fit/light_problem.hpp"
 #include "fit/scan_found.hpp"
 #include "io/work_loop.hpp"
 #include "motion/samples.hpp"

@@ -11,11 +11,9 @@ from matplotlib.patches import Polygon
 from numpy.typing import ArrayLike, NDArray
 
 from polhode import (
-    ConvexModel,
-    EllipsoidModel,
+    LightModel,
     LightScenarioSolution,
     LightSolution,
-    MeshModel,
 )
 from polhode._core import _number, _numbers
 from polhode.figures.style import BLACK, DOUBLE_COLUMN, GREY, new_figure, panels, styled
@@ -33,7 +31,7 @@ DARK = 0.07
 
 @styled
 def body_as_seen(
-    body: LightSolution | LightScenarioSolution | EllipsoidModel | ConvexModel | MeshModel,
+    body: LightSolution | LightScenarioSolution | LightModel,
     times: ArrayLike,
     to_sun: ArrayLike,
     to_observer: ArrayLike,
@@ -46,7 +44,7 @@ def body_as_seen(
 
     Parameters
     ----------
-    body : a solution of fit_light, fit_convex, fit_mesh, search_light or polhode.fit, or its
+    body : a solution of fit_light, search_light or polhode.fit, or its
         body; it moves freely. Facets are drawn one by one, those of a convex body on its mesh;
         shadows that they throw on each other are not.
     times : (N,).
@@ -60,17 +58,16 @@ def body_as_seen(
     pictures, whose brightest hundredth is white; the arrow points to where the Sun is on the sky,
     and is not there where that is behind the observer or the body."""
     bright = body.body if isinstance(body, (LightSolution, LightScenarioSolution)) else body
-    if not isinstance(bright, (EllipsoidModel, ConvexModel, MeshModel)):
+    if not isinstance(bright, LightModel):
         raise TypeError(
-            f"body_as_seen: got {body!r}; expected a solution, an EllipsoidModel, a ConvexModel "
-            "or a MeshModel"
+            f"body_as_seen: got {body!r}; expected a solution or a LightModel"
         )
     at = np.atleast_1d(np.asarray(_numbers(times, "times"), float))
     scale = float(_number(scale, "scale"))
     sun = _directions(to_sun, "to_sun", len(at))
     eye = _directions(to_observer, "to_observer", len(at))
     axes = _axes(ax, len(at))
-    picture = _ellipsoid if isinstance(bright, EllipsoidModel) else _facets(bright.mesh)
+    picture = _ellipsoid if bright.kind == "ellipsoid" else _facets(bright.mesh)
     pictures = [picture(bright, t, s, o) for t, s, o in zip(at, sun, eye)]
     lit = np.concatenate([light[np.isfinite(light)] for light, *_ in pictures])
     brightest = float(np.quantile(lit, WHITE)) or 1.0
@@ -142,10 +139,10 @@ def _facets(mesh: Any) -> Any:
     return picture
 
 
-def _ellipsoid(body: EllipsoidModel, t: float, sun: Any, eye: Any) -> tuple[Any, Any, Any]:
+def _ellipsoid(body: LightModel, t: float, sun: Any, eye: Any) -> tuple[Any, Any, Any]:
     """Light (PIXELS, PIXELS), NaN off the body; the edge (n, 2); the Sun on paper (2,)."""
     turn = _turn(body, t)
-    axes = body.axes / body.axes.max()
+    axes = body.shape / body.shape.max()
     paper = _paper(eye)
     grid = np.linspace(-1.0, 1.0, PIXELS)
     x, y = np.meshgrid(grid, grid)

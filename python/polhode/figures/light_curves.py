@@ -9,12 +9,10 @@ from typing import Any
 import numpy as np
 
 from polhode import (
-    ConvexModel,
-    EllipsoidModel,
     LightCurve,
+    LightModel,
     LightScenarioSolution,
     LightSolution,
-    MeshModel,
     model_fluxes,
 )
 from polhode._core import _number
@@ -31,7 +29,7 @@ PANEL = 2.0
 @styled
 def light_curve_fit(
     curves: LightCurve | Iterable[LightCurve],
-    model: LightSolution | LightScenarioSolution | EllipsoidModel | ConvexModel | MeshModel,
+    model: LightSolution | LightScenarioSolution | LightModel,
     ax: Any = None,
     *,
     unit: str = "",
@@ -42,7 +40,7 @@ def light_curve_fit(
     Parameters
     ----------
     curves : LightCurve, one or several: what was fitted.
-    model : a solution of fit_light, fit_convex, fit_mesh, search_light or polhode.fit, or its body.
+    model : a solution of fit_light, search_light or polhode.fit, or its body.
     ax : two Axes for each session, that of fluxes first, or None for a new figure.
     unit : of time, for the labels; by default that of the scenario of the solution, if it has one.
     scale : how many of it are a unit of time of the curves.

@@ -133,7 +133,7 @@ def _moved(solution: Any, state: SpinState, name: str, by: float) -> SpinState:
         I[i, k] += by * I[2, 2]
         I[k, i] = I[i, k]
     elif name in ("b/a", "c/b") and np.isclose(_even(solution), I / I[2, 2]).all():
-        a, b, c = solution.body.axes
+        a, b, c = solution.body.shape
         ratios = {"b/a": b / a, "c/b": c / b}
         ratios[name] += by
         I = _tensor(ratios["b/a"], ratios["b/a"] * ratios["c/b"])
@@ -142,7 +142,7 @@ def _moved(solution: Any, state: SpinState, name: str, by: float) -> SpinState:
 
 def _even(solution: Any) -> np.ndarray:
     """The tensor of an even filling, over Izz."""
-    a, b, c = solution.body.axes
+    a, b, c = solution.body.shape
     return _tensor(b / a, c / a)
 
 

@@ -16,10 +16,11 @@ inline namespace v0 {
 namespace detail {
 
 // Near enough that fits from both would most likely meet.
-bool are_alike(const EllipsoidModel& a, const EllipsoidModel& b);
-// Within the errors of the first, with the same counts of turns over the time base: these are known
-// far better than each unknown by itself.
-bool are_same(const LightSolution& a, const LightSolution& b, const LightUnknowns& unknowns,
+bool are_alike(const LightModel& a, const LightModel& b);
+// Ellipsoids: within the errors of the first, with the same counts of turns over the time base:
+// these are known far better than each unknown by itself. Others as are_same_spins, of facets that
+// a fit may move up to half turns.
+bool are_same(const FoundLight& a, const FoundLight& b, const LightUnknowns& unknowns,
               double time_base);
 
 // How many starts came to each solution or to one of its images. They have been described.
@@ -39,7 +40,7 @@ class DistinctSolutions {
   static constexpr std::size_t pairs_of_round = 8;
 
   // Whether the second solution is the first one again.
-  using AreSame = std::function<bool(const LightSolution&, const LightSolution&)>;
+  using AreSame = std::function<bool(const FoundLight&, const FoundLight&)>;
 
   // `half_turns`: of bodies that are the same after half turns about their axes.
   DistinctSolutions(std::span<const LightCurve> curves, std::size_t periods, double within,
@@ -47,7 +48,7 @@ class DistinctSolutions {
 
   // Solutions from here on have other unknowns; the best of each pair of periods stays.
   void begin(AreSame are_same);
-  void add(const LightSolution& found, std::size_t periods);
+  void add(const LightSolution& solution, std::size_t periods);
 
   const std::vector<FoundLight>& all() const { return solutions_; }
   const std::optional<LightSolution>& best_of(std::size_t periods) const { return best_[periods]; }

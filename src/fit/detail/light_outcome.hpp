@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
-// What fits of light curves have in common: checks of a start, rounds about an attitude that is
-// taken anew, and what is said of the motion that was found.
+// Parts of fits of light curves: checks of a start, rounds about an attitude that is taken anew,
+// what is said of the motion that was found, and the short fits of searches.
 #pragma once
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "fit/detail/light_starts.hpp"
 #include "polhode/fit/light_fit.hpp"
 
 namespace polhode {
@@ -21,7 +24,7 @@ void require_diagonal(const std::string& who, const SpinState& spin, const std::
 void require_points(const std::string& who, std::size_t points, std::size_t unknowns,
                     std::size_t groups);
 
-void describe_motion(const SpinState& spin, LightOutcome& found);
+void describe_motion(const SpinState& spin, LightSolution& found);
 
 // A fit whose first three unknowns are a turn about the attitude of a body that it keeps.
 struct TurningFit {
@@ -31,7 +34,19 @@ struct TurningFit {
 
 // Rounds until no turn is far; then covariance and degrees of freedom about the body found, less
 // the factors of `groups`.
-void settle(const TurningFit& fit, int most_iterations, std::size_t groups, LightOutcome& found);
+void settle(const TurningFit& fit, int most_iterations, std::size_t groups, LightSolution& found);
+
+// Of a fit from its start, with their bounds.
+std::vector<Unknown> light_unknowns(const LightFit& fit);
+
+// A few iterations about the start, without checks, covariance and factors. None without a value.
+std::optional<LightTrial> fit_shortly(const LightFit& fit);
+
+// Of `tries` rotations q of the motion of the start as a whole, which has the attitude 1 at t0: the
+// one whose light is nearest to the curves, with the sum that a fit would minimise; infinite where
+// none has light. None where the start has no motion.
+std::optional<std::pair<Quaternion, double>> best_attitude(const LightFit& fit, std::size_t tries,
+                                                           const std::function<Quaternion()>& next);
 
 }  // namespace detail
 }  // namespace v0

@@ -8,8 +8,8 @@
 #include <optional>
 #include <vector>
 
-#include "fit/result_bytes.hpp"
 #include "polhode/fit/light_search.hpp"
+#include "polhode/free/free_rotation.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -32,19 +32,34 @@ std::vector<Start> best_unlike(std::vector<Start> all, std::size_t count,
 }
 
 struct LightTrial {
-  EllipsoidModel body;
+  LightModel body;
   double cost = 0.0;  // what was minimised
 };
-inline void serialize(Archive& bytes, LightTrial& trial) {
-  serialize(bytes, trial.body);
-  bytes(trial.cost);
-}
 
 // Midway between the first and the last time.
 double epoch_of(std::span<const LightCurve> curves);
 
-// None where no body was found that has the periods.
-std::optional<LightTrial> light_trial(const LightSearch& search, std::uint64_t number);
+class Draws;
+
+class LightStarts {
+ public:
+  explicit LightStarts(const LightSearch& search);
+
+  // The best attitude that was tried for a phase of a polhode, after some iterations. None where no
+  // body was found that has the periods.
+  std::optional<LightTrial> trial(std::uint64_t number, const LightUnknowns& unknowns,
+                                  int iterations) const;
+  // Of a known body.
+  std::size_t pairs_without_motion() const;
+
+ private:
+  std::optional<LightModel> known_body(std::size_t pair, Draws& draws) const;
+
+  const LightSearch& search_;
+  std::optional<Body> known_;
+  std::vector<LightCurve> looked_at_;               // on which attitudes of a known body are tried
+  std::vector<std::vector<FreeRotation>> motions_;  // that it has, of each pair of periods
+};
 
 }  // namespace detail
 }  // namespace v0

@@ -10,6 +10,7 @@
 
 #include "fit/light_states.hpp"
 #include "math/number_text.hpp"
+#include "polhode/error.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -56,14 +57,18 @@ bool same_periods(const TumblerPeriods& a, const TumblerPeriods& b, double time_
          turns_apart(a.rotation_period, b.rotation_period, time_base) < apart;
 }
 
-// How far a state is from another, in units of what is still alike.
-double distance_of(const EllipsoidModel& a, const EllipsoidModel& other, bool half_turns) {
-  const EllipsoidModel b = half_turns ? nearest_of_same(a, other) : other;
-  const double rate = norm(a.spin.w_F);
-  return std::max({norm(attitude_residual(a.spin.q, b.spin.q)) / alike_turn,
-                   norm(b.spin.w_F - a.spin.w_F) / (alike_rate * rate),
-                   std::abs(a.shape.b / a.shape.a - b.shape.b / b.shape.a) / alike_ratio,
-                   std::abs(a.shape.c / a.shape.b - b.shape.c / b.shape.b) / alike_ratio});
+// How far a state is from another, in rad and of the rate, in units of what is still alike.
+double spins_apart(const SpinState& a, const SpinState& b) {
+  return std::max(norm(attitude_residual(a.q, b.q)) / alike_turn,
+                  norm(b.w_F - a.w_F) / (alike_rate * norm(a.w_F)));
+}
+
+// That of ellipsoids.
+double distance_of(const LightModel& a, const LightModel& other, bool half_turns) {
+  const LightModel b = half_turns ? nearest_of_same(a, other) : other;
+  const Ellipsoid &e = a.ellipsoid(), &f = b.ellipsoid();
+  return std::max({spins_apart(a.spin, b.spin), std::abs(e.b / e.a - f.b / f.a) / alike_ratio,
+                   std::abs(e.c / e.b - f.c / f.b) / alike_ratio});
 }
 
 // Its parent: of those before solution j, with the same counts of turns, the one whose image it is
@@ -80,9 +85,8 @@ void set_parent(std::vector<FoundLight>& solutions, std::size_t j, const LightGe
         continue;
       for (const LightImage i :
            {LightImage::normal, LightImage::bisector, LightImage::difference}) {
-        const EllipsoidModel image =
-            image_of(solutions[k].solution.body, i, g.to_sun, g.to_observer);
-        const double off = distance_of(image, f.solution.body, half_turns);
+        const LightModel image = image_of(as_ellipsoid(solutions[k]), i, g.to_sun, g.to_observer);
+        const double off = distance_of(image, as_ellipsoid(f), half_turns);
         if (!(off < least)) continue;
         least = off;
         f.beside = Beside::image;
@@ -164,12 +168,20 @@ LightGeometry geometry_of(std::span<const LightCurve> curves) {
   return g;
 }
 
-bool are_alike(const EllipsoidModel& a, const EllipsoidModel& other) {
-  return distance_of(a, other, true) < 1.0;
+LightModel as_ellipsoid(const FoundLight& found) {
+  const LightModel& body = found.solution.body;
+  return {body.spin, found.ellipsoid, body.law};
 }
 
-bool are_same(const LightSolution& a, const LightSolution& b, const LightUnknowns& unknowns,
+bool are_alike(const LightModel& a, const LightModel& b) {
+  return (a.is_ellipsoid() ? distance_of(a, b, true) : spins_apart(a.spin, b.spin)) < 1.0;
+}
+
+bool are_same(const FoundLight& of_a, const FoundLight& of_b, const LightUnknowns& unknowns,
               double time_base) {
+  const LightSolution &a = of_a.solution, &b = of_b.solution;
+  if (!a.body.is_ellipsoid())
+    return are_same_spins(of_a, of_b, a.body.is_convex() && unknowns.shape, time_base);
   // where a rate or a moment may be anything, so may the periods
   const UnknownsCovariance& c = a.covariance;
   bool is_open = false;
@@ -213,10 +225,14 @@ void describe_relations(std::vector<FoundLight>& solutions, const LightGeometry&
   }
 }
 
-bool are_same_spins(const LightSolution& a, const LightSolution& b, double time_base) {
+bool are_same_spins(const FoundLight& of_a, const FoundLight& of_b, bool half_turns,
+                    double time_base) {
+  const LightSolution &a = of_a.solution, &b = of_b.solution;
   if (!same_periods(a.periods, b.periods, time_base)) return false;
   constexpr double errors = 2.0, least_turn = 0.01, least_rate = 1e-4;
-  const SpinState &s = a.body.spin, &t = b.body.spin;
+  const SpinState& s = a.body.spin;
+  const SpinState t =
+      half_turns ? nearest_of_same(as_ellipsoid(of_a), as_ellipsoid(of_b)).spin : b.body.spin;
   const Vec3 turn = attitude_residual(s.q, t.q), dw = t.w_F - s.w_F;
   const double factor = errors * std::fmax(1.0, a.error_factor());
   const double rate = least_rate * norm(s.w_F);
@@ -241,6 +257,23 @@ std::vector<std::size_t> starts_of_images(const std::vector<FoundLight>& solutio
 }
 
 }  // namespace detail
+
+FoundLight found_light(LightSolution solution, std::size_t periods) {
+  FoundLight f;
+  const LightModel& body = solution.body;
+  if (body.is_ellipsoid()) {
+    f.ellipsoid = body.ellipsoid();
+  } else {
+    try {
+      f.ellipsoid = ellipsoid_of_moments(body.spin.inertia_F);
+    } catch (const DomainError& error) {
+      solution.notes.push_back(std::string("no ellipsoid has these moments: ") + error.what());
+    }
+  }
+  f.solution = std::move(solution);
+  f.periods = periods;
+  return f;
+}
 
 void describe_solutions(std::vector<FoundLight>& solutions, std::span<const LightCurve> curves,
                         bool half_turns) {
@@ -269,21 +302,22 @@ void DistinctSolutions::begin(AreSame are_same) {
   solutions_.clear();
 }
 
-void DistinctSolutions::add(const LightSolution& found, std::size_t periods) {
+void DistinctSolutions::add(const LightSolution& solution, std::size_t periods) {
+  FoundLight found = found_light(solution, periods);
   ++converged_;
   std::optional<LightSolution>& best = best_[periods];
-  if (!best || found.result.cost < best->result.cost) best = found;
+  const double cost = solution.result.cost;
+  if (!best || cost < best->result.cost) best = solution;
   for (FoundLight& f : solutions_) {
-    if (!are_same_(f.solution, found)) continue;
+    if (!are_same_(f, found)) continue;
     ++f.starts;
-    if (found.result.cost < f.solution.result.cost) f.solution = found;
+    if (!(cost < f.solution.result.cost)) return;
+    f.solution = std::move(found.solution);
+    f.ellipsoid = found.ellipsoid;
     return;
   }
-  FoundLight f;
-  f.solution = found;
-  f.periods = periods;
-  f.starts = 1;
-  solutions_.push_back(f);
+  found.starts = 1;
+  solutions_.push_back(std::move(found));
 }
 
 double DistinctSolutions::limit() const {

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "fit/detail/distinct_solutions.hpp"
-#include "fit/detail/light_residuals.hpp"
+#include "fit/detail/light_outcome.hpp"
 #include "fit/free_motion.hpp"
 #include "fit/light/search_checks.hpp"
 #include "fit/result_bytes.hpp"
@@ -31,10 +31,10 @@ namespace {
 // Bodies whose light in one session is that of a solution, with other counts of turns until another
 // session.
 struct TurnCounts {
-  std::size_t count = 1;               // that the errors of the periods leave
-  std::size_t without_body = 0;        // of them those that no body near the solution has
-  bool has_periods = true;             // else the solution alone: its periods are not determined
-  std::vector<EllipsoidModel> bodies;  // at the epoch of the solution; none of more than `most`
+  std::size_t count = 1;           // that the errors of the periods leave
+  std::size_t without_body = 0;    // of them those that no body near the solution has
+  bool has_periods = true;         // else the solution alone: its periods are not determined
+  std::vector<LightModel> bodies;  // at the epoch of the solution; none of more than `most`
 };
 
 constexpr double errors = 3.0;  // up to which counts of turns are looked for
@@ -80,6 +80,8 @@ class Counts {
   Counts(const LightSolution& solution, const LightUnknowns& unknowns, double distance)
       : solution_(solution),
         unknowns_(unknowns),
+        about_{.curves = {}, .start = solution.body, .unknowns = unknowns, .loss = {}},
+        bounds_(light_unknowns(about_)),
         here_(frequencies_of(solution, unknowns)),
         step_{precession_turns / distance, rotation_turns / distance} {
     const auto n = std::ssize(solution.covariance.names);
@@ -131,14 +133,13 @@ class Counts {
   }
 
   // The likeliest body of these frequencies; none where there is none in this mode.
-  std::optional<EllipsoidModel> body_with(const Eigen::Vector2d& wanted) const {
-    const LightFit about{{}, solution_.body, unknowns_, {}};
+  std::optional<LightModel> body_with(const Eigen::Vector2d& wanted) const {
     LightSolution there = solution_;
     std::vector<double> x = light_unknowns_at(unknowns_, solution_.body, solution_.body);
     Eigen::MatrixXd C = C_;  // less what comes to a bound
     for (int k = 0; k < most_newton_steps; ++k) {
       try {
-        there.body = body_at(about, x);
+        there.body = body_at(about_, x);
         const std::optional<Frequencies> f = frequencies_of(there, unknowns_);
         if (!f || f->mode != here_->mode) return std::nullopt;
         const Eigen::Vector2d miss = wanted - f->F;
@@ -161,16 +162,14 @@ class Counts {
 
   // Inside of the bounds of a fit.
   void keep_sound(std::vector<double>& x) const {
-    const LightPlaces places(unknowns_);
-    const double most = unknowns_.moments == MomentSource::shape ? 1.0 : 1.0 / least_axis_ratio;
-    if (unknowns_.shape)
-      for (const std::size_t i : {places.shape, places.shape + 1})
-        x[i] = std::clamp(x[i], least_axis_ratio, most);
-    if (unknowns_.multiple) x[places.multiple] = std::max(x[places.multiple], 0.0);
+    for (std::size_t i = 0; i < x.size(); ++i)
+      x[i] = std::clamp(x[i], bounds_[i].low, bounds_[i].high);
   }
 
   const LightSolution& solution_;
   const LightUnknowns& unknowns_;
+  LightFit about_;
+  std::vector<Unknown> bounds_;
   std::optional<Frequencies> here_;
   Eigen::Vector2d step_;
   Eigen::MatrixXd C_;
@@ -217,7 +216,7 @@ TimeRange range_of(const LightCurve& curve) {
   return range;
 }
 
-EllipsoidModel at_time(EllipsoidModel body, double t) {
+LightModel at_time(LightModel body, double t) {
   body.spin = detail::spin_at(body.spin, t);
   return body;
 }
@@ -236,7 +235,7 @@ void check(const LightExtension& e) {
 
 // Where a fit begins, and from which of the starts it came.
 struct Begin {
-  EllipsoidModel body;
+  LightModel body;
   std::size_t from;
 };
 
@@ -282,7 +281,7 @@ class Extension {
       }
       without_body += counts.without_body;
       without_periods += counts.has_periods ? 0 : 1;
-      for (const EllipsoidModel& body : counts.bodies) begins.push_back({body, f.periods});
+      for (const LightModel& body : counts.bodies) begins.push_back({body, f.periods});
     }
     const std::string before = "before session " + std::to_string(next + 1) + ", ";
     note(before + "solutions left out, with more than " + std::to_string(asked_.most_counts) +
@@ -315,10 +314,10 @@ class Extension {
       if (is_joined(k)) curves.push_back(asked_.curves[k]);
     detail::DistinctSolutions finds(
         curves, asked_.starts.size(), asked_.within,
-        [&](const LightSolution& a, const LightSolution& b) {
+        [&](const FoundLight& a, const FoundLight& b) {
           return detail::are_same(a, b, asked_.unknowns, all_.end - all_.begin);
         },
-        true);
+        !asked_.starts.front().is_mesh());
     Pass pass{curves, asked_.most_iterations, 0.0, {}, 0};
     fit(begins, pass, finds);
     // what has not come to its end and is near the limit goes on, from where it is
@@ -361,14 +360,22 @@ class Extension {
     std::size_t converged;
   };
 
+  LightFit fit_from(const Begin& begin, const Pass& pass) const {
+    LightFit fit{pass.curves,          at_time(begin.body, all_.middle()),
+                 asked_.unknowns,      asked_.loss,
+                 pass.most_iterations, first_step,
+                 asked_.regularisation};
+    if (begin.body.is_convex() && !fit.regularisation.about)
+      fit.regularisation.about = asked_.starts[begin.from];
+    return fit;
+  }
+
   void fit(const std::vector<Begin>& begins, Pass& pass, detail::DistinctSolutions& finds) {
     ordered_parallel_for(
         asked_.journal, std::ssize(begins), asked_.threads,
         [&](std::int64_t k) {
           if (asked_.between) asked_.between();
-          const EllipsoidModel& body = begins[static_cast<std::size_t>(k)].body;
-          return fit_light({pass.curves, at_time(body, all_.middle()), asked_.unknowns, asked_.loss,
-                            pass.most_iterations, first_step});
+          return fit_light(fit_from(begins[static_cast<std::size_t>(k)], pass));
         },
         [&](std::int64_t k, const LightSolution& s) {
           tell(pass.done + 0.5 * static_cast<double>(k + 1) / static_cast<double>(begins.size()));
@@ -380,7 +387,9 @@ class Extension {
             pass.unfinished.push_back({s.result.cost, {s.body, from}});
           }
         },
-        [](Archive& bytes, LightSolution& s) { detail::serialize(bytes, s); });
+        [this](Archive& bytes, LightSolution& s) {
+          detail::serialize(bytes, s, asked_.starts.front());
+        });
   }
 
   // Of the present session.

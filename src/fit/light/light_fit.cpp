@@ -1,298 +1,537 @@
 // SPDX-License-Identifier: MIT
-// Fits of an ellipsoid to light curves: residuals, and their solution.
+// Fits of light curves: checks of a start, and the solution, whatever the shape.
 #include "polhode/fit/light_fit.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
+#include <numeric>
+#include <type_traits>
 
 #include "fit/detail/light_outcome.hpp"
 #include "fit/detail/light_residuals.hpp"
-#include "fit/detail/rotation_vector.hpp"
-#include "fit/detail/surface_residuals.hpp"
+#include "fit/detail/light_surfaces.hpp"
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
-#include "polhode/light/lambert.hpp"
 #include "polhode/light/light_curve_checks.hpp"
 
 namespace polhode {
 inline namespace v0 {
-
-namespace detail {
 namespace {
 
-constexpr std::size_t first_turn = 0;
-Mat3 diagonal(double x, double y) {
-  Mat3 m = Mat3::identity();
-  m(0, 0) = x;
-  m(1, 1) = y;
-  return m;
+using detail::ConvexSurface;
+using detail::EllipsoidSurface;
+using detail::FollowedMoments;
+using detail::LightResiduals;
+using detail::MeshSurface;
+using detail::number_text;
+using detail::Rows;
+using detail::tuple_text;
+
+const std::string who = "fit_light: ";
+// In standard errors: a facet that passes a terminator or the edge of a shadow bends the light, and
+// a fit comes to rest between bends, some tenths of an error from the least.
+constexpr double mesh_nearness = 1.0;
+// Rounds of moments that follow facets, linear in each, of so many iterations, and when they have
+// come to rest.
+constexpr int most_rounds = 40, round_iterations = 10;
+constexpr double same_moments = 1e-5;
+// Least part of the way to the body of a round at which moments are taken anew.
+constexpr double least_part = 0.125;
+
+void require_axes(const Ellipsoid& s) {
+  for (const double axis : {s.a, s.b, s.c})
+    if (!(axis > 0.0) || !std::isfinite(axis))
+      throw DomainError(who + "semi-axes " + tuple_text({s.a, s.b, s.c}) + " must be above 0");
 }
 
-Mat3 homogeneous_tensor(const Ellipsoid& shape) {
-  const Vec3 I = homogeneous_moments(shape, 1.0);
-  return diagonal(I.x / I.z, I.y / I.z);
+void require_coefficients(const ConvexShape& shape) {
+  if (shape.coefficients.size() != shape.image.coefficient_count())
+    throw DomainError(who + std::to_string(shape.coefficients.size()) +
+                      " coefficients of a convex body; expected " +
+                      std::to_string(shape.image.coefficient_count()));
+}
+
+void require_shape(const LightShape& shape) {
+  if (const auto* e = std::get_if<Ellipsoid>(&shape)) require_axes(*e);
+  if (const auto* c = std::get_if<ConvexShape>(&shape)) require_coefficients(*c);
+}
+
+void require_regularisation(const LightFit& fit) {
+  const Regularisation& r = fit.regularisation;
+  const auto require_error = [](const char* name, double value) {
+    if (!(value > 0.0))
+      throw DomainError(who + name + " = " + number_text(value) + " must be above 0");
+  };
+  require_error("closure_error", r.closure_error);
+  require_error("axes_error", r.axes_error);
+  require_error("roughness_error", r.roughness_error);
+  require_error("moments_error", r.moments_error);
+  if (!r.about) return;
+  require_shape(r.about->shape);
+  const std::size_t count = fit.start.convex().coefficients.size();
+  if (r.about->is_mesh() ||
+      (r.about->is_convex() && r.about->convex().coefficients.size() != count))
+    throw DomainError(who +
+                      "the usual body must be an ellipsoid, or a convex body of the degree of the "
+                      "start");
+  detail::require_diagonal(who, r.about->spin, "the axes of the body that is the usual one");
+}
+
+void require_start(const LightFit& fit) {
+  const LightModel& start = fit.start;
+  detail::require_spin(who, start.spin, fit.most_iterations);
+  require_shape(start.shape);
+  detail::require_law(who, start.law, fit.unknowns.multiple);
+  const MomentSource moments = fit.unknowns.moments;
+  if (start.is_mesh()) {
+    if (moments == MomentSource::shape)
+      throw DomainError(who +
+                        "moments cannot follow a shape that stays; give those of an even filling "
+                        "as the start's (homogeneous_inertia), or fit them");
+    if (moments == MomentSource::fit)
+      detail::require_diagonal(who, start.spin, "the axes of the mesh");
+    else
+      static_cast<void>(Body::from_tensor(start.spin.inertia_F));  // says what is wrong with it
+    return;
+  }
+  if (start.is_convex()) {
+    detail::require_diagonal(who, start.spin, "the axes of the start");
+    return require_regularisation(fit);
+  }
+  if (moments != MomentSource::shape)
+    return detail::require_diagonal(who, start.spin, "the axes of the ellipsoid");
+  const Ellipsoid& e = start.ellipsoid();
+  if (!(e.a >= e.b) || !(e.b >= e.c))
+    throw DomainError(who + "semi-axes " + tuple_text({e.a, e.b, e.c}) +
+                      " must not rise where moments follow from them");
+}
+
+// Moments in units of Izz.
+SpinState normalized_spin(SpinState s) {
+  const double unit = s.inertia_F(2, 2);
+  for (Vec3& row : s.inertia_F.row) row = (1.0 / unit) * row;
+  return s;
+}
+
+// The usual body of a convex one.
+const LightModel& usual_body(const LightFit& fit) {
+  const std::optional<LightModel>& about = fit.regularisation.about;
+  return about ? *about : fit.start;
+}
+
+// Moments of a convex body that follow its facets, from round to round.
+class FacetMoments {
+ public:
+  explicit FacetMoments(const ConvexShape& shape) : image_(shape.image) {
+    follow(shape.coefficients, at(shape.coefficients));
+  }
+
+  const FollowedMoments& followed() const { return followed_; }
+
+  // Whether another round is to come: the body that was found has other moments than it was fitted
+  // with, or is not yet at the least.
+  bool goes_on(LightSolution& found, int round, int left) {
+    using End = LeastSquaresResult::End;
+    LeastSquaresResult& result = found.result;
+    if (!found.is_found() && (result.end != End::iteration_limit || left <= 0)) return false;
+    const std::vector<double>& coefficients = found.body.convex().coefficients;
+    try {
+      const ConvexMoments now = at(coefficients);
+      const Mat3& T = found.body.spin.inertia_F;
+      const double change = std::max(std::abs(now.Ixx - T(0, 0)), std::abs(now.Iyy - T(1, 1)));
+      if (change <= same_moments && found.is_found()) return false;
+      if (round == most_rounds || left <= 0) {
+        result.end = End::iteration_limit;
+        result.sentence = "not converged: the moments of the shape did not come to rest in " +
+                          std::to_string(round) + (round == 1 ? " round" : " rounds") +
+                          (left <= 0 ? "; allow more iterations" : "; take smaller facets");
+        return false;
+      }
+      take_anew(coefficients, now, change);
+    } catch (const DomainError& error) {  // facets that close no body
+      result.end = End::no_descent;
+      result.sentence =
+          std::string("not converged: no moments follow from the shape: ") + error.what();
+      return false;
+    }
+    return true;
+  }
+
+ private:
+  ConvexMoments at(const std::vector<double>& coefficients) {
+    ConvexMoments m = convex_moments(image_.normals(), image_.areas(coefficients), distances_);
+    distances_ = m.distances;
+    return m;
+  }
+
+  void follow(const std::vector<double>& coefficients, const ConvexMoments& m) {
+    followed_ = FollowedMoments::at(image_, coefficients, m);
+  }
+
+  // At the body that was found; where that did not bring what is linear near to what is true, the
+  // rounds go back and forth, and they are taken part of the way.
+  void take_anew(std::vector<double> coefficients, const ConvexMoments& now, double change) {
+    part_ = change > 0.5 * change_ ? std::max(0.5 * part_, least_part) : std::min(2.0 * part_, 1.0);
+    change_ = change;
+    if (part_ == 1.0) return follow(coefficients, now);
+    for (std::size_t k = 1; k < coefficients.size(); ++k)
+      coefficients[k] = followed_.own[k - 1] + part_ * (coefficients[k] - followed_.own[k - 1]);
+    follow(coefficients, at(coefficients));
+  }
+
+  GaussianImage image_;
+  FollowedMoments followed_;
+  std::vector<double> distances_;  // of the facets, as they were last
+  // Of the moments of the last round, from what is linear to what is true.
+  double change_ = std::numeric_limits<double>::infinity();
+  double part_ = 1.0;
+};
+
+// Residuals of a convex body with moments that are those of the body at every x.
+class OfFacets {
+ public:
+  OfFacets(std::shared_ptr<const LightResiduals<ConvexSurface>> residuals, const ConvexShape& first)
+      : residuals_(std::move(residuals)), image_(first.image) {
+    // of a start that is the same at every x, so that the numbers are, too
+    distances_ = convex_moments(image_.normals(), image_.areas(first.coefficients)).distances;
+  }
+
+  LightResiduals<ConvexSurface> about(std::span<const double> x) const {
+    const std::vector<double> c = residuals_->surface().coefficients(residuals_->own_of(x));
+    return residuals_->with(residuals_->surface().with(FollowedMoments::at(
+        image_, c, convex_moments(image_.normals(), image_.areas(c), distances_))));
+  }
+
+  bool at(std::span<const double> x, std::span<double> numbers, std::span<double> jacobian) const {
+    try {
+      return about(x).at(x, numbers, jacobian);
+    } catch (const DomainError&) {  // areas that close no body
+      return false;
+    }
+  }
+
+ private:
+  std::shared_ptr<const LightResiduals<ConvexSurface>> residuals_;
+  GaussianImage image_;
+  std::vector<double> distances_;
+};
+
+// A fit about a body that it keeps.
+template <class Surface>
+class Fitter {
+  static constexpr bool has_facets = std::is_same_v<Surface, ConvexSurface>;
+
+ public:
+  Fitter(const LightFit& fit, Rows rows)
+      : fit_(fit),
+        rows_(rows),
+        curves_(std::make_shared<const detail::WeighedCurves>(fit.curves, fit.loss)),
+        surface_(fit, fit.start) {
+    found_.body = fit.start;
+    if constexpr (has_facets) {
+      SpinState& spin = found_.body.spin;
+      spin = normalized_spin(spin);
+      if (fit.unknowns.moments == MomentSource::start)
+        spin.inertia_F = normalized_spin(usual_body(fit).spin).inertia_F;
+      convex().coefficients.front() = surface_.usual().front();  // part of the factors
+    }
+  }
+
+  LightSolution solution() {
+    require_points();
+    const detail::TurningFit turning{
+        [this](int most_iterations) { return problem(most_iterations); },
+        [this](const std::vector<double>& x) { found_.body = residuals()->body_at(x); }};
+    const std::size_t groups = curves_->groups();
+    if constexpr (has_facets) {
+      settle_rounds(turning);
+    } else {
+      detail::settle(turning, fit_.most_iterations, groups, found_);
+    }
+    if (found_.result.end == LeastSquaresResult::End::no_value) return std::move(found_);
+    if constexpr (has_facets)
+      if (surface_.own() > 0) add_terms();
+    found_.factors = curves_->session_factors(brightness());
+    detail::describe_motion(found_.body.spin, found_);
+    return std::move(found_);
+  }
+
+  // About the body that it begins with.
+  LeastSquares problem() const {
+    require_points();
+    LeastSquares p = problem(fit_.most_iterations);
+    if constexpr (has_facets) {
+      if (!facets_follow()) return p;
+      const auto of_facets = std::make_shared<const OfFacets>(residuals(), convex());
+      p.residuals.at = [of_facets](std::span<const double> x, std::span<double> numbers,
+                                   std::span<double> jacobian) {
+        return of_facets->at(x, numbers, jacobian);
+      };
+    }
+    return p;
+  }
+
+  LightModel body_at(std::span<const double> x) const {
+    const auto shared = residuals();
+    if (x.size() != shared->places().count)
+      throw DomainError("body_at: got " + std::to_string(x.size()) + " unknowns; expected " +
+                        std::to_string(shared->places().count));
+    if constexpr (has_facets)
+      if (facets_follow()) return OfFacets(shared, convex()).about(x).body_at(x);
+    return shared->body_at(x);
+  }
+
+  // About the present body.
+  std::vector<Unknown> unknowns() const {
+    const LightModel& body = found_.body;
+    std::vector<Unknown> found;
+    for (const char* name : {"turn_x", "turn_y", "turn_z"}) found.push_back({.name = name});
+    const Vec3& w = body.spin.w_F;
+    found.push_back({.name = "w_x", .start = w.x});
+    found.push_back({.name = "w_y", .start = w.y});
+    found.push_back({.name = "w_z", .start = w.z});
+    const std::vector<Unknown> own = surface_.own_unknowns(body.shape);
+    if (Surface::own_first) found.insert(found.end(), own.begin(), own.end());
+    if (fit_.unknowns.moments == MomentSource::fit) {
+      const Mat3& T = body.spin.inertia_F;
+      found.push_back({.name = "Ixx/Izz", .start = T(0, 0) / T(2, 2)});
+      found.push_back({.name = "Iyy/Izz", .start = T(1, 1) / T(2, 2)});
+    }
+    if (fit_.unknowns.multiple) {
+      const double given = body.law.multiple / body.law.single;
+      found.push_back({.name = "multiple",
+                       .start = given > detail::least_multiple ? given : detail::usual_multiple,
+                       .low = detail::least_multiple});
+    }
+    if (!Surface::own_first) found.insert(found.end(), own.begin(), own.end());
+    return found;
+  }
+
+  std::optional<detail::LightTrial> shortly() const {
+    const LeastSquaresResult result = solve(problem(fit_.most_iterations));
+    if (result.end == LeastSquaresResult::End::no_value) return std::nullopt;
+    return detail::LightTrial{residuals()->body_at(result.x), result.cost};
+  }
+
+  std::vector<double> brightness() const {
+    std::vector<double> B(curves_->size());
+    std::vector<detail::MotionPoint> motion;
+    if (!detail::free_motion(found_.body.spin, curves_->times(), {}, motion) ||
+        !brightness_along({}, motion, B))
+      throw DomainError("model_fluxes: the body has no brightness at these times");
+    return B;
+  }
+  bool brightness_along(const Quaternion& q, std::span<const detail::MotionPoint> motion,
+                        std::span<double> B) const {
+    const auto shape = Surface::shape_of(found_.body.shape);
+    return detail::brightness_along(
+        [&](const Vec3& s, const Vec3& o) {
+          return surface_.brightness(shape, found_.body.law, s, o);
+        },
+        q, motion, *curves_, B);
+  }
+  const detail::WeighedCurves& curves() const { return *curves_; }
+
+ private:
+  ConvexShape& convex() { return std::get<ConvexShape>(found_.body.shape); }
+  const ConvexShape& convex() const { return found_.body.convex(); }
+  bool facets_follow() const { return fit_.unknowns.moments == MomentSource::shape; }
+
+  void require_points() const {
+    const auto r = residuals();
+    detail::require_points(who, r->curves().size() + r->priors(), r->places().count,
+                           r->curves().groups());
+  }
+
+  std::shared_ptr<const LightResiduals<Surface>> residuals() const {
+    return std::make_shared<const LightResiduals<Surface>>(curves_, fit_.unknowns, found_.body,
+                                                           surface_, rows_);
+  }
+
+  // About the present body.
+  LeastSquares problem(int most_iterations) const {
+    const auto shared = residuals();
+    const LightModel& body = found_.body;
+    const detail::LightPlaces& places = shared->places();
+    LeastSquares p;
+    p.unknowns = unknowns();
+    if (places.has_moments) p.triangle = {places.moments, places.moments + 1};
+    p.residuals.data = curves_->size();
+    p.residuals.prior = surface_.priors();
+    p.residuals.at = [shared](std::span<const double> x, std::span<double> numbers,
+                              std::span<double> jacobian) {
+      return shared->at(x, numbers, jacobian);
+    };
+    p.loss = fit_.loss;
+    p.most_iterations = most_iterations;
+    p.first_step = fit_.first_step;
+    if (body.is_mesh()) p.nearness = mesh_nearness;
+    if constexpr (has_facets) add_priors(p);
+    return p;
+  }
+
+  double moments_variance() const {
+    return fit_.regularisation.moments_error * fit_.regularisation.moments_error;
+  }
+  bool has_moments_prior() const {
+    return fit_.unknowns.moments == MomentSource::fit && std::isfinite(moments_variance());
+  }
+
+  void add_priors(LeastSquares& p) const {
+    if (!has_moments_prior()) return;
+    const double variance = moments_variance();
+    const Mat3& T = usual_body(fit_).spin.inertia_F;
+    p.priors = {{{"Ixx/Izz"}, {T(0, 0) / T(2, 2)}, {variance}},
+                {{"Iyy/Izz"}, {T(1, 1) / T(2, 2)}, {variance}}};
+  }
+
+  void settle_rounds(const detail::TurningFit& turning) {
+    const bool follows = facets_follow();
+    std::optional<FacetMoments> moments;
+    const auto follow = [&] { surface_ = surface_.with(moments->followed()); };
+    if (follows) {
+      moments.emplace(convex());
+      follow();
+    }
+    int left = fit_.most_iterations;
+    for (int round = 1;; ++round) {
+      found_.notes.clear();
+      const int most = follows ? std::min(left, round_iterations) : left;
+      detail::settle(turning, most, curves_->groups(), found_);
+      left -= found_.result.iterations;
+      if (!follows || !moments->goes_on(found_, round, left)) break;
+      follow();
+    }
+    found_.result.iterations = fit_.most_iterations - left;
+  }
+
+  // What regularises the body takes its part of the cost.
+  void add_terms() {
+    const LeastSquaresResult& r = found_.result;
+    const std::span<const double> priors = std::span(r.numbers).subspan(found_.points);
+    const auto sum = [&](std::size_t first, std::size_t last) {
+      return std::accumulate(priors.begin() + static_cast<std::ptrdiff_t>(first),
+                             priors.begin() + static_cast<std::ptrdiff_t>(last), 0.0,
+                             [](double all, double x) { return all + x * x; });
+    };
+    std::vector<CostTerm>& terms = found_.terms;
+    terms.push_back({"roughness", sum(6, priors.size())});
+    terms.push_back({"closure", sum(0, 3)});
+    terms.push_back({"axes", sum(3, 6)});
+    if (has_moments_prior()) {
+      const Mat3 &T = found_.body.spin.inertia_F, &usual = usual_body(fit_).spin.inertia_F;
+      double moved = 0.0;
+      for (int i = 0; i < 2; ++i) {
+        const double d = T(i, i) / T(2, 2) - usual(i, i) / usual(2, 2);
+        moved += d * d;
+      }
+      terms.push_back({"moments", moved / moments_variance()});
+    }
+    for (std::size_t k = 1; k < terms.size(); ++k) terms[0].value -= terms[k].value;
+  }
+
+  const LightFit& fit_;
+  Rows rows_;
+  std::shared_ptr<const detail::WeighedCurves> curves_;
+  Surface surface_;
+  LightSolution found_;  // with the present body
+};
+
+// use(fitter) for the shape of the start.
+template <class Use>
+auto with_fitter(const LightFit& fit, Rows rows, const Use& use) {
+  if (fit.start.is_mesh()) return use(Fitter<MeshSurface>(fit, rows));
+  if (fit.start.is_convex()) return use(Fitter<ConvexSurface>(fit, rows));
+  return use(Fitter<EllipsoidSurface>(fit, rows));
 }
 
 }  // namespace
 
-LightPlaces::LightPlaces(const LightUnknowns& unknowns) {
-  const auto take = [this](bool wanted, std::size_t& place, std::size_t numbers) {
-    if (!wanted) return;
-    place = count;
-    count += numbers;
-  };
-  take(unknowns.shape, shape, 2);
-  take(unknowns.moments == MomentSource::fit, moments, 2);
-  take(unknowns.multiple, multiple, 1);
+namespace detail {
+
+std::vector<Unknown> light_unknowns(const LightFit& fit) {
+  return with_fitter(fit, Rows::exact, [](const auto& fitter) { return fitter.unknowns(); });
 }
 
-std::vector<Unknown> light_unknowns(const LightUnknowns& unknowns, const EllipsoidModel& start) {
-  std::vector<Unknown> found;
-  for (const char* name : {"turn_x", "turn_y", "turn_z"}) found.push_back({.name = name});
-  const Vec3& w = start.spin.w_F;
-  found.push_back({.name = "w_x", .start = w.x});
-  found.push_back({.name = "w_y", .start = w.y});
-  found.push_back({.name = "w_z", .start = w.z});
-  const auto ratio = [&](const char* name, double value) {
-    const double high = unknowns.moments == MomentSource::shape ? 1.0 : 1.0 / least_axis_ratio;
-    found.push_back({name, std::clamp(value, least_axis_ratio, high), least_axis_ratio, high});
-  };
-  if (unknowns.shape) {
-    ratio("b/a", start.shape.b / start.shape.a);
-    ratio("c/b", start.shape.c / start.shape.b);
-  }
-  if (unknowns.moments == MomentSource::fit) {
-    const Mat3& T = start.spin.inertia_F;
-    found.push_back({.name = "Ixx/Izz", .start = T(0, 0) / T(2, 2)});
-    found.push_back({.name = "Iyy/Izz", .start = T(1, 1) / T(2, 2)});
-  }
-  if (unknowns.multiple) found.push_back(multiple_unknown(start.law));
-  return found;
+std::optional<LightTrial> fit_shortly(const LightFit& fit) {
+  return with_fitter(fit, Rows::held, [](const auto& fitter) { return fitter.shortly(); });
 }
 
-LightResiduals::LightResiduals(std::span<const LightCurve> curves, const LightUnknowns& unknowns,
-                               const EllipsoidModel& start, const Loss& loss, Rows rows)
-    : unknowns_(unknowns), start_(start), places_(unknowns), curves_(curves, loss), rows_(rows) {}
-
-EllipsoidModel LightResiduals::body_at(std::span<const double> x) const {
-  EllipsoidModel body = start_;
-  body.spin.q = normalized(start_.spin.q) * turn_by({x[0], x[1], x[2]});
-  body.spin.w_F = {x[3], x[4], x[5]};
-  const Ellipsoid& s = start_.shape;
-  body.shape = {1.0, s.b / s.a, s.c / s.a};
-  if (places_.shape != LightPlaces::none) {
-    const double b = x[places_.shape];
-    body.shape = {1.0, b, b * x[places_.shape + 1]};
-  }
-  if (unknowns_.moments == MomentSource::shape) {
-    body.spin.inertia_F = homogeneous_tensor(body.shape);
-  } else if (places_.moments != LightPlaces::none) {
-    body.spin.inertia_F = diagonal(x[places_.moments], x[places_.moments + 1]);
-  }
-  if (places_.multiple != LightPlaces::none) body.law = {1.0, x[places_.multiple]};
-  return body;
-}
-
-bool LightResiduals::brightness_of(const EllipsoidModel& body, std::span<const MotionPoint> motion,
-                                   std::span<double> found) const {
-  bool is_sound = true;
-  for (std::size_t i = 0; i < curves_.size(); ++i) {
-    const Quaternion back = conj(motion[i].q);
-    found[i] = brightness(body.shape, body.law, rotate(back, curves_[i].to_sun),
-                          rotate(back, curves_[i].to_observer));
-    is_sound = is_sound && std::isfinite(found[i]);
-  }
-  return is_sound;
-}
-
-// A rotation d in body axes turns v into v + v x d: the brightness changes by d . (by_sun x s +
-// by_observer x o).
-void LightResiduals::row_at(const EllipsoidModel& body, const Mat3& turn, const MotionPoint& motion,
-                            const WeighedPoint& p, double& value, double* row) const {
-  const Quaternion back = conj(motion.q);
-  const Vec3 s = rotate(back, p.to_sun), o = rotate(back, p.to_observer);
-  const EllipsoidGradient g = brightness_gradient(body.shape, body.law, s, o);
-  value = g.value;
-  const Vec3 by_turn = cross(g.by_sun, s) + cross(g.by_observer, o);
-  Vec3 at_epoch;
-  for (std::size_t k = 0; k < 3; ++k) {
-    at_epoch[static_cast<int>(k)] = dot(by_turn, motion.turn[first_turn + k]);
-    row[first_rate + k] = dot(by_turn, motion.turn[first_rate + k]);
-  }
-  for (int k = 0; k < 3; ++k)
-    row[k] = at_epoch.x * turn(0, k) + at_epoch.y * turn(1, k) + at_epoch.z * turn(2, k);
-  const double by_Ixx = dot(by_turn, motion.turn[first_ratio]);
-  const double by_Iyy = dot(by_turn, motion.turn[first_ratio + 1]);
-  if (places_.shape != LightPlaces::none) {
-    const double b = body.shape.b, c = body.shape.c;
-    double by_b = g.by_axes.y, by_c = g.by_axes.z;
-    if (unknowns_.moments == MomentSource::shape) {
-      // Ixx/Izz = (b^2 + c^2) / (1 + b^2), Iyy/Izz = (1 + c^2) / (1 + b^2)
-      const double inverse = 2.0 / (1.0 + b * b);
-      const double X = body.spin.inertia_F(0, 0), Y = body.spin.inertia_F(1, 1);
-      by_b += inverse * b * ((1.0 - X) * by_Ixx - Y * by_Iyy);
-      by_c += inverse * c * (by_Ixx + by_Iyy);
-    }
-    row[places_.shape] = by_b + c / b * by_c;
-    row[places_.shape + 1] = b * by_c;
-  }
-  if (places_.moments != LightPlaces::none) {
-    row[places_.moments] = by_Ixx;
-    row[places_.moments + 1] = by_Iyy;
-  }
-  if (places_.multiple != LightPlaces::none) row[places_.multiple] = g.by_multiple;
-}
-
-bool LightResiduals::at(std::span<const double> x, std::span<double> numbers,
-                        std::span<double> jacobian) const {
-  const EllipsoidModel body = body_at(x);
-  const std::size_t n = places_.count, count = curves_.size();
-  const bool derivatives = !jacobian.empty();
-  std::vector<MotionPoint> motion;
-  if (!free_motion(body.spin, curves_.times(), {derivatives, false}, motion)) return false;
-  std::vector<double> B(count);
-  if (derivatives) {
-    const Mat3 turn = exp_derivative({x[0], x[1], x[2]});
-    for (std::size_t i = 0; i < count; ++i)
-      row_at(body, turn, motion[i], curves_[i], B[i], jacobian.data() + i * n);
-  } else if (!brightness_of(body, motion, B)) {
-    return false;
-  }
-  return curves_.residuals(B, n, numbers, jacobian, rows_);
-}
-
-LeastSquares light_problem(const LightResiduals& residuals, const LightUnknowns& unknowns,
-                           const EllipsoidModel& start, int most_iterations) {
-  LeastSquares p;
-  p.unknowns = light_unknowns(unknowns, start);
-  if (residuals.places().moments != LightPlaces::none)
-    p.triangle = {residuals.places().moments, residuals.places().moments + 1};
-  p.residuals.data = residuals.points();
-  // one copy for all copies of the function
-  const auto shared = std::make_shared<const LightResiduals>(residuals);
-  p.residuals.at = [shared](std::span<const double> x, std::span<double> numbers,
-                            std::span<double> jacobian) {
-    return shared->at(x, numbers, jacobian);
-  };
-  p.loss = residuals.curves().loss();
-  p.most_iterations = most_iterations;
-  return p;
+std::optional<std::pair<Quaternion, double>> best_attitude(
+    const LightFit& fit, std::size_t tries, const std::function<Quaternion()>& next) {
+  return with_fitter(fit, Rows::held,
+                     [&](const auto& fitter) -> std::optional<std::pair<Quaternion, double>> {
+                       const WeighedCurves& curves = fitter.curves();
+                       std::vector<MotionPoint> motion;
+                       if (!free_motion(fit.start.spin, curves.times(), {}, motion))
+                         return std::nullopt;
+                       std::vector<double> B(curves.size());
+                       std::pair<Quaternion, double> best{fit.start.spin.q,
+                                                          std::numeric_limits<double>::infinity()};
+                       for (std::size_t k = 0; k < tries; ++k) {
+                         const Quaternion q = next();
+                         if (!fitter.brightness_along(q, motion, B)) continue;
+                         const double cost = curves.cost(B);
+                         if (cost < best.second) best = {q, cost};
+                       }
+                       return best;
+                     });
 }
 
 }  // namespace detail
 
-EllipsoidModel EllipsoidModel::homogeneous(double t0, const Quaternion& q, const Vec3& w_F,
-                                           const Ellipsoid& shape, const Scattering& law) {
-  return {{t0, q, w_F, detail::homogeneous_tensor(shape)}, shape, law};
-}
-
-namespace {
-
-const std::string fit_ellipsoid_name = "fit_light: ";
-
-void require_shape(const EllipsoidModel& body) {
-  const Ellipsoid& s = body.shape;
-  const std::string axes = detail::tuple_text({s.a, s.b, s.c});
-  for (const double axis : {s.a, s.b, s.c})
-    if (!(axis > 0.0) || !std::isfinite(axis))
-      throw DomainError(fit_ellipsoid_name + "semi-axes " + axes + " must be above 0");
-}
-
-void require_start(const LightFit& fit) {
-  detail::require_spin(fit_ellipsoid_name, fit.start.spin, fit.most_iterations);
-  require_shape(fit.start);
-  detail::require_law(fit_ellipsoid_name, fit.start.law, fit.unknowns.multiple);
-  if (fit.unknowns.moments != MomentSource::shape) {
-    detail::require_diagonal(fit_ellipsoid_name, fit.start.spin, "the axes of the ellipsoid");
-    return;
-  }
-  const Ellipsoid& e = fit.start.shape;
-  if (!(e.a >= e.b) || !(e.b >= e.c))
-    throw DomainError(fit_ellipsoid_name + "semi-axes " + detail::tuple_text({e.a, e.b, e.c}) +
-                      " must not rise where moments follow from them");
-}
-
-std::vector<double> brightness_at(const detail::LightResiduals& r, const EllipsoidModel& body) {
-  std::vector<detail::MotionPoint> motion;
-  std::vector<double> B(r.points());
-  if (!detail::free_motion(body.spin, r.curves().times(), {}, motion) ||
-      !r.brightness_of(body, motion, B))
-    throw DomainError("model_fluxes: the body has no brightness at these times");
-  return B;
-}
-
-LeastSquares problem_of(const LightFit& fit, const detail::LightResiduals& residuals,
-                        const EllipsoidModel& about, int most_iterations) {
-  LeastSquares problem = detail::light_problem(residuals, fit.unknowns, about, most_iterations);
-  problem.first_step = fit.first_step;
-  return problem;
-}
-
-}  // namespace
-
 LightSolution fit_light(const LightFit& fit) {
   require_sound(fit.curves, {.vectors = true});
   require_start(fit);
-  LightSolution found;
-  found.body = fit.start;
-  const auto residuals_about = [&](const EllipsoidModel& body) {
-    return detail::LightResiduals(fit.curves, fit.unknowns, body, fit.loss, detail::Rows::held);
-  };
-  const detail::LightResiduals first = residuals_about(fit.start);
-  detail::require_points(fit_ellipsoid_name, first.points(), first.places().count, first.groups());
-  const detail::TurningFit turning{
-      [&](int most_iterations) {
-        return problem_of(fit, residuals_about(found.body), found.body, most_iterations);
-      },
-      [&](const std::vector<double>& x) { found.body = residuals_about(found.body).body_at(x); }};
-  detail::settle(turning, fit.most_iterations, first.groups(), found);
-  if (found.result.end == LeastSquaresResult::End::no_value) return found;
-  found.factors = first.curves().session_factors(brightness_at(first, found.body));
-  detail::describe_motion(found.body.spin, found);
-  return found;
+  return with_fitter(fit, Rows::held, [](auto fitter) { return fitter.solution(); });
 }
 
 LeastSquares least_squares_of(const LightFit& fit) {
   require_sound(fit.curves, {.vectors = true});
   require_start(fit);
-  const detail::LightResiduals residuals(fit.curves, fit.unknowns, fit.start, fit.loss);
-  detail::require_points(fit_ellipsoid_name, residuals.points(), residuals.places().count,
-                         residuals.groups());
-  return problem_of(fit, residuals, fit.start, fit.most_iterations);
+  return with_fitter(fit, Rows::exact, [](const auto& fitter) { return fitter.problem(); });
 }
 
-EllipsoidModel body_at(const LightFit& fit, std::span<const double> x) {
-  const detail::LightPlaces places(fit.unknowns);
-  if (x.size() != places.count)
-    throw DomainError("body_at: got " + std::to_string(x.size()) + " unknowns; expected " +
-                      std::to_string(places.count));
-  return detail::LightResiduals({}, fit.unknowns, fit.start).body_at(x);
+LightModel body_at(const LightFit& fit, std::span<const double> x) {
+  require_start(fit);
+  return with_fitter(fit, Rows::exact, [&](const auto& fitter) { return fitter.body_at(x); });
 }
 
-std::vector<double> light_unknowns_at(const LightUnknowns& unknowns, const EllipsoidModel& about,
-                                      const EllipsoidModel& body) {
+std::vector<double> light_unknowns_at(const LightUnknowns& unknowns, const LightModel& about,
+                                      const LightModel& body) {
   const Vec3 turn = attitude_residual(about.spin.q, body.spin.q);
   const Vec3& w = body.spin.w_F;
   std::vector<double> x{turn.x, turn.y, turn.z, w.x, w.y, w.z};
-  const Ellipsoid& s = body.shape;
-  if (unknowns.shape) x.insert(x.end(), {s.b / s.a, s.c / s.b});
+  if (body.is_ellipsoid() && unknowns.shape) {
+    const Ellipsoid& s = body.ellipsoid();
+    x.insert(x.end(), {s.b / s.a, s.c / s.b});
+  }
   const Mat3& T = body.spin.inertia_F;
   if (unknowns.moments == MomentSource::fit)
     x.insert(x.end(), {T(0, 0) / T(2, 2), T(1, 1) / T(2, 2)});
   if (unknowns.multiple) x.push_back(body.law.multiple / body.law.single);
+  if (body.is_convex()) {
+    const std::vector<double>& c = body.convex().coefficients;
+    x.insert(x.end(), c.begin() + 1, c.end());
+  }
   return x;
 }
 
-std::vector<std::vector<double>> model_fluxes(const EllipsoidModel& body,
+std::vector<std::vector<double>> model_fluxes(const LightModel& body,
                                               std::span<const LightCurve> curves,
                                               const Loss& loss) {
   require_sound(curves, {.vectors = true});
-  require_shape(body);
-  detail::require_law(fit_ellipsoid_name, body.law, false);
-  const detail::LightResiduals residuals(curves, {.shape = false, .moments = MomentSource::start},
-                                         body, loss);
-  return residuals.curves().fluxes(brightness_at(residuals, body));
+  require_shape(body.shape);
+  detail::require_law(who, body.law, false);
+  const LightFit fit{.curves = {curves.begin(), curves.end()},
+                     .start = body,
+                     .unknowns = {.shape = false, .moments = MomentSource::start},
+                     .loss = loss};
+  return with_fitter(fit, Rows::exact, [](const auto& fitter) {
+    return fitter.curves().fluxes(fitter.brightness());
+  });
 }
 
 }  // namespace v0

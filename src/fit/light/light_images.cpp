@@ -21,10 +21,10 @@ Quaternion half_turn(const Vec3& axis) {
 }
 
 // Whether moments are those of an even filling, so that both say which axis is the longest.
-bool is_filled(const EllipsoidModel& body) {
+bool is_filled(const LightModel& body) {
   constexpr double same = 1e-9;
-  const Ellipsoid& s = body.shape;
-  const Mat3 even = EllipsoidModel::homogeneous(0.0, {}, {}, s).spin.inertia_F;
+  const Ellipsoid& s = body.ellipsoid();
+  const Mat3 even = LightModel::homogeneous(0.0, {}, {}, s).spin.inertia_F;
   const Mat3& T = body.spin.inertia_F;
   return s.a >= s.b && s.b >= s.c && std::abs(T(0, 0) / T(2, 2) - even(0, 0)) < same &&
          std::abs(T(1, 1) / T(2, 2) - even(1, 1)) < same;
@@ -62,15 +62,16 @@ Vec3 permuted(const Mat3& R, const Vec3& v) {
 }
 
 // The same body in axes of which row i of R is number i, with a = 1 and Izz as the unit.
-EllipsoidModel in_axes(const Mat3& R, const EllipsoidModel& body) {
-  EllipsoidModel found = body;
+LightModel in_axes(const Mat3& R, const LightModel& body) {
+  LightModel found = body;
   found.spin.q = normalized(body.spin.q) * attitude(R);
   found.spin.w_F = R * body.spin.w_F;
   const Mat3& T = body.spin.inertia_F;
   const Vec3 I = permuted(R, {T(0, 0), T(1, 1), T(2, 2)});
   for (int i = 0; i < 3; ++i) found.spin.inertia_F(i, i) = I[i] / I.z;
-  const Vec3 s = permuted(R, {body.shape.a, body.shape.b, body.shape.c});
-  found.shape = {1.0, s.y / s.x, s.z / s.x};
+  const Ellipsoid& e = body.ellipsoid();
+  const Vec3 s = permuted(R, {e.a, e.b, e.c});
+  found.shape = Ellipsoid{1.0, s.y / s.x, s.z / s.x};
   return found;
 }
 
@@ -80,10 +81,10 @@ double shape_distance(const Ellipsoid& a, const Ellipsoid& b) {
 
 }  // namespace
 
-EllipsoidModel image_of(const EllipsoidModel& body, LightImage image, const Vec3& to_sun,
-                        const Vec3& to_observer) {
+LightModel image_of(const LightModel& body, LightImage image, const Vec3& to_sun,
+                    const Vec3& to_observer) {
   const Vec3 s = (1.0 / norm(to_sun)) * to_sun, o = (1.0 / norm(to_observer)) * to_observer;
-  EllipsoidModel found = body;
+  LightModel found = body;
   const auto turn = [&](const Vec3& axis) {
     found.spin.q = half_turn(axis) * normalized(body.spin.q);
   };
@@ -93,16 +94,16 @@ EllipsoidModel image_of(const EllipsoidModel& body, LightImage image, const Vec3
   return found;
 }
 
-EllipsoidModel nearest_of_same(const EllipsoidModel& about, const EllipsoidModel& body) {
+LightModel nearest_of_same(const LightModel& about, const LightModel& body) {
   const bool in_order = is_filled(about) && is_filled(body);
   const double rate = norm(about.spin.w_F);
-  EllipsoidModel nearest = body;
+  LightModel nearest = body;
   double least = std::numeric_limits<double>::infinity();
   for (const Mat3& R : in_order ? half_turns() : turns_of_axes()) {
-    const EllipsoidModel same = in_axes(R, body);
+    const LightModel same = in_axes(R, body);
     const double off = norm(attitude_residual(about.spin.q, same.spin.q)) +
                        norm(same.spin.w_F - about.spin.w_F) / rate +
-                       (in_order ? 0.0 : shape_distance(about.shape, same.shape));
+                       (in_order ? 0.0 : shape_distance(about.ellipsoid(), same.ellipsoid()));
     if (!(off < least)) continue;
     least = off;
     nearest = same;

@@ -14,19 +14,19 @@
 namespace polhode {
 inline namespace v0 {
 
-double LightOutcome::error_factor() const {
+double LightSolution::error_factor() const {
   constexpr double least_freedom = 0.5;
   if (!(degrees_of_freedom >= least_freedom)) return std::numeric_limits<double>::quiet_NaN();
   if (loss.kind == Loss::Kind::squared) return std::sqrt(result.chi_square / degrees_of_freedom);
   return spread() * std::sqrt(static_cast<double>(points) / degrees_of_freedom);
 }
 
-bool LightOutcome::describes_data() const {
+bool LightSolution::describes_data() const {
   const double factor = error_factor();
   return !(factor * factor > most_chi_square);
 }
 
-double LightOutcome::spread() const {
+double LightSolution::spread() const {
   constexpr double of_normal = 1.482602218505602;  // 1 / Phi^-1(3/4)
   const std::size_t n = std::min(points, result.numbers.size());
   if (n == 0) return std::numeric_limits<double>::quiet_NaN();
@@ -85,7 +85,7 @@ void require_points(const std::string& who, std::size_t points, std::size_t unkn
                     (groups == 1 ? " factor" : " factors") + "; expected as many at least");
 }
 
-void describe_motion(const SpinState& spin, LightOutcome& found) {
+void describe_motion(const SpinState& spin, LightSolution& found) {
   const FreeRotation motion = free_rotation_of(spin);
   const Vec3 L = inertial_momentum(motion.initial_state());
   found.pole = (1.0 / norm(L)) * L;
@@ -95,7 +95,7 @@ void describe_motion(const SpinState& spin, LightOutcome& found) {
   found.periods.rotation_period = motion.polhode_period();
 }
 
-void settle(const TurningFit& fit, int most_iterations, std::size_t groups, LightOutcome& found) {
+void settle(const TurningFit& fit, int most_iterations, std::size_t groups, LightSolution& found) {
   int iterations = 0, evaluations = 0;
   // each round has one iteration at least
   while (iterations < most_iterations) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Searches of light curves for an ellipsoid: random starts of given periods, then fits of the best.
+// Searches of light curves: random starts of given periods, then fits of the best.
 #include "polhode/fit/light_search.hpp"
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "fit/detail/distinct_solutions.hpp"
-#include "fit/detail/light_residuals.hpp"
+#include "fit/detail/light_outcome.hpp"
 #include "fit/detail/light_starts.hpp"
 #include "fit/light/search_checks.hpp"
 #include "fit/light/search_progress.hpp"
@@ -18,24 +18,18 @@
 #include "polhode/ensemble/counter_random.hpp"
 #include "polhode/ensemble/distributions.hpp"
 #include "polhode/free/free_rotation.hpp"
+#include "polhode/free/tumbler.hpp"
 #include "polhode/math/real.hpp"
 
 namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-namespace {
-
-// Bodies of one tilt that are looked at, and tilts that are drawn until one has a body.
-constexpr std::size_t bodies_of_tilt = 6;
-constexpr int most_tilts = 12;
-// Thinner bodies are no start; a fit may come to them.
-constexpr double least_start_ratio = 0.15;
-
 class Draws {
  public:
-  Draws(std::uint64_t seed, std::uint64_t member)
-      : random_(seed, key_of("search_light")), member_(member) {}
+  Draws(const LightSearch& search, std::uint64_t member)
+      : random_(search.seed, key_of(search.body ? "search_mesh" : "search_light")),
+        member_(member) {}
   double uniform() { return random_.uniform(member_, next_++); }
   double between(double low, double high) { return low + (high - low) * uniform(); }
   std::size_t below(std::size_t n) {
@@ -52,14 +46,25 @@ class Draws {
   std::uint64_t next_ = 0;
 };
 
+namespace {
+
+// Bodies of one tilt that are looked at, and tilts that are drawn until one has a body.
+constexpr std::size_t bodies_of_tilt = 6;
+constexpr int most_tilts = 12;
+// Thinner bodies are no start; a fit may come to them.
+constexpr double least_start_ratio = 0.15;
+
+// Points that an attitude of a known body is tried on, about, and the least of a session.
+constexpr std::size_t most_looked_at = 60, least_of_session = 10;
+
 bool is_thick(const TumblingBody& body) {
   const Ellipsoid e = homogeneous_ellipsoid(body.body.moments(), 1.0);
   return e.c >= least_start_ratio * e.a && e.b >= least_start_ratio * e.a;
 }
 
 // The rate in principal axes at a phase of the polhode, with the shape.
-std::optional<EllipsoidModel> drawn_body(const LightSearch& search, const TumblerPeriods& periods,
-                                         Draws& draws) {
+std::optional<LightModel> drawn_body(const LightSearch& search, const TumblerPeriods& periods,
+                                     Draws& draws) {
   for (int k = 0; k < most_tilts; ++k) {
     const double tilt = draws.between(0.05, 0.5 * pi<double>() - 0.05);
     std::vector<TumblingBody> bodies = inertia_from_periods(periods, tilt, bodies_of_tilt);
@@ -71,11 +76,47 @@ std::optional<EllipsoidModel> drawn_body(const LightSearch& search, const Tumble
     const FreeRotation motion = FreeRotation::short_arc(chosen.body, chosen.state);
     const Vec3 g = motion.at(part * periods.rotation_period).g, I = chosen.body.moments();
     const Ellipsoid e = homogeneous_ellipsoid(I, 1.0);
-    return EllipsoidModel::homogeneous(epoch_of(search.curves), {},
-                                       {g.x / I.x, g.y / I.y, g.z / I.z},
-                                       {1.0, e.b / e.a, e.c / e.a}, search.law);
+    return LightModel::homogeneous(epoch_of(search.curves), {}, {g.x / I.x, g.y / I.y, g.z / I.z},
+                                   {1.0, e.b / e.a, e.c / e.a}, search.law);
   }
   return std::nullopt;
+}
+
+// Evenly spread points of each session, so that there are not many; but as many as say something of
+// a session whose factor is its own.
+std::vector<LightCurve> thinned(const std::vector<LightCurve>& curves) {
+  std::size_t count = 0;
+  for (const LightCurve& curve : curves) count += curve.points.size();
+  std::vector<LightCurve> few;
+  for (const LightCurve& curve : curves) {
+    const std::size_t size = curve.points.size();
+    const std::size_t share = (most_looked_at * size + count - 1) / count;
+    const std::size_t taken = std::min(size, std::max(share, least_of_session));
+    LightCurve kept{curve.name, curve.is_calibrated, {}};
+    for (std::size_t i = 0; i < taken; ++i) kept.points.push_back(curve.points[i * size / taken]);
+    few.push_back(std::move(kept));
+  }
+  return few;
+}
+
+// The motions of a body with a pair of periods, the momentum along the third inertial axis: on both
+// sides of the axis of circulation. None where the body has no such motion.
+std::vector<FreeRotation> motions_of(const Body& body, const TumblerPeriods& periods) {
+  std::vector<FreeRotation> found;
+  for (const int side : {1, -1}) {
+    TumblerState t{periods.precession_period,
+                   periods.rotation_period,
+                   {0.0, 0.0, 1.0},
+                   periods.mode,
+                   0.0,
+                   0.0};
+    (periods.mode == Regime::long_axis ? t.branch : t.sense) = side;
+    try {
+      found.emplace_back(body, to_rotor(body, t));
+    } catch (const DomainError&) {  // no motion of this body has them
+    }
+  }
+  return found;
 }
 
 }  // namespace
@@ -91,32 +132,50 @@ double epoch_of(std::span<const LightCurve> curves) {
   return first + 0.5 * (last - first);
 }
 
-std::optional<LightTrial> light_trial(const LightSearch& search, std::uint64_t number) {
-  Draws draws(search.seed, number);
-  const TumblerPeriods& periods = search.periods[number % search.periods.size()];
-  std::optional<EllipsoidModel> body = drawn_body(search, periods, draws);
+LightStarts::LightStarts(const LightSearch& search) : search_(search) {
+  if (!search.body) return;
+  known_ = Body::from_tensor(search.body->spin.inertia_F);
+  looked_at_ = thinned(search.curves);
+  for (const TumblerPeriods& p : search.periods) motions_.push_back(motions_of(*known_, p));
+}
+
+std::size_t LightStarts::pairs_without_motion() const {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(motions_, [](const auto& sides) { return sides.empty(); }));
+}
+
+std::optional<LightTrial> LightStarts::trial(std::uint64_t number, const LightUnknowns& unknowns,
+                                             int iterations) const {
+  Draws draws(search_, number);
+  const std::size_t pair = number % search_.periods.size();
+  std::optional<LightModel> body =
+      known_ ? known_body(pair, draws) : drawn_body(search_, search_.periods[pair], draws);
   if (!body) return std::nullopt;
-  // One motion, turned as a whole: q_IB(t) = q p(t).
-  const LightResiduals looked_at(search.curves, search.unknowns, *body, search.loss);
-  std::vector<MotionPoint> motion, turned;
-  if (!free_motion(body->spin, looked_at.curves().times(), {}, motion)) return std::nullopt;
-  turned = motion;
-  std::vector<double> B(looked_at.points());
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < search.tries; ++k) {
-    const Quaternion q = draws.attitude();
-    for (std::size_t i = 0; i < motion.size(); ++i) turned[i].q = q * motion[i].q;
-    if (!looked_at.brightness_of(*body, turned, B)) continue;
-    const double cost = looked_at.curves().cost(B);
-    if (!(cost < least)) continue;
-    least = cost;
-    body->spin.q = q;
-  }
-  const LightResiduals residuals(search.curves, search.unknowns, *body, search.loss, Rows::held);
-  const LeastSquaresResult result =
-      solve(light_problem(residuals, search.unknowns, *body, search.short_iterations));
-  if (result.end == LeastSquaresResult::End::no_value) return std::nullopt;
-  return LightTrial{residuals.body_at(result.x), result.cost};
+  LightFit fit{known_ ? looked_at_ : search_.curves, *body, unknowns, search_.loss, iterations};
+  const auto best = best_attitude(fit, search_.tries, [&] {
+    if (search_.between) search_.between();
+    return draws.attitude();
+  });
+  if (!best) return std::nullopt;
+  fit.start.spin.q = best->first;
+  if (!known_) return fit_shortly(fit);
+  fit.curves = search_.curves;
+  const LightSolution found = fit_light(fit);
+  if (found.result.end == LeastSquaresResult::End::no_value) return std::nullopt;
+  return LightTrial{found.body, found.result.cost};
+}
+
+// At a phase of one of its polhodes.
+std::optional<LightModel> LightStarts::known_body(std::size_t pair, Draws& draws) const {
+  const std::vector<FreeRotation>& sides = motions_[pair];
+  if (sides.empty()) return std::nullopt;
+  const FreeRotation& motion = sides[draws.uniform() < 0.5 ? 0 : sides.size() - 1];
+  const Vec3 g = motion.at(draws.uniform() * motion.polhode_period()).g, I = known_->moments();
+  LightModel body = *search_.body;
+  body.spin.t0 = epoch_of(search_.curves);
+  body.spin.q = {};
+  body.spin.w_F = rotate(known_->q_FB(), Vec3{g.x / I.x, g.y / I.y, g.z / I.z});
+  return body;
 }
 
 }  // namespace detail
@@ -133,39 +192,47 @@ constexpr int more_search_iterations = 4;
 
 // Where a fit begins, and for which pair of periods.
 struct Finalist {
-  EllipsoidModel start;
+  LightModel start;
   std::size_t periods;
 };
 
 // Fewer unknowns first, up to those that are asked for: each begins where the one before it ended,
-// so that none ends higher.
-std::vector<LightUnknowns> models_of(const LightUnknowns& unknowns) {
-  LightUnknowns model = unknowns;
+// so that none ends higher. Of a known body all at once.
+std::vector<LightUnknowns> models_of(const LightSearch& search) {
+  LightUnknowns model = search.unknowns;
+  if (search.body) {
+    model.shape = false;
+    return {model};
+  }
   if (model.moments == MomentSource::fit) model.moments = MomentSource::shape;
   model.multiple = false;
   std::vector<LightUnknowns> models{model};
-  if (unknowns.multiple) {
+  if (search.unknowns.multiple) {
     model.multiple = true;
     models.push_back(model);
   }
-  if (unknowns.moments == MomentSource::fit) models.push_back(unknowns);
+  if (search.unknowns.moments == MomentSource::fit) models.push_back(search.unknowns);
   return models;
 }
 
-class EllipsoidSearch {
+class Search {
  public:
-  explicit EllipsoidSearch(const LightSearch& search)
+  explicit Search(const LightSearch& search)
       : search_(search),
+        is_known_(search.body.has_value()),
+        starts_(search),
         geometry_(detail::geometry_of(search.curves)),
-        finds_(search.curves, search.periods.size(), search.within, {}, true),
+        finds_(search.curves, search.periods.size(), search.within, {},
+               !is_known_ || search.body->is_ellipsoid()),
         progress_(search) {}
 
   LightSearchResult found() {
-    const std::vector<LightUnknowns> models = models_of(search_.unknowns);
+    const std::vector<LightUnknowns> models = models_of(search_);
     begin(models.front());
     progress_.further_models = models.size() - 1;
+    progress_.rounds_are_done = is_known_;
     add_finalists();
-    add_rounds();
+    if (!is_known_) add_rounds();
     const std::size_t seldom = finds_.seldom();
     progress_.images_are_done = true;
     fit(images());
@@ -177,7 +244,10 @@ class EllipsoidSearch {
     }
     progress_.end();
     finds_.move_to(result_);
-    add_notes(seldom);
+    if (is_known_)
+      add_notes_of_known();
+    else
+      add_notes(seldom);
     return std::move(result_);
   }
 
@@ -186,28 +256,22 @@ class EllipsoidSearch {
 
   void begin(const LightUnknowns& model) {
     model_ = model;
-    finds_.begin(
-        [model, base = geometry_.time_base](const LightSolution& a, const LightSolution& b) {
-          return detail::are_same(a, b, model, base);
-        });
+    finds_.begin([model, base = geometry_.time_base](const FoundLight& a, const FoundLight& b) {
+      return detail::are_same(a, b, model, base);
+    });
   }
 
   // Short fits of the starts with these numbers, by pair of periods; about `fits` of them will be
   // fitted to the end.
   Trials trials(const std::vector<std::uint64_t>& numbers, int iterations, double fits) {
-    const LightSearch how = [&] {
-      LightSearch s = search_;
-      s.unknowns = model_;
-      s.short_iterations = iterations;
-      return s;
-    }();
+    LightUnknowns unknowns = model_;
+    if (is_known_) unknowns.moments = MomentSource::start;
     Trials found(search_.periods.size());
     tried_ += numbers.size();
     ordered_parallel_for(
         search_.journal, std::ssize(numbers), search_.threads,
         [&](std::int64_t k) {
-          if (search_.between) search_.between();
-          return detail::light_trial(how, numbers[static_cast<std::size_t>(k)]);
+          return starts_.trial(numbers[static_cast<std::size_t>(k)], unknowns, iterations);
         },
         [&](std::int64_t k, const std::optional<LightTrial>& trial) {
           if (trial && finds_.all().empty()) progress_.add_cost(trial->cost);
@@ -218,7 +282,9 @@ class EllipsoidSearch {
           const std::uint64_t number = numbers[static_cast<std::size_t>(k)];
           found[static_cast<std::size_t>(number % search_.periods.size())].push_back(*trial);
         },
-        [](Archive& bytes, std::optional<LightTrial>& trial) { detail::serialize(bytes, trial); });
+        [this](Archive& bytes, std::optional<LightTrial>& trial) {
+          detail::serialize(bytes, trial, search_.body);
+        });
     return found;
   }
 
@@ -297,7 +363,9 @@ class EllipsoidSearch {
   // What has not come to its end goes on where it is near the limit, or the lowest of its pair of
   // periods.
   void fit(const std::vector<Finalist>& finalists) {
-    fit(finalists, search_.most_iterations, true);
+    fit(finalists, search_.most_iterations, !is_known_);
+    result_.finalists += finalists.size();
+    if (is_known_) return;
     std::ranges::stable_sort(unfinished_, {}, [](const auto& u) { return u.first; });
     std::vector<bool> has_one(search_.periods.size());
     std::vector<Finalist> longer;
@@ -312,15 +380,20 @@ class EllipsoidSearch {
     fit(longer, times(search_.most_iterations, more_search_iterations), false);
   }
 
+  // Of a known body with the law that is known.
+  LightModel start_of(const LightModel& from) const {
+    if (!is_known_) return from;
+    return {from.spin, search_.body->shape, search_.body->law};
+  }
+
   // Keeps what has not come to its end where `goes_on`.
   void fit(const std::vector<Finalist>& finalists, int most_iterations, bool goes_on) {
-    if (goes_on) result_.finalists += finalists.size();
     ordered_parallel_for(
         search_.journal, std::ssize(finalists), search_.threads,
         [&](std::int64_t k) {
           if (search_.between) search_.between();
-          const Finalist& f = finalists[static_cast<std::size_t>(k)];
-          return fit_light({search_.curves, f.start, model_, search_.loss, most_iterations});
+          const LightModel& from = finalists[static_cast<std::size_t>(k)].start;
+          return fit_light({search_.curves, start_of(from), model_, search_.loss, most_iterations});
         },
         [&](std::int64_t k, const LightSolution& s) {
           progress_.add_fit(s.result.iterations, static_cast<double>(std::ssize(finalists) - k - 1),
@@ -331,7 +404,17 @@ class EllipsoidSearch {
           else if (goes_on && s.result.end == LeastSquaresResult::End::iteration_limit)
             unfinished_.push_back({s.result.cost, {s.body, periods}});
         },
-        [](Archive& bytes, LightSolution& s) { detail::serialize(bytes, s); });
+        [this](Archive& bytes, LightSolution& s) { detail::serialize(bytes, s, search_.body); });
+  }
+
+  void add_notes_of_known() {
+    const std::size_t without = starts_.pairs_without_motion(), pairs = search_.periods.size();
+    if (without > 0)
+      result_.notes.push_back("the body has no motion with " + std::to_string(without) + " of " +
+                              std::to_string(pairs) +
+                              (pairs == 1 ? " pair of periods" : " pairs of periods"));
+    if (result_.starts > 0 && result_.solutions.empty())
+      result_.notes.push_back("no fit converged: more starts, more iterations, or other periods");
   }
 
   void add_notes(std::size_t seldom) {
@@ -358,6 +441,8 @@ class EllipsoidSearch {
   }
 
   const LightSearch& search_;
+  bool is_known_;  // the body
+  detail::LightStarts starts_;
   detail::LightGeometry geometry_;
   detail::DistinctSolutions finds_;
   detail::SearchProgress progress_;
@@ -371,11 +456,16 @@ class EllipsoidSearch {
 
 LightSearchResult search_light(const LightSearch& search) {
   detail::check_search("search_light: ", search);
-  // says what is wrong with law and unknowns before the starts do
-  const EllipsoidModel any =
-      EllipsoidModel::homogeneous(0.0, {}, {1.0, 1.0, 1.0}, {1.0, 0.8, 0.6}, search.law);
-  static_cast<void>(least_squares_of(LightFit{search.curves, any, search.unknowns, search.loss}));
-  return EllipsoidSearch(search).found();
+  // says what is wrong with law, moments and unknowns before the starts do
+  LightModel any = LightModel::homogeneous(0.0, {}, {1.0, 1.0, 1.0}, {1.0, 0.8, 0.6}, search.law);
+  LightUnknowns unknowns = search.unknowns;
+  if (search.body) {
+    any = {
+        {0.0, {}, any.spin.w_F, search.body->spin.inertia_F}, search.body->shape, search.body->law};
+    unknowns.shape = false;
+  }
+  static_cast<void>(least_squares_of(LightFit{search.curves, any, unknowns, search.loss}));
+  return Search(search).found();
 }
 
 }  // namespace v0

@@ -27,61 +27,54 @@ void require_sessions(const Scenario& scenario, std::span<const LightCurve> curv
 // The session with most points.
 std::size_t longest_session(std::span<const LightCurve> curves);
 // The session that a body fits best.
-std::size_t nearest_session(std::span<const LightCurve> curves, const EllipsoidModel& body,
+std::size_t nearest_session(std::span<const LightCurve> curves, const LightModel& body,
                             const Loss& loss);
 
 // From bodies near the first of the sessions to solutions of all.
-void extend_to_sessions(const Scenario& scenario, std::size_t first,
-                        std::vector<EllipsoidModel> starts, const LightFitOptions& options,
-                        LightReport& report);
+void extend_to_sessions(const Scenario& scenario, std::size_t first, std::vector<LightModel> starts,
+                        const LightFitOptions& options, LightReport& report);
 
-// The ellipsoid with the moments of the tensor, a = 1; DomainError where none has them.
-Ellipsoid ellipsoid_of(const Mat3& tensor);
-
-// A fit of a convex body or of the mesh. `solution.body` has its spin and law, and an ellipsoid.
-struct SurfaceFound {
-  LightSolution solution;
-  std::optional<ConvexModel> convex;
-  EllipsoidModel start;  // the ellipsoid that it was fitted from
-};
-
-// The fits of one scenario.
+// The fits of convex bodies and of the mesh of one scenario.
 class SurfaceFits {
  public:
   SurfaceFits(const Scenario& scenario, const LightReport& report);
 
   // The best from this ellipsoid: of a mesh of some attitudes with its periods. None where the mesh
   // has no such motion.
-  std::vector<SurfaceFound> from(const EllipsoidModel& ellipsoid) const;
+  std::vector<FoundLight> from(const LightModel& ellipsoid) const;
   // From what has the same light where directions do not change: images, of a mesh all attitudes.
   // Not from what is near a state that is `known`.
-  std::vector<SurfaceFound> from_images(const EllipsoidModel& ellipsoid,
-                                        const std::vector<EllipsoidModel>& known) const;
-  // From the state of the file.
-  SurfaceFound from_file() const;
-  ConvexFit convex_fit(const EllipsoidModel& ellipsoid) const;
-  MeshFit mesh_fit(const SpinState& spin, int most_iterations) const;
+  std::vector<FoundLight> from_images(const LightModel& ellipsoid,
+                                      const std::vector<LightModel>& known) const;
+  // Of the mesh from the state of the file.
+  FoundLight from_file() const;
+  LightFit fit_from(const LightModel& start) const;
+  // With the state, the shape and the law of the file; none where it has no mesh.
+  const std::optional<LightModel>& mesh() const { return mesh_; }
   // Of two fits whose bodies are the same, or nearly so.
-  bool are_same(const LightSolution& a, const LightSolution& b) const;
+  bool are_same(const FoundLight& a, const FoundLight& b) const;
+  // Also half turns of ellipsoids that they begin with are the same.
+  bool are_same_starts(const FoundLight& a, const FoundLight& b) const;
 
  private:
-  SurfaceFound convex_from(const EllipsoidModel& ellipsoid) const;
-  SurfaceFound mesh_from(const SpinState& spin, const EllipsoidModel& ellipsoid,
-                         int most_iterations) const;
-  bool is_known(const EllipsoidModel& body, const std::vector<EllipsoidModel>& known) const;
-  std::vector<SpinState> mesh_starts(const EllipsoidModel& ellipsoid) const;
+  FoundLight fitted(const LightModel& start, const LightModel& ellipsoid, int iterations) const;
+  FoundLight convex_from(const LightModel& ellipsoid) const;
+  FoundLight mesh_from(const SpinState& spin, const LightModel& ellipsoid, int iterations) const;
+  bool is_known(const LightModel& body, const std::vector<LightModel>& known) const;
+  std::vector<SpinState> mesh_starts(const LightModel& ellipsoid) const;
 
-  const Scenario& scenario_;
   const FitPlan& plan_;
   const LightReport& report_;
   LightGeometry geometry_;
   int most_iterations_;
+  std::optional<LightModel> mesh_;
 };
 
-// The mesh that is given, into the report; and what the scenario asks that no fit can do.
+// Shape and unknowns into the report; and what the scenario asks that no fit can do.
 void begin_surfaces(const Scenario& scenario, LightReport& report);
-// From the ellipsoid of the start that was fitted, or of a mesh from the file.
-void fit_surface_from_start(const Scenario& scenario, LightReport& report);
+// From an ellipsoid that was fitted, or of a mesh from the file.
+void fit_surface_from_start(const Scenario& scenario, const std::optional<LightModel>& ellipsoid,
+                            LightReport& report);
 // From the ellipsoids that a search found, and a mesh from what it asked, too.
 void fit_surfaces(const Scenario& scenario, const LightSearch& asked,
                   const LightSearchResult& found, const LightFitOptions& options,

@@ -299,7 +299,7 @@ void add_mixed_law(double multiple, Changes& changes) {
 // simulated and fitted again.
 Changes mesh_changes(const Scenario& scenario, const LightReport& report, const FoundLight& found,
                      const std::string& mesh, const std::string& folder) {
-  const bool is_convex = !report.convex.empty();
+  const bool is_convex = found.solution.body.is_convex();
   const SpinState state = detail::spin_at(found.solution.body.spin, 0.0);
   Changes changes;
   add_fit(scenario, changes);
@@ -325,13 +325,14 @@ Changes mesh_changes(const Scenario& scenario, const LightReport& report, const 
 
 Changes ellipsoid_changes(const Scenario& scenario, const LightReport& report,
                           const FoundLight& found) {
-  const EllipsoidModel& body = found.solution.body;
+  const LightModel& body = found.solution.body;
+  const Ellipsoid& shape = body.ellipsoid();
   const SpinState state = detail::spin_at(body.spin, 0.0);
   Changes changes;
   add_fit(scenario, changes);
   add_moments(scenario, state.inertia_F, changes);
   add_state(scenario, state, changes);
-  changes.push_back({"light.semiaxes", detail::row_text(body.shape.a, body.shape.b, body.shape.c)});
+  changes.push_back({"light.semiaxes", detail::row_text(shape.a, shape.b, shape.c)});
   if (report.unknowns.multiple && body.law.multiple > 0.0)
     add_mixed_law(body.law.multiple, changes);
   detail::add_rows_of(scenario, times_of(report), changes);
@@ -339,14 +340,15 @@ Changes ellipsoid_changes(const Scenario& scenario, const LightReport& report,
 }
 
 // What the file has no keys for.
-std::string comment_of(const LightReport& report, const FoundLight& found) {
-  const EllipsoidModel& body = found.solution.body;
-  const char* const shape = report.shape == LightPlan::Shape::convex ? "convex body, like the "
-                            : report.mesh                            ? "mesh, like the "
-                                                                     : "";
-  return std::string("\n# ") + shape + "ellipsoid 1 : " + number_text(body.shape.b / body.shape.a) +
-         " : " + number_text(body.shape.c / body.shape.a) + ", weight of Lambert's law " +
-         number_text(body.law.multiple) + "\n";
+std::string comment_of(const FoundLight& found) {
+  const LightModel& body = found.solution.body;
+  const Ellipsoid& e = found.ellipsoid;
+  const char* const shape = body.is_convex() ? "convex body, like the "
+                            : body.is_mesh() ? "mesh, like the "
+                                             : "";
+  return std::string("\n# ") + shape + "ellipsoid 1 : " + number_text(e.b / e.a) + " : " +
+         number_text(e.c / e.a) + ", weight of Lambert's law " + number_text(body.law.multiple) +
+         "\n";
 }
 
 }  // namespace
@@ -357,20 +359,21 @@ std::string light_solution_text(const Scenario& scenario, const LightReport& rep
   const FoundLight& found = report.solutions.at(solution);
   const std::string there = folder.value_or(scenario.document.folder);
   Changes changes = relocated_paths(scenario.document, there);
-  const Changes own = report.shape != LightPlan::Shape::ellipsoid
-                          ? mesh_changes(scenario, report, found, mesh, there)
-                          : ellipsoid_changes(scenario, report, found);
+  const Changes own = found.solution.body.is_ellipsoid()
+                          ? ellipsoid_changes(scenario, report, found)
+                          : mesh_changes(scenario, report, found, mesh, there);
   changes.insert(changes.end(), own.begin(), own.end());
   return "# Solution " + std::to_string(solution + 1) + " of " +
          std::to_string(report.solutions.size()) + " of a fit of " +
          detail::printable(scenario.document.name, 200) + ":\n# " +
          (found.sentence.empty() ? found.solution.result.sentence : found.sentence) +
-         comment_of(report, found) + changed_text(scenario.document.text, changes);
+         comment_of(found) + changed_text(scenario.document.text, changes);
 }
 
 void write_light_solution(const Scenario& scenario, const LightReport& report, std::size_t solution,
                           const std::string& path) {
-  if (report.convex.empty()) {
+  const LightModel& body = report.solutions.at(solution).solution.body;
+  if (!body.is_convex()) {
     detail::write_fit_text(scenario,
                            light_solution_text(scenario, report, solution, {},
                                                detail::folder_of(scenario.document, path)),
@@ -387,7 +390,7 @@ void write_light_solution(const Scenario& scenario, const LightReport& report, s
   // both before the first is written
   const std::string text = light_solution_text(scenario, report, solution, mesh,
                                                detail::folder_of(scenario.document, path));
-  const std::string obj = obj_text(report.convex.at(solution).mesh());
+  const std::string obj = obj_text(body.convex().mesh());
   detail::write_fit_text(scenario, obj, files[1]);
   detail::write_fit_text(scenario, text, files[0]);
 }

@@ -53,7 +53,7 @@ Vec3 permuted(const Mat3& R, const Vec3& k_B) {
 }
 
 // The state of the file at t = 0, along axes with falling semi-axes, or rising moments.
-EllipsoidModel start_of(const Scenario& scenario, const LightPlan& plan) {
+LightModel start_of(const Scenario& scenario, const LightPlan& plan) {
   const Rotation& rotation = scenario.rotation();
   const RotorState& s = initial_state(rotation);
   const Vec3 I = rotation.body.moments();
@@ -67,8 +67,7 @@ EllipsoidModel start_of(const Scenario& scenario, const LightPlan& plan) {
     const Vec3 axes = permuted(R, *plan.semiaxes);
     shape = {axes.x, axes.y, axes.z};
   }
-  EllipsoidModel start =
-      EllipsoidModel::homogeneous(0.0, normalized(s.q * q_BF), w, shape, plan.law);
+  LightModel start = LightModel::homogeneous(0.0, normalized(s.q * q_BF), w, shape, plan.law);
   if (plan.unknowns.moments == MomentSource::shape) return start;
   start.spin.inertia_F = Mat3::identity();
   for (int i = 0; i < 2; ++i) start.spin.inertia_F(i, i) = moments[i] / moments.z;
@@ -78,13 +77,12 @@ EllipsoidModel start_of(const Scenario& scenario, const LightPlan& plan) {
 // A mesh from the file; a convex body from the ellipsoid that is found first.
 void fit_from_start(const Scenario& scenario, const FitPlan& plan, const LightFitOptions& options,
                     LightReport& report) {
-  if (report.mesh) {
-    const SpinState spin = spin_state(scenario.rotation());
-    report.start = EllipsoidModel{spin, {1.0, 1.0, 1.0}, plan.light.law};
-    return detail::fit_surface_from_start(scenario, report);
+  if (report.shape == LightPlan::Shape::mesh) {
+    report.start = LightModel{spin_state(scenario.rotation()), {}, plan.light.law};
+    return detail::fit_surface_from_start(scenario, std::nullopt, report);
   }
   if (plan.light.one_by_one) {
-    const EllipsoidModel start = start_of(scenario, plan.light);
+    const LightModel start = start_of(scenario, plan.light);
     const std::size_t first = detail::nearest_session(report.observed.curves, start, plan.loss);
     detail::extend_to_sessions(scenario, first, {start}, options, report);
     report.converged = report.is_found() ? 1 : 0;
@@ -93,8 +91,7 @@ void fit_from_start(const Scenario& scenario, const FitPlan& plan, const LightFi
   report.start = start_of(scenario, plan.light);
   const LightFit fit{report.observed.curves, *report.start, plan.light.unknowns, plan.loss,
                      plan.most_iterations};
-  FoundLight found;
-  found.solution = fit_light(fit);
+  FoundLight found = found_light(fit_light(fit));
   found.starts = 1;
   if (!found.solution.is_found()) {
     report.failure = found.solution.result.sentence;
@@ -102,8 +99,7 @@ void fit_from_start(const Scenario& scenario, const FitPlan& plan, const LightFi
   }
   report.converged = 1;
   if (report.shape == LightPlan::Shape::convex) {
-    report.ellipsoid = found.solution.body;
-    return detail::fit_surface_from_start(scenario, report);
+    return detail::fit_surface_from_start(scenario, found.solution.body, report);
   }
   report.solutions.push_back(std::move(found));
 }
@@ -180,7 +176,7 @@ void search(const Scenario& scenario, const FitPlan& plan, const LightFitOptions
   } else if (plan.light.one_by_one) {
     for (std::string& note : report.notes)
       note = "search of session " + std::to_string(first + 1) + ": " + note;
-    std::vector<EllipsoidModel> starts;
+    std::vector<LightModel> starts;
     for (const FoundLight& one : report.solutions) starts.push_back(one.solution.body);
     detail::extend_to_sessions(scenario, first, std::move(starts), options, report);
   }

@@ -127,8 +127,8 @@ void add_periods(JsonWriter& json, const Scenario& scenario, const LightReport& 
       json.key("found").begin_object();
       add(s.periods);
       add_poles(s.pole);
-      json.key("b/a").value(s.body.shape.b / s.body.shape.a);
-      json.key("c/b").value(s.body.shape.c / s.body.shape.b).end_object();
+      const Ellipsoid& shape = s.body.ellipsoid();
+      json.key("b/a").value(shape.b / shape.a).key("c/b").value(shape.c / shape.b).end_object();
     }
     if (pair.surface) {
       json.key(detail::shape_word(report.shape)).begin_object();
@@ -156,17 +156,18 @@ void add_joined(JsonWriter& json, const Scenario& scenario, const LightReport& r
   json.end_array();
 }
 
-void add_convex(JsonWriter& json, const Scenario& scenario, const ConvexModel& body) {
+void add_convex(JsonWriter& json, const Scenario& scenario, const LightModel& body) {
+  const ConvexShape& shape = body.convex();
   const ConvexPlan& plan = require_fit(scenario).light.convex;
   json.key("convex").begin_object();
-  json.key("degree").value(static_cast<std::int64_t>(body.image.degree()));
-  json.key("facets").value(whole(body.image.normals().size()));
+  json.key("degree").value(static_cast<std::int64_t>(shape.image.degree()));
+  json.key("facets").value(whole(shape.image.normals().size()));
   json.key("roughness_error").value(plan.roughness_error);
   if (plan.moments == MomentSource::fit) json.key("moments_error").value(plan.moments_error);
   const Mat3& T = body.spin.inertia_F;
   json.key("Ixx/Izz").value(T(0, 0) / T(2, 2)).key("Iyy/Izz").value(T(1, 1) / T(2, 2));
   json.key("coefficients").begin_array();
-  for (const double c : body.coefficients) json.value(c);
+  for (const double c : shape.coefficients) json.value(c);
   json.end_array().end_object();
 }
 
@@ -228,10 +229,10 @@ void add_solution(JsonWriter& json, const Scenario& scenario, const LightReport&
   }
   add_pole(json, scenario, f);
   json.key("converged").value(true).key("convergence").value(s.result.sentence);
-  if (!report.convex.empty()) add_convex(json, scenario, report.convex.at(i));
+  if (s.body.is_convex()) add_convex(json, scenario, s.body);
   json.key("shape").begin_object();
-  json.key("b/a").value(s.body.shape.b / s.body.shape.a);
-  json.key("c/b").value(s.body.shape.c / s.body.shape.b).end_object();
+  json.key("b/a").value(one.ellipsoid.b / one.ellipsoid.a);
+  json.key("c/b").value(one.ellipsoid.c / one.ellipsoid.b).end_object();
   json.key("multiple").value(s.body.law.multiple);
   json.key("epoch").value(scenario.units().from_core(s.body.spin.t0, Dimension::time));
   const Quaternion& q = s.body.spin.q;

@@ -148,17 +148,13 @@ std::vector<PairGroup> groups_of_pairs(const LightReport& report) {
 }
 
 std::vector<std::vector<double>> fluxes_of(const LightReport& report, std::size_t solution) {
-  const Loss& loss = report.solutions.at(solution).solution.loss;
-  const EllipsoidModel& body = report.solutions.at(solution).solution.body;
-  const std::vector<LightCurve>& curves = report.observed.curves;
-  if (!report.convex.empty()) return model_fluxes(report.convex.at(solution), curves, loss);
-  if (report.mesh) return model_fluxes(MeshModel{body.spin, *report.mesh, body.law}, curves, loss);
-  return model_fluxes(body, curves, loss);
+  const LightSolution& found = report.solutions.at(solution).solution;
+  return model_fluxes(found.body, report.observed.curves, found.loss);
 }
 
 }  // namespace detail
 
-double light_error_factor(const LightOutcome& found) {
+double light_error_factor(const LightSolution& found) {
   const double factor = found.error_factor();
   return factor > 0.0 ? factor : std::numeric_limits<double>::quiet_NaN();
 }
@@ -166,16 +162,13 @@ double light_error_factor(const LightOutcome& found) {
 std::vector<FitNumber> light_numbers(const Scenario& scenario, const LightReport& report,
                                      std::size_t solution) {
   const LightSolution& found = report.solutions.at(solution).solution;
-  const EllipsoidModel& about = report.start ? *report.start : found.body;
+  LightModel about = report.start.value_or(found.body);
+  if (report.start && found.body.is_convex()) {
+    const GaussianImage& image = found.body.convex().image;
+    about.shape = ConvexShape{image, image.coefficients(about.ellipsoid())};
+  }
   std::vector<double> start = light_unknowns_at(report.unknowns, about, about);
   std::vector<double> value = light_unknowns_at(report.unknowns, about, found.body);
-  if (!report.convex.empty()) {  // after them its coefficients but the first
-    const ConvexModel& body = report.convex.at(solution);
-    const std::vector<double> at_start =
-        report.start ? body.image.coefficients(about.shape) : body.coefficients;
-    start.insert(start.end(), at_start.begin() + 1, at_start.end());
-    value.insert(value.end(), body.coefficients.begin() + 1, body.coefficients.end());
-  }
   std::fill_n(start.begin(), 3, 0.0);  // not what rounding leaves
   if (!report.start) std::fill_n(value.begin(), 3, 0.0);
   const double known = report.has_errors() ? 1.0 : std::numeric_limits<double>::quiet_NaN();

@@ -29,7 +29,7 @@ std::size_t longest_session(std::span<const LightCurve> curves) {
 
 // By how much its model is better than a constant: errors as large as the light would hide any
 // body.
-std::size_t nearest_session(std::span<const LightCurve> curves, const EllipsoidModel& body,
+std::size_t nearest_session(std::span<const LightCurve> curves, const LightModel& body,
                             const Loss& loss) {
   std::size_t nearest = 0;
   double greatest = -std::numeric_limits<double>::infinity();
@@ -56,9 +56,8 @@ std::size_t nearest_session(std::span<const LightCurve> curves, const EllipsoidM
   return nearest;
 }
 
-void extend_to_sessions(const Scenario& scenario, std::size_t first,
-                        std::vector<EllipsoidModel> starts, const LightFitOptions& options,
-                        LightReport& report) {
+void extend_to_sessions(const Scenario& scenario, std::size_t first, std::vector<LightModel> starts,
+                        const LightFitOptions& options, LightReport& report) {
   const FitPlan& plan = require_fit(scenario);
   LightExtension how;
   how.curves = report.observed.curves;

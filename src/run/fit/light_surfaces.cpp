@@ -3,13 +3,12 @@
 // ellipsoid came to, and of the images of what is within the limit.
 #include <algorithm>
 #include <limits>
-#include <mutex>
 #include <utility>
 
 #include "fit/result_bytes.hpp"
 #include "polhode/ensemble/cell_journal.hpp"
 #include "polhode/error.hpp"
-#include "polhode/fit/mesh_search.hpp"
+#include "polhode/fit/light_search.hpp"
 #include "run/detail/fit_tables.hpp"
 #include "run/detail/light_fit.hpp"
 
@@ -20,31 +19,21 @@ namespace {
 
 // An ellipsoid, and the pairs of periods that came to it.
 struct Start {
-  LightSolution ellipsoid;
+  FoundLight ellipsoid;
   std::vector<std::size_t> pairs;
-  std::size_t periods;  // the place of those that it was started from
 };
 
-// The ellipsoid with the moments of the body filled evenly.
-void add_shape(const ConvexModel& convex, LightSolution& s) {
-  try {
-    s.body.shape = ellipsoid_of(homogeneous_inertia(convex.mesh()));
-  } catch (const DomainError& error) {
-    s.notes.push_back(std::string("no mesh has these areas: ") + error.what());
+// Into the report, of a convex body with the ellipsoid of the moments that it has if filled evenly.
+void keep(FoundLight&& one, LightReport& report) {
+  if (one.solution.body.is_convex()) {
+    try {
+      const FacetShape mesh = one.solution.body.convex().mesh();
+      one.ellipsoid = ellipsoid_of_moments(homogeneous_inertia(mesh));
+    } catch (const DomainError& error) {
+      one.solution.notes.push_back(std::string("no mesh has these areas: ") + error.what());
+    }
   }
-}
-
-void keep(SurfaceFound&& one, std::size_t periods, std::size_t starts, LightReport& report) {
-  FoundLight f;
-  f.solution = std::move(one.solution);
-  f.periods = periods;
-  f.starts = starts;
-  if (one.convex) {
-    add_shape(*one.convex, f.solution);
-    report.convex.push_back(std::move(*one.convex));
-    report.begun.push_back(one.start);
-  }
-  report.solutions.push_back(std::move(f));
+  report.solutions.push_back(std::move(one));
 }
 
 class Surfaces {
@@ -64,40 +53,37 @@ class Surfaces {
     if (options_.begins)
       options_.begins(
           "surfaces",
-          (report_.mesh ? counted(asked_.starts, "start", "starts") + " by periods, " : "") +
+          (fits_.mesh() ? counted(asked_.starts, "start", "starts") + " by periods, " : "") +
               counted(starts.size(), "ellipsoid", "ellipsoids") +
               " to begin with, and images of the best");
-    if (report_.mesh) search_periods();
+    if (fits_.mesh()) search_periods();
     fit(
-        starts.size(), true, [&](std::size_t k) { return fits_.from(starts[k].ellipsoid.body); },
-        [&](std::size_t k, const std::vector<SurfaceFound>& all) {
-          add(all, starts[k].periods);
+        starts.size(), true,
+        [&](std::size_t k) { return fits_.from(starts[k].ellipsoid.solution.body); },
+        [&](std::size_t k, const std::vector<FoundLight>& all) {
+          add(all, starts[k].ellipsoid.periods);
           tell(starts[k], all);
         });
     limit();
-    const std::vector<Kept> kept = kept_;
-    std::vector<EllipsoidModel> known;
-    for (const Kept& one : kept)
-      known.push_back(report_.mesh ? one.found.solution.body : one.found.start);
-    if (!report_.mesh)
-      for (const Start& one : starts) known.push_back(one.ellipsoid.body);
+    const std::vector<FoundLight> kept = kept_;
+    std::vector<LightModel> known;
+    for (const FoundLight& one : kept)
+      known.push_back(fits_.mesh() ? one.solution.body : *one.begun);
+    if (!fits_.mesh())
+      for (const Start& one : starts) known.push_back(one.ellipsoid.solution.body);
     fit(
-        kept.size(), false,
-        [&](std::size_t k) { return fits_.from_images(kept[k].found.start, known); },
-        [&](std::size_t k, const std::vector<SurfaceFound>& all) { add(all, kept[k].periods); });
+        kept.size(), false, [&](std::size_t k) { return fits_.from_images(*kept[k].begun, known); },
+        [&](std::size_t k, const std::vector<FoundLight>& all) { add(all, kept[k].periods); });
     limit();
     finish();
   }
 
  private:
-  static constexpr double search_part = 0.4;    // of the work on a mesh, about
+  // Of a search of a mesh, and its part of the work on it, about.
+  static constexpr std::size_t mesh_tries = 60;
+  static constexpr int mesh_iterations = 6;
+  static constexpr double search_part = 0.4;
   static constexpr double images_of_one = 3.0;  // fits, about
-
-  struct Kept {
-    SurfaceFound found;
-    std::size_t periods;
-    std::size_t starts;
-  };
 
   // Ellipsoids of all pairs, each once, and those of other poles.
   std::vector<Start> starts_of() const {
@@ -108,23 +94,20 @@ class Surfaces {
                              [&](std::size_t p) { return found_.best_of_periods[p]->result.cost; });
     pairs.resize(std::min(pairs.size(), plan_.light.convex.pairs));
     std::vector<Start> starts;
-    const auto known = [&](const LightSolution& s) {
-      return std::ranges::find_if(starts, [&](const Start& one) {
-        LightSolution near = s;
-        near.body = nearest_of_same(one.ellipsoid.body, s.body);
-        return fits_.are_same(one.ellipsoid, near);
-      });
+    const auto known = [&](const FoundLight& f) {
+      return std::ranges::find_if(
+          starts, [&](const Start& one) { return fits_.are_same_starts(one.ellipsoid, f); });
     };
     for (const std::size_t p : pairs) {
-      const LightSolution& s = *found_.best_of_periods[p];
-      const auto at = known(s);
+      const FoundLight best = found_light(*found_.best_of_periods[p], p);
+      const auto at = known(best);
       if (at == starts.end())
-        starts.push_back({s, {p}, p});
+        starts.push_back({best, {p}});
       else
         at->pairs.push_back(p);
     }
     for (const FoundLight& f : found_.solutions)
-      if (known(f.solution) == starts.end()) starts.push_back({f.solution, {}, f.periods});
+      if (known(f) == starts.end()) starts.push_back({f, {}});
     return starts;
   }
 
@@ -138,7 +121,7 @@ class Surfaces {
           end_if_asked();
           return made(static_cast<std::size_t>(k));
         },
-        [&](std::int64_t k, const std::vector<SurfaceFound>& all) {
+        [&](std::int64_t k, const std::vector<FoundLight>& all) {
           take(static_cast<std::size_t>(k), all);
           fits += static_cast<double>(all.size());
           fits_done_ += static_cast<double>(all.size());
@@ -146,68 +129,56 @@ class Surfaces {
           tell_progress((all_of_them - done) * std::max(fits, 1.0) / done +
                         (has_images ? images_of_one * static_cast<double>(count_within()) : 0.0));
         },
-        [](Archive& bytes, std::vector<SurfaceFound>& all) {
-          bytes.list(all, [&](SurfaceFound& one) {
-            serialize(bytes, one.solution);
-            serialize(bytes, one.convex);
-            serialize(bytes, one.start);
-          });
+        [this](Archive& bytes, std::vector<FoundLight>& all) {
+          bytes.list(all, [&](FoundLight& one) { serialize(bytes, one, fits_.mesh()); });
         });
   }
 
   void tell_progress(double fits_left) const {
     if (!options_.progress) return;
-    const double from = report_.mesh ? search_part : 0.0;
+    const double from = fits_.mesh() ? search_part : 0.0;
     const double part = fits_left > 0.0 ? fits_done_ / (fits_done_ + fits_left) : 1.0;
     options_.progress("surfaces", from + (1.0 - from) * part);
   }
 
-  void add(const std::vector<SurfaceFound>& all, std::size_t periods) {
-    for (const SurfaceFound& one : all) {
+  void add(const std::vector<FoundLight>& all, std::size_t periods) {
+    for (const FoundLight& one : all) {
       ++report_.surfaces;
       if (!one.solution.is_found()) continue;
       ++report_.surfaces_converged;
-      const auto same = std::ranges::find_if(kept_, [&](const Kept& kept) {
-        return fits_.are_same(kept.found.solution, one.solution);
-      });
-      if (same == kept_.end()) {
-        kept_.push_back({one, periods, 1});
-        continue;
-      }
-      ++same->starts;
-      if (one.solution.result.cost < same->found.solution.result.cost) same->found = one;
+      const auto same = std::ranges::find_if(
+          kept_, [&](const FoundLight& kept) { return fits_.are_same(kept, one); });
+      const bool is_new = same == kept_.end();
+      if (!is_new) ++same->starts;
+      if (!is_new && !(one.solution.result.cost < same->solution.result.cost)) continue;
+      FoundLight& kept = is_new ? kept_.emplace_back() : *same;
+      const std::size_t starts = is_new ? 1 : kept.starts, place = is_new ? periods : kept.periods;
+      kept = one;
+      kept.starts = starts;
+      kept.periods = place;
     }
   }
 
   // The mesh from the periods themselves: an ellipsoid may be far from it, and its own light tells
   // more of its attitude.
   void search_periods() {
-    MeshSearch how{.curves = report_.observed.curves,
-                   .body = fits_.mesh_fit(spin_state(scenario_.rotation()), 1).start,
-                   .periods = asked_.periods};
-    how.starts = asked_.starts;
-    how.within = asked_.within;
-    how.moments = report_.unknowns.moments;
-    how.multiple = report_.unknowns.multiple;
-    how.loss = asked_.loss;
-    how.most_iterations = asked_.most_iterations;
-    how.seed = asked_.seed;
-    how.threads = asked_.threads;
-    how.journal = options_.journal;
-    std::mutex mutex;
-    std::size_t begun = 0;
-    const std::size_t tried = how.starts * how.tries, fits = how.finalists * how.periods.size();
-    how.between = [&] {
-      end_if_asked();
-      const std::lock_guard<std::mutex> lock(mutex);
-      const double part = static_cast<double>(++begun) / static_cast<double>(tried + fits);
-      if (options_.progress) options_.progress("surfaces", search_part * std::min(part, 1.0));
-    };
-    const LightSearchResult found = search_mesh(how);
+    LightSearch how = asked_;
+    how.body = fits_.mesh();
+    how.tries = mesh_tries;
+    how.short_iterations = mesh_iterations;
+    how.finalists = LightSearch{}.finalists;
+    how.unknowns = report_.unknowns;
+    how.between = [&] { end_if_asked(); };
+    how.progress = {};
+    if (options_.progress)
+      how.progress = [&](double part) { options_.progress("surfaces", search_part * part); };
+    const LightSearchResult found = search_light(how);
     report_.surfaces += found.finalists;
     report_.surfaces_converged += found.converged;
-    for (const FoundLight& f : found.solutions)
-      kept_.push_back({{f.solution, std::nullopt, f.solution.body}, f.periods, f.starts});
+    for (const FoundLight& f : found.solutions) {
+      kept_.push_back(f);
+      kept_.back().begun = as_ellipsoid(f);
+    }
     for (std::size_t p = 0; p < found.best_of_periods.size(); ++p)
       if (found.best_of_periods[p]) tell(*found.best_of_periods[p], p);
   }
@@ -215,7 +186,7 @@ class Surfaces {
   void end_if_asked() const {
     if (options_.stop && options_.stop())
       throw RunInterrupted(scenario_.document.name + ": stopped in the fits of " +
-                           (report_.mesh ? "the mesh" : "convex bodies"));
+                           (fits_.mesh() ? "the mesh" : "convex bodies"));
   }
 
   // The best that converged, or else the best.
@@ -228,8 +199,8 @@ class Surfaces {
   }
 
   // What the pairs of this start came to: the best that converged, or else the best.
-  void tell(const Start& start, const std::vector<SurfaceFound>& all) {
-    const auto rank = [](const SurfaceFound& one) {
+  void tell(const Start& start, const std::vector<FoundLight>& all) {
+    const auto rank = [](const FoundLight& one) {
       return std::pair(!one.solution.is_found(), one.solution.result.cost);
     };
     const auto best = std::ranges::min_element(all, {}, rank);
@@ -239,17 +210,17 @@ class Surfaces {
 
   std::size_t count_within() const {
     double least = std::numeric_limits<double>::infinity();
-    for (const Kept& one : kept_) least = std::min(least, one.found.solution.result.cost);
-    return static_cast<std::size_t>(std::ranges::count_if(kept_, [&](const Kept& one) {
-      return one.found.solution.result.cost <= plan_.light.within_factor * least;
+    for (const FoundLight& one : kept_) least = std::min(least, one.solution.result.cost);
+    return static_cast<std::size_t>(std::ranges::count_if(kept_, [&](const FoundLight& one) {
+      return one.solution.result.cost <= plan_.light.within_factor * least;
     }));
   }
 
   void limit() {
-    sort_by_cost(kept_, [](const Kept& one) -> const LightSolution& { return one.found.solution; });
+    sort_by_cost(kept_, [](const FoundLight& one) -> const LightSolution& { return one.solution; });
     if (kept_.empty()) return;
-    const double most = plan_.light.within_factor * kept_.front().found.solution.result.cost;
-    std::erase_if(kept_, [&](const Kept& one) { return one.found.solution.result.cost > most; });
+    const double most = plan_.light.within_factor * kept_.front().solution.result.cost;
+    std::erase_if(kept_, [&](const FoundLight& one) { return one.solution.result.cost > most; });
   }
 
   // Pairs of periods whose fits are no solutions, although they came as low.
@@ -267,14 +238,14 @@ class Surfaces {
 
   void finish() {
     report_.solutions.clear();
-    for (Kept& one : kept_) keep(std::move(one.found), one.periods, one.starts, report_);
-    describe_solutions(report_.solutions, report_.observed.curves, !report_.mesh);
+    for (FoundLight& one : kept_) keep(std::move(one), report_);
+    describe_solutions(report_.solutions, report_.observed.curves, !fits_.mesh());
     if (!report_.solutions.empty()) return note_unfinished();
     report_.failure =
         report_.surfaces == 0
-            ? report_.mesh ? "the mesh has none of these periods" : "no ellipsoid to begin with"
+            ? fits_.mesh() ? "the mesh has none of these periods" : "no ellipsoid to begin with"
             : "none of " + std::to_string(report_.surfaces) + " fits of " +
-                  (report_.mesh ? "the mesh" : "convex bodies") + " converged";
+                  (fits_.mesh() ? "the mesh" : "convex bodies") + " converged";
   }
 
   const Scenario& scenario_;
@@ -284,7 +255,7 @@ class Surfaces {
   const LightFitOptions& options_;
   LightReport& report_;
   SurfaceFits fits_;
-  std::vector<Kept> kept_;
+  std::vector<FoundLight> kept_;
   double fits_done_ = 0.0;
 };
 
@@ -297,31 +268,30 @@ void begin_surfaces(const Scenario& scenario, LightReport& report) {
     if (plan.light.unknowns.shape)
       plan.places.unknowns.refuse(
           "expected no shape with light.shape = \"mesh\": the mesh is given");
-    report.mesh = ShadedMesh(light_mesh(scenario));
     report.unknowns.shape = false;
   }
   if (report.shape != LightPlan::Shape::convex) return;
   // says what is wrong with degree and rows before the search
   plan.light.places.degree.built(
       [&] { return GaussianImage(plan.light.convex.degree, plan.light.convex.rows); });
-  report.unknowns = {.shape = false,
-                     .moments = plan.light.convex.moments == MomentSource::fit
-                                    ? MomentSource::fit
-                                    : MomentSource::start,
+  report.unknowns = {.shape = true,
+                     .moments = plan.light.convex.moments,
                      .multiple = plan.light.unknowns.multiple};
 }
 
-void fit_surface_from_start(const Scenario& scenario, LightReport& report) {
+void fit_surface_from_start(const Scenario& scenario, const std::optional<LightModel>& ellipsoid,
+                            LightReport& report) {
   const SurfaceFits fits(scenario, report);
   report.surfaces = 1;
-  SurfaceFound one = report.mesh ? fits.from_file() : fits.from(*report.ellipsoid).front();
+  FoundLight one = fits.mesh() ? fits.from_file() : fits.from(*ellipsoid).front();
   report.solutions.clear();
   if (!one.solution.is_found()) {
     report.failure = one.solution.result.sentence;
     return;
   }
   report.surfaces_converged = 1;
-  keep(std::move(one), 0, 1, report);
+  one.starts = 1;
+  keep(std::move(one), report);
 }
 
 void fit_surfaces(const Scenario& scenario, const LightSearch& asked,

@@ -21,6 +21,8 @@ using detail::WithErrors;
 
 constexpr std::size_t most_pairs = 12, most_shown = 8;
 
+bool is_mesh(const LightReport& report) { return report.shape == LightPlan::Shape::mesh; }
+
 // With as many digits as the error has two of.
 std::string number_text(double value, double error) {
   if (!std::isfinite(value)) return "-";
@@ -149,7 +151,7 @@ void add_pair_rows(std::string& text, const Scenario& scenario, const LightRepor
                                                               : "the loss that";
   const bool has_surface = report.shape != LightPlan::Shape::ellipsoid;
   text += has_surface ? fmt::format("\npairs of periods by {} a {} comes to\n{:>12}{:>12}", what,
-                                    report.mesh ? "mesh" : "convex body", "ellipsoid",
+                                    is_mesh(report) ? "mesh" : "convex body", "ellipsoid",
                                     detail::shape_word(report.shape))
                       : fmt::format("\npairs of periods by {} an ellipsoid comes to\n{:>12}", what,
                                     detail::rank_word(report, loss));
@@ -191,10 +193,11 @@ void add_pairs(std::string& text, const Scenario& scenario, const LightReport& r
                            counted(report.pairs.size(), "pair of periods", "pairs of periods"),
                            report.finalists, report.converged));
   if (report.shape != LightPlan::Shape::ellipsoid)
-    add_fit_line(text, report.mesh ? "fits of the mesh" : "convex bodies",
-                 fmt::format("{} {}, {} converged", report.surfaces,
-                             report.mesh ? "fitted, by periods and from them" : "fitted from them",
-                             report.surfaces_converged));
+    add_fit_line(
+        text, is_mesh(report) ? "fits of the mesh" : "convex bodies",
+        fmt::format("{} {}, {} converged", report.surfaces,
+                    is_mesh(report) ? "fitted, by periods and from them" : "fitted from them",
+                    report.surfaces_converged));
   add_pair_rows(text, scenario, report);
 }
 
@@ -236,20 +239,20 @@ void add_overview(std::string& text, const Scenario& scenario, const LightReport
   const std::size_t shown = std::min(report.solutions.size(), plan.most_solutions);
   for (std::size_t i = 0; i < shown; ++i) {
     const FoundLight& one = report.solutions[i];
-    const EllipsoidModel& body = one.solution.body;
+    const Ellipsoid& shape = one.ellipsoid;
     const LightFigures f = detail::light_figures(scenario, report, i);
     std::string what = detail::beside_word(one);
     if (one.beside == FoundLight::Beside::image)
       what += std::string(" (") + detail::image_word(one.image) + ")";
     if (one.beside != FoundLight::Beside::first) what += fmt::format(" of {}", one.of + 1);
     if (!one.solution.result.bound.empty()) what += ", on a bound";
-    text += cells(i + 1, fmt::format("{:.5g}", one.solution.result.cost),
-                  fmt::format("{:.5g}", one.solution.result.chi_square)) +
-            fmt::format("{:>6}{:>13}{:>13}{:>13}{:>9.1f}{:>8.1f}{:>8.3f}{:>8.3f}  {}\n",
-                        detail::mode_word(one.solution.periods.mode),
-                        period_text(f.precession_period), period_text(f.rotation_period),
-                        period_text(f.short_axis_period), f.pole.longitude, f.pole.latitude,
-                        body.shape.b / body.shape.a, body.shape.c / body.shape.b, what);
+    text +=
+        cells(i + 1, fmt::format("{:.5g}", one.solution.result.cost),
+              fmt::format("{:.5g}", one.solution.result.chi_square)) +
+        fmt::format("{:>6}{:>13}{:>13}{:>13}{:>9.1f}{:>8.1f}{:>8.3f}{:>8.3f}  {}\n",
+                    detail::mode_word(one.solution.periods.mode), period_text(f.precession_period),
+                    period_text(f.rotation_period), period_text(f.short_axis_period),
+                    f.pole.longitude, f.pole.latitude, shape.b / shape.a, shape.c / shape.b, what);
   }
   if (shown < report.solutions.size())
     text += fmt::format(" and {} more; --json has all\n", report.solutions.size() - shown);
@@ -294,20 +297,21 @@ void add_notes(std::string& text, const std::vector<std::string>& notes) {
 void add_surface(std::string& text, const Scenario& scenario, const LightReport& report,
                  std::size_t i) {
   const LightSolution& s = report.solutions[i].solution;
-  if (report.mesh) {
+  if (s.body.is_mesh()) {
+    const ShadedMesh& mesh = s.body.mesh();
     add_fit_line(text, "mesh",
-                 counted(report.mesh->shape().facets().size(), "facet", "facets") +
-                     (report.mesh->is_shadowless() ? "" : ", with shadows"));
+                 counted(mesh.shape().facets().size(), "facet", "facets") +
+                     (mesh.is_shadowless() ? "" : ", with shadows"));
     add_fit_line(text, "convergence",
                  s.result.sentence + ": within one standard error of the least");
   }
-  if (report.convex.empty()) return;
-  const ConvexModel& body = report.convex[i];
+  if (!s.body.is_convex()) return;
+  const GaussianImage& image = s.body.convex().image;
+  const Ellipsoid& like = report.solutions[i].ellipsoid;
   const ConvexPlan& plan = require_fit(scenario).light.convex;
   add_fit_line(text, "convex body",
                fmt::format("{} facets, degree {}; moments as an ellipsoid 1 : {:.3f} : {:.3f}",
-                           body.image.normals().size(), body.image.degree(), s.body.shape.b,
-                           s.body.shape.c));
+                           image.normals().size(), image.degree(), like.b, like.c));
   add_fit_line(text, "regularisation",
                fmt::format("roughness error {:g}", plan.roughness_error) +
                    (plan.moments == MomentSource::fit
@@ -350,8 +354,8 @@ void add_solution(std::string& text, const Scenario& scenario, const LightReport
   add_fit_line(text, "pole", pole);
   add_surface(text, scenario, report, i);
   std::vector<FitNumber> numbers = light_numbers(scenario, report, i);
-  if (!report.convex.empty())  // coefficients of facets: JSON has them
-    numbers.resize(numbers.size() - (report.convex[i].coefficients.size() - 1));
+  if (s.body.is_convex())  // coefficients of facets: JSON has them
+    numbers.resize(numbers.size() - (s.body.convex().coefficients.size() - 1));
   add_numbers(text, numbers, report.start.has_value());
   if (!report.start && !s.result.bound.empty()) text += "note: " + s.result.sentence + "\n";
   add_notes(text, s.notes);

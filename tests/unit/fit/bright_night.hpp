@@ -5,9 +5,11 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
+#include "fit/detail/light_residuals.hpp"
 #include "polhode/ensemble/counter_random.hpp"
 #include "polhode/ensemble/distributions.hpp"
 #include "polhode/fit/light_fit.hpp"
@@ -17,19 +19,27 @@
 
 namespace polhode::test {
 
-inline const EllipsoidModel in_long_axis_mode = EllipsoidModel::homogeneous(
+inline const LightModel in_long_axis_mode = LightModel::homogeneous(
     0.0, normalized(Quaternion{0.6, 0.3, -0.5, 0.2}), {2.4, 0.9, 0.3}, {1.0, 0.6, 0.45});
-inline const EllipsoidModel in_short_axis_mode = EllipsoidModel::homogeneous(
+inline const LightModel in_short_axis_mode = LightModel::homogeneous(
     0.0, normalized(Quaternion{0.6, 0.3, -0.5, 0.2}), {0.6, 0.5, 1.0}, {1.0, 0.85, 0.5});
 
-inline FreeRotation motion_of(const EllipsoidModel& b) {
+inline FreeRotation motion_of(const LightModel& b) {
   const Mat3& T = b.spin.inertia_F;
   const Vec3 g{T(0, 0) * b.spin.w_F.x, T(1, 1) * b.spin.w_F.y, b.spin.w_F.z};
   return FreeRotation(Body(T(0, 0), T(1, 1), 1.0), {b.spin.q, g}, b.spin.t0);
 }
 
+inline detail::LightResiduals<detail::EllipsoidSurface> ellipsoid_residuals(
+    const std::vector<LightCurve>& curves, const LightUnknowns& unknowns, const LightModel& body,
+    const Loss& loss = {}, detail::Rows rows = detail::Rows::exact) {
+  const LightFit fit{curves, body, unknowns, loss};
+  return {std::make_shared<const detail::WeighedCurves>(curves, loss), unknowns, body,
+          detail::EllipsoidSurface(fit, body), rows};
+}
+
 // One night, of `turns` of precession, with noise relative to the flux.
-inline LightCurve night(const EllipsoidModel& b, double turns, std::size_t count, double noise,
+inline LightCurve night(const LightModel& b, double turns, std::size_t count, double noise,
                         std::uint64_t seed) {
   const FreeRotation motion = motion_of(b);
   const double P = 2.0 * pi<double>() / motion.precession_rate_long();
@@ -41,17 +51,17 @@ inline LightCurve night(const EllipsoidModel& b, double turns, std::size_t count
     const Vec3 sun{1.0, 0.2, 0.3}, observer{0.8, 0.6, 0.1};
     const Quaternion back = conj(motion.at(t).q);
     const double flux =
-        3.0 * lommel_seeliger_brightness(b.shape, rotate(back, sun), rotate(back, observer));
+        3.0 * lommel_seeliger_brightness(b.ellipsoid(), rotate(back, sun), rotate(back, observer));
     curve.points.push_back(
         {t, flux * (1.0 + noise * random.normal(i, 4)), flux * noise, sun, observer});
   }
   return curve;
 }
 
-inline EllipsoidModel at_time(const EllipsoidModel& b, double t) {
+inline LightModel at_time(const LightModel& b, double t) {
   const RotorState s = motion_of(b).at(t);
   const Mat3& T = b.spin.inertia_F;
-  EllipsoidModel found = b;
+  LightModel found = b;
   found.spin.t0 = t;
   found.spin.q = s.q;
   found.spin.w_F = {s.g.x / T(0, 0), s.g.y / T(1, 1), s.g.z};
@@ -59,7 +69,7 @@ inline EllipsoidModel at_time(const EllipsoidModel& b, double t) {
 }
 
 // With the best factor of each session.
-inline double chi_square(const EllipsoidModel& body, std::span<const LightCurve> curves) {
+inline double chi_square(const LightModel& body, std::span<const LightCurve> curves) {
   const std::vector<std::vector<double>> model = model_fluxes(body, curves);
   double sum = 0.0;
   for (std::size_t k = 0; k < curves.size(); ++k)
@@ -74,7 +84,7 @@ inline double chi_square(const EllipsoidModel& body, std::span<const LightCurve>
 // A tumbler drawn by its number, seen for one night: long-axis mode where that is even. Two periods
 // that the night tells apart, and a wobble of 15 deg at least.
 struct DrawnTumbler {
-  EllipsoidModel body;
+  LightModel body;
   Regime mode;
   double f_phi, f_psi, time_base;
   LightCurve curve;
@@ -98,9 +108,9 @@ inline DrawnTumbler drawn_tumbler(std::uint64_t number, std::size_t count, doubl
     const Vec3 I = homogeneous_moments(Ellipsoid{1.0, b, c}, 1.0);
     const Vec3 g{across * std::cos(around), across * std::sin(around), z};
     const double u0 = uniform(), u1 = uniform(), u2 = uniform();
-    const EllipsoidModel body =
-        EllipsoidModel::homogeneous(0.0, UniformAttitude().from_uniform(u0, u1, u2),
-                                    {g.x / I.x * I.z, g.y / I.y * I.z, g.z}, {1.0, b, c});
+    const LightModel body =
+        LightModel::homogeneous(0.0, UniformAttitude().from_uniform(u0, u1, u2),
+                                {g.x / I.x * I.z, g.y / I.y * I.z, g.z}, {1.0, b, c});
     const FreeRotation motion = motion_of(body);
     const double turns = 8.0 + 6.0 * uniform();
     const double phase = (10.0 + 60.0 * uniform()) * pi<double>() / 180.0;
@@ -116,7 +126,7 @@ inline DrawnTumbler drawn_tumbler(std::uint64_t number, std::size_t count, doubl
       const double t = T * part / static_cast<double>(count);
       const Quaternion back = conj(motion.at(t).q);
       const double flux =
-          lommel_seeliger_brightness(body.shape, rotate(back, sun), rotate(back, observer));
+          lommel_seeliger_brightness(body.ellipsoid(), rotate(back, sun), rotate(back, observer));
       curve.points.push_back({t, flux * (1.0 + noise * random.normal(number, 100000 + 4 * i)),
                               flux * noise, sun, observer});
     }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Convex bodies and given shapes: derivatives, recovery of bodies that are no ellipsoids, bad
 // input.
-#include "polhode/fit/convex_fit.hpp"
 
 #include <gmock/gmock.h>
 
@@ -11,10 +10,11 @@
 
 #include "bright_night.hpp"
 #include "budgets.hpp"
-#include "fit/detail/convex_surface.hpp"
+#include "fit/detail/light_residuals.hpp"
 #include "fit/detail/rotation_vector.hpp"
 #include "message_of.hpp"
-#include "polhode/fit/mesh_fit.hpp"
+#include "polhode/error.hpp"
+#include "polhode/fit/light_search.hpp"
 #include "unit/light/meshes.hpp"
 #include "worst.hpp"
 
@@ -24,18 +24,17 @@ using namespace polhode::test;
 using testing::HasSubstr;
 
 // A body in short-axis mode, one end of it thicker and its sides flattened.
-ConvexModel egg() {
+LightModel egg() {
   const GaussianImage image(4, 5);
   std::vector<double> c = image.coefficients(Ellipsoid{1.2, 1.0, 0.6});
   c[16] += 0.15;  // l = 4
   c[20] += 0.3;
   c[24] -= 0.2;
-  return {in_short_axis_mode.spin, {}, image, c};
+  return {in_short_axis_mode.spin, ConvexShape{image, c}, {}};
 }
 
 // Its light, with noise relative to the flux.
-template <class Body>
-std::vector<LightCurve> light_of(const Body& body, std::size_t count, double noise) {
+std::vector<LightCurve> light_of(const LightModel& body, std::size_t count, double noise) {
   LightCurve curve = night(in_short_axis_mode, 6.0, count, 0.02, 3);
   std::vector<LightCurve> curves{curve};
   const std::vector<double> flux = model_fluxes(body, curves).front();
@@ -77,48 +76,54 @@ double worst_derivative(const R& residuals, const std::vector<double>& x) {
 }
 
 TEST(ConvexFit, DerivativesAreThoseOfDifferences) {
-  const ConvexModel body = egg();
-  const std::vector<LightCurve> curves = light_of(body, 25, 0.02);
-  const detail::SurfaceUnknowns unknowns{true, true};
-  ConvexFit how;
-  const detail::ConvexResiduals residuals(
-      curves, unknowns, body.spin, body.law,
-      detail::ConvexSurface(body.image, body.coefficients, how));
-  std::vector<double> x{0.2, -0.1, 0.05};
-  for (const Unknown& u : detail::spin_unknowns(unknowns, body.spin, body.law))
-    if (!u.name.starts_with("turn")) x.push_back(u.start);
-  ASSERT_EQ(x.size(), unknowns.own_at());
-  for (std::size_t k = 1; k < body.coefficients.size(); ++k)
-    x.push_back(body.coefficients[k] + 0.02 * std::cos(static_cast<double>(k)));
+  const LightModel body = egg();
+  const std::vector<double>& coefficients = body.convex().coefficients;
+  const auto curves =
+      std::make_shared<const detail::WeighedCurves>(light_of(body, 25, 0.02), Loss{});
+  LightFit fit{{}, body, {.moments = MomentSource::fit, .multiple = true}, {}};
+  const detail::ConvexSurface surface(fit, body);
+  const detail::LightResiduals<detail::ConvexSurface> residuals(curves, fit.unknowns, body,
+                                                                surface);
+  std::vector<double> x = light_unknowns_at(fit.unknowns, body, body);
+  x[0] = 0.2;
+  x[1] = -0.1;
+  x[2] = 0.05;
+  x[residuals.places().multiple] = detail::usual_multiple;
+  ASSERT_EQ(x.size(), residuals.places().count);
+  for (std::size_t k = 1; k < coefficients.size(); ++k)
+    x[residuals.places().own + k - 1] += 0.02 * std::cos(static_cast<double>(k));
   EXPECT_LE(worst_derivative(residuals, x), budget::surface_bend);
   // moments that follow the coefficients
   detail::FollowedMoments followed{
-      0.6, 0.8, {body.coefficients.begin() + 1, body.coefficients.end()}, {}, {}};
-  for (std::size_t k = 1; k < body.coefficients.size(); ++k) {
+      0.6, 0.8, {coefficients.begin() + 1, coefficients.end()}, {}, {}};
+  for (std::size_t k = 1; k < coefficients.size(); ++k) {
     followed.Ixx_by_own.push_back(0.1 * std::sin(static_cast<double>(k)));
     followed.Iyy_by_own.push_back(0.1 * std::cos(2.0 * static_cast<double>(k)));
   }
-  const detail::ConvexResiduals tied(curves, {false, true}, body.spin, body.law,
-                                     detail::ConvexSurface(body.image, body.coefficients, how),
-                                     followed);
+  fit.unknowns.moments = MomentSource::shape;
+  const detail::LightResiduals<detail::ConvexSurface> tied(curves, fit.unknowns, body,
+                                                           surface.with(followed));
   x.erase(x.begin() + 6, x.begin() + 8);
   EXPECT_LE(worst_derivative(tied, x), budget::surface_bend);
 }
 
+// With moments that are unknown.
+LightFit convex_from(const LightModel& ellipsoid, const std::vector<LightCurve>& curves, int degree,
+                     int rows) {
+  LightFit fit{curves, ellipsoid, {.moments = MomentSource::fit}, {}, 100};
+  fit.start.shape = ConvexShape::of(ellipsoid.ellipsoid(), degree, rows);
+  return fit;
+}
+
 TEST(ConvexFit, FindsABodyThatIsNoEllipsoid) {
-  const ConvexModel truth = egg();
+  const LightModel truth = egg();
   const std::vector<LightCurve> curves = light_of(truth, 150, 0.005);
   LightFit ellipsoid{curves, in_short_axis_mode, {}, {}, 100};
-  ellipsoid.start.shape = {1.0, 0.85, 0.5};
+  ellipsoid.start.shape = Ellipsoid{1.0, 0.85, 0.5};
   const LightSolution first = fit_light(ellipsoid);
-  ConvexFit fit;
-  fit.curves = curves;
-  fit.start = first.body;
-  fit.degree = 4;
-  fit.rows = 5;
-  const ConvexSolution found = fit_convex(fit);
+  const LightSolution found = fit_light(convex_from(first.body, curves, 4, 5));
   ASSERT_TRUE(found.is_found()) << found.result.sentence;
-  const auto reduced = [](const LightOutcome& s) {
+  const auto reduced = [](const LightSolution& s) {
     return s.result.chi_square / s.degrees_of_freedom;
   };
   EXPECT_GT(reduced(first), budget::light_misfit);
@@ -131,34 +136,27 @@ TEST(ConvexFit, FindsABodyThatIsNoEllipsoid) {
   EXPECT_NEAR(cost, found.result.cost, budget::fit_exact * cost);
   EXPECT_NEAR(found.terms[0].value, found.result.chi_square, budget::fit_exact * cost);
   // the body itself: closed, its axes near those of the spin
-  const FacetShape mesh = found.body.mesh();
+  const FacetShape mesh = found.body.convex().mesh();
   EXPECT_TRUE(mesh.is_closed());
-  const ShapeInertia inertia = shape_inertia(found.body);
+  const ShapeInertia inertia = shape_inertia(found.body.convex());
   EXPECT_LT(inertia.axes_off, budget::convex_axes);
   EXPECT_NEAR(inertia.Ixx, found.body.spin.inertia_F(0, 0), budget::convex_ratio);
 }
 
-ConvexFit small_fit() {
-  ConvexFit fit;
-  fit.curves = light_of(egg(), 60, 0.01);
-  fit.start = in_short_axis_mode;
-  fit.degree = 3;
-  fit.rows = 4;
-  return fit;
-}
+LightFit small_fit() { return convex_from(in_short_axis_mode, light_of(egg(), 60, 0.01), 3, 4); }
 
 // Moments that follow the shape are those of the body that is found, and the errors know of it.
 TEST(ConvexFit, MomentsFollowTheShape) {
-  ConvexFit fit = small_fit();
+  LightFit fit = small_fit();
   fit.curves = light_of(egg(), 120, 0.01);
-  fit.moments = MomentSource::shape;
-  const ConvexSolution found = fit_convex(fit);
+  fit.unknowns.moments = MomentSource::shape;
+  const LightSolution found = fit_light(fit);
   ASSERT_TRUE(found.is_found()) << found.result.sentence;
-  const ShapeInertia own = shape_inertia(found.body);
+  const ShapeInertia own = shape_inertia(found.body.convex());
   EXPECT_NEAR(own.Ixx, found.body.spin.inertia_F(0, 0), budget::convex_moments);
   EXPECT_NEAR(own.Iyy, found.body.spin.inertia_F(1, 1), budget::convex_moments);
-  fit.moments = MomentSource::fit;
-  const ConvexSolution free = fit_convex(fit);
+  fit.unknowns.moments = MomentSource::fit;
+  const LightSolution free = fit_light(fit);
   ASSERT_TRUE(free.is_found()) << free.result.sentence;
   EXPECT_GT(found.result.cost, free.result.cost);
 }
@@ -166,79 +164,42 @@ TEST(ConvexFit, MomentsFollowTheShape) {
 // With iterations for one round alone the body keeps those that it was fitted with, and is no
 // solution.
 TEST(ConvexFit, SaysThatMomentsDidNotRest) {
-  ConvexFit fit = small_fit();
-  fit.moments = MomentSource::shape;
+  LightFit fit = small_fit();
+  fit.unknowns.moments = MomentSource::shape;
   fit.most_iterations = 10;
-  const ConvexSolution found = fit_convex(fit);
+  const LightSolution found = fit_light(fit);
   EXPECT_FALSE(found.is_found());
   EXPECT_EQ(found.result.end, LeastSquaresResult::End::iteration_limit);
   EXPECT_THAT(found.result.sentence, HasSubstr("not converged"));
   EXPECT_THAT(found.result.sentence, HasSubstr("allow more"));
-  const ShapeInertia own = shape_inertia(found.body);
+  const ShapeInertia own = shape_inertia(found.body.convex());
   EXPECT_GT(std::abs(own.Ixx - found.body.spin.inertia_F(0, 0)), budget::convex_moments);
-}
-
-TEST(ConvexFit, GoesOnFromEachPairOfPeriods) {
-  const std::vector<LightCurve> curves = light_of(egg(), 60, 0.01);
-  LightSearchResult search;
-  search.best_of_periods.resize(3);
-  LightFit ellipsoid{curves, in_short_axis_mode, {}, {}, 100};
-  search.best_of_periods[2] = fit_light(ellipsoid);
-  ellipsoid.start.spin.w_F = 1.15 * ellipsoid.start.spin.w_F;
-  search.best_of_periods[0] = fit_light(ellipsoid);
-  ConvexFit how;
-  how.curves = curves;
-  how.degree = 3;
-  how.rows = 4;
-  how.most_iterations = 40;
-  const std::vector<FoundConvex> found = fit_convex_of_periods(search, how, 2);
-  ASSERT_EQ(found.size(), 2u);
-  EXPECT_EQ(found[0].periods, 2u);
-  EXPECT_EQ(found[1].periods, 0u);
-  EXPECT_EQ(fit_convex_of_periods(search, how, 1, 1).size(), 1u);
-  // what the search reports besides: the best of a pair once, its mirror pole
-  FoundLight best, mirror;
-  best.solution = mirror.solution = *search.best_of_periods[2];
-  best.periods = mirror.periods = 2;
-  const LightPoint& p = curves[0].points[0];
-  mirror.solution.body = image_of(best.solution.body, LightImage::normal, p.to_sun, p.to_observer);
-  search.solutions = {best, mirror};
-  int calls = 0;
-  const std::vector<FoundConvex> both = fit_convex_of_periods(search, how, 1, 1, [&] { ++calls; });
-  ASSERT_EQ(both.size(), 2u);
-  EXPECT_EQ(calls, 2);
-  EXPECT_NEAR(both[0].solution.result.cost / both[1].solution.result.cost, 1.0,
-              budget::light_image_cost);
-  EXPECT_GT(norm(both[0].solution.pole - both[1].solution.pole), budget::convex_axes);
 }
 
 // Areas that are far from closed have no body and no moments: said of the fit, not thrown.
 TEST(ConvexFit, SaysWhereTheShapeHasNoMoments) {
-  ConvexModel open = egg();
-  open.coefficients[2] += 2.5;  // l = 1
-  EXPECT_REJECTED(open.mesh(), "too far from 0");
-  ConvexFit fit;
-  fit.curves = light_of(open, 150, 0.005);
-  fit.start = in_short_axis_mode;
-  fit.degree = 4;
-  fit.rows = 5;
-  fit.closure_error = fit.axes_error = fit.roughness_error = 1e3;
-  fit.moments = MomentSource::shape;
-  const ConvexSolution found = fit_convex(fit);
+  LightModel open = egg();
+  std::get<ConvexShape>(open.shape).coefficients[2] += 2.5;  // l = 1
+  EXPECT_REJECTED(open.convex().mesh(), "too far from 0");
+  LightFit fit = convex_from(in_short_axis_mode, light_of(open, 150, 0.005), 4, 5);
+  Regularisation& r = fit.regularisation;
+  r.closure_error = r.axes_error = r.roughness_error = 1e3;
+  fit.unknowns.moments = MomentSource::shape;
+  const LightSolution found = fit_light(fit);
   EXPECT_EQ(found.result.end, LeastSquaresResult::End::no_descent) << found.result.sentence;
   EXPECT_THAT(found.result.sentence, HasSubstr("no moments follow from the shape: "));
 }
 
 TEST(MeshFit, FindsTheSpinOfAConvexMesh) {
   const FacetShape mesh = globe(8, [](const Vec3& v) { return Vec3{1.2 * v.x, v.y, 0.6 * v.z}; });
-  const MeshModel truth{in_short_axis_mode.spin, ShadedMesh(mesh), Scattering::mixed(0.2)};
-  ASSERT_TRUE(truth.shape.is_shadowless());
-  MeshFit fit{light_of(truth, 60, 0.0), truth, MomentSource::fit, true, {}, 100};
+  const LightModel truth{in_short_axis_mode.spin, ShadedMesh(mesh), Scattering::mixed(0.2)};
+  ASSERT_TRUE(truth.mesh().is_shadowless());
+  LightFit fit{light_of(truth, 60, 0.0), truth, {true, MomentSource::fit, true}, {}, 100};
   fit.start.law = {};
   fit.start.spin.q = truth.spin.q * detail::turn_by({0.1, -0.05, 0.08});
   fit.start.spin.w_F = 1.01 * truth.spin.w_F;
   fit.start.spin.inertia_F(0, 0) *= 1.02;
-  const MeshSolution found = fit_mesh(fit);
+  const LightSolution found = fit_light(fit);
   ASSERT_TRUE(found.is_found()) << found.result.sentence;
   EXPECT_LE(norm(attitude_residual(truth.spin.q, found.body.spin.q)), budget::mesh_exact);
   EXPECT_LE(norm(found.body.spin.w_F - truth.spin.w_F), budget::mesh_exact);
@@ -256,9 +217,9 @@ TEST(MeshFit, TakesShadows) {
   const FacetShape pair = joined(joined(ball(-0.6, 0.6), ball(0.45, 0.45)), bulge);
   SpinState spin = in_short_axis_mode.spin;
   spin.inertia_F = homogeneous_inertia(pair);
-  const MeshModel truth{spin, ShadedMesh(pair), {}};
-  ASSERT_FALSE(truth.shape.is_shadowless());
-  MeshFit fit{light_of(truth, 40, 0.0), truth, MomentSource::start, false, {}, 12};
+  const LightModel truth{spin, ShadedMesh(pair), {}};
+  ASSERT_FALSE(truth.mesh().is_shadowless());
+  LightFit fit{light_of(truth, 40, 0.0), truth, {.moments = MomentSource::start}, {}, 12};
   for (LightPoint& p : fit.curves[0].points) p.sigma = 0.02 * p.flux;
   fit.start.spin.q = truth.spin.q * detail::turn_by({0.05, -0.03, 0.04});
   fit.start.spin.w_F = 1.003 * truth.spin.w_F;
@@ -268,36 +229,49 @@ TEST(MeshFit, TakesShadows) {
     const LightPoint& p = fit.curves[0].points[i];
     chi_square += (p.flux - before[i]) * (p.flux - before[i]) / (p.sigma * p.sigma);
   }
-  const MeshSolution found = fit_mesh(fit);
+  const LightSolution found = fit_light(fit);
   EXPECT_LT(found.result.chi_square, budget::mesh_gain * chi_square);
 }
 
+// A convex body whose facets are known: its spin alone is unknown, as that of its mesh.
+TEST(ConvexFit, TakesAShapeThatIsKnown) {
+  const LightModel truth = egg();
+  LightFit fit{light_of(truth, 60, 0.0), truth, {false, MomentSource::start, false}, {}, 60};
+  fit.start.spin.q = truth.spin.q * detail::turn_by({0.05, -0.03, 0.04});
+  const LightSolution found = fit_light(fit);
+  ASSERT_TRUE(found.is_found()) << found.result.sentence;
+  EXPECT_EQ(found.covariance.names.size(), 6u);
+  EXPECT_EQ(found.terms.size(), 1u);
+  EXPECT_EQ(found.body.convex().coefficients, truth.convex().coefficients);
+  EXPECT_LE(norm(attitude_residual(truth.spin.q, found.body.spin.q)), budget::mesh_exact);
+}
+
 TEST(ConvexFit, SaysWhatIsWrong) {
-  ConvexFit fit;
-  fit.curves = {night(in_short_axis_mode, 2.0, 9, 0.02, 1)};
-  fit.start = in_short_axis_mode;
+  const LightFit fit =
+      convex_from(in_short_axis_mode, {night(in_short_axis_mode, 2.0, 9, 0.02, 1)}, 6, 8);
   const auto refusal = [&](const auto& change) {
-    ConvexFit bad = fit;
+    LightFit bad = fit;
     change(bad);
-    return message_of([&] { static_cast<void>(fit_convex(bad)); });
+    return message_of([&] { static_cast<void>(fit_light(bad)); });
   };
-  EXPECT_EQ(refusal([](ConvexFit& f) { f.closure_error = 0.0; }),
-            "fit_convex: closure_error = 0 must be above 0");
-  EXPECT_EQ(refusal([](ConvexFit& f) { f.roughness_error = -1.0; }),
-            "fit_convex: roughness_error = -1 must be above 0");
-  EXPECT_EQ(refusal([](ConvexFit& f) { f.most_iterations = 0; }),
-            "fit_convex: most_iterations = 0 must be 1 or more");
-  EXPECT_THAT(refusal([](ConvexFit& f) { f.degree = 50; }), HasSubstr("degree 50"));
-  EXPECT_THAT(refusal([](ConvexFit& f) { f.start.spin.inertia_F(0, 1) = 0.1; }),
+  EXPECT_EQ(refusal([](LightFit& f) { f.regularisation.closure_error = 0.0; }),
+            "fit_light: closure_error = 0 must be above 0");
+  EXPECT_EQ(refusal([](LightFit& f) { f.regularisation.roughness_error = -1.0; }),
+            "fit_light: roughness_error = -1 must be above 0");
+  EXPECT_EQ(refusal([](LightFit& f) { f.most_iterations = 0; }),
+            "fit_light: most_iterations = 0 must be 1 or more");
+  EXPECT_THAT(refusal([](LightFit& f) { f.start.spin.inertia_F(0, 1) = 0.1; }),
               HasSubstr("the axes of the start must be principal"));
-  MeshFit mesh{fit.curves, {in_short_axis_mode.spin, ShadedMesh(egg().mesh()), {}}, {}, false, {},
-               10};
-  mesh.moments = MomentSource::shape;
-  EXPECT_REJECTED(fit_mesh(mesh), "moments cannot follow a shape that stays");
-  mesh.moments = MomentSource::start;
+  EXPECT_REJECTED(ConvexShape::of({1.0, 0.8, 0.6}, 50, 8), "degree 50");
+  EXPECT_REJECTED(ConvexShape::of({1.0, 0.0, 0.6}), "semi-axis 0 must be above 0");
+  LightFit mesh = fit;
+  mesh.start.shape = ShadedMesh(egg().convex().mesh());
+  mesh.unknowns.moments = MomentSource::shape;
+  EXPECT_REJECTED(fit_light(mesh), "moments cannot follow a shape that stays");
+  mesh.unknowns.moments = MomentSource::start;
   mesh.curves[0].points.resize(6);
-  EXPECT_MESSAGE(fit_mesh(mesh),
-                 "fit_mesh: 6 points for 6 unknowns and 1 factor; expected as many at least");
+  EXPECT_MESSAGE(fit_light(mesh),
+                 "fit_light: 6 points for 6 unknowns and 1 factor; expected as many at least");
 }
 
 }  // namespace

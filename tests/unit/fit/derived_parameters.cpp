@@ -143,11 +143,11 @@ TEST(DerivedParameters, WithoutACovarianceNoErrorIsZero) {
 }
 
 TEST(DerivedParameters, MomentsFollowTheShape) {
-  const EllipsoidModel body =
-      EllipsoidModel::homogeneous(0.0, attitude_of_all, {2.4, 0.9, 0.3}, {1.0, 0.6, 0.45});
+  const LightModel body =
+      LightModel::homogeneous(0.0, attitude_of_all, {2.4, 0.9, 0.3}, {1.0, 0.6, 0.45});
   const auto at = [&](double b, double ratio) {
     LightSolution s;
-    s.body = EllipsoidModel::homogeneous(0.0, body.spin.q, body.spin.w_F, {1.0, b, b * ratio});
+    s.body = LightModel::homogeneous(0.0, body.spin.q, body.spin.w_F, {1.0, b, b * ratio});
     return s;
   };
   constexpr double h = 1e-5;

@@ -71,11 +71,11 @@ Found found_of(const DrawnTumbler& t) {
       std::ranges::any_of(search.periods, [&](const TumblerPeriods& p) { return t.has(p); });
   const LightSearchResult result = search_light(search);
   for (const FoundLight& s : result.solutions) {
-    const EllipsoidModel& b = s.solution.body;
+    const LightModel& b = s.solution.body;
     const bool is_true = t.has(s.solution.periods);
     f.is_first = f.is_first || (is_true && &s == &result.solutions.front());
     f.is_reported = f.is_reported || is_true;
-    const EllipsoidModel near = nearest_of_same(b, at_time(t.body, b.spin.t0));
+    const LightModel near = nearest_of_same(b, at_time(t.body, b.spin.t0));
     const double distance = mahalanobis(s.solution.covariance, light_unknowns_at({}, b, b),
                                         light_unknowns_at({}, b, near));
     if (std::isnan(f.distance) || distance > f.distance) continue;
@@ -132,7 +132,7 @@ TEST(LightCoverage, TenTimesTheStartsFindNoMore) {
       std::size_t missed = 0;
       for (const FoundLight& m : many.solutions) {
         const bool is_known = std::ranges::any_of(few.solutions, [&](const FoundLight& f) {
-          return detail::are_same(m.solution, f.solution, search.unknowns, t.time_base);
+          return detail::are_same(m, f, search.unknowns, t.time_base);
         });
         if (is_known) continue;
         ++missed;

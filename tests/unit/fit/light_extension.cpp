@@ -18,20 +18,20 @@ using namespace polhode::test;
 using testing::HasSubstr;
 
 // A night of six turns of precession that begins at `begin`.
-LightCurve night_from(const EllipsoidModel& b, double begin, std::uint64_t seed) {
-  EllipsoidModel later = at_time(b, begin);
+LightCurve night_from(const LightModel& b, double begin, std::uint64_t seed) {
+  LightModel later = at_time(b, begin);
   later.spin.t0 = 0.0;
   LightCurve curve = night(later, 6.0, 60, 0.02, seed);
   for (LightPoint& p : curve.points) p.t += begin;
   return curve;
 }
 
-double precession_period(const EllipsoidModel& b) {
+double precession_period(const LightModel& b) {
   return 2.0 * pi<double>() / motion_of(b).precession_rate_long();
 }
 
 // Nights that begin so many turns of precession after t = 0.
-LightExtension nights(const EllipsoidModel& b, const std::vector<double>& begins) {
+LightExtension nights(const LightModel& b, const std::vector<double>& begins) {
   LightExtension e;
   for (std::size_t k = 0; k < begins.size(); ++k)
     e.curves.push_back(night_from(b, begins[k] * precession_period(b), k));
@@ -40,10 +40,10 @@ LightExtension nights(const EllipsoidModel& b, const std::vector<double>& begins
   return e;
 }
 
-class NightsOf : public testing::TestWithParam<const EllipsoidModel*> {};
+class NightsOf : public testing::TestWithParam<const LightModel*> {};
 
 TEST_P(NightsOf, JoinToTheTruth) {
-  const EllipsoidModel& truth = *GetParam();
+  const LightModel& truth = *GetParam();
   LightExtension e = nights(truth, {1000.0, 0.0, 100.0});  // not in the order of time
   e.first = 1;
   const LightExtensionResult r = extend_light(e);
@@ -112,7 +112,7 @@ TEST(LightExtension, CountsTurnsWhereTheLineOfSightIsTheSuns) {
     for (LightPoint& p : curve.points) {
       p.to_observer = p.to_sun;
       const Vec3 seen = rotate(conj(motion.at(p.t).q), p.to_sun);
-      p.flux = lommel_seeliger_brightness(in_long_axis_mode.shape, seen, seen);
+      p.flux = lommel_seeliger_brightness(in_long_axis_mode.ellipsoid(), seen, seen);
       p.sigma = 0.02 * p.flux;
     }
   }

@@ -26,7 +26,7 @@ using namespace polhode::test;
 using DD = DoubleDouble;
 
 // The residuals of one session in double-double, at x + h e_k: of attitude to second order in h.
-std::vector<DD> wide_residuals(const EllipsoidModel& b, const LightCurve& curve, std::size_t k,
+std::vector<DD> wide_residuals(const LightModel& b, const LightCurve& curve, std::size_t k,
                                const DD& h) {
   const std::vector<DD> B = wide_brightness(b, curve, k, h);
   std::vector<DD> r;
@@ -45,9 +45,9 @@ std::vector<DD> wide_residuals(const EllipsoidModel& b, const LightCurve& curve,
 }
 
 TEST(LightFit, DerivativesAreThoseOfDifferencesInDoubleDouble) {
-  for (const EllipsoidModel& b : {in_long_axis_mode, in_short_axis_mode}) {
+  for (const LightModel& b : {in_long_axis_mode, in_short_axis_mode}) {
     const LightCurve curve = night(b, 3.0, 12, 0.02, 3);
-    const detail::LightResiduals residuals(std::vector{curve}, {}, b);
+    const auto residuals = ellipsoid_residuals({curve}, {}, b);
     const std::vector<double> x = light_unknowns_at({}, b, b);
     const std::size_t n = x.size(), count = curve.points.size();
     std::vector<double> numbers(count), jacobian(count * n);
@@ -83,19 +83,19 @@ LightSearch cold_search(const std::vector<LightCurve>& curves, double f, std::si
 }
 
 // Whether the truth is within the errors of one of the solutions.
-bool is_among(const LightSearchResult& found, const EllipsoidModel& truth) {
+bool is_among(const LightSearchResult& found, const LightModel& truth) {
   return std::ranges::any_of(found.solutions, [&](const FoundLight& f) {
-    const EllipsoidModel& b = f.solution.body;
-    const EllipsoidModel near = nearest_of_same(b, at_time(truth, b.spin.t0));
+    const LightModel& b = f.solution.body;
+    const LightModel near = nearest_of_same(b, at_time(truth, b.spin.t0));
     return mahalanobis(f.solution.covariance, light_unknowns_at({}, b, b),
                        light_unknowns_at({}, b, near)) < budget::light_distance;
   });
 }
 
-class ColdStart : public testing::TestWithParam<EllipsoidModel> {};
+class ColdStart : public testing::TestWithParam<LightModel> {};
 
 TEST_P(ColdStart, FindsTheTruthAmongItsImages) {
-  const EllipsoidModel& truth = GetParam();
+  const LightModel& truth = GetParam();
   const bool is_full = std::getenv("POLHODE_TEST_FULL") != nullptr;
   const std::vector<LightCurve> curves{
       night(truth, is_full ? 11.0 : 7.0, is_full ? 350 : 90, 0.02, 7)};
@@ -150,10 +150,10 @@ TEST(LightFit, SaysWhatIsWrong) {
   EXPECT_EQ(message(few),
             "fit_light: 8 points for 8 unknowns and 1 factor; expected as many at least");
   LightFit bad = fit;
-  bad.start.shape.c = -1.0;
+  bad.start.shape = Ellipsoid{1.0, 0.6, -1.0};
   EXPECT_EQ(message(bad), "fit_light: semi-axes (1, 0.6, -1) must be above 0");
   bad = fit;
-  bad.start.shape = {1.0, 0.5, 0.8};
+  bad.start.shape = Ellipsoid{1.0, 0.5, 0.8};
   EXPECT_EQ(message(bad),
             "fit_light: semi-axes (1, 0.5, 0.8) must not rise where moments follow from them");
   bad = fit;

@@ -20,8 +20,8 @@ using namespace polhode::test;
 using Beside = FoundLight::Beside;
 
 // The same body with its axes in another order, x y z becoming y z x.
-EllipsoidModel in_next_axes(const EllipsoidModel& body) {
-  EllipsoidModel found = body;
+LightModel in_next_axes(const LightModel& body) {
+  LightModel found = body;
   const Vec3& w = body.spin.w_F;
   found.spin.w_F = {w.y, w.z, w.x};
   // v_old = r v_new r*, a third of a turn about 1, 1, 1
@@ -29,41 +29,41 @@ EllipsoidModel in_next_axes(const EllipsoidModel& body) {
   const Mat3& T = body.spin.inertia_F;
   found.spin.inertia_F(0, 0) = T(1, 1) / T(0, 0);
   found.spin.inertia_F(1, 1) = T(2, 2) / T(0, 0);
-  const Ellipsoid& s = body.shape;
-  found.shape = {1.0, s.c / s.b, s.a / s.b};
+  const Ellipsoid& s = body.ellipsoid();
+  found.shape = Ellipsoid{1.0, s.c / s.b, s.a / s.b};
   return found;
 }
 
 TEST(LightImages, ABodyIsTheSameInAnyOrderOfItsAxes) {
-  EllipsoidModel body = in_long_axis_mode;
+  LightModel body = in_long_axis_mode;
   body.spin.inertia_F(0, 0) *= 1.05;  // nothing says which axis is which
-  const EllipsoidModel other = in_next_axes(body);
+  const LightModel other = in_next_axes(body);
   const std::vector<LightCurve> curves{night(body, 2.0, 20, 0.02, 3)};
   const auto here = model_fluxes(body, curves).front(), there = model_fluxes(other, curves).front();
   for (std::size_t k = 0; k < here.size(); ++k)
     EXPECT_NEAR(there[k] / here[k], 1.0, budget::fit_exact);
 
-  const EllipsoidModel back = nearest_of_same(body, other);
+  const LightModel back = nearest_of_same(body, other);
   EXPECT_LT(norm(attitude_residual(body.spin.q, back.spin.q)), budget::fit_exact);
   EXPECT_LT(norm(back.spin.w_F - body.spin.w_F), budget::fit_exact);
-  EXPECT_NEAR(back.shape.b, body.shape.b, budget::fit_exact);
-  EXPECT_NEAR(back.shape.c, body.shape.c, budget::fit_exact);
+  EXPECT_NEAR(back.ellipsoid().b, body.ellipsoid().b, budget::fit_exact);
+  EXPECT_NEAR(back.ellipsoid().c, body.ellipsoid().c, budget::fit_exact);
   for (int i = 0; i < 2; ++i)
     EXPECT_NEAR(back.spin.inertia_F(i, i), body.spin.inertia_F(i, i), budget::fit_exact);
 }
 
-FoundLight found_with(const EllipsoidModel& body) {
-  FoundLight f;
-  f.solution.body = body;
-  f.solution.periods = {Regime::long_axis, 12.0, 20.0};
-  return f;
+FoundLight found_with(const LightModel& body) {
+  LightSolution s;
+  s.body = body;
+  s.periods = {Regime::long_axis, 12.0, 20.0};
+  return found_light(s);
 }
 
 // Two solutions 0.15 rad apart have images that are as near to each other.
 TEST(LightImages, AreThoseOfTheNearest) {
   const std::vector<LightCurve> curves{night(in_long_axis_mode, 2.0, 20, 0.02, 3)};
   const Vec3 sun = curves[0].points[0].to_sun, observer = curves[0].points[0].to_observer;
-  EllipsoidModel beside = in_long_axis_mode;
+  LightModel beside = in_long_axis_mode;
   beside.spin.q = normalized(Quaternion{1.0, 0.075, 0.0, 0.0}) * beside.spin.q;
   for (const LightImage i : {LightImage::normal, LightImage::bisector, LightImage::difference}) {
     std::vector<FoundLight> all{found_with(in_long_axis_mode), found_with(beside),

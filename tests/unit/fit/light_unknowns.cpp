@@ -20,8 +20,8 @@ using namespace polhode::test;
 using testing::HasSubstr;
 
 // A body whose moments are not those of its shape, and which scatters by both laws.
-EllipsoidModel uneven() {
-  EllipsoidModel b = in_short_axis_mode;
+LightModel uneven() {
+  LightModel b = in_short_axis_mode;
   b.law = Scattering::mixed(0.3);
   b.spin.inertia_F(0, 0) = 0.6;
   b.spin.inertia_F(1, 1) = 0.8;
@@ -29,7 +29,7 @@ EllipsoidModel uneven() {
 }
 
 // Sessions of 2 and 3 turns, the first relative, the others calibrated, with the light of a body.
-std::vector<LightCurve> sessions_of(const EllipsoidModel& b, double noise) {
+std::vector<LightCurve> sessions_of(const LightModel& b, double noise) {
   std::vector<LightCurve> curves;
   std::size_t seed = 3;
   for (const double shift : {0.0, 13.0, 31.0}) {
@@ -53,14 +53,14 @@ std::vector<LightCurve> sessions_of(const EllipsoidModel& b, double noise) {
 }
 
 TEST(LightUnknowns, DerivativesOfEveryUnknownAreThoseOfDifferences) {
-  const EllipsoidModel b = uneven();
+  const LightModel b = uneven();
   const LightUnknowns unknowns{.shape = true, .moments = MomentSource::fit, .multiple = true};
   const std::vector<LightCurve> curves = sessions_of(b, 0.02);
-  const detail::LightResiduals residuals(curves, unknowns, b);
-  EXPECT_EQ(residuals.groups(), 2u);
+  const auto residuals = ellipsoid_residuals(curves, unknowns, b);
+  EXPECT_EQ(residuals.curves().groups(), 2u);
   std::vector<double> x = light_unknowns_at(unknowns, b, b);
   x[0] = 0.2;  // away from no turn
-  const std::size_t n = x.size(), count = residuals.points();
+  const std::size_t n = x.size(), count = residuals.curves().size();
   ASSERT_EQ(n, 11u);
   std::vector<double> numbers(count), jacobian(count * n);
   ASSERT_TRUE(residuals.at(x, numbers, jacobian));
@@ -86,20 +86,20 @@ TEST(LightUnknowns, DerivativesOfEveryUnknownAreThoseOfDifferences) {
 
 // From a start beside it, exact light has its state, with all unknowns there are.
 TEST(LightUnknowns, AreFoundFromExactLight) {
-  const EllipsoidModel truth = uneven();
+  const LightModel truth = uneven();
   LightFit fit{sessions_of(truth, 0.0), truth, {}, {}, 200};
   fit.unknowns = {.shape = true, .moments = MomentSource::fit, .multiple = true};
   fit.start.spin.q = truth.spin.q * detail::turn_by({0.03, -0.02, 0.04});
   fit.start.spin.inertia_F(0, 0) = 0.61;
   fit.start.spin.inertia_F(1, 1) = 0.79;
-  fit.start.shape = {1.0, 0.83, 0.52};
+  fit.start.shape = Ellipsoid{1.0, 0.83, 0.52};
   fit.start.law = Scattering::mixed(0.25);
   const LightSolution found = fit_light(fit);
   ASSERT_TRUE(found.is_found()) << found.result.sentence;
   EXPECT_LE(norm(attitude_residual(truth.spin.q, found.body.spin.q)), budget::light_exact);
   EXPECT_NEAR(found.body.spin.inertia_F(0, 0), 0.6, budget::light_exact);
   EXPECT_NEAR(found.body.spin.inertia_F(1, 1), 0.8, budget::light_exact);
-  EXPECT_NEAR(found.body.shape.b, 0.85, budget::light_exact);
+  EXPECT_NEAR(found.body.ellipsoid().b, 0.85, budget::light_exact);
   EXPECT_NEAR(found.body.law.multiple, 0.3, budget::light_exact);
   // sessions that are calibrated share a factor
   ASSERT_EQ(found.factors.size(), 3u);
@@ -115,12 +115,12 @@ TEST(LightUnknowns, AreFoundFromExactLight) {
 }
 
 TEST(LightUnknowns, RobustLossesLeaveBadPointsOut) {
-  EllipsoidModel truth = in_short_axis_mode;
+  LightModel truth = in_short_axis_mode;
   LightFit fit{sessions_of(truth, 0.01), truth, {}, {}, 200};
   for (const std::size_t k : {5u, 17u, 30u}) fit.curves[0].points[k].flux *= 1.5;
   // Mahalanobis' distance squared of the truth
   const auto off = [&](const LightSolution& s) {
-    const EllipsoidModel& b = s.body;
+    const LightModel& b = s.body;
     return mahalanobis(s.covariance, light_unknowns_at({}, b, b),
                        light_unknowns_at({}, b, nearest_of_same(b, truth)));
   };
@@ -138,7 +138,7 @@ TEST(LightImages, LookTheSame) {
   const std::vector<LightCurve> curves{curve};
   const auto here = model_fluxes(in_long_axis_mode, curves).front();
   for (const LightImage i : {LightImage::normal, LightImage::bisector, LightImage::difference}) {
-    const EllipsoidModel image =
+    const LightModel image =
         image_of(in_long_axis_mode, i, curve.points[0].to_sun, curve.points[0].to_observer);
     const auto there = model_fluxes(image, curves).front();
     for (std::size_t k = 0; k < here.size(); ++k)

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Searches with a given mesh: tumblers in both modes from their periods alone, what half turns
 // leave, bad input.
-#include "polhode/fit/mesh_search.hpp"
-
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -11,6 +9,8 @@
 #include "bright_night.hpp"
 #include "budgets.hpp"
 #include "message_of.hpp"
+#include "polhode/error.hpp"
+#include "polhode/fit/light_search.hpp"
 #include "polhode/shape/mass_properties.hpp"
 #include "unit/light/meshes.hpp"
 #include "worst.hpp"
@@ -30,7 +30,7 @@ FacetShape pear() {
 }
 
 // In its principal axes or near them.
-MeshModel tumbler(const Vec3& w) {
+LightModel tumbler(const Vec3& w) {
   const FacetShape shape = pear();
   return {{0.0, normalized(Quaternion{0.6, 0.3, -0.5, 0.2}), w, homogeneous_inertia(shape)},
           ShadedMesh(shape),
@@ -38,12 +38,12 @@ MeshModel tumbler(const Vec3& w) {
 }
 
 struct Night {
-  MeshModel truth;  // at the epoch of the search
+  LightModel truth;  // at the epoch of the search
   TumblerPeriods periods;
   std::vector<LightCurve> curves;
 };
 
-Night night_of(MeshModel truth, std::size_t count) {
+Night night_of(LightModel truth, std::size_t count) {
   const Body body = Body::from_tensor(truth.spin.inertia_F);
   const Quaternion& f = body.q_FB();
   const Vec3 w_B = rotate(conj(f), truth.spin.w_F), I = body.moments();
@@ -66,7 +66,7 @@ Night night_of(MeshModel truth, std::size_t count) {
   return {std::move(truth), {motion.regime(), P, motion.polhode_period()}, std::move(curves)};
 }
 
-double distance(const MeshModel& truth, const LightSolution& s) {
+double distance(const LightModel& truth, const LightSolution& s) {
   const Vec3 turn = attitude_residual(s.body.spin.q, truth.spin.q);
   const Vec3 dw = truth.spin.w_F - s.body.spin.w_F;
   double most = 0.0;
@@ -78,6 +78,17 @@ double distance(const MeshModel& truth, const LightSolution& s) {
   return most;
 }
 
+LightSearch search_of(const Night& night) {
+  LightSearch search;
+  search.curves = night.curves;
+  search.periods = {night.periods};
+  search.tries = 60;
+  search.short_iterations = 6;
+  search.unknowns.moments = MomentSource::start;
+  search.body = night.truth;
+  return search;
+}
+
 TEST(MeshSearch, FindsTheSpinFromItsPeriods) {
   for (const Vec3& w : {Vec3{2.0, 0.9, 0.5}, Vec3{0.3, 0.4, 1.0}}) {
     const Night night = night_of(tumbler(w), 90);
@@ -86,10 +97,11 @@ TEST(MeshSearch, FindsTheSpinFromItsPeriods) {
     off.precession_period *= 1.003;  // as a scan knows them
     off.rotation_period *= 0.997;
     none.rotation_period *= 1e-3;
-    MeshSearch search{.curves = night.curves, .body = night.truth, .periods = {none, off}};
+    LightSearch search = search_of(night);
+    search.periods = {none, off};
     search.starts = 120;
     search.seed = 2;
-    const LightSearchResult found = search_mesh(search);
+    const LightSearchResult found = search_light(search);
     ASSERT_FALSE(found.solutions.empty());
     EXPECT_EQ(found.starts, 60u);
     ASSERT_EQ(found.notes.size(), 1u);
@@ -108,7 +120,7 @@ TEST(MeshSearch, FindsTheSpinFromItsPeriods) {
     EXPECT_LT(a.result.chi_square, budget::light_noise * a.degrees_of_freedom);
     EXPECT_EQ(found.solutions[0].periods, 1u);
     search.threads = 2;
-    const LightSearchResult again = search_mesh(search);
+    const LightSearchResult again = search_light(search);
     ASSERT_EQ(again.solutions.size(), found.solutions.size());
     EXPECT_EQ(again.solutions[0].solution.result.x, a.result.x);
     EXPECT_EQ(again.solutions[0].solution.body.spin.q, a.body.spin.q);
@@ -117,30 +129,30 @@ TEST(MeshSearch, FindsTheSpinFromItsPeriods) {
 
 TEST(MeshSearch, SaysWhatIsWrong) {
   const Night night = night_of(tumbler({2.0, 0.9, 0.5}), 20);
-  const MeshSearch good{.curves = night.curves, .body = night.truth, .periods = {night.periods}};
+  const LightSearch good = search_of(night);
   const auto refusal = [&](const auto& change) {
-    MeshSearch bad = good;
+    LightSearch bad = good;
     change(bad);
-    return message_of([&] { static_cast<void>(search_mesh(bad)); });
+    return message_of([&] { static_cast<void>(search_light(bad)); });
   };
-  EXPECT_THAT(refusal([](MeshSearch& s) { s.periods.clear(); }), HasSubstr("no periods"));
-  EXPECT_EQ(refusal([](MeshSearch& s) { s.periods[0].rotation_period = -2.0; }),
-            "search_mesh: period -2 must be positive");
-  EXPECT_EQ(refusal([](MeshSearch& s) { s.periods[0].mode = Regime::steady; }),
-            "search_mesh: the mode must be short_axis or long_axis");
-  EXPECT_EQ(refusal([](MeshSearch& s) { s.starts = 0; }),
-            "search_mesh: starts = 0 must be 1 or more");
-  EXPECT_EQ(refusal([](MeshSearch& s) { s.within = 0.5; }),
-            "search_mesh: within = 0.5 must be 1 or more");
-  EXPECT_THAT(refusal([](MeshSearch& s) { s.moments = MomentSource::shape; }),
+  EXPECT_THAT(refusal([](LightSearch& s) { s.periods.clear(); }), HasSubstr("no periods"));
+  EXPECT_EQ(refusal([](LightSearch& s) { s.periods[0].rotation_period = -2.0; }),
+            "search_light: period -2 must be positive");
+  EXPECT_EQ(refusal([](LightSearch& s) { s.periods[0].mode = Regime::steady; }),
+            "search_light: the mode must be short_axis or long_axis");
+  EXPECT_EQ(refusal([](LightSearch& s) { s.starts = 0; }),
+            "search_light: starts = 0 must be 1 or more");
+  EXPECT_EQ(refusal([](LightSearch& s) { s.within = 0.5; }),
+            "search_light: within = 0.5 must be 1 or more");
+  EXPECT_THAT(refusal([](LightSearch& s) { s.unknowns.moments = MomentSource::shape; }),
               HasSubstr("moments cannot follow a shape that stays"));
-  EXPECT_THAT(refusal([](MeshSearch& s) { s.curves[0].points.resize(3); }), HasSubstr("3 points"));
+  EXPECT_THAT(refusal([](LightSearch& s) { s.curves[0].points.resize(3); }), HasSubstr("3 points"));
   int calls = 0;
-  MeshSearch stopped = good;
+  LightSearch stopped = good;
   stopped.between = [&] {
     if (++calls == 3) throw std::runtime_error("stopped");
   };
-  EXPECT_THROW(static_cast<void>(search_mesh(stopped)), std::runtime_error);
+  EXPECT_THROW(static_cast<void>(search_light(stopped)), std::runtime_error);
 }
 
 }  // namespace

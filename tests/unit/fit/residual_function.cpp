@@ -81,8 +81,8 @@ TEST(ResidualFunction, SaysWhereThereIsNoValue) {
   EXPECT_REJECTED(f.at(one, r, {}), "got 1 unknowns and room for 4 numbers; expected 2 and 4");
 }
 
-const EllipsoidModel body = EllipsoidModel::homogeneous(
-    0.0, normalized(Quaternion{0.6, 0.3, -0.5, 0.2}), {0.6, 0.5, 1.0}, {1.0, 0.85, 0.5});
+const LightModel body = LightModel::homogeneous(0.0, normalized(Quaternion{0.6, 0.3, -0.5, 0.2}),
+                                                {0.6, 0.5, 1.0}, {1.0, 0.85, 0.5});
 
 TEST(ResidualFunction, OfFitsHasTheStartAtItsStart) {
   SpinFit fit;
@@ -100,7 +100,7 @@ TEST(ResidualFunction, OfFitsHasTheStartAtItsStart) {
   LightFit light{.curves = {}, .start = body, .unknowns = {}, .loss = {}};
   EXPECT_NE(message_of([&] { static_cast<void>(least_squares_of(light)); }), "");
   const std::vector<double> x{0.0, 0.0, 0.0, 0.6, 0.5, 1.0, 0.85, 0.5 / 0.85};
-  EXPECT_EQ(body_at(light, x).shape.b, 0.85);
+  EXPECT_EQ(body_at(light, x).ellipsoid().b, 0.85);
   EXPECT_REJECTED(body_at(light, w), "expected 8");
 }
 

@@ -13,10 +13,10 @@
 #include "fit/detail/light_residuals.hpp"
 #include "fit/detail/weighed_curves.hpp"
 #include "polhode/ensemble/counter_random.hpp"
-#include "polhode/fit/convex_fit.hpp"
+#include "polhode/fit/light_fit.hpp"
 #include "polhode/fit/light_search.hpp"
-#include "polhode/fit/mesh_fit.hpp"
 #include "polhode/fit/residual_function.hpp"
+#include "polhode/light/lambert.hpp"
 #include "wide_light.hpp"
 #include "worst.hpp"
 
@@ -168,15 +168,15 @@ TEST(RobustFactor, IsThatOfTheGoodPoints) {
 }
 
 // A night with noise, and some points three times too bright.
-LightCurve bad_night(const EllipsoidModel& b) {
+LightCurve bad_night(const LightModel& b) {
   LightCurve curve = night(b, 3.0, 40, 0.02, 3);
   for (const std::size_t i : {4u, 15u, 29u}) curve.points[i].flux *= 3.0;
   return curve;
 }
 
 // Residuals with the best factor under the loss, at x + h e_k.
-std::vector<Digits> wide_residuals(const EllipsoidModel& b, const LightCurve& curve,
-                                   const Loss& loss, std::size_t k, const DoubleDouble& h) {
+std::vector<Digits> wide_residuals(const LightModel& b, const LightCurve& curve, const Loss& loss,
+                                   std::size_t k, const DoubleDouble& h) {
   const std::vector<DoubleDouble> B = wide_brightness(b, curve, k, h);
   std::vector<WidePoint> points;
   for (std::size_t i = 0; i < B.size(); ++i) {
@@ -192,13 +192,13 @@ std::vector<Digits> wide_residuals(const EllipsoidModel& b, const LightCurve& cu
 TEST(RobustLight, DerivativesAreThoseOfDifferencesInDoubleDouble) {
   const DoubleDouble h(0x1p-30);
   for (const Kind kind : robust_kinds) {
-    const EllipsoidModel& b = kind == Kind::soft_l1 ? in_long_axis_mode : in_short_axis_mode;
+    const LightModel& b = kind == Kind::soft_l1 ? in_long_axis_mode : in_short_axis_mode;
     const Loss loss{kind, 1.5};
     const LightCurve curve = bad_night(b);
     const LightFit fit{{curve}, b, {}, loss, 10};
     const ResidualFunction under_loss(least_squares_of(fit));
-    const detail::LightResiduals exact(fit.curves, {}, b, loss),
-        held(fit.curves, {}, b, loss, Rows::held);
+    const auto exact = ellipsoid_residuals(fit.curves, {}, b, loss),
+               held = ellipsoid_residuals(fit.curves, {}, b, loss, Rows::held);
     const std::vector<double> x = light_unknowns_at({}, b, b);
     const std::size_t n = x.size(), count = curve.points.size();
     std::vector<double> numbers(count), jacobian(count * n), rows(count * n), lossy(count),
@@ -232,8 +232,7 @@ TEST(RobustLight, DerivativesAreThoseOfDifferencesInDoubleDouble) {
 }
 
 // The factor of a fit is the least of what it minimises: sum psi(r) m / sigma = 0, m the model.
-template <class Found>
-double slope_by_factor(const Found& found, const LightCurve& curve, const Loss& loss) {
+double slope_by_factor(const LightSolution& found, const LightCurve& curve, const Loss& loss) {
   double sum = 0.0, size = 0.0;
   for (std::size_t i = 0; i < curve.points.size(); ++i) {
     const LightPoint& p = curve.points[i];
@@ -246,7 +245,7 @@ double slope_by_factor(const Found& found, const LightCurve& curve, const Loss& 
 }
 
 TEST(RobustLight, FactorsOfAllFitsAreTheLeastOfWhatTheyMinimise) {
-  const EllipsoidModel& b = in_short_axis_mode;
+  const LightModel& b = in_short_axis_mode;
   const std::vector<LightCurve> curves{bad_night(b)};
   for (const Kind kind : robust_kinds) {
     const Loss loss{kind, 1.5};
@@ -257,20 +256,13 @@ TEST(RobustLight, FactorsOfAllFitsAreTheLeastOfWhatTheyMinimise) {
         (curves[0].points[7].flux - light.result.numbers[7] * curves[0].points[7].sigma) /
         model_fluxes(light.body, curves, loss)[0][7];
     EXPECT_NEAR(factor, 1.0, budget::light_derivatives);
-    ConvexFit convex;
-    convex.curves = curves;
-    convex.start = b;
-    convex.degree = 2;
-    convex.rows = 3;
-    convex.loss = loss;
-    convex.most_iterations = 3;
-    const ConvexSolution body = fit_convex(convex);
-    EXPECT_LE(slope_by_factor(body, curves[0], loss), budget::light_derivatives);
-    const MeshFit mesh{.curves = curves,
-                       .start = {b.spin, ShadedMesh(body.body.mesh()), b.law},
-                       .loss = loss,
-                       .most_iterations = 3};
-    EXPECT_LE(slope_by_factor(fit_mesh(mesh), curves[0], loss), budget::light_derivatives);
+    LightFit fit{curves, b, {.moments = MomentSource::fit}, loss, 3};
+    fit.start.shape = ConvexShape::of(b.ellipsoid(), 2, 3);
+    const LightSolution facets = fit_light(fit);
+    EXPECT_LE(slope_by_factor(facets, curves[0], loss), budget::light_derivatives);
+    fit.start.shape = ShadedMesh(facets.body.convex().mesh());
+    fit.unknowns.moments = MomentSource::start;
+    EXPECT_LE(slope_by_factor(fit_light(fit), curves[0], loss), budget::light_derivatives);
   }
 }
 
@@ -281,17 +273,21 @@ TEST(RobustLight, ErrorsAreThoseThatAFactorAmongTheUnknownsLeaves) {
     const LightFit fit{curves, in_short_axis_mode, {}, {kind, 1.5}, 100};
     const LightSolution found = fit_light(fit);
     ASSERT_TRUE(found.is_found()) << found.result.sentence;
-    const detail::LightResiduals about(curves, {}, found.body);
+    const auto about = ellipsoid_residuals(curves, {}, found.body);
     const auto light = [&](const std::vector<double>& x) {
       std::vector<detail::MotionPoint> motion;
-      std::vector<double> B(about.points());
-      const EllipsoidModel body = about.body_at(x);
+      std::vector<double> B(about.curves().size());
+      const LightModel body = about.body_at(x);
       EXPECT_TRUE(detail::free_motion(body.spin, about.curves().times(), {}, motion));
-      EXPECT_TRUE(about.brightness_of(body, motion, B));
+      EXPECT_TRUE(detail::brightness_along(
+          [&](const Vec3& s, const Vec3& o) {
+            return brightness(body.ellipsoid(), body.law, s, o);
+          },
+          {}, motion, about.curves(), B));
       return B;
     };
     const std::vector<double> x = light_unknowns_at({}, found.body, found.body);
-    const std::size_t n = x.size(), count = about.points();
+    const std::size_t n = x.size(), count = about.curves().size();
     const std::vector<double> B = light(x);
     const double f = found.factors.at(0), h = 1e-5;
     std::vector<double> rows(count * (n + 1)), numbers(count);
@@ -356,9 +352,9 @@ TEST(RobustLight, SearchesRankByWhatTheyMinimise) {
                                     return f.beside == FoundLight::Beside::image && f.of == 0;
                                   }),
             3);
-  const EllipsoidModel truth = at_time(in_short_axis_mode, best.body.spin.t0);
+  const LightModel truth = at_time(in_short_axis_mode, best.body.spin.t0);
   EXPECT_TRUE(std::ranges::any_of(found.solutions, [&](const FoundLight& f) {
-    const EllipsoidModel& b = f.solution.body;
+    const LightModel& b = f.solution.body;
     return mahalanobis(f.solution.covariance, light_unknowns_at({}, b, b),
                        light_unknowns_at({}, b, nearest_of_same(b, truth))) <
            budget::light_distance;

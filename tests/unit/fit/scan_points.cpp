@@ -91,7 +91,7 @@ TEST(ScanAdvice, KnowsTheDayOfOneSite) {
 constexpr double first_night = 0.0, second_night = 27.3, third_night = 49.6;  // turns of precession
 
 // Three nights of four turns and 60 points each, with errors of 2 %.
-std::vector<LightCurve> nights(const EllipsoidModel& b, double P) {
+std::vector<LightCurve> nights(const LightModel& b, double P) {
   const FreeRotation motion = motion_of(b);
   const CounterRandom random(4, key_of("nights"));
   std::vector<LightCurve> curves;
@@ -103,7 +103,7 @@ std::vector<LightCurve> nights(const EllipsoidModel& b, double P) {
       const Vec3 sun{1.0, 0.2, 0.3}, observer{0.8, 0.6, 0.1};
       const Quaternion back = conj(motion.at(t).q);
       const double flux =
-          lommel_seeliger_brightness(b.shape, rotate(back, sun), rotate(back, observer));
+          lommel_seeliger_brightness(b.ellipsoid(), rotate(back, sun), rotate(back, observer));
       curve.points.push_back(
           {t, flux * (1.0 + 0.02 * random.normal(own, 1000 + 4 * i)), 0.02 * flux, sun, observer});
     }
@@ -122,7 +122,7 @@ double off_lines(double f, double f_phi, double f_psi) {
 }
 
 TEST(SessionScan, FindsThePeriodsOfNightsFarApart) {
-  const EllipsoidModel& b = in_long_axis_mode;
+  const LightModel& b = in_long_axis_mode;
   const FreeRotation motion = motion_of(b);
   const double f_phi = motion.precession_rate_long() / (2.0 * pi<double>());
   const double f_psi = 1.0 / motion.polhode_period();

@@ -11,8 +11,7 @@
 #include "bright_night.hpp"
 #include "budgets.hpp"
 #include "message_of.hpp"
-#include "polhode/fit/convex_fit.hpp"
-#include "polhode/fit/mesh_fit.hpp"
+#include "polhode/fit/light_fit.hpp"
 #include "polhode/fit/residual_function.hpp"
 #include "polhode/light/facet_brightness.hpp"
 #include "polhode/light/patch_brightness.hpp"
@@ -99,30 +98,28 @@ void expect_derivatives(const LeastSquares& problem,
 }
 
 // One end of it thicker and its sides flattened.
-ConvexFit egg_fit() {
-  ConvexFit fit;
-  fit.start = in_short_axis_mode;
-  fit.degree = 3;
-  fit.rows = 4;
-  fit.multiple = true;
-  const GaussianImage image(fit.degree, fit.rows);
+LightFit egg_fit() {
+  LightFit fit{{}, {}, {true, MomentSource::fit, true}, {}, 100};
+  const GaussianImage image(3, 4);
   std::vector<double> c = image.coefficients(polhode::Ellipsoid{1.2, 1.0, 0.6});
   for (std::size_t k = 9; k < 16; ++k) c[k] += 0.1 * std::cos(3.0 * static_cast<double>(k));
-  fit.from = ConvexModel{in_short_axis_mode.spin, Scattering::mixed(0.2), image, c};
-  fit.from->spin.w_F.x *= 1.01;
-  fit.from->spin.inertia_F(0, 0) *= 1.05;
+  fit.start = {in_short_axis_mode.spin, ConvexShape{image, c}, Scattering::mixed(0.2)};
+  fit.start.spin.w_F.x *= 1.01;
+  fit.start.spin.inertia_F(0, 0) *= 1.05;
+  fit.regularisation.about = in_short_axis_mode;
   fit.curves = {night(in_short_axis_mode, 2.0, 40, 0.02, 3)};
   return fit;
 }
 
 TEST(SurfaceFunctions, ConvexDerivativesAreThoseOfDifferencesInDoubleDouble) {
-  const ConvexFit fit = egg_fit();
-  const ConvexModel& from = *fit.from;
-  const GaussianImage& image = from.image;
-  const polhode::Ellipsoid& e = fit.start.shape;
+  const LightFit fit = egg_fit();
+  const LightModel& from = fit.start;
+  const LightModel& about = *fit.regularisation.about;
+  const GaussianImage& image = from.convex().image;
+  const polhode::Ellipsoid& e = about.ellipsoid();
   const std::vector<double> usual =
       image.coefficients(polhode::Ellipsoid{e.a / e.b, 1.0, e.c / e.b});
-  std::vector<double> whole = from.coefficients;
+  std::vector<double> whole = from.convex().coefficients;
   whole[0] = usual[0];
   const std::vector<double> A0 = image.areas(whole);
   constexpr std::size_t own = 9;  // after the turn, w, moments and the weight
@@ -148,17 +145,18 @@ TEST(SurfaceFunctions, ConvexDerivativesAreThoseOfDifferencesInDoubleDouble) {
         const int next = (k + 1) % 3;
         sum += A[j] * (k < 3 ? DD(n[k]) : DD(n[k - 3]) * DD(n[next]));
       }
-      all.push_back(sum / total / DD(k < 3 ? fit.closure_error : fit.axes_error));
+      all.push_back(sum / total /
+                    DD(k < 3 ? fit.regularisation.closure_error : fit.regularisation.axes_error));
     }
     for (std::size_t k = 1; k < whole.size(); ++k) {
       const double l = std::floor(std::sqrt(static_cast<double>(k)));
-      all.push_back(DD(l * (l + 1.0) / fit.roughness_error) *
+      all.push_back(DD(l * (l + 1.0) / fit.regularisation.roughness_error) *
                     (DD(whole[k]) - DD(usual[k]) + off(own + k - 1)));
     }
     for (int k = 0; k < 2; ++k)
-      all.push_back((DD(from.spin.inertia_F(k, k)) - DD(fit.start.spin.inertia_F(k, k)) +
+      all.push_back((DD(from.spin.inertia_F(k, k)) - DD(about.spin.inertia_F(k, k)) +
                      off(6 + static_cast<std::size_t>(k))) /
-                    DD(fit.moments_error));
+                    DD(fit.regularisation.moments_error));
     return all;
   };
   expect_derivatives(least_squares_of(fit), numbers);
@@ -171,11 +169,10 @@ TEST(SurfaceFunctions, MeshDerivativesAreThoseOfDifferencesInDoubleDouble) {
   });
   for (const FacetShape& shape : {one, joined(one, two)}) {
     const ShadedMesh mesh(shape);
-    MeshFit fit{.curves = {night(in_short_axis_mode, 2.0, 30, 0.02, 3)},
-                .start = {in_short_axis_mode.spin, mesh, Scattering::mixed(0.2)},
-                .moments = MomentSource::fit,
-                .multiple = true,
-                .loss = {}};
+    const LightFit fit{{night(in_short_axis_mode, 2.0, 30, 0.02, 3)},
+                       {in_short_axis_mode.spin, mesh, Scattering::mixed(0.2)},
+                       {true, MomentSource::fit, true},
+                       {}};
     EXPECT_EQ(mesh.is_shadowless(), shape.facets().size() == one.facets().size());
     std::vector<Vec3> normals;
     for (const Facet& f : shape.facets()) normals.push_back(f.normal);
@@ -204,15 +201,16 @@ TEST(SurfaceFunctions, MeshDerivativesAreThoseOfDifferencesInDoubleDouble) {
 
 // The sum that a fit minimised, without slope there, when the function begins at what it found.
 TEST(SurfaceFunctions, HaveNoSlopeAtWhatAFitFound) {
-  ConvexFit fit = egg_fit();
+  LightFit fit = egg_fit();
   fit.curves = {night(in_short_axis_mode, 5.0, 90, 0.02, 3)};
-  fit.from.reset();
+  fit.start = in_short_axis_mode;
+  fit.start.shape = ConvexShape::of(in_short_axis_mode.ellipsoid(), 3, 4);
   for (const MomentSource moments : {MomentSource::fit, MomentSource::start, MomentSource::shape}) {
-    fit.moments = moments;
-    ConvexFit at = fit;
-    const ConvexSolution found = fit_convex(fit);
+    fit.unknowns.moments = moments;
+    LightFit at = fit;
+    const LightSolution found = fit_light(fit);
     ASSERT_TRUE(found.is_found()) << found.result.sentence;
-    at.from = found.body;
+    at.start = found.body;
     const LeastSquares problem = least_squares_of(at);
     const ResidualFunction f(problem);
     std::vector<double> x, r(f.size()), J(f.size() * f.unknowns());
@@ -236,27 +234,27 @@ TEST(SurfaceFunctions, HaveNoSlopeAtWhatAFitFound) {
       slope.add(std::abs(sum) / std::sqrt(square), names[k]);
     }
     EXPECT_LE(slope.value(), budget::surface_fit_slope) << slope.where();
-    const ConvexModel same = body_at(at, x);
-    EXPECT_EQ(same.coefficients, found.body.coefficients);
+    const LightModel same = body_at(at, x);
+    EXPECT_EQ(same.convex().coefficients, found.body.convex().coefficients);
     EXPECT_NEAR(same.spin.inertia_F(0, 0), found.body.spin.inertia_F(0, 0), budget::convex_moments);
     // a fit that goes on from there has nothing to do
     if (moments == MomentSource::shape) continue;
-    EXPECT_LE(fit_convex(at).result.iterations, 1);
+    EXPECT_LE(fit_light(at).result.iterations, 1);
   }
 }
 
 // Moments that follow the shape are those of the body at every x, and so are their derivatives.
 TEST(SurfaceFunctions, MomentsFollowTheShapeAtEveryX) {
-  ConvexFit fit = egg_fit();
-  fit.moments = MomentSource::shape;
+  LightFit fit = egg_fit();
+  fit.unknowns.moments = MomentSource::shape;
   const LeastSquares problem = least_squares_of(fit);
   const ResidualFunction f(problem);
   const std::size_t n = f.unknowns(), m = f.size();
   std::vector<double> x, r(m), J(m * n);
   for (const Unknown& u : problem.unknowns) x.push_back(u.start);
   x[8] += 0.05;
-  const ConvexModel body = body_at(fit, x);
-  const ShapeInertia own = shape_inertia(body);
+  const LightModel body = body_at(fit, x);
+  const ShapeInertia own = shape_inertia(body.convex());
   EXPECT_NEAR(body.spin.inertia_F(0, 0), own.Ixx, budget::convex_followed);
   EXPECT_NEAR(body.spin.inertia_F(1, 1), own.Iyy, budget::convex_followed);
   ASSERT_TRUE(f.at(x, r, J));
@@ -285,29 +283,30 @@ TEST(SurfaceFunctions, MomentsFollowTheShapeAtEveryX) {
 }
 
 TEST(SurfaceFunctions, SayWhatIsWrong) {
-  ConvexFit fit = egg_fit();
+  LightFit fit = egg_fit();
   const std::vector<double> few{1.0};
   EXPECT_MESSAGE(body_at(fit, few), "body_at: got 1 unknowns; expected 24");
-  fit.from->coefficients.pop_back();
-  EXPECT_MESSAGE(least_squares_of(fit),
-                 "fit_convex: 15 coefficients of the body that it begins with; expected 16");
+  std::get<ConvexShape>(fit.start.shape).coefficients.pop_back();
+  EXPECT_MESSAGE(least_squares_of(fit), "fit_light: 15 coefficients of a convex body; expected 16");
   fit = egg_fit();
-  fit.from->spin.inertia_F(0, 1) = 0.1;
-  EXPECT_REJECTED(fit_convex(fit), "the axes of the body that it begins with must be principal");
+  fit.regularisation.about->spin.inertia_F(0, 1) = 0.1;
+  EXPECT_REJECTED(fit_light(fit), "the axes of the body that is the usual one must be principal");
   fit = egg_fit();
-  fit.curves[0].points.resize(2);
-  fit.degree = 1;
-  fit.from.reset();
-  fit.closure_error = -1.0;
+  fit.regularisation.about->shape = ConvexShape::of({1.2, 1.0, 0.6}, 2, 4);
+  EXPECT_REJECTED(fit_light(fit), "or a convex body of the degree of the start");
+  fit = egg_fit();
+  fit.regularisation.closure_error = -1.0;
   EXPECT_REJECTED(least_squares_of(fit), "closure_error = -1");
-  MeshFit mesh{
-      .curves = fit.curves,
-      .start = {in_short_axis_mode.spin, ShadedMesh(globe(3, [](const Vec3& v) { return v; })), {}},
-      .loss = {}};
+  LightFit mesh{
+      fit.curves,
+      {in_short_axis_mode.spin, ShadedMesh(globe(3, [](const Vec3& v) { return v; })), {}},
+      {.moments = MomentSource::start},
+      {}};
+  mesh.curves[0].points.resize(2);
   EXPECT_MESSAGE(least_squares_of(mesh),
-                 "fit_mesh: 2 points for 6 unknowns and 1 factor; expected as many at least");
+                 "fit_light: 2 points for 6 unknowns and 1 factor; expected as many at least");
   EXPECT_MESSAGE(body_at(mesh, few), "body_at: got 1 unknowns; expected 6");
-  mesh.moments = MomentSource::shape;
+  mesh.unknowns.moments = MomentSource::shape;
   EXPECT_REJECTED(least_squares_of(mesh), "moments cannot follow a shape that stays");
 }
 

@@ -15,7 +15,7 @@ namespace polhode::test {
 
 // Brightness at the points of one session in double-double, at x + h e_k: of attitude to second
 // order in h.
-inline std::vector<DoubleDouble> wide_brightness(const EllipsoidModel& b, const LightCurve& curve,
+inline std::vector<DoubleDouble> wide_brightness(const LightModel& b, const LightCurve& curve,
                                                  std::size_t k, const DoubleDouble& h) {
   using DD = DoubleDouble;
   const auto off = [&](std::size_t j) { return j == k ? h : DD(0.0); };
@@ -26,8 +26,8 @@ inline std::vector<DoubleDouble> wide_brightness(const EllipsoidModel& b, const 
   q = q * turn;
   const DD size = sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
   q = {q.w / size, q.x / size, q.y / size, q.z / size};
-  const DD ratio = DD(b.shape.b) + off(6);
-  const DD c = ratio * (DD(b.shape.c / b.shape.b) + off(7));
+  const DD ratio = DD(b.ellipsoid().b) + off(6);
+  const DD c = ratio * (DD(b.ellipsoid().c / b.ellipsoid().b) + off(7));
   const BasicEllipsoid<DD> shape{DD(1.0), ratio, c};
   const BasicVec3<DD> I = homogeneous_moments(shape, DD(1.0));
   const BasicVec3<DD> X{I.x / I.z, I.y / I.z, DD(1.0)};
