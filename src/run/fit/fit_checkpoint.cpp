@@ -2,12 +2,15 @@
 #include "polhode/run/fit_checkpoint.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <iterator>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "polhode/error.hpp"
 #include "polhode/run/run.hpp"
+#include "polhode/trajectory/state_bytes.hpp"
 #include "run/detail/checkpoint.hpp"
 #include "run/detail/output_checks.hpp"
 #include "text/words.hpp"
@@ -32,10 +35,16 @@ detail::KeptSetup setup_of(const Scenario& scenario, const std::vector<std::stri
 
 class FitCheckpoint::Parts {
  public:
-  Parts(const Scenario& scenario, detail::KeptSetup setup)
-      : scenario_(scenario), outputs_(std::move(setup), provenance(scenario)) {
+  Parts(const Scenario& scenario, const detail::KeptSetup& setup)
+      : scenario_(scenario), outputs_(setup, provenance(scenario)) {
     if (outputs_.continues()) {
       StateBytes bytes(outputs_.state());
+      std::uint64_t written = 0;
+      bytes(written);
+      if (written != form)
+        throw DomainError(detail::printable(scenario.document.name, 200) +
+                          ": the checkpoint has results in the form of another build of polhode; " +
+                          setup.words.restart + " " + setup.kind.again);
       journal_.serialize(bytes);
     }
     outputs_.open([](const std::string&, const std::optional<SinkPosition>&) {
@@ -48,6 +57,8 @@ class FitCheckpoint::Parts {
 
   void keep() {
     StateBytes bytes;
+    std::uint64_t written = form;
+    bytes(written);
     journal_.serialize(bytes);
     const std::string results = std::to_string(journal_.results()) + " results";
     outputs_.keep({bytes.bytes(),
@@ -59,6 +70,9 @@ class FitCheckpoint::Parts {
   CellJournal& journal() { return journal_; }
 
  private:
+  // Of the results (fit/result_bytes.hpp): another one if their bytes change.
+  inline static const std::uint64_t form = fingerprint("results of fits, a body with its shape");
+
   const Scenario& scenario_;
   CellJournal journal_;
   detail::KeptOutputs outputs_;
