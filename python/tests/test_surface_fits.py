@@ -145,6 +145,25 @@ def test_a_scenario_with_a_convex_body(tmp_path):
     assert len(figures.pole_sky(found).get_legend().get_texts()) == 1
 
 
+def test_halves_of_a_night_join_to_a_convex_body():
+    """Residual functions have the cost of the solution: the usual facets are those of the ellipsoid
+    of the first half."""
+    text = NIGHT.read_text()
+    table = text[text.index("[[observation]]"):text.index("[free]")].rstrip()
+    halves = [f"{table}\nleave_out = {list(lines)}\n" for lines in (range(5, 66), range(66, 126))]
+    changes = {"fit.sessions": "one-by-one", "light.shape": "convex", "light.convex.degree": 3,
+               "light.convex.rows": 4}  # fmt: skip
+    scenario = polhode.Scenario.from_text(text.replace(table, "\n".join(halves)), str(NIGHT))
+    found = polhode.fit(scenario.replace({**NEARBY, **changes}))
+    first, second = found.report["joined_sessions"]
+    assert first["counts"] == 1 < second["counts"] and len(found.curves) == 2
+    for one in found:
+        assert one.body.kind == "convex" and one.converged
+        f = one.residual_function()
+        assert_allclose(np.sum(f.residuals(f.start) ** 2), one.report["cost"],
+                        rtol=budgets.fit_freedom)  # fmt: skip
+
+
 def test_facets_are_drawn_where_they_are():
     """Corners on paper are those of the mesh; what is lit and faces the observer is bright."""
     shape = fit_calls.TETRAHEDRON

@@ -43,6 +43,9 @@ LIGHT = {
     "convex": SEARCH.format(starts=20) + PERIODS
     + '[light]\nshape = "convex"\n[light.convex]\ndegree = 3\nrows = 3\n',
 }
+# The halves of the night as sessions of a convex body.
+HALVES = [NIGHT + f"leave_out = {list(lines)}\n" for lines in (range(5, 46), range(46, 86))]
+LIGHT["sessions"] = LIGHT["convex"].replace("[fit]\n", '[fit]\nsessions = "one-by-one"\n')
 OUTPUTS = ("--solution", "found.toml", "--residuals", "left.csv")
 
 
@@ -59,7 +62,8 @@ def contents(folder):
 
 @pytest.fixture
 def light_file(night, fit_file):
-    return lambda name: fit_file(NIGHT, FREE_LIGHT, LIGHT[name], head=TUMBLER, name="search.toml")
+    return lambda name: fit_file(*(HALVES if name == "sessions" else [NIGHT]), FREE_LIGHT,
+                                 LIGHT[name], head=TUMBLER, name="search.toml")
 
 
 @pytest.fixture

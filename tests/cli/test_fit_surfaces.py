@@ -234,6 +234,62 @@ def test_a_mesh_is_found_where_no_ellipsoid_leads_to_it(run, fit_file, tmp_path)
     assert found["solutions"][0]["chi_square"] < 1.2 * found["solutions"][0]["degrees_of_freedom"]
 
 
+@pytest.fixture
+def two_nights(run, fit_file, tmp_path):
+    """Files that fit the egg to two nights of two hours, twelve hours apart, one by one."""
+    (tmp_path / "seen.obj").write_text(egg())
+    head = HEAD.replace("stop = 120\ncount = 81", "stop = 840\nstep = 3").replace(
+        'times = "at-body"\n', 'times = "at-body"\nsession_column = ["session"]\n')
+    sessions = "[simulate]\nsessions = [0, 120, 720, 840]\n"
+    run.ok("simulate", fit_file(MESH, TURN, sessions, head=head, name="truth.toml"),
+           "--into", tmp_path)
+    fit = SEARCH.replace("[fit]\n", '[fit]\nsessions = "one-by-one"\n')
+    return lambda *shape: fit_file(*shape, fit, sessions, head=head, name="nights.toml")
+
+
+def joined(run, path, folder):
+    """The report of a fit whose sessions joined; its files have every point and a scenario."""
+    out, left = folder / "found.toml", folder / "left.csv"
+    report = fitted(run, path, "--solution", out, "--residuals", left)
+    first, second = report["joined_sessions"]
+    assert (first["session"], second["session"]) == (1, 2) and second["distance"] == 720
+    assert second["counts"] > first["counts"] == first["solutions"] > 0
+    best = report["solutions"][0]
+    assert best["cost"] == second["cost"] and len(best["factors"]) == 2
+    assert best["chi_square"] < 1.6 * best["degrees_of_freedom"]
+    for key, truth in ("precession_period", 12), ("rotation_period", 20):
+        assert abs(best[key]["value"] - truth) < 5 * best[key]["error"] < 0.01
+    for column in rows(left), rows(folder / "left-2.csv"):
+        assert list(column["session"]) == 41 * [1] + 41 * [2]
+    assert sum(rows(left)["r"]**2) == pytest.approx(best["chi_square"], rel=budgets.cli_fit_starts)
+    return report, best
+
+
+def test_sessions_of_a_mesh_join_one_by_one(run, two_nights, tmp_path):
+    """From a search, and from the file of its solution."""
+    report, best = joined(run, two_nights(MESH, TURN), tmp_path)
+    assert report["model"] == "mesh"
+    assert smallest(*(pole_off(one) for one in report["solutions"])) < 1
+    text = run("fit", tmp_path / "found.toml", "--set", "fit.sessions=one-by-one").stdout
+    assert "sessions one by one: a fit for each count of turns; solutions and the lowest" in text
+    again = fitted(run, tmp_path / "found.toml", "--set", "fit.sessions=one-by-one")["solutions"][0]
+    assert again["chi_square"] == pytest.approx(best["chi_square"], rel=budgets.cli_fit_starts)
+
+
+def test_sessions_of_a_convex_body_join_one_by_one(run, two_nights, tmp_path):
+    """From a search and from a start. The usual facets are those of the ellipsoid of the first
+    night: costs differ in the fourth digit, also from that of a fit of both nights at once."""
+    path = two_nights(CONVEX, FREE)
+    report, best = joined(run, path, tmp_path)
+    assert report["model"] == "convex" and best["convex"]["facets"] == 128
+    assert found_beside(tmp_path)[0] == "found-2-seen.obj"
+    assert 'mesh = "found-seen.obj"' in (tmp_path / "found.toml").read_text()
+    start = ["--set", "fit.from=start", "--set", "fit.starts=", "--set", "fit.periods="]
+    for change in [], ["--set", "fit.sessions=together", "--set", "fit.iterations=200"]:
+        one, = fitted(run, path, *start, *change)["solutions"]
+        assert abs(one["cost"] - best["cost"]) < 1e-3 * best["cost"]
+
+
 @pytest.mark.parametrize(("parts", "expected"), [
     ((CONVEX, TURN), "expected shape among them: a convex body is what is looked for"),
     ((MESH, FREE), 'expected no shape with light.shape = "mesh": the mesh is given'),

@@ -116,8 +116,9 @@ struct FoundLight {
   std::string sentence;
   // Its own shape, or of another body the ellipsoid of the same moments, a = 1.
   Ellipsoid ellipsoid{1.0, 1.0, 1.0};
-  std::optional<LightModel> begun =
-      std::nullopt;  // the ellipsoid that another body was fitted from
+  // The ellipsoid that another body was fitted from; of sessions that joined one by one, the convex
+  // body that was the usual one.
+  std::optional<LightModel> begun = std::nullopt;
 };
 
 // Of a solution by itself.

@@ -6,7 +6,7 @@
 //             the same build of polhode; each rank reads files for itself.
 // Accuracy    bytes pass unchanged.
 // Errors      ExecutorError with the rank and its message for what a rank throws. A rank that dies
-//             ends the job, as mpirun does; what MPI itself refuses ends it too, with its message.
+//             ends the job, as mpirun does; what MPI itself rejects ends it too, with its message.
 // Cost        MPI_Init, a tenth of a second. Then a message to and from a rank for each cell, and a
 //             look for messages at least every millisecond. A rank has one cell in store, so that
 //             it does not wait for the next.

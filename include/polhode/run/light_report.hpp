@@ -9,7 +9,8 @@
 //             within the limit again from its images. A mesh is looked for by periods, and takes
 //             those, pole and phases of the ellipsoid, too, in four half turns. Sessions one by
 //             one: extend_light begins with the solutions that a search finds in the session with
-//             most points, or with the start, in the session that it fits best.
+//             most points, or with the start, in the session that it fits best; to convex bodies
+//             with the facets of the ellipsoids of that session.
 //             chi-square of a scan is the same for f1 and f2 exchanged: half of it is computed.
 // Units       core units; texts and files in the units of the scenario.
 // Domain      free rotation relative to inertial axes. Axes of solutions are the principal ones in

@@ -48,7 +48,9 @@ class DistinctSolutions {
 
   // Solutions from here on have other unknowns; the best of each pair of periods stays.
   void begin(AreSame are_same);
-  void add(const LightSolution& solution, std::size_t periods);
+  // `begun` as FoundLight, that of the fit with the lowest sum.
+  void add(const LightSolution& solution, std::size_t periods,
+           const std::optional<LightModel>& begun = std::nullopt);
 
   const std::vector<FoundLight>& all() const { return solutions_; }
   const std::optional<LightSolution>& best_of(std::size_t periods) const { return best_[periods]; }

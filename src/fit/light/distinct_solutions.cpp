@@ -302,8 +302,10 @@ void DistinctSolutions::begin(AreSame are_same) {
   solutions_.clear();
 }
 
-void DistinctSolutions::add(const LightSolution& solution, std::size_t periods) {
+void DistinctSolutions::add(const LightSolution& solution, std::size_t periods,
+                            const std::optional<LightModel>& begun) {
   FoundLight found = found_light(solution, periods);
+  found.begun = begun;
   ++converged_;
   std::optional<LightSolution>& best = best_[periods];
   const double cost = solution.result.cost;
@@ -314,6 +316,7 @@ void DistinctSolutions::add(const LightSolution& solution, std::size_t periods) 
     if (!(cost < f.solution.result.cost)) return;
     f.solution = std::move(found.solution);
     f.ellipsoid = found.ellipsoid;
+    f.begun = std::move(found.begun);
     return;
   }
   found.starts = 1;

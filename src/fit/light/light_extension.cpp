@@ -233,10 +233,11 @@ void check(const LightExtension& e) {
   detail::require_within(extend_name, e.within);
 }
 
-// Where a fit begins, and from which of the starts it came.
+// Where a fit begins, from which of the starts it came, and of convex bodies the usual one.
 struct Begin {
   LightModel body;
   std::size_t from;
+  std::optional<LightModel> about;
 };
 
 class Extension {
@@ -247,7 +248,11 @@ class Extension {
 
   LightExtensionResult found() {
     std::vector<Begin> begins;
-    for (std::size_t k = 0; k < asked_.starts.size(); ++k) begins.push_back({asked_.starts[k], k});
+    for (std::size_t k = 0; k < asked_.starts.size(); ++k) {
+      const LightModel& start = asked_.starts[k];
+      begins.push_back({start, k, asked_.regularisation.about});
+      if (start.is_convex() && !begins.back().about) begins.back().about = start;
+    }
     join(asked_.first, 0.0, begins);
     while (result_.failure.empty() && joined_.size() < ranges_.size()) join_next();
     if (!result_.failure.empty()) result_.solutions.clear();
@@ -281,7 +286,7 @@ class Extension {
       }
       without_body += counts.without_body;
       without_periods += counts.has_periods ? 0 : 1;
-      for (const LightModel& body : counts.bodies) begins.push_back({body, f.periods});
+      for (const LightModel& body : counts.bodies) begins.push_back({body, f.periods, f.begun});
     }
     const std::string before = "before session " + std::to_string(next + 1) + ", ";
     note(before + "solutions left out, with more than " + std::to_string(asked_.most_counts) +
@@ -365,8 +370,7 @@ class Extension {
                  asked_.unknowns,      asked_.loss,
                  pass.most_iterations, first_step,
                  asked_.regularisation};
-    if (begin.body.is_convex() && !fit.regularisation.about)
-      fit.regularisation.about = asked_.starts[begin.from];
+    fit.regularisation.about = begin.about;
     return fit;
   }
 
@@ -379,12 +383,12 @@ class Extension {
         },
         [&](std::int64_t k, const LightSolution& s) {
           tell(pass.done + 0.5 * static_cast<double>(k + 1) / static_cast<double>(begins.size()));
-          const std::size_t from = begins[static_cast<std::size_t>(k)].from;
+          const Begin& begin = begins[static_cast<std::size_t>(k)];
           if (s.is_found()) {
-            finds.add(s, from);
+            finds.add(s, begin.from, begin.about);
             ++pass.converged;
           } else if (s.result.end == LeastSquaresResult::End::iteration_limit) {
-            pass.unfinished.push_back({s.result.cost, {s.body, from}});
+            pass.unfinished.push_back({s.result.cost, {s.body, begin.from, begin.about}});
           }
         },
         [this](Archive& bytes, LightSolution& s) {

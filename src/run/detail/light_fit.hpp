@@ -30,14 +30,17 @@ std::size_t longest_session(std::span<const LightCurve> curves);
 std::size_t nearest_session(std::span<const LightCurve> curves, const LightModel& body,
                             const Loss& loss);
 
-// From bodies near the first of the sessions to solutions of all.
+// From bodies near the first of the sessions to solutions of all; to convex bodies from the
+// ellipsoids that they begin with, whose facets stay the usual ones.
 void extend_to_sessions(const Scenario& scenario, std::size_t first, std::vector<LightModel> starts,
                         const LightFitOptions& options, LightReport& report);
 
-// The fits of convex bodies and of the mesh of one scenario.
+// The fits of convex bodies and of the mesh of one scenario to some of its light curves, which must
+// outlive it.
 class SurfaceFits {
  public:
-  SurfaceFits(const Scenario& scenario, const LightReport& report);
+  SurfaceFits(const Scenario& scenario, const LightUnknowns& unknowns,
+              const std::vector<LightCurve>& curves);
 
   // The best from this ellipsoid: of a mesh of some attitudes with its periods. None where the mesh
   // has no such motion.
@@ -49,6 +52,7 @@ class SurfaceFits {
   // Of the mesh from the state of the file.
   FoundLight from_file() const;
   LightFit fit_from(const LightModel& start) const;
+  LightModel convex_of(const LightModel& ellipsoid) const;
   // With the state, the shape and the law of the file; none where it has no mesh.
   const std::optional<LightModel>& mesh() const { return mesh_; }
   // Of two fits whose bodies are the same, or nearly so.
@@ -64,7 +68,8 @@ class SurfaceFits {
   std::vector<SpinState> mesh_starts(const LightModel& ellipsoid) const;
 
   const FitPlan& plan_;
-  const LightReport& report_;
+  LightUnknowns unknowns_;
+  const std::vector<LightCurve>& curves_;
   LightGeometry geometry_;
   int most_iterations_;
   std::optional<LightModel> mesh_;
@@ -72,10 +77,13 @@ class SurfaceFits {
 
 // Shape and unknowns into the report; and what the scenario asks that no fit can do.
 void begin_surfaces(const Scenario& scenario, LightReport& report);
+// To a convex body the ellipsoid of the moments that it has if filled evenly.
+void set_ellipsoid(FoundLight& one);
 // From an ellipsoid that was fitted, or of a mesh from the file.
 void fit_surface_from_start(const Scenario& scenario, const std::optional<LightModel>& ellipsoid,
                             LightReport& report);
-// From the ellipsoids that a search found, and a mesh from what it asked, too.
+// From the ellipsoids that a search found, and a mesh from what it asked, too; to the curves of the
+// search.
 void fit_surfaces(const Scenario& scenario, const LightSearch& asked,
                   const LightSearchResult& found, const LightFitOptions& options,
                   LightReport& report);

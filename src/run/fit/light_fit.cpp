@@ -74,19 +74,41 @@ LightModel start_of(const Scenario& scenario, const LightPlan& plan) {
   return start;
 }
 
+// A convex body begins with the ellipsoid of the first session.
+void extend_from_start(const Scenario& scenario, const FitPlan& plan,
+                       const LightFitOptions& options, LightReport& report) {
+  const std::vector<LightCurve>& curves = report.observed.curves;
+  LightModel start = report.shape == LightPlan::Shape::mesh
+                         ? *detail::SurfaceFits(scenario, report.unknowns, curves).mesh()
+                         : start_of(scenario, plan.light);
+  const std::size_t first = detail::nearest_session(curves, start, plan.loss);
+  if (report.shape == LightPlan::Shape::convex) {
+    const LightSolution found =
+        fit_light({{curves[first]}, start, plan.light.unknowns, plan.loss, plan.most_iterations});
+    if (!found.is_found()) {
+      report.failure = found.result.sentence;
+      return;
+    }
+    start = found.body;
+    report.converged = 1;
+  }
+  detail::extend_to_sessions(scenario, first, {start}, options, report);
+  const std::size_t converged = report.is_found() ? 1 : 0;
+  if (report.shape == LightPlan::Shape::ellipsoid) {
+    report.converged = converged;
+  } else {
+    report.surfaces = 1;
+    report.surfaces_converged = converged;
+  }
+}
+
 // A mesh from the file; a convex body from the ellipsoid that is found first.
 void fit_from_start(const Scenario& scenario, const FitPlan& plan, const LightFitOptions& options,
                     LightReport& report) {
+  if (plan.light.one_by_one) return extend_from_start(scenario, plan, options, report);
   if (report.shape == LightPlan::Shape::mesh) {
     report.start = LightModel{spin_state(scenario.rotation()), {}, plan.light.law};
     return detail::fit_surface_from_start(scenario, std::nullopt, report);
-  }
-  if (plan.light.one_by_one) {
-    const LightModel start = start_of(scenario, plan.light);
-    const std::size_t first = detail::nearest_session(report.observed.curves, start, plan.loss);
-    detail::extend_to_sessions(scenario, first, {start}, options, report);
-    report.converged = report.is_found() ? 1 : 0;
-    return;
   }
   report.start = start_of(scenario, plan.light);
   const LightFit fit{report.observed.curves, *report.start, plan.light.unknowns, plan.loss,
@@ -168,18 +190,20 @@ void search(const Scenario& scenario, const FitPlan& plan, const LightFitOptions
   for (std::size_t p = 0; p < how.periods.size(); ++p)
     report.pairs.push_back({how.periods[p], found.best_of_periods[p], std::nullopt});
   report.notes = std::move(found.notes);
-  if (report.shape != LightPlan::Shape::ellipsoid)
-    return detail::fit_surfaces(scenario, how, found, options, report);
-  report.solutions = std::move(found.solutions);
-  if (report.solutions.empty()) {
-    report.failure = report.notes.empty() ? "no fit converged" : report.notes.front();
-  } else if (plan.light.one_by_one) {
-    for (std::string& note : report.notes)
-      note = "search of session " + std::to_string(first + 1) + ": " + note;
-    std::vector<LightModel> starts;
-    for (const FoundLight& one : report.solutions) starts.push_back(one.solution.body);
-    detail::extend_to_sessions(scenario, first, std::move(starts), options, report);
+  if (report.shape == LightPlan::Shape::ellipsoid) {
+    report.solutions = std::move(found.solutions);
+    if (report.solutions.empty())
+      report.failure = report.notes.empty() ? "no fit converged" : report.notes.front();
+  } else {
+    detail::fit_surfaces(scenario, how, found, options, report);
   }
+  if (report.solutions.empty() || !plan.light.one_by_one) return;
+  for (std::string& note : report.notes)
+    note = "search of session " + std::to_string(first + 1) + ": " + note;
+  std::vector<LightModel> starts;
+  for (const FoundLight& one : report.solutions)
+    starts.push_back(report.shape == LightPlan::Shape::convex ? *one.begun : one.solution.body);
+  detail::extend_to_sessions(scenario, first, std::move(starts), options, report);
 }
 
 // A sentence for each table whose points have light times of their own.

@@ -59,10 +59,15 @@ std::size_t nearest_session(std::span<const LightCurve> curves, const LightModel
 void extend_to_sessions(const Scenario& scenario, std::size_t first, std::vector<LightModel> starts,
                         const LightFitOptions& options, LightReport& report) {
   const FitPlan& plan = require_fit(scenario);
+  const SurfaceFits fits(scenario, report.unknowns, report.observed.curves);
   LightExtension how;
   how.curves = report.observed.curves;
   how.first = first;
   how.starts = std::move(starts);
+  if (report.shape == LightPlan::Shape::convex) {
+    for (LightModel& start : how.starts) start = fits.convex_of(start);
+    how.regularisation = fits.fit_from(how.starts.front()).regularisation;
+  }
   how.unknowns = report.unknowns;
   how.loss = plan.loss;
   how.within = plan.light.within_factor;
@@ -79,6 +84,10 @@ void extend_to_sessions(const Scenario& scenario, std::size_t first, std::vector
   LightExtensionResult found = extend_light(how);
   report.joined = std::move(found.joined);
   report.solutions = std::move(found.solutions);
+  if (report.shape == LightPlan::Shape::convex) {
+    for (FoundLight& one : report.solutions) set_ellipsoid(one);
+    describe_solutions(report.solutions, how.curves);
+  }
   report.failure = std::move(found.failure);
   report.notes.insert(report.notes.end(), found.notes.begin(), found.notes.end());
 }

@@ -23,19 +23,6 @@ struct Start {
   std::vector<std::size_t> pairs;
 };
 
-// Into the report, of a convex body with the ellipsoid of the moments that it has if filled evenly.
-void keep(FoundLight&& one, LightReport& report) {
-  if (one.solution.body.is_convex()) {
-    try {
-      const FacetShape mesh = one.solution.body.convex().mesh();
-      one.ellipsoid = ellipsoid_of_moments(homogeneous_inertia(mesh));
-    } catch (const DomainError& error) {
-      one.solution.notes.push_back(std::string("no mesh has these areas: ") + error.what());
-    }
-  }
-  report.solutions.push_back(std::move(one));
-}
-
 class Surfaces {
  public:
   Surfaces(const Scenario& scenario, const LightSearch& asked, const LightSearchResult& found,
@@ -46,7 +33,7 @@ class Surfaces {
         found_(found),
         options_(options),
         report_(report),
-        fits_(scenario, report) {}
+        fits_(scenario, report.unknowns, asked.curves) {}
 
   void run() {
     const std::vector<Start> starts = starts_of();
@@ -237,9 +224,9 @@ class Surfaces {
   }
 
   void finish() {
-    report_.solutions.clear();
-    for (FoundLight& one : kept_) keep(std::move(one), report_);
-    describe_solutions(report_.solutions, report_.observed.curves, !fits_.mesh());
+    for (FoundLight& one : kept_) set_ellipsoid(one);
+    report_.solutions = std::move(kept_);
+    describe_solutions(report_.solutions, asked_.curves, !fits_.mesh());
     if (!report_.solutions.empty()) return note_unfinished();
     report_.failure =
         report_.surfaces == 0
@@ -279,19 +266,29 @@ void begin_surfaces(const Scenario& scenario, LightReport& report) {
                      .multiple = plan.light.unknowns.multiple};
 }
 
+void set_ellipsoid(FoundLight& one) {
+  if (!one.solution.body.is_convex()) return;
+  try {
+    const FacetShape mesh = one.solution.body.convex().mesh();
+    one.ellipsoid = ellipsoid_of_moments(homogeneous_inertia(mesh));
+  } catch (const DomainError& error) {
+    one.solution.notes.push_back(std::string("no mesh has these areas: ") + error.what());
+  }
+}
+
 void fit_surface_from_start(const Scenario& scenario, const std::optional<LightModel>& ellipsoid,
                             LightReport& report) {
-  const SurfaceFits fits(scenario, report);
+  const SurfaceFits fits(scenario, report.unknowns, report.observed.curves);
   report.surfaces = 1;
   FoundLight one = fits.mesh() ? fits.from_file() : fits.from(*ellipsoid).front();
-  report.solutions.clear();
   if (!one.solution.is_found()) {
     report.failure = one.solution.result.sentence;
     return;
   }
   report.surfaces_converged = 1;
   one.starts = 1;
-  keep(std::move(one), report);
+  set_ellipsoid(one);
+  report.solutions = {std::move(one)};
 }
 
 void fit_surfaces(const Scenario& scenario, const LightSearch& asked,

@@ -36,10 +36,12 @@ constexpr std::array<LightImage, 3> images{LightImage::normal, LightImage::bisec
 
 }  // namespace
 
-SurfaceFits::SurfaceFits(const Scenario& scenario, const LightReport& report)
+SurfaceFits::SurfaceFits(const Scenario& scenario, const LightUnknowns& unknowns,
+                         const std::vector<LightCurve>& curves)
     : plan_(require_fit(scenario)),
-      report_(report),
-      geometry_(geometry_of(report.observed.curves)),
+      unknowns_(unknowns),
+      curves_(curves),
+      geometry_(geometry_of(curves)),
       most_iterations_(plan_.light.most_iterations.value_or(usual_iterations)) {
   if (plan_.light.shape == LightPlan::Shape::mesh)
     mesh_ = LightModel{spin_state(scenario.rotation()), ShadedMesh(light_mesh(scenario)),
@@ -48,7 +50,7 @@ SurfaceFits::SurfaceFits(const Scenario& scenario, const LightReport& report)
 
 LightFit SurfaceFits::fit_from(const LightModel& start) const {
   const ConvexPlan& plan = plan_.light.convex;
-  LightFit fit{report_.observed.curves, start, report_.unknowns, plan_.loss, most_iterations_};
+  LightFit fit{curves_, start, unknowns_, plan_.loss, most_iterations_};
   fit.regularisation.roughness_error = plan.roughness_error;
   fit.regularisation.moments_error = plan.moments_error;
   return fit;
@@ -63,13 +65,15 @@ FoundLight SurfaceFits::fitted(const LightModel& start, const LightModel& ellips
   return found;
 }
 
-FoundLight SurfaceFits::convex_from(const LightModel& ellipsoid) const {
+LightModel SurfaceFits::convex_of(const LightModel& ellipsoid) const {
   const ConvexPlan& plan = plan_.light.convex;
-  const Ellipsoid& shape = ellipsoid.ellipsoid();
-  FoundLight found =
-      fitted({ellipsoid.spin, ConvexShape::of(shape, plan.degree, plan.rows), ellipsoid.law},
-             ellipsoid, most_iterations_);
-  found.ellipsoid = shape;
+  return {ellipsoid.spin, ConvexShape::of(ellipsoid.ellipsoid(), plan.degree, plan.rows),
+          ellipsoid.law};
+}
+
+FoundLight SurfaceFits::convex_from(const LightModel& ellipsoid) const {
+  FoundLight found = fitted(convex_of(ellipsoid), ellipsoid, most_iterations_);
+  found.ellipsoid = ellipsoid.ellipsoid();
   return found;
 }
 
@@ -170,7 +174,8 @@ bool SurfaceFits::are_same_starts(const FoundLight& a, const FoundLight& b) cons
 
 LightFit light_fit_at(const Scenario& scenario, const LightReport& report, std::size_t solution) {
   const FoundLight& found = report.solutions.at(solution);
-  LightFit fit = detail::SurfaceFits(scenario, report).fit_from(found.solution.body);
+  LightFit fit = detail::SurfaceFits(scenario, report.unknowns, report.observed.curves)
+                     .fit_from(found.solution.body);
   if (found.solution.body.is_convex()) fit.regularisation.about = found.begun;
   return fit;
 }

@@ -151,9 +151,6 @@ LightPlan light_plan(const FileValues& at, const Rotation& rotation, const Place
   if (plan.unknowns.multiple && plan.law.single == 0.0)
     light.refuse<&LightTable::law>(
         "expected another law where its weight beside that of Lommel and Seeliger is unknown");
-  if (plan.one_by_one && plan.shape != Shape::ellipsoid)
-    fit.refuse<&FitTable::one_by_one>(
-        "expected light.shape = \"ellipsoid\"; start other shapes from its solution");
   if (!(plan.within_factor >= 1.0)) fit.refuse<&FitTable::within_factor>("expected 1 or more");
   return plan;
 }

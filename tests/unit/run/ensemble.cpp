@@ -330,7 +330,7 @@ TEST(EnsembleExecutor, GoesOnWhereThreadsStopped) {
   }
 }
 
-TEST(EnsembleExecutor, AnotherEnsembleIsRefused) {
+TEST(EnsembleExecutor, AnotherEnsembleIsRejected) {
   const std::string text = scenario("size = 60\nchunk = 7\n");
   for (const auto& [from, to] :
        {std::pair<std::string, std::string>{"size = 60", "size = 61"}, {"1.7, 2.2", "1.7, 2.1"}}) {
@@ -343,7 +343,7 @@ TEST(EnsembleExecutor, AnotherEnsembleIsRefused) {
   }
 }
 
-TEST(EnsembleExecutor, MoreProcessesThanChunksAreRefused) {
+TEST(EnsembleExecutor, MoreProcessesThanChunksAreRejected) {
   const std::string text = scenario("size = 60\nchunk = 20\n");
   ShuffledExecutor executor(text, 4, 1);
   const ScenarioEnsemble ensemble(text, "e.toml");
