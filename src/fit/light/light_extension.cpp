@@ -224,6 +224,9 @@ LightModel at_time(LightModel body, double t) {
 void check(const LightExtension& e) {
   require_sound(e.curves, {.vectors = true});
   if (e.starts.empty()) throw DomainError(extend_name + "no starts; expected one body");
+  for (const LightModel& start : e.starts)
+    if (start.shape.index() != e.starts.front().shape.index())
+      throw DomainError(extend_name + "starts of several shapes; expected bodies of one shape");
   if (e.first >= e.curves.size())
     throw DomainError(extend_name + "first = " + std::to_string(e.first) + " must be below " +
                       std::to_string(e.curves.size()) + ", the number of sessions");

@@ -78,7 +78,8 @@ LightModel start_of(const Scenario& scenario, const LightPlan& plan) {
 void fit_from_start(const Scenario& scenario, const FitPlan& plan, const LightFitOptions& options,
                     LightReport& report) {
   if (report.shape == LightPlan::Shape::mesh) {
-    report.start = LightModel{spin_state(scenario.rotation()), {}, plan.light.law};
+    report.start =
+        LightModel{spin_state(scenario.rotation()), Ellipsoid{1.0, 1.0, 1.0}, plan.light.law};
     return detail::fit_surface_from_start(scenario, std::nullopt, report);
   }
   if (plan.light.one_by_one) {
