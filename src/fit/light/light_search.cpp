@@ -380,7 +380,7 @@ class Search {
     fit(longer, times(search_.most_iterations, more_search_iterations), false);
   }
 
-  // Of a known body with the law that is known.
+  // A known body has its known law.
   LightModel start_of(const LightModel& from) const {
     if (!is_known_) return from;
     return {from.spin, search_.body->shape, search_.body->law};
