@@ -22,8 +22,8 @@ namespace detail {
 // logarithms are those of the C library, which has several of each and takes one that the processor
 // can run. A mark of what they give for some arguments.
 IdentityPart elementary_functions();
-// Makes theirs those of ours, for a comparison in which they do not matter; if they differ, also the
-// numbers of orbits and torques, which are made with them.
+// Makes theirs those of ours, for a comparison in which they do not matter; if they differ, also
+// the numbers of orbits and torques, which are made with them.
 void take_elementary_functions(Identity& theirs, const Identity& ours);
 // True for a difference() in this part.
 bool differs_in_elementary_functions(const std::string& difference);
