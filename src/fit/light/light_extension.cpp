@@ -320,7 +320,8 @@ class Extension {
         [&](const FoundLight& a, const FoundLight& b) {
           return detail::are_same(a, b, asked_.unknowns, all_.end - all_.begin);
         },
-        !asked_.starts.front().is_mesh());
+        asked_.starts.front().is_ellipsoid() ||
+            (asked_.starts.front().is_convex() && asked_.unknowns.shape));
     Pass pass{curves, asked_.most_iterations, 0.0, {}, 0};
     fit(begins, pass, finds);
     // what has not come to its end and is near the limit goes on, from where it is
