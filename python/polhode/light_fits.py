@@ -199,8 +199,9 @@ def fit_light(
     Parameters
     ----------
     start : LightModel near the answer: phases at the ends of the data within a quarter of a turn.
-        A convex body begins with the best ellipsoid of every pair of periods, `solution.body.convex
-        (degree, rows)`: the ellipsoid is wrong about real bodies, and an alias can suit it better.
+        Begin a convex body with the best ellipsoid of every pair of periods,
+        `solution.body.convex(degree, rows)`: real bodies are not ellipsoids, and an alias can fit
+        an ellipsoid better.
         Degree 6 and rows 8 suit about 350 points, 3 and 4 about 80.
     curves : LightCurve, one or several, with vectors.
     shape : whether b/a and c/b, or the coefficients of facets are unknown; a mesh is known.
@@ -317,7 +318,7 @@ def search_light(
     periods : (mode, P_phi, P_psi), mode "SAM" or "LAM": FourierScan.periods lists them. Those that
         a known body cannot have are left out and counted in a note.
     body : LightModel whose shape, law and inertia are known, such as that of a mesh; its attitude,
-        rate and t0 are not looked at. With its moments a pair of periods leaves a phase of the
+        rate and t0 are ignored. With its moments a pair of periods leaves a phase of the
         polhode and an attitude to be found, on either side of the axis of circulation. None: an
         ellipsoid.
     starts : in all, taken by the pairs of periods in turn; of ellipsoids, pairs near the lowest get

@@ -108,7 +108,7 @@ struct FoundLight {
   std::size_t periods = 0;  // the place of those that it was started from
   // Fits that came to it; where law or moments are unknown, only fits with all unknowns count.
   std::size_t starts = 0;
-  // What it is beside the first solution that it resembles: its place, and in which way.
+  // Its relation to the first solution that it resembles, and the place of that.
   enum class Beside { first, image, alias, other_mode, other_pole };
   Beside beside = Beside::first;
   LightImage image = LightImage::none;

@@ -28,6 +28,7 @@ namespace detail {
 class Draws {
  public:
   Draws(const LightSearch& search, std::uint64_t member)
+      // of a known body as drawn before meshes had the same search
       : random_(search.seed, key_of(search.body ? "search_mesh" : "search_light")),
         member_(member) {}
   double uniform() { return random_.uniform(member_, next_++); }
