@@ -9,7 +9,6 @@
 #include <bit>
 #include <cstdint>
 #include <ctime>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>

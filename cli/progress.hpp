@@ -26,7 +26,7 @@ class ProgressLine {
   ProgressLine& operator=(const ProgressLine&) = delete;
 
   void operator()(const RunProgress& at);
-  // What is left takes its time from here on.
+  // The time that is left is measured from here on.
   void begin_at(const RunProgress& at);
 
  private:

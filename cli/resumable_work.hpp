@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What run, map, ensemble and fit share: options, a line of progress, Ctrl-C and how to continue.
+// Shared by run, map, ensemble and fit: options, a line of progress, Ctrl-C and how to continue.
 #pragma once
 
 #include <exception>
@@ -27,7 +27,7 @@ struct WorkOptions {
   std::vector<std::string> own_words = {}, own_flags = {};
 };
 
-// How help calls it: "run", "a run", "rows".
+// The words of help: "run", "a run", "rows".
 struct WorkWords {
   std::string name, one, results;
 };
@@ -41,10 +41,10 @@ void add_threads(CLI::App& command, WorkOptions& options, const std::string& at_
 // --resume, --restart and --checkpoint.
 void add_begin(CLI::App& command, WorkOptions& options, const WorkWords& words);
 
-// Where to begin, and how often to keep what is done.
+// Whether to resume or restart, and the time between checkpoints.
 RunOptions begin_options(const WorkOptions& options);
 
-// What an option takes: the index of a member.
+// The index of a member.
 CLI::Validator member_index();
 
 // DomainError when a command has one path twice.
@@ -61,9 +61,9 @@ class ResumableWork {
   ResumableWork(const WorkOptions& options, std::string name)
       : options_(options), name_(std::move(name)) {}
 
-  // From here on Ctrl-C is noted, until run() has ended. `shows`: progress goes to the line.
+  // Notes Ctrl-C from here on until run() has ended. `shows`: progress goes to the line.
   RunOptions run_options(bool shows = true);
-  // Says what --resume has found: it continues "after 7 of 143 cells", or has no "cells".
+  // Prints what --resume has found: it continues "after 7 of 143 cells", or has no "cells".
   void announce(const ResumableRun& run, const std::string& where,
                 const std::string& results) const;
   // "after 7 of 143 cells"

@@ -338,10 +338,10 @@ def register(
     Returns
     -------
     type or None
-        Of a PerturbationKind the class of its terms, like those of the library: its keys are the
+        The class of the terms of a PerturbationKind, like those of the library: its keys are the
         arguments. `on_surface` adds a `surface`, and a `body` is for functions that ask for it.
-        table.principal returns what it is given, since arguments are along the principal axes.
-        None of other kinds, and if a key cannot be an argument of Python, such as "max-torque".
+        table.principal returns its argument, since arguments are along the principal axes.
+        None for other kinds, and if a key cannot be an argument in Python, such as "max-torque".
 
     Raises
     ------

@@ -181,7 +181,7 @@ class LightModel:
         law: tuple[float, float] = (1.0, 0.0),
     ) -> LightModel:  # fmt: skip
         """With the inertia of an even filling about the centre of mass, of an ellipsoid or of a
-        closed mesh, which a ConvexShape is made first."""
+        closed mesh; a ConvexShape is made a mesh first."""
         if isinstance(shape, (ConvexShape, FacetShape)):
             mesh = shape.mesh if isinstance(shape, ConvexShape) else shape
             return cls(SpinState(q, w, _core._homogeneous_inertia(mesh), t0), shape, law)

@@ -199,9 +199,10 @@ def fit_light(
     Parameters
     ----------
     start : LightModel near the answer: phases at the ends of the data within a quarter of a turn.
-        A convex body begins with the best ellipsoid of every pair of periods, `solution.body.convex
-        (degree, rows)`: the ellipsoid is wrong about real bodies, and an alias can suit it better.
-        Degree 6 and rows 8 suit some 350 points, 3 and 4 some 80.
+        Begin a convex body with the best ellipsoid of every pair of periods,
+        `solution.body.convex(degree, rows)`: real bodies are not ellipsoids, and an alias can fit
+        an ellipsoid better.
+        Degree 6 and rows 8 suit about 350 points, 3 and 4 about 80.
     curves : LightCurve, one or several, with vectors.
     shape : whether b/a and c/b, or the coefficients of facets are unknown; a mesh is known.
     moments : "shape", those of an even filling; "start", as they are; "fit", unknowns Ixx/Izz and
@@ -252,14 +253,14 @@ class LightResiduals(ResidualFunction):
 
     Regularisation of a convex body is among the residuals, after those of data: three of closure,
     three of the products of the area tensor, one of roughness for each c_l_m, and of unknown
-    moments two about the usual ones. So `log_likelihood` is of the light alone, and `log_posterior`
-    has them as priors: draws are bodies as smooth as roughness_error says, no others.
+    moments two about the usual ones. So `log_likelihood` is only of the light, and `log_posterior`
+    has them as priors: roughness_error decides how smooth the drawn bodies are.
     moments="shape": those of an even filling of the body at every x, a tenth of a second each for
     512 facets; residuals are NaN where the areas are those of no body.
 
     Of a mesh derivatives are exact between the directions at which a facet passes a terminator,
     where they have a step, or the edge of a shadow, where the residuals have one: optimisers come
-    to rest beside the least, as fit_light does, and samplers refuse some more steps.
+    to rest next to the minimum, as fit_light does, and samplers reject more steps.
     """
 
     def __init__(
@@ -315,9 +316,9 @@ def search_light(
     ----------
     curves : LightCurve, one or several, with vectors.
     periods : (mode, P_phi, P_psi), mode "SAM" or "LAM": FourierScan.periods lists them. Those that
-        a known body cannot have are left out, and a note says how many.
+        a known body cannot have are left out and counted in a note.
     body : LightModel whose shape, law and inertia are known, such as that of a mesh; its attitude,
-        rate and t0 are not looked at. With its moments a pair of periods leaves a phase of the
+        rate and t0 are ignored. With its moments a pair of periods leaves a phase of the
         polhode and an attitude to be found, on either side of the axis of circulation. None: an
         ellipsoid.
     starts : in all, taken by the pairs of periods in turn; of ellipsoids, pairs near the lowest get
@@ -326,12 +327,12 @@ def search_light(
         reported.
     threads : the bits of the result do not depend on it.
     seed : of starts.
-    tries : attitudes of a start, of which the best is taken; of a known body by some 60 points.
+    tries : attitudes of a start, of which the best is taken; of a known body by about 60 points.
         short_iterations : of each start. None: 30 and 8 of ellipsoids, 60 and 6 of a known body.
     finalists : of each pair of periods that are fitted to the end, with most_iterations; ellipsoids
         near the lowest may go on for four times as many.
     shape, moments, multiple, loss : as in fit_light; of a known body the shape stays, and moments
-        are unknown of finalists alone. lambert is the weight of Lambert's law of ellipsoids.
+        are unknown only of finalists. lambert is the weight of Lambert's law of ellipsoids.
 
     Returns
     -------

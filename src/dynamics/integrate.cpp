@@ -6,11 +6,9 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <span>
 #include <string>
 #include <utility>
 #include <variant>
-#include <vector>
 
 #include "dynamics/checked_problem.hpp"
 #include "dynamics/events/event_search.hpp"
@@ -37,7 +35,7 @@ DampedRotorState seen_as(const RotorState& s) {
   return {s, {}};
 }
 
-// The steps of `From`, seen as those of `To`.
+// The steps of a stepper of `From`, seen as those of `To`.
 template <MotionState To, MotionState From>
 class SeenStepper final : public BasicStepper<To> {
   class Dense final : public BasicDenseStep<To> {
@@ -72,7 +70,9 @@ class SeenStepper final : public BasicStepper<To> {
   std::unique_ptr<BasicStepper<From>> stepper_;
 };
 
-// The motion of a system whose state is `From`, seen as `To`, for the search of events.
+// The motion of a system seen as `To`, for the search of events. It does
+// not know the rate of a damper that `To` lacks: slopes of event functions are those of a damper
+// that rests in the body.
 template <MotionState To, class Motion>
 class SeenMotion : public Motion {
  public:
@@ -94,7 +94,7 @@ class SeenMotion : public Motion {
   }
 };
 
-// Of a system whose state is `Own`.
+// The motion of a system whose state is `Own`.
 template <MotionState Own>
 using SystemMotion =
     std::conditional_t<std::is_same_v<Own, DampedRotorState>, DamperMotion, RotorMotion>;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A run into memory, of states without events: derivatives and deviations of a motion. Its steps
-// end at its samples where a method knows such a state at the ends of its steps alone.
+// end at its samples if a method knows such a state only at the ends of its steps.
 #pragma once
 
 #include <memory>

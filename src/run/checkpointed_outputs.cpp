@@ -29,7 +29,7 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-// What a checkpoint says in front of the state.
+// The part of a checkpoint in front of the state.
 struct CheckpointHead {
   std::string kind;
   Identity identity;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <stdexcept>
-#include <utility>
 
 #include "scenario/detail/made_experiments.hpp"
 #include "scenario/fit/fit_plan.hpp"

@@ -22,7 +22,7 @@ struct Position {
   unsigned column = 1;
   auto operator<=>(const Position&) const = default;
 };
-// Of values that stand in no file.
+// The position of values that are in no file.
 constexpr Position nowhere{0, 0};
 
 // The errors of one file, in the order of the file, at most most_diagnostics of them.

@@ -14,8 +14,8 @@
 // Domain      as fit_light, of bodies of any shape. Where the data do not determine the two
 //             periods, or the motion is none that has two, a solution goes on as it is.
 // Accuracy    the bits do not depend on threads.
-// Errors      DomainError as fit_light; no starts, a first session that is not there, fewer than
-//             one iteration, count or thread, `within` below 1.
+// Errors      DomainError as fit_light; no starts, starts of several shapes, a first session that
+//             is not there, fewer than one iteration, count or thread, `within` below 1.
 // Cost        a fit for each count of turns and solution: some ms for each 100 points.
 #pragma once
 
@@ -33,7 +33,7 @@ class CellJournal;
 struct LightExtension {
   std::vector<LightCurve> curves;  // the sessions
   std::size_t first = 0;           // of them the one that the starts are near
-  std::vector<LightModel> starts;
+  std::vector<LightModel> starts;  // all ellipsoids, all convex bodies or the same mesh
   LightUnknowns unknowns;
   Loss loss;
   double within = 1.5;             // as LightSearch

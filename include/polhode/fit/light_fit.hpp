@@ -25,24 +25,24 @@
 // Domain      axes F are those of the shape, and principal but for a mesh whose moments stay.
 //             Moments of an even filling of an ellipsoid: 1 >= b/a >= 0.05, 1 >= c/b >= 0.05, so
 //             that a is about the axis of the least moment; other moments: both between 0.05 and
-//             20. Those of a convex body follow the areas in derivatives and errors, too, linear in
-//             them within a round of iterations; the fit has converged where they are those of the
-//             body to 1e-5. Times are free of light time.
+//             20. Those of a convex body follow the areas, also in derivatives and errors, linear
+//             in them within a round of iterations; the fit has converged where they are those of
+//             the body to 1e-5. Times are free of light time.
 // Accuracy    budget light_derivatives in tests/budgets/fit.hpp, where the motion is no degenerate
 //             one, convex_moments_by_areas of moments that follow areas; errors: covariance.hpp, of
-//             factors that follow, and of convex bodies under their regularisation alone. The
+//             factors that follow, and of convex bodies only under their regularisation. The
 //             facets of a mesh are those of the body, which bend its light where they pass a
-//             terminator, so that a fit comes to rest beside the least: converged is nearer than
+//             terminator, so that a fit stops next to the minimum: converged is nearer than
 //             one standard error, or 1 of chi-square. Shadows jump by the light of a facet: fine
 //             meshes keep that below the errors of the data, and a fit that stalls in the jumps
 //             says that it did not converge.
 // Errors      DomainError as require_sound and solve; a start that no body has; fewer points than
 //             unknowns and factors; regularisation errors that are not above 0; MomentSource::shape
 //             of a mesh, which does not change.
-// Cost        benchmarks/fit_light_curves.cpp: some 2 us a point and iteration; facets
+// Cost        benchmarks/fit_light_curves.cpp: about 2 us a point and iteration; facets
 //             (degree + 1)^2 flops of a convex body, whose moments take one convex_moments for ten
 //             iterations besides where they follow; that of the mesh at each point
-//             (benchmarks/brightness.cpp), some three times with derivatives.
+//             (benchmarks/brightness.cpp), about three times with derivatives.
 #pragma once
 
 #include <optional>
@@ -57,17 +57,17 @@
 namespace polhode {
 inline namespace v0 {
 
-// Where moments of inertia come from: those of the shape filled evenly, those of the start, or
+// The source of moments of inertia: the shape filled evenly, the start, or the
 // unknowns Ixx/Izz and Iyy/Izz.
 enum class MomentSource { shape, start, fit };
 
 struct LightUnknowns {
-  bool shape = true;  // b/a and c/b of an ellipsoid; facets are unknown, and a mesh is not
+  bool shape = true;  // b/a and c/b of an ellipsoid, facets of a convex body; a mesh is known
   MomentSource moments = MomentSource::shape;
   bool multiple = false;  // the weight of Lambert's law, that of Lommel and Seeliger's being 1
 };
 
-// What keeps a convex body closed, along its axes and smooth.
+// The regularisation of a convex body: priors that keep it closed, along its axes and smooth.
 struct Regularisation {
   double closure_error = 1e-3;
   double axes_error = 1e-2;

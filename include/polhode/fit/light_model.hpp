@@ -4,9 +4,9 @@
 //
 // Units       of spin those of light curves; lengths in any unit, since a light curve knows no
 //             size; moments in any unit.
-// Domain      axes F are those of the shape. Moments are any along them: what a fit takes says
-//             MomentSource (light_fit.hpp). A convex body that has the light of a hollow one is a
-//             model of it, no more.
+// Domain      axes F are those of the shape. Moments along them are arbitrary; MomentSource
+//             (light_fit.hpp) chooses those of a fit. A convex body with the light of a body that
+//             has hollows is only a model of it.
 // Errors      DomainError as GaussianImage, ShadedMesh and convex_body.
 // Cost        a mesh and the basis of a convex body are shared by copies.
 #pragma once
@@ -43,7 +43,7 @@ struct LightModel {
   LightShape shape = Ellipsoid{1.0, 1.0, 1.0};
   Scattering law;
 
-  // With the moments of an even filling.
+  // An ellipsoid with the moments of an even filling.
   static LightModel homogeneous(double t0, const Quaternion& q, const Vec3& w_F,
                                 const Ellipsoid& shape, const Scattering& law = {});
 
@@ -56,15 +56,15 @@ struct LightModel {
   const ShadedMesh& mesh() const { return std::get<ShadedMesh>(shape); }
 };
 
-// Of constant density about the centre of mass, along the axes of the mesh, in units of its Izz.
+// The inertia at constant density about the centre of mass, along the axes of the mesh, in units of
+// its Izz.
 Mat3 homogeneous_inertia(const FacetShape& shape);
 
-// The ellipsoid of constant density with the principal moments of a tensor, a = 1, its axes
-// falling;
-// DomainError where no body has them.
+// The ellipsoid of constant density with the principal moments of a tensor, 1 = a >= b >= c.
+// DomainError if no body has them.
 Ellipsoid ellipsoid_of_moments(const Mat3& inertia);
 
-// How an even filling of a convex body would turn.
+// The inertia of a convex body of constant density.
 struct ShapeInertia {
   double Ixx, Iyy;  // over Izz, about the axes F
   double axes_off;  // rad: the greatest angle between its principal axes and those of F

@@ -29,7 +29,7 @@
 // Errors      DomainError as fit_light; no periods, periods that are not positive, fewer than one
 //             start, try, iteration, finalist or thread, `within` below 1.
 // Cost        benchmarks/fit_light_curves.cpp: ms a start. Of a mesh a start takes `tries` times
-//             some 60 of its brightnesses (10 at least of each session), and a few iterations of
+//             about 60 of its brightnesses (10 at least of each session), and a few iterations of
 //             all points (benchmarks/brightness.cpp).
 #pragma once
 
@@ -59,7 +59,7 @@ LightModel image_of(const LightModel& body, LightImage image, const Vec3& to_sun
 
 // The second ellipsoid in the state that is nearest to the first: up to half turns about its axes,
 // and up to any exchange of axes where moments are not those of an even filling, so that nothing
-// says which axis comes first.
+// determines which axis comes first.
 LightModel nearest_of_same(const LightModel& about, const LightModel& body);
 
 struct LabelChoice {
@@ -82,7 +82,7 @@ struct LightSearch {
   std::size_t finalists = 4;  // of each pair of periods
   double within = 1.5;        // chi-square, or the sum under a robust loss, over the lowest, up to
                               // which solutions are reported
-  // With a known body, its shape stays, and moments are unknown of finalists alone.
+  // With a known body, its shape stays, and moments are unknown only in the fits of finalists.
   LightUnknowns unknowns;
   Scattering law;  // of ellipsoids
   Loss loss;
@@ -98,7 +98,7 @@ struct LightSearch {
   std::function<void(double part)> progress = {};
   // Keeps the results of a search that may be interrupted.
   CellJournal* journal = nullptr;
-  // Whose shape, law and inertia are known; attitude, rate and epoch are not looked at. None: an
+  // Whose shape, law and inertia are known; attitude, rate and epoch are ignored. nullopt: an
   // ellipsoid.
   std::optional<LightModel> body = std::nullopt;
 };
@@ -108,7 +108,7 @@ struct FoundLight {
   std::size_t periods = 0;  // the place of those that it was started from
   // Fits that came to it; where law or moments are unknown, only fits with all unknowns count.
   std::size_t starts = 0;
-  // What it is beside the first solution that it resembles: its place, and in which way.
+  // Its relation to the first solution that it resembles, and the place of that.
   enum class Beside { first, image, alias, other_mode, other_pole };
   Beside beside = Beside::first;
   LightImage image = LightImage::none;
@@ -121,7 +121,7 @@ struct FoundLight {
   std::optional<LightModel> begun = std::nullopt;
 };
 
-// Of a solution by itself.
+// A solution by itself, without relations to others.
 FoundLight found_light(LightSolution solution, std::size_t periods = 0);
 
 struct LightSearchResult {

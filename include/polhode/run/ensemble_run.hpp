@@ -93,9 +93,9 @@ class EnsembleRun : public ResumableRun {
   class Parts;
 };
 
-// What a process does that computes chunks of an ensemble for another one (RunOptions::executor):
+// The work of a process that computes chunks of an ensemble for another one (RunOptions::executor):
 // each makes its own from the same scenario. begin() throws DomainError for bytes of another
-// ensemble, and says what differs. `ensemble` must outlive it; `any_machine` as in RunOptions.
+// ensemble, with what differs. `ensemble` must outlive it; `any_machine` as in RunOptions.
 std::unique_ptr<ExecutorWork> ensemble_work(const ScenarioEnsemble& ensemble,
                                             bool any_machine = false);
 

@@ -20,8 +20,8 @@
 // Accuracy    that of the fits. The same bits for any number of threads.
 // Errors      ScenarioError at the place of what a fit does not take: more unknowns than data, a
 //             scan of more than most_scan_pairs, with the keys that make it smaller; as
-//             read_observations (polhode/scenario/observation.hpp). Files: OutputError. What `stop`
-//             says yes to ends it with RunInterrupted.
+//             read_observations (polhode/scenario/observation.hpp). Files: OutputError.
+//             RunInterrupted if `stop` returns true.
 // Cost        benchmarks/fit_light_curves.cpp, fit_fourier_scan.cpp; minutes for a night.
 #pragma once
 

@@ -9,10 +9,10 @@
 // Accuracy    one that was interrupted and resumed, however often and on any number of threads,
 //             leaves the same files: text byte for byte, HDF5 with the same contents (same build
 //             of polhode).
-// Errors      constructors throw DomainError: for outputs that cannot be, for a checkpoint that is
-//             there although neither resume nor restart was asked for, and for one of another
-//             scenario, version, columns or outputs, with what differs.
-// Cost        a checkpoint is some kB and a few fsync, at most a twentieth of the time.
+// Errors      constructors throw DomainError: for outputs that cannot be written, for a checkpoint
+//             that is there although neither resume nor restart was asked for, and for one of
+//             another scenario, version, columns or outputs, with what differs.
+// Cost        a checkpoint is a few kB and a few fsync, at most a twentieth of the time.
 #pragma once
 
 #include <algorithm>
@@ -38,7 +38,7 @@ enum class RunBegin {
   restart,  // begins, whatever is there
 };
 
-// How messages call the two.
+// The words of messages for the two.
 struct BeginWords {
   std::string resume = "resume";
   std::string restart = "restart";
@@ -49,7 +49,7 @@ struct RunProgress {
   double reached;  // t in core units; or the number of cells, members or starts so far
   double part;     // of the work since it began or was resumed, up to 1: for the time that is left
 };
-// That part, of cells of which `at_a_time` are under way: these are half done on average.
+// The part of cells of which `at_a_time` are under way: these are half done on average.
 inline double part_of_work(double done, double left, double at_a_time) {
   return (done + 0.5 * std::min(at_a_time, left)) / (done + left);
 }
@@ -62,21 +62,21 @@ struct RunOptions {
   // thread. What it throws ends the work and passes through.
   std::function<void(const RunProgress&)> progress = {};
   std::function<bool()> stop = {};        // asked after every step, from any thread
-  std::unique_ptr<Sink> extra_sink = {};  // gets the rows of this part of the work too
+  std::unique_ptr<Sink> extra_sink = {};  // also gets the rows of this part of the work
   // Of maps and ensembles: how many cells or chunks are computed at a time; 0: one on each
   // processor.
   int threads = 0;
   // Of ensembles: computes the chunks in place of these threads, in several processes, each with
   // an ensemble_work of the same ensemble.
   Executor* executor = nullptr;
-  // Of ensembles: machines may work together, or one after the other, whose sines and logarithms
-  // differ in last digits: so do the results then.
+  // Of ensembles: machines whose sines and logarithms differ in last digits may work together, or
+  // one after the other. The results then differ in last digits.
   bool any_machine = false;
   // Of runs: the report has all events; otherwise the first 20.
   bool keep_events = false;
 };
 
-// It was stopped from outside. Its files are there, as far as it came.
+// The work was stopped from outside. Its files have what was done until then.
 class RunInterrupted : public std::runtime_error {
  public:
   explicit RunInterrupted(const std::string& what, double at = 0.0, bool resumes = false)
@@ -85,13 +85,14 @@ class RunInterrupted : public std::runtime_error {
   bool can_resume;  // whether there is a checkpoint of that moment
 };
 
-// What ScenarioRun, MapRun, EnsembleRun and FitCheckpoint have found.
+// What ScenarioRun, MapRun, EnsembleRun and FitCheckpoint share: the state in which they begin.
 class ResumableRun {
  public:
   ResumableRun(const ResumableRun&) = delete;
   ResumableRun& operator=(const ResumableRun&) = delete;
 
-  // There is one to continue, at reached() with rows() in its files; or all files are complete.
+  // True if an unfinished one is continued, from reached() with rows() in its files; true if all
+  // files are complete.
   bool continues() const;
   bool is_complete() const;
   double reached() const;  // as that of RunProgress

@@ -41,7 +41,7 @@ struct FitPlan {
   std::uint64_t noise = 1;          // the seed of what simulations add
   LightPlan light;
   FitDrive drive;  // what of torques is unknown
-  // What a fit may reject when it knows the observations.
+  // The values that a fit may reject when it knows the observations.
   struct Places {
     Place unknowns, frame;
     std::vector<Place> perturbations;  // their kinds

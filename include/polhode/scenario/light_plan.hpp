@@ -38,14 +38,14 @@ struct ScanPlan {
   };
   std::vector<Pair> at;  // chosen by hand
   std::size_t at_order = 3;
-  // What the data may turn out to contradict.
+  // The values that may contradict the data.
   struct Places {
     Place shortest, longest, order, windows, at;
   };
   Places places = {};
 };
 
-// Of a convex body: facets, and what keeps them smooth (polhode/fit/light_fit.hpp).
+// The facets of a convex body and its regularisation (polhode/fit/light_fit.hpp).
 struct ConvexPlan {
   int degree = 6;
   int rows = 8;

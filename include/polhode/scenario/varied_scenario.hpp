@@ -7,9 +7,9 @@
 // Accuracy    `text` reads back to the same numbers, to the last bit.
 // Errors      ScenarioError, as a file with these numbers would be rejected. `text`: DomainError if
 //             the text cannot hold them.
-// Cost        an experiment some 20 us: text is not read, and files, tables and meshes are shared
-//             with the scenario unless a number below them varies. A text a few readings of it for
-//             each key.
+// Cost        about 20 us for an experiment: text is not read, and files, tables and meshes are
+//             shared with the scenario unless a number below them varies. `text` reads the text a
+//             few times for each key.
 #pragma once
 
 #include <memory>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Place: where a file has a value, as plans keep it, so that a later stage can reject the value.
+// Place: the place of a value in its file, which plans keep so that a later stage can reject the
+// value.
 //
 // Errors      refuse and built throw a ScenarioError "FILE:LINE:COLUMN: KEY: got VALUE; MESSAGE".
 // Cost        two strings.
@@ -16,7 +17,7 @@ inline namespace v0 {
 
 struct Place {
   std::string key;  // "FILE:LINE:COLUMN: KEY"
-  std::string got;  // "got VALUE; "; empty of a table
+  std::string got;  // "got VALUE; "; empty for a table
 
   std::string message(std::string_view expected) const;
   // "expected ..."

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Fits of scenarios that observed light curves: the same methods as those of snapshots.
-#include <utility>
 
 #include "fit/bind_fit.hpp"
 #include "fit/kept_rows.hpp"

@@ -201,7 +201,7 @@ class KindFunction {
   std::shared_ptr<const KindTexts> texts_;
 };
 
-// What the keys say, for the object that Python has of the term.
+// The values of the keys, for the Python object of the term.
 std::vector<KeyValue> said_of(const KindTexts& texts, const KeyValues& at) {
   std::vector<KeyValue> all;
   for (const Key& key : texts.keys) {

@@ -62,7 +62,8 @@ nb::list term_objects(const Scenario& scenario) {
       try {
         all.append(term_object(rotation, *scenario.document.kinds->perturbation(rotation.kinds[i]),
                                *of, *values, rotation.terms[first].name(), orbits));
-      } catch (const nb::python_error&) {  // its function asks for more than a program has
+      } catch (const nb::python_error& error) {  // its function asks for more than a program has
+        if (!error.matches(PyExc_Exception)) throw;
         add_plain();
       }
     }

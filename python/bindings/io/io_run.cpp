@@ -2,7 +2,6 @@
 // A run of a scenario: rows into memory, where columns are views, and into files at the same time.
 #include <exception>
 #include <optional>
-#include <span>
 
 #include "charts/states.hpp"
 #include "interface/batch.hpp"

@@ -28,7 +28,7 @@ class WorkLoop {
   // raises meanwhile stops it, and is thrown; then what `work` has thrown.
   void do_work(std::int64_t of, const std::function<void()>& work);
 
-  // The work is told to stop, and tells of its progress.
+  // Options by which the work can be stopped and reports its progress.
   void listen(RunOptions& options) {
     options.stop = [this] { return is_stopped(); };
     options.progress = [this](const RunProgress& at) {

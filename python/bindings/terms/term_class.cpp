@@ -136,7 +136,7 @@ std::deque<TermClass>& classes() {
   return all;
 }
 
-// What classes derive from that Python makes.
+// The base of the classes that Python makes.
 struct RegisteredTerm : PythonTerm {
   explicit RegisteredTerm(PythonTerm term) : PythonTerm(std::move(term)) {}
 };

@@ -55,8 +55,8 @@ struct TermClass {
 };
 
 void add_term_class(nb::module_& m, TermClass of);
-// Of a kind that Python registers: Python makes its class of this (polhode.kinds), and tells its
-// type by _set_term_type. Returns (number, name, signature, docstring, names of the arguments).
+// For a kind that Python registers: Python makes its class from this (polhode.kinds), and sets its
+// type with _set_term_type. Returns (number, name, signature, docstring, names of the arguments).
 nb::tuple add_registered_class(TermClass of);
 // Null where no class is of this kind of files.
 const TermClass* class_of_kind(std::string_view kind);
@@ -64,7 +64,7 @@ const TermClass* class_of_kind(std::string_view kind);
 // Stands in messages: of the function, or of the class, where it is left out.
 TermArgument name_argument();
 
-// What the class of a kind that Python registers is made of.
+// The class of a kind that Python registers.
 TermClass class_of_registered(PerturbationKind kind);
 // The classes of the kinds of the library.
 void bind_kind_terms(nb::module_& m);

@@ -40,7 +40,8 @@ class SwitchingSteps {
   }
   template <class Solver, class Field>
   std::string advance(Solver& solver, const Field& field, double stop) {
-    return SmoothStep<Solver, Field>(solver, field, breakpoints_, switches_, grading_, stop).made();
+    return SwitchingStep<Solver, Field>(solver, field, breakpoints_, switches_, grading_, stop)
+        .made();
   }
   template <class Rates>
   void serialize(Archive& bytes, Rates& rates) {

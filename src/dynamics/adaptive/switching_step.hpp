@@ -145,10 +145,10 @@ inline RotorState between(const RotorState& a, const RotorState& b) {
 
 // One step of a solver.
 template <class Solver, class Field>
-class SmoothStep {
+class SwitchingStep {
  public:
-  SmoothStep(Solver& solver, const Field& field, const Breakpoints& breakpoints,
-             SwitchWatch& switches, SwitchStepControl& grading, double stop)
+  SwitchingStep(Solver& solver, const Field& field, const Breakpoints& breakpoints,
+                SwitchWatch& switches, SwitchStepControl& grading, double stop)
       : solver_(solver),
         field_(field),
         switches_(switches),

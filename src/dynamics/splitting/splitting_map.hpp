@@ -48,16 +48,18 @@ class SplittingMap {
   SplittingState start(double t, const RotorState& s) const;
   RotorState state(const SplittingState& s) const;  // q_SB, normalised
 
-  // Why no step by h is tried: empty, or that it turns too far.
+  // Empty, or why no step by h is tried: the body would rotate too far.
   std::string obstacle(const SplittingState& s, double h) const;
   // A step from s. Non-finite numbers are passed on; what a term throws passes through.
   SplittingState stepped(SplittingState s, double h) const;
 
-  // Which term was it, if `to` is not finite?
+  // Empty, or which term made `to` not finite.
   std::string failure(const SplittingState& from, const SplittingState& to) const;
   static std::int64_t evaluations(const SplittingState& s, std::int64_t) { return s.evaluations; }
   static void serialize(Archive& bytes, SplittingState& s);
 
+  // DomainError when a term is not a kick, so that steps have no derivative.
+  void require_kicks() const;
   // d(dtheta_B, dg_B) after the step by those before. DomainError when a term is not a kick written
   // as a template on the number type.
   Matrix6 step_transition(SplittingState s, double h) const;
@@ -80,7 +82,6 @@ class SplittingMap {
   void flow(SplittingState& s, const AnyPerturbation& term, double h) const;
   AffineTorque torque(SplittingState& s) const;
   Setting setting(const SplittingState& s, const Quaternion& q_IS) const;
-  void require_kicks() const;
   Matrix6 kick_transition(const SplittingState& s, double h) const;
   void deviate_by_drift(const SplittingState& s, double h, Vec3& turn, Vec3& dg) const;
   void deviate_by_kick(const SplittingState& s, double h, const Vec3& turn, Vec3& dg) const;

@@ -23,7 +23,9 @@ class TransitionMap {
   using Shown = TransitionState;
 
   explicit TransitionMap(SplittingMap map)
-      : map_(std::move(map)), jumps_(map_.system(), no_transition_at_jump) {}
+      : map_(std::move(map)), jumps_(map_.system(), no_transition_at_jump) {
+    map_.require_kicks();  // also for a run without steps
+  }
 
   State start(double t, const RotorState& s) const {
     return {map_.start(t, s), Matrix6::identity()};

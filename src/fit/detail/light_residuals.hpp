@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Residuals of light curves for a surface in free rotation, whatever describes it.
 //
-// A Surface says how many unknowns of its own it has, makes a Shape from them, and gives the
-// brightness of that with its gradient, its own derivatives into a row:
+// A Surface has a number of its own unknowns, makes a Shape from them, and computes the brightness
+// of that with its gradient; derivatives by its own unknowns go into a row:
 //   own(), shape_at(own), brightness(shape, law, s, o), gradient(shape, law, s, o, own row);
 // moments that may follow the shape, and what their derivatives `by` add to that row, which is
 // finished then:
@@ -57,8 +57,8 @@ inline Mat3 inertia_of(const MomentRatios& ratios) {
   return m;
 }
 
-// Of a body at each point of a motion that is turned as a whole: q p(t). False where one is no
-// number.
+// The brightness of a body at each point of a motion that is rotated as a whole: q p(t). False if
+// one is not finite.
 template <class Brightness>
 bool brightness_along(const Brightness& brightness, const Quaternion& q,
                       std::span<const MotionPoint> motion, const WeighedCurves& curves,

@@ -63,7 +63,7 @@ double spins_apart(const SpinState& a, const SpinState& b) {
                   norm(b.w_F - a.w_F) / (alike_rate * norm(a.w_F)));
 }
 
-// That of ellipsoids.
+// The same for ellipsoids, with their ratios of axes.
 double distance_of(const LightModel& a, const LightModel& other, bool half_turns) {
   const LightModel b = half_turns ? nearest_of_same(a, other) : other;
   const Ellipsoid &e = a.ellipsoid(), &f = b.ellipsoid();

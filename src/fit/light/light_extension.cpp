@@ -224,6 +224,9 @@ LightModel at_time(LightModel body, double t) {
 void check(const LightExtension& e) {
   require_sound(e.curves, {.vectors = true});
   if (e.starts.empty()) throw DomainError(extend_name + "no starts; expected one body");
+  for (const LightModel& start : e.starts)
+    if (start.shape.index() != e.starts.front().shape.index())
+      throw DomainError(extend_name + "starts of several shapes; expected bodies of one shape");
   if (e.first >= e.curves.size())
     throw DomainError(extend_name + "first = " + std::to_string(e.first) + " must be below " +
                       std::to_string(e.curves.size()) + ", the number of sessions");
@@ -322,7 +325,8 @@ class Extension {
         [&](const FoundLight& a, const FoundLight& b) {
           return detail::are_same(a, b, asked_.unknowns, all_.end - all_.begin);
         },
-        !asked_.starts.front().is_mesh());
+        asked_.starts.front().is_ellipsoid() ||
+            (asked_.starts.front().is_convex() && asked_.unknowns.shape));
     Pass pass{curves, asked_.most_iterations, 0.0, {}, 0};
     fit(begins, pass, finds);
     // what has not come to its end and is near the limit goes on, from where it is

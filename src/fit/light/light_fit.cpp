@@ -130,8 +130,8 @@ class FacetMoments {
 
   const FollowedMoments& followed() const { return followed_; }
 
-  // Whether another round is to come: the body that was found has other moments than it was fitted
-  // with, or is not yet at the least.
+  // True if another round is needed: the body that was found has other moments than it was fitted
+  // with, or is not yet at the minimum.
   bool goes_on(LightSolution& found, int round, int left) {
     using End = LeastSquaresResult::End;
     LeastSquaresResult& result = found.result;
@@ -407,7 +407,7 @@ class Fitter {
     found_.result.iterations = fit_.most_iterations - left;
   }
 
-  // What regularises the body takes its part of the cost.
+  // The parts of the cost that come from the regularisation.
   void add_terms() {
     const LeastSquaresResult& r = found_.result;
     const std::span<const double> priors = std::span(r.numbers).subspan(found_.points);
@@ -512,7 +512,7 @@ std::vector<double> light_unknowns_at(const LightUnknowns& unknowns, const Light
   if (unknowns.moments == MomentSource::fit)
     x.insert(x.end(), {T(0, 0) / T(2, 2), T(1, 1) / T(2, 2)});
   if (unknowns.multiple) x.push_back(body.law.multiple / body.law.single);
-  if (body.is_convex()) {
+  if (body.is_convex() && unknowns.shape) {
     const std::vector<double>& c = body.convex().coefficients;
     x.insert(x.end(), c.begin() + 1, c.end());
   }

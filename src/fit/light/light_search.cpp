@@ -28,6 +28,7 @@ namespace detail {
 class Draws {
  public:
   Draws(const LightSearch& search, std::uint64_t member)
+      // of a known body as drawn before meshes had the same search
       : random_(search.seed, key_of(search.body ? "search_mesh" : "search_light")),
         member_(member) {}
   double uniform() { return random_.uniform(member_, next_++); }
@@ -380,7 +381,7 @@ class Search {
     fit(longer, times(search_.most_iterations, more_search_iterations), false);
   }
 
-  // Of a known body with the law that is known.
+  // A known body has its known law.
   LightModel start_of(const LightModel& from) const {
     if (!is_known_) return from;
     return {from.spin, search_.body->shape, search_.body->law};

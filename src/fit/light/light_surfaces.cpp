@@ -245,9 +245,9 @@ MeshSurface::MeshSurface(const LightFit&, const LightModel& body) : mesh_(body.m
   }
 }
 
-// That of the facets which are lit and seen. At the edge of a shadow, where a facet goes out as a
-// whole, the brightness has a jump and no derivative; what a finer mesh would lose there evenly is
-// left out. At a terminator nothing is missing: the light of a facet is 0 there.
+// The gradient of the facets which are lit and seen. At the edge of a shadow, where a facet goes
+// out as a whole, the brightness has a jump and no derivative; what a finer mesh would lose there
+// evenly is left out. At a terminator nothing is missing: the light of a facet is 0 there.
 BrightnessGradient MeshSurface::gradient(const Shape&, const Scattering& law, const Vec3& s,
                                          const Vec3& o, std::span<double>) const {
   const auto of_lit = [&](const std::vector<double>& areas) {

@@ -116,7 +116,7 @@ struct CheckpointSetup {
   // What a message adds that says how they differ.
   std::function<std::string(const std::string& difference)> advice = {};
 };
-// Of tables with the same columns each, those of a map or an ensemble.
+// The setup of tables with the same columns, those of a map or an ensemble.
 CheckpointSetup setup_of_tables(CheckpointKind kind, const Scenario& scenario,
                                 const std::vector<ColumnGroup>& groups,
                                 const std::vector<std::string>& paths);
@@ -128,7 +128,7 @@ struct CheckpointedOutput {
 };
 CheckpointedOutput checkpointed_output(Sink& sink);
 
-// Where a run or map is, between two steps or cells.
+// The place of a run or map between two steps or cells, in words.
 struct CheckpointPlace {
   std::string reached;  // "7 of 143 cells": what is said of an unfinished one
   std::string stopped;  // "after 7 of 143 cells", behind "stopped "
@@ -186,7 +186,7 @@ class CheckpointedOutputs {
   std::vector<std::string> paths_;  // of the outputs
   CheckpointTimer timer_;
   std::string found_;    // the text of a checkpoint
-  Archive state_;        // reads what it says of the state
+  Archive state_;        // reads the state from it
   std::string goes_on_;  // of the latest checkpoint
   std::vector<SinkPosition> positions_;
   std::vector<CheckpointedOutput> outputs_;

@@ -49,11 +49,11 @@ class SurfaceFits {
   // Not from what is near a state that is `known`.
   std::vector<FoundLight> from_images(const LightModel& ellipsoid,
                                       const std::vector<LightModel>& known) const;
-  // Of the mesh from the state of the file.
+  // The fit of the mesh from the state of the file.
   FoundLight from_file() const;
   LightFit fit_from(const LightModel& start) const;
   LightModel convex_of(const LightModel& ellipsoid) const;
-  // With the state, the shape and the law of the file; none where it has no mesh.
+  // The mesh with the state and the law of the file; nullopt if there is none.
   const std::optional<LightModel>& mesh() const { return mesh_; }
   // Of two fits whose bodies are the same, or nearly so.
   bool are_same(const FoundLight& a, const FoundLight& b) const;
@@ -77,9 +77,9 @@ class SurfaceFits {
 
 // Shape and unknowns into the report; and what the scenario asks that no fit can do.
 void begin_surfaces(const Scenario& scenario, LightReport& report);
-// To a convex body the ellipsoid of the moments that it has if filled evenly.
+// Gives a convex body the ellipsoid of the moments that it has if filled evenly.
 void set_ellipsoid(FoundLight& one);
-// From an ellipsoid that was fitted, or of a mesh from the file.
+// A fit from an ellipsoid that was fitted, or of a mesh from the state of the file.
 void fit_surface_from_start(const Scenario& scenario, const std::optional<LightModel>& ellipsoid,
                             LightReport& report);
 // From the ellipsoids that a search found, and a mesh from what it asked, too; to the curves of the

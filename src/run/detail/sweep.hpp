@@ -32,7 +32,7 @@ struct Source {
   std::int64_t each = 1;  // members of a cell; the last may have fewer
   // From any thread; `look` is called now and then, and what it throws passes through.
   std::function<Result(std::int64_t cell, const Progress& look)> cell;
-  // The same in other processes, by bytes: what they begin with, and a result.
+  // The same in other processes, which exchange bytes: those that they begin with, and a result.
   ExecutorWork* work = nullptr;
   std::function<std::string()> stage = {};
   std::function<void(Archive&, Result&)> serialize = {};
@@ -47,16 +47,16 @@ class Sweep {
   Sweep& operator=(const Sweep&) = delete;
 
   const CheckpointedOutputs& outputs() const { return outputs_; }
-  // What earlier parts have done, as ResumableRun says it.
+  // What earlier parts have done, as in ResumableRun.
   double reached_before() const { return reached_before_; }
   std::int64_t rows_before() const { return rows_before_; }
 
  protected:
-  // Finds what is there. `scenario` must outlive it.
+  // Finds the files of an earlier part. `scenario` must outlive it.
   Sweep(const Scenario& scenario, CheckpointSetup setup, std::vector<ColumnGroup> groups,
         Provenance origin, RunOptions&& options);
 
-  // All that the rest of it depends on, but for the scenario.
+  // Everything that the rest of the work depends on except the scenario.
   virtual void serialize(Archive& bytes) = 0;
   virtual double reached() const = 0;
   virtual CheckpointPlace place() const = 0;
@@ -65,7 +65,7 @@ class Sweep {
 
   // Reads the state of what is resumed.
   void resume();
-  // Opens the outputs, those that are no tables by `other`.
+  // Opens the outputs; `other` opens those that are not tables.
   using Other = std::function<std::optional<CheckpointedOutput>(
       const std::string& path, const std::optional<SinkPosition>& from)>;
   void open(const Other& other = {});
@@ -76,8 +76,8 @@ class Sweep {
   [[noreturn]] void interrupt();
 
   // reduce(cell, result) for all cells in order, on the threads of this process or an executor.
-  // After each it tells `progress`, looks whether to stop, and keeps the state if that is due. A
-  // preparation comes before the cells that `progress` hears of.
+  // After each it calls `progress`, stops if asked to, and keeps the state if a checkpoint is due.
+  // A preparation comes before the cells that `progress` is called for.
   enum class Stage { preparation, cells };
   template <class Result, class Reduce>
   void compute(const Source<Result>& source, const Reduce& reduce, Stage stage = Stage::cells);
@@ -102,7 +102,7 @@ class Sweep {
  private:
   struct Stopped {};  // ends the loop over the cells, from within
   int threads() const;
-  // So many members, of cells of so many each.
+  // Called after a cell that had `members`, others `each`; `left` are still to come.
   void took(std::int64_t members, std::int64_t each, std::int64_t left, Stage stage);
 
   double reached_before_ = 0.0;

@@ -22,13 +22,13 @@ namespace detail {
 // logarithms are those of the C library, which has several of each and takes one that the processor
 // can run. A mark of what they give for some arguments.
 IdentityPart elementary_functions();
-// For a comparison in which they do not matter: theirs as ours, and where they differ the numbers
-// of orbits and torques too, which are made with them.
+// Makes theirs those of ours, for a comparison in which they do not matter; if they differ, also
+// the numbers of orbits and torques, which are made with them.
 void take_elementary_functions(Identity& theirs, const Identity& ours);
-// Whether it is this part that two differ in, as difference() says it.
+// True for a difference() in this part.
 bool differs_in_elementary_functions(const std::string& difference);
 
-// What one cell of the members gives: rows, or statistics.
+// The result of one cell of members: rows or statistics.
 struct EnsembleChunk {
   std::vector<std::vector<double>> drawn;
   std::vector<EnsembleReport::Failure> failures;
@@ -47,19 +47,19 @@ class EnsembleCells final : public ExecutorWork {
   // statistics would not fit into memory.
   EnsembleCells(const ScenarioEnsemble& ensemble, bool any_machine, std::string chunk_files = {});
 
-  // None where rows are kept.
+  // Null if rows are kept.
   StatisticsFrame* frame() const { return frame_.get(); }
   bool has_files() const { return !chunk_files_.empty(); }
-  // Of the chunks before this member, if each has one.
+  // The files of the chunks before this member; none if chunks have no files.
   std::vector<std::string> files_before(std::int64_t member) const;
   // Whether a cell is a chunk of the plan.
   bool is_by_chunks() const { return frame_ || has_files(); }
   // The first members.
   Source<Pilots> pilots();
-  // From this member on, which begins a chunk where cells are chunks.
+  // The members from this one on, which begins a chunk if cells are chunks.
   Source<EnsembleChunk> members(std::int64_t from);
 
-  // The same in another process. The frame of the leader goes along where members are computed.
+  // The same in another process, to which the leader sends its frame before the members.
   void begin(const std::string& stage) override;
   std::string cell(std::int64_t index, const std::function<void()>& look) const override;
 

@@ -2,7 +2,6 @@
 #include "run/fit/fit_torques.hpp"
 
 #include <algorithm>
-#include <utility>
 
 #include "polhode/scenario/varied_scenario.hpp"
 #include "run/detail/fit_tables.hpp"

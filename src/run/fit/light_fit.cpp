@@ -107,7 +107,8 @@ void fit_from_start(const Scenario& scenario, const FitPlan& plan, const LightFi
                     LightReport& report) {
   if (plan.light.one_by_one) return extend_from_start(scenario, plan, options, report);
   if (report.shape == LightPlan::Shape::mesh) {
-    report.start = LightModel{spin_state(scenario.rotation()), {}, plan.light.law};
+    report.start =
+        LightModel{spin_state(scenario.rotation()), Ellipsoid{1.0, 1.0, 1.0}, plan.light.law};
     return detail::fit_surface_from_start(scenario, std::nullopt, report);
   }
   report.start = start_of(scenario, plan.light);

@@ -66,7 +66,7 @@ class Surfaces {
   }
 
  private:
-  // Of a search of a mesh, and its part of the work on it, about.
+  // The search of a mesh, and about its part of the work.
   static constexpr std::size_t mesh_tries = 60;
   static constexpr int mesh_iterations = 6;
   static constexpr double search_part = 0.4;

@@ -2,11 +2,8 @@
 // [[ensemble.fraction]] and [[ensemble.histogram]]: which members are counted.
 #pragma once
 
-#include <span>
-#include <string>
 #include <vector>
 
-#include "polhode/output/columns.hpp"
 #include "polhode/scenario/ensemble_plan.hpp"
 #include "scenario/table.hpp"
 

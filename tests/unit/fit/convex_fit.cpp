@@ -4,7 +4,6 @@
 
 #include <gmock/gmock.h>
 
-#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -241,6 +240,7 @@ TEST(ConvexFit, TakesAShapeThatIsKnown) {
   const LightSolution found = fit_light(fit);
   ASSERT_TRUE(found.is_found()) << found.result.sentence;
   EXPECT_EQ(found.covariance.names.size(), 6u);
+  EXPECT_EQ(light_unknowns_at(fit.unknowns, truth, found.body).size(), 6u);
   EXPECT_EQ(found.terms.size(), 1u);
   EXPECT_EQ(found.body.convex().coefficients, truth.convex().coefficients);
   EXPECT_LE(norm(attitude_residual(truth.spin.q, found.body.spin.q)), budget::mesh_exact);

@@ -169,6 +169,11 @@ TEST(LightExtension, RefusesWhatMakesNoSense) {
     return message_of([&] { extend_light(bad); });
   };
   EXPECT_THAT(said([](auto& e) { e.starts.clear(); }), HasSubstr("no starts"));
+  EXPECT_THAT(said([](auto& e) {
+                e.starts.push_back(e.starts.front());
+                e.starts.back().shape = ConvexShape::of({1.0, 0.8, 0.6}, 2, 3);
+              }),
+              HasSubstr("starts of several shapes"));
   EXPECT_THAT(said([](auto& e) { e.first = 2; }),
               HasSubstr("first = 2 must be below 2, the number of sessions"));
   EXPECT_THAT(said([](auto& e) { e.within = 0.5; }), HasSubstr("within = 0.5 must be 1 or more"));

@@ -7,7 +7,6 @@
 #include <limits>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "message_of.hpp"
 #include "polhode/error.hpp"

@@ -71,7 +71,7 @@ class ShorterStep final : public BasicDenseStep<typename Field::State> {
 // `Steps` makes one step of the solver:
 //   auto rates(std::shared_ptr<const Field>) const     a callable with a member `field`
 //   std::string advance(solver, field, stop)           empty, or why no step was made
-//   void serialize(Archive&, rates)                  what it and the rates keep between steps
+//   void serialize(Archive&, rates)                    what it and the rates keep between steps
 template <class Field, class Steps>
 class AdaptiveStepper final : public BasicStepper<typename Field::State> {
  public:

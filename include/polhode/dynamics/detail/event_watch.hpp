@@ -34,7 +34,7 @@ std::string too_many_looks_text(const std::string& event, double interval, doubl
 //     rad per unit of time: nothing turns faster before the terms have changed the motion;
 //   static State near(const State& to, State s)
 //     the same state in that of its forms which is nearer: q and -q are one attitude;
-//   transfer, evaluations: of the terms, so far.
+//   serialize, evaluations: of the terms, so far.
 template <class Motion>
 class EventWatch {
  public:

@@ -21,8 +21,7 @@ class BasicStepper {
   virtual std::string advance(double stop) = 0;
   virtual double time() const = 0;
   virtual S state() const = 0;  // at time(), normalised
-  // The step just made. Valid until the next advance when `keep` is false, for good otherwise. Null
-  // where every sample is the end of a step.
+  // The step just made. Valid until the next advance when `keep` is false, for good otherwise.
   virtual std::shared_ptr<const BasicDenseStep<S>> dense(bool keep) = 0;
   // The same for many looks inside it, and how many intervals between them the step needs whatever
   // the body does: where its own error lets it be long.
