@@ -6,9 +6,11 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <span>
 #include <string>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "dynamics/checked_problem.hpp"
 #include "dynamics/events/event_search.hpp"
@@ -21,86 +23,100 @@ inline namespace v0 {
 namespace detail {
 namespace {
 
-// A rotor with a damper seen as the rotor, and a rotor seen as one whose damper rests in the body.
-template <MotionState To>
-To seen_as(const RotorState& s);
-template <MotionState To>
-To seen_as(const DampedRotorState& s);
+// A run of one state shown as that of another: of a rotor with a damper as that of the rotor, and
+// of a rotor as that of one whose damper rests in the body.
+template <MotionState To, MotionState From>
+To shown(const From& s);
 template <>
-RotorState seen_as(const DampedRotorState& s) {
+RotorState shown(const DampedRotorState& s) {
   return s.rotor;
 }
 template <>
-DampedRotorState seen_as(const RotorState& s) {
+DampedRotorState shown(const RotorState& s) {
   return {s, {}};
 }
 
-// The steps of a stepper of `From`, seen as those of `To`.
 template <MotionState To, MotionState From>
-class SeenStepper final : public BasicStepper<To> {
-  class Dense final : public BasicDenseStep<To> {
-   public:
-    explicit Dense(std::shared_ptr<const BasicDenseStep<From>> step)
-        : BasicDenseStep<To>(step->t0(), step->t1()), step_(std::move(step)) {}
-    To at(double t) const override { return seen_as<To>(step_->at(t)); }
-    std::size_t bytes() const override { return sizeof(*this) + step_->bytes(); }
+BasicSample<To> shown_sample(const BasicSample<From>& at) {
+  return {at.t, shown<To>(at.s)};
+}
+template <MotionState To, MotionState From>
+BasicEventRecord<To> shown_event(const BasicEventRecord<From>& e) {
+  return {e.name, e.t, shown<To>(e.s), e.direction};
+}
 
-   private:
-    std::shared_ptr<const BasicDenseStep<From>> step_;
+// The problem whose run is shown.
+template <MotionState From, MotionState To>
+BasicProblem<System, From> problem_of(const BasicProblem<System, To>& p) {
+  BasicProblem<System, From> result{
+      p.system, shown<From>(p.initial), p.start, p.stop, p.method, {}, p.continues};
+  for (const BasicEvent<To>& e : p.events) {
+    BasicEventFunction<From> function;
+    if (e.function)
+      function = [f = e.function](const BasicSample<From>& at) { return f(shown_sample<To>(at)); };
+    result.events.push_back(
+        {e.name, std::move(function), e.crossing, e.stops, e.period, e.interval});
+  }
+  return result;
+}
+
+template <MotionState From, MotionState To>
+BasicSampleSink<From> sink_into(const BasicSampleSink<To>& sink) {
+  return [sink](std::span<const BasicSample<From>> block) {
+    std::vector<BasicSample<To>> rows;
+    rows.reserve(block.size());
+    for (const BasicSample<From>& at : block) rows.push_back(shown_sample<To>(at));
+    sink(rows);
   };
+}
 
+template <MotionState From, MotionState To>
+BasicStreams<From> streams_into(const BasicStreams<To>& streams) {
+  BasicStreams<From> result{
+      {}, {}, streams.checkpoint_due, streams.checkpoint, streams.steps_to_last_sample, {}};
+  if (streams.samples) result.samples = sink_into<From>(streams.samples);
+  if (streams.events)
+    result.events = [events = streams.events](const BasicEventRecord<From>& e) {
+      events(shown_event<To>(e));
+    };
+  if (streams.end)
+    result.end = [end = streams.end](const BasicSample<From>& at) { end(shown_sample<To>(at)); };
+  return result;
+}
+
+template <MotionState To, MotionState From>
+class ShownStep final : public BasicDenseStep<To> {
  public:
-  explicit SeenStepper(std::unique_ptr<BasicStepper<From>> stepper)
-      : stepper_(std::move(stepper)) {}
-
-  std::string advance(double stop) override { return stepper_->advance(stop); }
-  double time() const override { return stepper_->time(); }
-  To state() const override { return seen_as<To>(stepper_->state()); }
-  std::shared_ptr<const BasicDenseStep<To>> dense(bool keep) override {
-    return std::make_shared<const Dense>(stepper_->dense(keep));
-  }
-  std::shared_ptr<const BasicDenseStep<To>> inside() override {
-    return std::make_shared<const Dense>(stepper_->inside());
-  }
-  int intervals() const override { return stepper_->intervals(); }
-  Statistics statistics() const override { return stepper_->statistics(); }
-  void serialize(Archive& bytes) override { stepper_->serialize(bytes); }
+  explicit ShownStep(std::shared_ptr<const BasicDenseStep<From>> step)
+      : BasicDenseStep<To>(step->t0(), step->t1()), step_(std::move(step)) {}
+  To at(double t) const override { return shown<To>(step_->at(t)); }
+  std::size_t bytes() const override { return sizeof(*this) + step_->bytes(); }
 
  private:
-  std::unique_ptr<BasicStepper<From>> stepper_;
+  std::shared_ptr<const BasicDenseStep<From>> step_;
 };
 
-// The motion of a system seen as `To`, for the search of events. It does
-// not know the rate of a damper that `To` lacks: slopes of event functions are those of a damper
-// that rests in the body.
-template <MotionState To, class Motion>
-class SeenMotion : public Motion {
- public:
-  using State = To;
-  using Sample = BasicSample<To>;
+template <MotionState To, MotionState From>
+BasicTrajectory<To> shown_run(BasicTrajectory<From> run) {
+  typename BasicTrajectory<From>::Parts parts = std::move(run).parts();
+  typename BasicTrajectory<To>::Parts result{.initial = shown_sample<To>(parts.initial),
+                                             .samples = {},
+                                             .events = {},
+                                             .outcome = std::move(parts.outcome),
+                                             .statistics = parts.statistics,
+                                             .method = std::move(parts.method),
+                                             .dense = {}};
+  result.samples.reserve(parts.samples.size());
+  for (const BasicSample<From>& at : parts.samples) result.samples.push_back(shown_sample<To>(at));
+  for (const auto& event : parts.events) result.events.push_back(shown_event<To>(event));
+  for (auto& step : parts.dense)
+    result.dense.push_back(std::make_shared<const ShownStep<To, From>>(std::move(step)));
+  return BasicTrajectory<To>(std::move(result));
+}
 
-  using Motion::Motion;
-  Sample moved(const Sample& s, double time) const {
-    const auto to = Motion::moved(own(s), time);
-    return {to.t, seen_as<To>(to.s)};
-  }
-  double turning_rate(const Sample& s, bool forward) const {
-    return Motion::turning_rate(own(s), forward);
-  }
-
- private:
-  static typename Motion::Sample own(const Sample& s) {
-    return {s.t, seen_as<typename Motion::State>(s.s)};
-  }
-};
-
-// The motion of a system whose state is `Own`.
-template <MotionState Own>
-using SystemMotion =
-    std::conditional_t<std::is_same_v<Own, DampedRotorState>, DamperMotion, RotorMotion>;
-template <MotionState S, MotionState Own>
-using MotionSeen =
-    std::conditional_t<std::is_same_v<S, Own>, SystemMotion<Own>, SeenMotion<S, SystemMotion<Own>>>;
+// The run of a problem of a System: of a rotor, or of a rotor with its damper.
+RotorMotion motion_of(const Problem& p) { return RotorMotion(p.system); }
+DamperMotion motion_of(const DampedProblem& p) { return DamperMotion(p.system); }
 
 template <MotionState S>
 BasicProblem<System, S> checked(const BasicProblem<System, S>& problem) {
@@ -118,6 +134,11 @@ BasicSample<S> first_look(const BasicProblem<System, S>& given,
   return {checked.start, is_normal ? given.initial : checked.initial};
 }
 
+template <MotionState S>
+using SystemWatch = EventWatch<decltype(motion_of(std::declval<BasicProblem<System, S>>()))>;
+template <MotionState S>
+using SystemRun = Run<S, SystemWatch<S>>;
+
 // The method in words, and the terms that it has to ask for one stage after the other.
 std::string method_text_for(const System& system, const Method& method) {
   std::string text = method_text(method);
@@ -127,30 +148,23 @@ std::string method_text_for(const System& system, const Method& method) {
   return text;
 }
 
-template <MotionState S, MotionState Own>
-std::unique_ptr<BasicStepper<S>> system_stepper(const BasicProblem<System, S>& p) {
-  if constexpr (std::is_same_v<S, Own>) {
-    return make_stepper(p);
-  } else {
-    return std::make_unique<SeenStepper<S, Own>>(make_stepper(BasicProblem<System, Own>{
-        p.system, seen_as<Own>(p.initial), p.start, p.stop, p.method, {}, p.continues}));
-  }
+template <MotionState S>
+std::unique_ptr<SystemRun<S>> system_run(const BasicProblem<System, S>& problem, bool keep_dense,
+                                         SampleQueue<S>& samples, const Progress& progress) {
+  const BasicProblem<System, S> p = checked(problem);
+  return std::make_unique<SystemRun<S>>(RunSpan<S>{.initial = {p.start, p.initial},
+                                                   .stop = p.stop,
+                                                   .method = method_text_for(p.system, p.method),
+                                                   .first_look = first_look(problem, p),
+                                                   .continues = p.continues},
+                                        SystemWatch<S>(motion_of(p), p.events), make_stepper(p),
+                                        keep_dense, samples, progress);
 }
 
-// The run of a problem of a System whose state is `Own`.
-template <MotionState Own, MotionState S>
+template <MotionState S>
 auto system_maker(const BasicProblem<System, S>& problem, const Progress& progress) {
   return [&problem, &progress](bool keep_dense, SampleQueue<S>& samples) {
-    using Motion = MotionSeen<S, Own>;
-    const BasicProblem<System, S> p = checked(problem);
-    return std::make_unique<Run<S, EventWatch<Motion>>>(
-        RunSpan<S>{.initial = {p.start, p.initial},
-                   .stop = p.stop,
-                   .method = method_text_for(p.system, p.method),
-                   .first_look = first_look(problem, p),
-                   .continues = p.continues},
-        EventWatch<Motion>(Motion(p.system), p.events), system_stepper<S, Own>(p), keep_dense,
-        samples, progress);
+    return system_run(problem, keep_dense, samples, progress);
   };
 }
 
@@ -182,36 +196,61 @@ template class BasicTrajectory<DampedRotorState>;
 
 namespace {
 
-// run(make) by the state that the system has.
-template <MotionState S, class Go>
-BasicTrajectory<S> dispatched(const BasicProblem<System, S>& problem, const Progress& progress,
-                              const Go& run) {
-  return problem.system.damper() ? run(detail::system_maker<DampedRotorState>(problem, progress))
-                                 : run(detail::system_maker<RotorState>(problem, progress));
+using detail::kept_run;
+using detail::problem_of;
+using detail::run_into;
+using detail::shown_run;
+using detail::streamed_run;
+using detail::system_features;
+using detail::system_maker;
+
+template <class S>
+constexpr bool has_rate = std::is_same_v<S, DampedRotorState>;
+
+// `run(problem)` of the state that the system has, shown as S; `convert<From>()` makes what else it
+// takes. A rate without a damper is refused before.
+template <MotionState S, class Own, class Other>
+BasicTrajectory<S> dispatched(const BasicProblem<System, S>& problem, const Own& own,
+                              const Other& other) {
+  using Else = std::conditional_t<has_rate<S>, RotorState, DampedRotorState>;
+  if (problem.system.damper().has_value() == has_rate<S>) return own(problem);
+  if constexpr (has_rate<S>)
+    detail::checked_problem("integrate", problem, detail::DamperState::carried);
+  return shown_run<S>(other(problem_of<Else>(problem)));
 }
 
 template <MotionState S>
 BasicTrajectory<S> kept(const BasicProblem<System, S>& problem, const Keep& keep,
                         const Progress& progress) {
-  return dispatched(problem, progress,
-                    [&](const auto& make) { return detail::kept_run(problem, keep, make); });
+  const auto run = [&](const auto& p) { return kept_run(p, keep, system_maker(p, progress)); };
+  return dispatched(problem, run, run);
 }
 
 template <MotionState S>
 BasicTrajectory<S> into_sink(const BasicProblem<System, S>& problem, const SaveAt& times,
                              const BasicSampleSink<S>& sink, const Progress& progress) {
-  return dispatched(problem, progress,
-                    [&](const auto& make) { return detail::run_into(problem, times, sink, make); });
+  const auto run = [&](const auto& p, const auto& into) {
+    return run_into(p, times, into, system_maker(p, progress));
+  };
+  return dispatched(
+      problem, [&](const auto& p) { return run(p, sink); },
+      [&]<class From>(const BasicProblem<System, From>& p) {
+        return run(p, detail::sink_into<From>(sink));
+      });
 }
 
 template <MotionState S>
 BasicTrajectory<S> streamed(const BasicProblem<System, S>& problem, const SaveAt& times,
                             const Checkpoint* from, const BasicStreams<S>& streams,
                             const Progress& progress) {
-  return dispatched(problem, progress, [&](const auto& make) {
-    return detail::streamed_run(problem, times, from, streams,
-                                detail::system_features(problem, times), make);
-  });
+  const auto run = [&](const auto& p, const auto& into) {
+    return streamed_run(p, times, from, into, system_features(p, times), system_maker(p, progress));
+  };
+  return dispatched(
+      problem, [&](const auto& p) { return run(p, streams); },
+      [&]<class From>(const BasicProblem<System, From>& p) {
+        return run(p, detail::streams_into<From>(streams));
+      });
 }
 
 }  // namespace

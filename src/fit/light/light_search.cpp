@@ -203,6 +203,7 @@ std::vector<LightUnknowns> models_of(const LightSearch& search) {
   LightUnknowns model = search.unknowns;
   if (search.body) {
     model.shape = false;
+    if (model.moments == MomentSource::shape) model.moments = MomentSource::start;  // known as well
     return {model};
   }
   if (model.moments == MomentSource::fit) model.moments = MomentSource::shape;
