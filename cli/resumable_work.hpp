@@ -41,7 +41,7 @@ void add_threads(CLI::App& command, WorkOptions& options, const std::string& at_
 // --resume, --restart and --checkpoint.
 void add_begin(CLI::App& command, WorkOptions& options, const WorkWords& words);
 
-// Whether to resume or restart, and the time between checkpoints.
+// Options that say whether to resume or restart, and the time between checkpoints.
 RunOptions begin_options(const WorkOptions& options);
 
 // The index of a member.

@@ -201,8 +201,8 @@ void forget_checkpoints(std::span<const std::string> outputs) {
                     words.restart + " begins anew and loses what it has done");
 }
 
-// Whether all outputs are there, with none on its way. DomainError for one of another scenario, of
-// other files that the scenario names or with other columns, and for one that does not say.
+// True if all outputs are complete and none is being written. Throws DomainError for an output of
+// another scenario, of other data files or with other columns, and for one that does not name them.
 bool are_complete(std::span<const PlannedOutput> outputs, const OutputFormats& formats,
                   const Provenance& provenance, const BeginWords& words) {
   if (std::any_of(outputs.begin(), outputs.end(), [](const PlannedOutput& output) {

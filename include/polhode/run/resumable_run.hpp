@@ -31,14 +31,14 @@ namespace detail {
 class Sweep;
 }  // namespace detail
 
-// What to do if an unfinished one is there.
+// How to begin if the outputs of an unfinished run are there.
 enum class RunBegin {
-  anew,     // is rejected, so that nothing is lost
-  resume,   // continues it, or begins if there is none
-  restart,  // begins, whatever is there
+  anew,     // the constructor throws, so that nothing is lost
+  resume,   // continues the unfinished run, or begins if there is none
+  restart,  // begins again and loses the unfinished run
 };
 
-// The words of messages for the two.
+// The words for resume and restart in messages.
 struct BeginWords {
   std::string resume = "resume";
   std::string restart = "restart";
@@ -47,9 +47,9 @@ struct BeginWords {
 
 struct RunProgress {
   double reached;  // t in core units; or the number of cells, members or starts so far
-  double part;     // of the work since it began or was resumed, up to 1: for the time that is left
+  double part;     // fraction of the work since it began or was resumed, for the time left
 };
-// The part of cells of which `at_a_time` are under way: these are half done on average.
+// The fraction of cells that are done. `at_a_time` are under way and half done on average.
 inline double part_of_work(double done, double left, double at_a_time) {
   return (done + 0.5 * std::min(at_a_time, left)) / (done + left);
 }
@@ -63,20 +63,20 @@ struct RunOptions {
   std::function<void(const RunProgress&)> progress = {};
   std::function<bool()> stop = {};        // asked after every step, from any thread
   std::unique_ptr<Sink> extra_sink = {};  // also gets the rows of this part of the work
-  // Of maps and ensembles: how many cells or chunks are computed at a time; 0: one on each
+  // Maps and ensembles compute this many cells or chunks at a time; 0 means one on each
   // processor.
   int threads = 0;
-  // Of ensembles: computes the chunks in place of these threads, in several processes, each with
-  // an ensemble_work of the same ensemble.
+  // Computes the chunks of an ensemble in several processes, each with an ensemble_work of the
+  // same ensemble, instead of on threads.
   Executor* executor = nullptr;
-  // Of ensembles: machines whose sines and logarithms differ in last digits may work together, or
-  // one after the other. The results then differ in last digits.
+  // Ensembles may run on machines whose sines and logarithms differ in the last digits, together
+  // or one after the other. The results then differ in the last digits.
   bool any_machine = false;
-  // Of runs: the report has all events; otherwise the first 20.
+  // The report of a run has all events, not only the first 20.
   bool keep_events = false;
 };
 
-// The work was stopped from outside. Its files have what was done until then.
+// Thrown if the work is stopped from outside. The files hold what was done until then.
 class RunInterrupted : public std::runtime_error {
  public:
   explicit RunInterrupted(const std::string& what, double at = 0.0, bool resumes = false)
@@ -85,15 +85,15 @@ class RunInterrupted : public std::runtime_error {
   bool can_resume;  // whether there is a checkpoint of that moment
 };
 
-// What ScenarioRun, MapRun, EnsembleRun and FitCheckpoint share: the state in which they begin.
+// Base of ScenarioRun, MapRun, EnsembleRun and FitCheckpoint: the state in which they begin.
 class ResumableRun {
  public:
   ResumableRun(const ResumableRun&) = delete;
   ResumableRun& operator=(const ResumableRun&) = delete;
 
-  // True if an unfinished one is continued, from reached() with rows() in its files; true if all
-  // files are complete.
+  // True if an unfinished run is continued, from reached() with rows() in its files.
   bool continues() const;
+  // True if all files are complete.
   bool is_complete() const;
   double reached() const;  // as that of RunProgress
   std::int64_t rows() const;

@@ -36,15 +36,15 @@ struct TurningFit {
 // the factors of `groups`.
 void settle(const TurningFit& fit, int most_iterations, std::size_t groups, LightSolution& found);
 
-// Of a fit from its start, with their bounds.
+// The unknowns of a fit at its start, with their bounds.
 std::vector<Unknown> light_unknowns(const LightFit& fit);
 
 // A few iterations about the start, without checks, covariance and factors. None without a value.
 std::optional<LightTrial> fit_shortly(const LightFit& fit);
 
-// Of `tries` rotations q of the motion of the start as a whole, which has the attitude 1 at t0: the
-// one whose light is nearest to the curves, with the sum that a fit would minimise; infinite where
-// none has light. None where the start has no motion.
+// Tries `tries` rotations q of the whole motion of the start, whose attitude at t0 is 1. Returns
+// the one whose light is nearest to the curves, with the sum that a fit would minimise, which is
+// infinite if none has light. Returns nullopt if the start has no motion.
 std::optional<std::pair<Quaternion, double>> best_attitude(const LightFit& fit, std::size_t tries,
                                                            const std::function<Quaternion()>& next);
 

@@ -49,7 +49,7 @@ class LightStarts {
   // body was found that has the periods.
   std::optional<LightTrial> trial(std::uint64_t number, const LightUnknowns& unknowns,
                                   int iterations) const;
-  // Of a known body.
+  // The pairs of periods that a known body cannot have.
   std::size_t pairs_without_motion() const;
 
  private:

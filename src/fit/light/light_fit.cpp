@@ -30,8 +30,9 @@ using detail::Rows;
 using detail::tuple_text;
 
 const std::string who = "fit_light: ";
-// In standard errors: a facet that passes a terminator or the edge of a shadow bends the light, and
-// a fit comes to rest between bends, some tenths of an error from the least.
+// A mesh has converged within this many standard errors: a facet that passes a terminator or the
+// edge of a shadow bends the light, and a fit comes to rest between bends, a few tenths of an error
+// from the minimum.
 constexpr double mesh_nearness = 1.0;
 // Rounds of moments that follow facets, linear in each, of so many iterations, and when they have
 // come to rest.
@@ -184,7 +185,7 @@ class FacetMoments {
   GaussianImage image_;
   FollowedMoments followed_;
   std::vector<double> distances_;  // of the facets, as they were last
-  // Of the moments of the last round, from what is linear to what is true.
+  // Difference of the moments of the last round between the linear and the exact ones.
   double change_ = std::numeric_limits<double>::infinity();
   double part_ = 1.0;
 };

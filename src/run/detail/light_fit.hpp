@@ -30,8 +30,8 @@ std::size_t longest_session(std::span<const LightCurve> curves);
 std::size_t nearest_session(std::span<const LightCurve> curves, const LightModel& body,
                             const Loss& loss);
 
-// From bodies near the first of the sessions to solutions of all; to convex bodies from the
-// ellipsoids that they begin with, whose facets stay the usual ones.
+// Extends bodies near the first session to solutions of all sessions. Convex bodies begin with the
+// facets of ellipsoids, which stay the usual ones.
 void extend_to_sessions(const Scenario& scenario, std::size_t first, std::vector<LightModel> starts,
                         const LightFitOptions& options, LightReport& report);
 
@@ -82,8 +82,8 @@ void set_ellipsoid(FoundLight& one);
 // A fit from an ellipsoid that was fitted, or of a mesh from the state of the file.
 void fit_surface_from_start(const Scenario& scenario, const std::optional<LightModel>& ellipsoid,
                             LightReport& report);
-// From the ellipsoids that a search found, and a mesh from what it asked, too; to the curves of the
-// search.
+// Fits convex bodies or the mesh to the curves of a search, from the ellipsoids that it found. A
+// mesh is also searched for by the periods of that search.
 void fit_surfaces(const Scenario& scenario, const LightSearch& asked,
                   const LightSearchResult& found, const LightFitOptions& options,
                   LightReport& report);

@@ -30,7 +30,8 @@ struct RunControl {
   bool events_have_rows = false;
   std::function<bool(double t)> due = {};  // whether to keep the state now
   std::function<void(const RunState&, const WriteMotion&)> keep = {};
-  // Of a run that is resumed: its rows in the sinks, and the reader of what WriteMotion wrote.
+  // If the run is resumed: the number of its rows in the sinks, and the archive that WriteMotion
+  // filled.
   std::int64_t rows = 0;
   Archive* motion = nullptr;
 };
