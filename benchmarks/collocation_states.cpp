@@ -45,9 +45,6 @@ double apart(const Quaternion& p, const Vec3& g, const Quaternion& q, const Vec3
 }
 double apart(const RotorState& a, const RotorState& b) { return apart(a.q, a.g, b.q, b.g); }
 double apart(const GyrostatState& a, const GyrostatState& b) { return apart(a.q, a.g, b.q, b.g); }
-double apart(const DampedRotorState& a, const DampedRotorState& b) {
-  return apart(a.rotor, b.rotor);
-}
 
 // The end of a problem of any state.
 template <class P>
@@ -71,13 +68,13 @@ void rotor(benchmark::State& state, const Method& method) {
   run(state, problem, method, exact);
 }
 void with_a_damper(benchmark::State& state, const Method& method) {
-  const DampedProblem problem{tumbling(KaneDamper(0.3, 0.003)), {start, {}}, 0.0, orbits};
+  const Problem problem{tumbling(KaneDamper(0.3, 0.003)), start, 0.0, orbits};
   static const auto exact = end_of(problem, exactly);
   run(state, problem, method, exact);
 }
 void free_with_a_stiff_damper(benchmark::State& state, const Method& method) {
   const System system(Body(0.9, 1.0, 1.1), Frame::inertial(), {}, KaneDamper(0.3, 400.0));
-  const DampedProblem problem{system, {start, {}}, 0.0, 100.0};
+  const Problem problem{system, start, 0.0, 100.0};
   static const auto exact = end_of(problem, finely);
   run(state, problem, method, exact);
 }

@@ -29,8 +29,8 @@ double AndoyerState::*field_of(AndoyerAngle angle) {
   return angle == AndoyerAngle::g ? &AndoyerState::g : &AndoyerState::h;
 }
 
-template <class Point, MotionState S>
-BasicSection<Point> end_of(const BasicTrajectory<S>& run) {
+template <class Point>
+BasicSection<Point> end_of(const Trajectory& run) {
   return {{}, run.outcome(), run.statistics(), run.method()};
 }
 
@@ -43,16 +43,13 @@ BasicSection<Point> kept(const Sectioned& sectioned) {
   return section;
 }
 
-template <MotionState S>
-BasicProblem<System, S> without_events(BasicProblem<System, S> problem) {
+Problem without_events(Problem problem) {
   problem.events.clear();
   return problem;
 }
 
 // From the first strobe of the run on, whichever way it goes.
-template <MotionState S>
-SaveAt strobe_times(const BasicProblem<System, S>& problem, const Strobe& strobe,
-                    const char* function) {
+SaveAt strobe_times(const Problem& problem, const Strobe& strobe, const char* function) {
   const auto& [period, epoch] = strobe;
   if (!(period > 0.0) || !std::isfinite(period) || !std::isfinite(epoch))
     throw DomainError(std::string(function) + ": period " + number_text(period) + " and epoch " +
@@ -72,36 +69,32 @@ SaveAt strobe_times(const BasicProblem<System, S>& problem, const Strobe& strobe
 
 AndoyerPoint andoyer_point(double t, const RotorState& s) { return {t, s, to_andoyer(s)}; }
 
-template <MotionState S>
-AndoyerSection strobed(const BasicProblem<System, S>& problem, const Strobe& strobe,
+AndoyerSection strobed(const Problem& problem, const Strobe& strobe,
                        const PointSink<AndoyerPoint>& sink, const Progress& progress) {
   const SaveAt times = strobe_times(problem, strobe, "andoyer_section");
   return end_of<AndoyerPoint>(integrate(
       without_events(problem), times,
-      [&](std::span<const BasicSample<S>> samples) {
-        for (const BasicSample<S>& at : samples) sink(andoyer_point(at.t, rotor_of(at.s)));
+      [&](std::span<const Sample> samples) {
+        for (const Sample& at : samples) sink(andoyer_point(at.t, at.s));
       },
       progress));
 }
 
-template <MotionState S>
-AndoyerSection passed(const BasicProblem<System, S>& problem, const AndoyerSurface& surface,
+AndoyerSection passed(const Problem& problem, const AndoyerSurface& surface,
                       const PointSink<AndoyerPoint>& sink, const Progress& progress) {
   if (!std::isfinite(surface.value))
     throw DomainError("andoyer_section: value " + number_text(surface.value) + " must be finite");
-  BasicProblem<System, S> watched = without_events(problem);
+  Problem watched = without_events(problem);
   watched.events.push_back(
       {.name = "section",
        .function =
-           [angle = field_of(surface.angle), value = surface.value](const BasicSample<S>& at) {
-             return std::remainder(to_andoyer(rotor_of(at.s)).*angle - value, turn);
+           [angle = field_of(surface.angle), value = surface.value](const Sample& at) {
+             return std::remainder(to_andoyer(at.s).*angle - value, turn);
            },
        .crossing = surface.crossing,
        .period = turn});
-  BasicStreams<S> streams;
-  streams.events = [&](const BasicEventRecord<S>& at) {
-    sink(andoyer_point(at.t, rotor_of(at.s)));
-  };
+  Streams streams;
+  streams.events = [&](const EventRecord& at) { sink(andoyer_point(at.t, at.s)); };
   return end_of<AndoyerPoint>(integrate(watched, SaveAt::times({}), streams, progress));
 }
 
@@ -116,10 +109,8 @@ class PericentreView {
   Strobe strobe() const { return {turn / n_, elements_.epoch - elements_.mean_anomaly / n_}; }
 
   SpinOrbitPoint point(const System& system, const Sample& at) const {
-    return point(system, at.t, at.s);
-  }
-  SpinOrbitPoint point(const System& system, const DampedSample& at) const {
-    return point(at_damper_rate(system, at.s.damper_rate), at.t, at.s.rotor);
+    return system.damper() ? point(at_damper_rate(system, at.s.damper_rate), at.t, at.s)
+                           : point(system, at.t, at.s);
   }
 
  private:
@@ -155,26 +146,21 @@ void require_pericentres(const KeplerElements& elements, const char* function) {
       (e > 0.0 ? "a hyperbola passes its pericentre once" : "a circular orbit has no pericentre"));
 }
 
-template <MotionState S>
-AndoyerSection andoyer_section(const BasicProblem<System, S>& problem,
-                               const SectionSurface& surface, const PointSink<AndoyerPoint>& sink,
-                               const Progress& progress) {
+AndoyerSection andoyer_section(const Problem& problem, const SectionSurface& surface,
+                               const PointSink<AndoyerPoint>& sink, const Progress& progress) {
   if (const auto* strobe = std::get_if<Strobe>(&surface))
     return strobed(problem, *strobe, sink, progress);
   return passed(problem, std::get<AndoyerSurface>(surface), sink, progress);
 }
 
-template <MotionState S>
-AndoyerSection andoyer_section(const BasicProblem<System, S>& problem,
-                               const SectionSurface& surface, const Progress& progress) {
+AndoyerSection andoyer_section(const Problem& problem, const SectionSurface& surface,
+                               const Progress& progress) {
   return kept<AndoyerPoint>([&](const PointSink<AndoyerPoint>& sink) {
     return andoyer_section(problem, surface, sink, progress);
   });
 }
 
-template <MotionState S>
-SpinOrbitSection spin_orbit_section(const BasicProblem<System, S>& problem,
-                                    const PrecessingKeplerOrbit& orbit,
+SpinOrbitSection spin_orbit_section(const Problem& problem, const PrecessingKeplerOrbit& orbit,
                                     const PointSink<SpinOrbitPoint>& sink,
                                     const Progress& progress) {
   require_pericentres(orbit.elements(), "spin_orbit_section");
@@ -182,59 +168,24 @@ SpinOrbitSection spin_orbit_section(const BasicProblem<System, S>& problem,
   const SaveAt times = strobe_times(problem, view.strobe(), "spin_orbit_section");
   return end_of<SpinOrbitPoint>(integrate(
       without_events(problem), times,
-      [&](std::span<const BasicSample<S>> samples) {
-        for (const BasicSample<S>& at : samples) sink(view.point(problem.system, at));
+      [&](std::span<const Sample> samples) {
+        for (const Sample& at : samples) sink(view.point(problem.system, at));
       },
       progress));
 }
 
-template <MotionState S>
-SpinOrbitSection spin_orbit_section(const BasicProblem<System, S>& problem,
-                                    const PrecessingKeplerOrbit& orbit, const Progress& progress) {
+SpinOrbitSection spin_orbit_section(const Problem& problem, const PrecessingKeplerOrbit& orbit,
+                                    const Progress& progress) {
   return kept<SpinOrbitPoint>([&](const PointSink<SpinOrbitPoint>& sink) {
     return spin_orbit_section(problem, orbit, sink, progress);
   });
 }
 
-template <MotionState S>
-SpinOrbitSection spin_orbit_section(const BasicProblem<System, S>& problem,
-                                    const KeplerOrbit& orbit, const Progress& progress) {
+SpinOrbitSection spin_orbit_section(const Problem& problem, const KeplerOrbit& orbit,
+                                    const Progress& progress) {
   require_pericentres(orbit.elements(), "spin_orbit_section");
   return spin_orbit_section(problem, PrecessingKeplerOrbit(orbit.elements(), {}), progress);
 }
-
-AndoyerSection andoyer_section(const Problem& problem, const SectionSurface& surface,
-                               const PointSink<AndoyerPoint>& sink, const Progress& progress) {
-  return andoyer_section<RotorState>(problem, surface, sink, progress);
-}
-AndoyerSection andoyer_section(const Problem& problem, const SectionSurface& surface,
-                               const Progress& progress) {
-  return andoyer_section<RotorState>(problem, surface, progress);
-}
-SpinOrbitSection spin_orbit_section(const Problem& problem, const PrecessingKeplerOrbit& orbit,
-                                    const PointSink<SpinOrbitPoint>& sink,
-                                    const Progress& progress) {
-  return spin_orbit_section<RotorState>(problem, orbit, sink, progress);
-}
-SpinOrbitSection spin_orbit_section(const Problem& problem, const PrecessingKeplerOrbit& orbit,
-                                    const Progress& progress) {
-  return spin_orbit_section<RotorState>(problem, orbit, progress);
-}
-SpinOrbitSection spin_orbit_section(const Problem& problem, const KeplerOrbit& orbit,
-                                    const Progress& progress) {
-  return spin_orbit_section<RotorState>(problem, orbit, progress);
-}
-
-template AndoyerSection andoyer_section(const DampedProblem&, const SectionSurface&,
-                                        const PointSink<AndoyerPoint>&, const Progress&);
-template AndoyerSection andoyer_section(const DampedProblem&, const SectionSurface&,
-                                        const Progress&);
-template SpinOrbitSection spin_orbit_section(const DampedProblem&, const PrecessingKeplerOrbit&,
-                                             const PointSink<SpinOrbitPoint>&, const Progress&);
-template SpinOrbitSection spin_orbit_section(const DampedProblem&, const PrecessingKeplerOrbit&,
-                                             const Progress&);
-template SpinOrbitSection spin_orbit_section(const DampedProblem&, const KeplerOrbit&,
-                                             const Progress&);
 
 }  // namespace v0
 }  // namespace polhode

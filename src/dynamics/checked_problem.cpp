@@ -59,28 +59,18 @@ void require_state(const std::string& function, const RotorState& s) {
     throw DomainError(function + ": momentum " + tuple_text({g.x, g.y, g.z}) + " must be finite");
 }
 
-RotorState normal(const RotorState& s) { return {normalized(s.q), s.g}; }
-DampedRotorState normal(const DampedRotorState& s) { return {normal(s.rotor), s.damper_rate}; }
-Vec3 rate_of_damper(const RotorState&) { return {}; }
-Vec3 rate_of_damper(const DampedRotorState& s) { return s.damper_rate; }
-
 }  // namespace
 
-template <MotionState S>
-BasicProblem<System, S> checked_problem(const std::string& function,
-                                        BasicProblem<System, S> problem, DamperState carried) {
-  require_state(function, rotor_of(problem.initial));
+Problem checked_problem(const std::string& function, Problem problem, DamperState carried) {
+  SystemState& initial = problem.initial;
+  require_state(function, initial);
   require_finite_span(function, problem.start, problem.stop);
   require_squared_moments(function, problem.system.body());
   require_valid(problem.method);
-  require_place_of_damper(function, problem.system, rate_of_damper(problem.initial), problem.method,
-                          carried);
-  problem.initial = normal(problem.initial);
+  require_place_of_damper(function, problem.system, initial.damper_rate, problem.method, carried);
+  initial.q = normalized(initial.q);
   return problem;
 }
-
-template Problem checked_problem(const std::string&, Problem, DamperState);
-template DampedProblem checked_problem(const std::string&, DampedProblem, DamperState);
 
 std::vector<double> sample_times(const std::string& function, const Problem& problem,
                                  const SaveAt& samples) {

@@ -15,10 +15,8 @@ namespace detail {
 enum class DamperState { carried, refused };
 
 // The problem with a unit quaternion. DomainError, naming `function`, for a state, a time or a
-// method that is invalid. A Problem or a DampedProblem.
-template <MotionState S>
-BasicProblem<System, S> checked_problem(const std::string& function,
-                                        BasicProblem<System, S> problem, DamperState carried);
+// method that is invalid.
+Problem checked_problem(const std::string& function, Problem problem, DamperState carried);
 
 // The sample times that are within the span of a problem. DomainError, naming `function`, unless
 // they run from start to stop.

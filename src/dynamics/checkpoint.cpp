@@ -14,7 +14,7 @@ inline namespace v0 {
 
 namespace {
 
-constexpr std::string_view magic = "polhode checkpoint 6";
+constexpr std::string_view magic = "polhode checkpoint 7";
 
 template <class... X>
 std::string bytes_of(X... x) {

@@ -25,7 +25,7 @@ namespace {
 
 struct CustomMap {
   using State = TimedState<RotorState>;
-  using Shown = RotorState;
+  using Shown = SystemState;
 
   std::shared_ptr<const StepperMaker> maker;
   System system;
@@ -36,7 +36,7 @@ struct CustomMap {
     at.t = at.t + DoubleDouble(h);
     return at;
   }
-  static RotorState state(const State& at) { return at.s; }
+  static SystemState state(const State& at) { return at.s; }
   static std::string failure(const State& from, State& to) {
     if (has_finite_numbers(to.s)) return {};
     return "the state is not finite after the step from t = " + number_text(from.t.hi) +

@@ -20,9 +20,10 @@ std::string text_of(const std::exception_ptr& thrown) {
   }
 }
 
-template <MotionState S>
-BasicBodyRun<S> body_run(std::size_t index, const BasicProblem<System, S>& problem,
-                         const Keep& keep, const Progress& progress) {
+}  // namespace
+
+BodyRun integrate_body(std::size_t index, const Problem& problem, const Keep& keep,
+                       const Progress& progress) {
   double reached = problem.start;
   bool is_outside = false;  // in progress, whose exceptions are not the body's
   const Progress watched = [&](double t) {
@@ -44,51 +45,17 @@ BasicBodyRun<S> body_run(std::size_t index, const BasicProblem<System, S>& probl
   }
 }
 
-template <MotionState S>
-void each_body(std::size_t count,
-               const std::function<BasicProblem<System, S>(std::size_t)>& problem, const Keep& keep,
-               const std::function<void(std::size_t, BasicBodyRun<S>)>& done,
-               const Progress& progress) {
-  for (std::size_t k = 0; k < count; ++k) done(k, body_run(k, problem(k), keep, progress));
-}
-
-template <MotionState S>
-std::vector<BasicBodyRun<S>> all_runs(std::span<const BasicProblem<System, S>> problems,
-                                      const Keep& keep) {
-  std::vector<BasicBodyRun<S>> runs;
-  for (const BasicProblem<System, S>& problem : problems)
-    runs.push_back(body_run(runs.size(), problem, keep, {}));
-  return runs;
-}
-
-}  // namespace
-
-BodyRun integrate_body(std::size_t index, const Problem& problem, const Keep& keep,
-                       const Progress& progress) {
-  return body_run(index, problem, keep, progress);
-}
-DampedBodyRun integrate_body(std::size_t index, const DampedProblem& problem, const Keep& keep,
-                             const Progress& progress) {
-  return body_run(index, problem, keep, progress);
-}
-
 void integrate_many(std::size_t count, const std::function<Problem(std::size_t)>& problem,
                     const Keep& keep, const std::function<void(std::size_t, BodyRun)>& done,
                     const Progress& progress) {
-  each_body(count, problem, keep, done, progress);
-}
-void integrate_many(std::size_t count, const std::function<DampedProblem(std::size_t)>& problem,
-                    const Keep& keep, const std::function<void(std::size_t, DampedBodyRun)>& done,
-                    const Progress& progress) {
-  each_body(count, problem, keep, done, progress);
+  for (std::size_t k = 0; k < count; ++k) done(k, integrate_body(k, problem(k), keep, progress));
 }
 
 std::vector<BodyRun> integrate_many(std::span<const Problem> problems, const Keep& keep) {
-  return all_runs(problems, keep);
-}
-std::vector<DampedBodyRun> integrate_many(std::span<const DampedProblem> problems,
-                                          const Keep& keep) {
-  return all_runs(problems, keep);
+  std::vector<BodyRun> runs;
+  for (const Problem& problem : problems)
+    runs.push_back(integrate_body(runs.size(), problem, keep));
+  return runs;
 }
 
 }  // namespace v0

@@ -24,7 +24,22 @@ std::string below_rounding_text(double step, double t) {
          ": take a larger step or count time from a nearer epoch";
 }
 
+namespace {
+
+std::unique_ptr<Stepper> damper_stepper(const Problem& problem) {
+  const auto* const method = std::get_if<Collocation>(&problem.method);
+  if (method == nullptr)
+    return term_stepper<DamperField>(problem, std::get<Adaptive>(problem.method));
+  return std::make_unique<CollocationStepper<DamperStages>>(
+      std::make_shared<const SweptDamper>(problem.system), SwitchingSteps(problem.system),
+      problem.start, SweptDamper::start(problem.initial), *method,
+      collocation_control(problem.system, problem.start, *method));
+}
+
+}  // namespace
+
 std::unique_ptr<Stepper> make_stepper(const Problem& problem) {
+  if (problem.system.damper()) return damper_stepper(problem);
   return std::visit([&](const auto& method) { return make_stepper(problem, method); },
                     problem.method);
 }
@@ -33,26 +48,6 @@ std::unique_ptr<Stepper> make_stepper(const Problem& problem, const Splitting& m
   SplittingMap map(problem.system, method.scheme);
   const SplittingState start = map.start(problem.start, problem.initial);
   return std::make_unique<FixedStepper<SplittingMap>>(std::move(map), start, method.step);
-}
-
-std::unique_ptr<BasicStepper<DampedRotorState>> make_stepper(const DampedProblem& problem) {
-  if (const auto* const method = std::get_if<Collocation>(&problem.method))
-    return make_stepper(problem, *method);
-  return make_stepper(problem, std::get<Adaptive>(problem.method));
-}
-
-std::unique_ptr<BasicStepper<DampedRotorState>> make_stepper(const DampedProblem& problem,
-                                                             const Adaptive& method) {
-  return term_stepper<DamperField>(problem, method);
-}
-
-std::unique_ptr<BasicStepper<DampedRotorState>> make_stepper(const DampedProblem& problem,
-                                                             const Collocation& method) {
-  require_valid(method);
-  return std::make_unique<CollocationStepper<DamperStages>>(
-      std::make_shared<const SweptDamper>(problem.system), SwitchingSteps(problem.system),
-      problem.start, SweptDamper::start(problem.initial), method,
-      collocation_control(problem.system, problem.start, method));
 }
 
 }  // namespace detail

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The steppers of a rotor, one for each method, and of a rotor with a damper.
+// The steppers of a System, one for each method.
 #pragma once
 
 #include <memory>
@@ -11,21 +11,17 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-using Stepper = BasicStepper<RotorState>;
+using Stepper = BasicStepper<SystemState>;
 
+// By the method of a checked problem; where the system has a damper, it moves with the rotor.
+std::unique_ptr<Stepper> make_stepper(const Problem& problem);
+
+// Of a rotor without a damper.
 std::unique_ptr<Stepper> make_stepper(const Problem& problem, const Adaptive& method);
 std::unique_ptr<Stepper> make_stepper(const Problem& problem, const Collocation& method);
 std::unique_ptr<Stepper> make_stepper(const Problem& problem, const Splitting& method);
 std::unique_ptr<Stepper> make_stepper(const Problem& problem, const VariationOfConstants& method);
 std::unique_ptr<Stepper> make_stepper(const Problem& problem, const CustomMethod& method);
-// The system has a damper.
-std::unique_ptr<BasicStepper<DampedRotorState>> make_stepper(const DampedProblem& problem,
-                                                             const Adaptive& method);
-std::unique_ptr<BasicStepper<DampedRotorState>> make_stepper(const DampedProblem& problem,
-                                                             const Collocation& method);
-// By the method of a checked problem.
-std::unique_ptr<Stepper> make_stepper(const Problem& problem);
-std::unique_ptr<BasicStepper<DampedRotorState>> make_stepper(const DampedProblem& problem);
 
 }  // namespace detail
 }  // namespace v0

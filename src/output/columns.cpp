@@ -28,9 +28,9 @@ std::size_t group_index(const ColumnKinds& kinds, const std::string& name) {
 
 // f(RowSample) of a sample, with the system at the rate of its damper.
 template <class F>
-auto of_row(const RowOrigin& origin, const DampedSample& at, const F& f) {
+auto of_row(const RowOrigin& origin, const Sample& at, const F& f) {
   const auto of = [&](const System& system) {
-    return f(RowSample{system, origin.initial_energy, at.t, at.s.rotor, at.s.damper_rate});
+    return f(RowSample{system, origin.initial_energy, at.t, at.s, at.s.damper_rate});
   };
   return origin.system.damper() ? of(at_damper_rate(origin.system, at.s.damper_rate))
                                 : of(origin.system);
@@ -59,7 +59,7 @@ ScalarColumn scalar_column(std::string_view name, const System& system, double i
   const ColumnKind& of = *kinds.of_column(name);
   const auto place = static_cast<std::size_t>(
       std::ranges::find(of.columns, name, &GroupColumn::name) - of.columns.begin());
-  return {dimension, [numbers = of.numbers, place, system, initial_energy](const DampedSample& at) {
+  return {dimension, [numbers = of.numbers, place, system, initial_energy](const Sample& at) {
             return of_row(RowOrigin{system, initial_energy}, at,
                           [&](const RowSample& row) { return numbers(row)[place]; });
           }};
@@ -129,7 +129,7 @@ void RowLayout::write_rows(const FreeRotation& motion, std::span<const double> t
   }
 }
 
-void RowLayout::write_rows(const RowOrigin& origin, std::span<const DampedSample> samples,
+void RowLayout::write_rows(const RowOrigin& origin, std::span<const Sample> samples,
                            std::span<double> out) const {
   for (std::size_t k = 0; k < samples.size(); ++k)
     of_row(origin, samples[k],

@@ -72,22 +72,21 @@ MapCell ended(std::vector<double> numbers, const Outcome& outcome, std::size_t w
 }
 
 // Of a system without a damper: chaos_indicator says so.
-MapCell chaos_cell(const DampedProblem& given, const Progress& progress) {
-  const Problem problem{given.system, given.initial.rotor, given.start, given.stop, given.method};
+MapCell chaos_cell(const Problem& problem, const Progress& progress) {
   const ChaosIndicator found =
       chaos_indicator(problem, SaveAt::times({problem.stop}), {}, progress);
   return ended({found.mean_megno(), found.lyapunov()}, found.outcome, 2);
 }
 
-MapCell column_cell(const DampedProblem& problem, const SaveAt& rows, const CellContext& of,
+MapCell column_cell(const Problem& problem, const SaveAt& rows, const CellContext& of,
                     const Progress& progress) {
   const ScalarColumn column =
       scalar_column(of.plan.column, problem.system, initial_energy(problem), of.columns);
   Extremes extremes;
-  const DampedTrajectory trajectory = integrate(
+  const Trajectory trajectory = integrate(
       problem, rows,
-      [&](std::span<const DampedSample> samples) {
-        for (const DampedSample& sample : samples) extremes.add(column.value(sample));
+      [&](std::span<const Sample> samples) {
+        for (const Sample& sample : samples) extremes.add(column.value(sample));
       },
       progress);
   return ended(extremes.in(of.units, column.dimension), trajectory.outcome(), 3);
@@ -107,8 +106,7 @@ class Rows {
   std::vector<double> numbers_;
 };
 
-MapCell andoyer_cell(const DampedProblem& problem, const CellContext& of,
-                     const Progress& progress) {
+MapCell andoyer_cell(const Problem& problem, const CellContext& of, const Progress& progress) {
   using enum Dimension;
   Rows rows(of.units);
   const AndoyerSection end = andoyer_section(
@@ -135,7 +133,7 @@ PrecessingKeplerOrbit section_orbit(const std::vector<ScenarioOrbit>& orbits,
   return moving != nullptr ? *moving : PrecessingKeplerOrbit(*kepler_elements(*orbit), {});
 }
 
-MapCell spin_orbit_cell(const DampedProblem& problem, const PrecessingKeplerOrbit& orbit,
+MapCell spin_orbit_cell(const Problem& problem, const PrecessingKeplerOrbit& orbit,
                         const CellContext& of, const Progress& progress) {
   using enum Dimension;
   Rows rows(of.units);
@@ -181,7 +179,7 @@ ColumnGroup result_columns(const MapPlan& plan, const Units& units) {
 
 // Makes the cell of an experiment: one overload for each kind.
 MapCell map_cell(const Rotation& rotation, const CellContext& of, const Progress& progress) {
-  const DampedProblem problem = rotor_problem(rotation);
+  const Problem problem = rotor_problem(rotation);
   switch (of.plan.kind) {
     case MapKind::chaos:
       return chaos_cell(problem, progress);

@@ -54,21 +54,18 @@ std::vector<std::string> branch_notes(const Rotation& rotation, const Scenario& 
 }
 
 // Angles are compared modulo a turn: the jump of a column at +-pi is no crossing.
-template <MotionState S>
-std::vector<BasicEvent<S>> events_of(const Scenario& scenario, const System& system,
-                                     double energy_0) {
-  std::vector<BasicEvent<S>> events;
+std::vector<Event> events_of(const Scenario& scenario, const System& system, double energy_0) {
+  std::vector<Event> events;
   for (const ScenarioEvent& wanted : scenario.rotation().events) {
     const ScalarColumn column =
         scalar_column(wanted.column, system, energy_0, columns_of(scenario));
     const double turn = column.dimension == Dimension::angle ? 2.0 * std::numbers::pi : 0.0;
-    events.push_back(
-        {wanted.name,
-         [value = column.value, target = wanted.value, turn](const BasicSample<S>& at) {
-           const double x = value({at.t, damped(at.s)}) - target;
-           return turn > 0.0 ? std::remainder(x, turn) : x;
-         },
-         wanted.crossing, wanted.stops, turn, wanted.interval});
+    events.push_back({wanted.name,
+                      [value = column.value, target = wanted.value, turn](const Sample& at) {
+                        const double x = value(at) - target;
+                        return turn > 0.0 ? std::remainder(x, turn) : x;
+                      },
+                      wanted.crossing, wanted.stops, turn, wanted.interval});
   }
   return events;
 }
@@ -86,14 +83,13 @@ class FreeRun {
         system_(problem_.system),
         motion_(rotation_.frame.is_inertial()
                     ? free_rotation(rotation_)
-                    : FreeRotation(rotation_.body,
-                                   inertial_state(system_, 0.0, problem_.initial.rotor))),
+                    : FreeRotation(rotation_.body, inertial_state(system_, 0.0, problem_.initial))),
         origin_{system_, initial_energy(problem_)},
         rows_(*rotation_.time) {
     report_.outcome.t = rows_.end();
     if (rotation_.events.empty()) return;
-    search_.emplace(motion_, rotation_.frame,
-                    events_of<RotorState>(scenario, system_, origin_.initial_energy), rows_[0]);
+    search_.emplace(motion_, rotation_.frame, events_of(scenario, system_, origin_.initial_energy),
+                    rows_[0]);
     if (control.motion != nullptr) search_->serialize(*control.motion);
   }
 
@@ -123,9 +119,8 @@ class FreeRun {
       return writer_.push(times.size(), [&](std::span<double> numbers) {
         layout_.write_rows(motion_, times, numbers);
       });
-    std::vector<DampedSample> samples;
-    for (const double t : times)
-      samples.push_back({t, damped(reference_state(system_, t, motion_.at(t)))});
+    std::vector<Sample> samples;
+    for (const double t : times) samples.push_back({t, reference_state(system_, t, motion_.at(t))});
     writer_.push(samples.size(),
                  [&](std::span<double> numbers) { layout_.write_rows(origin_, samples, numbers); });
   }
@@ -151,7 +146,7 @@ class FreeRun {
     }
   }
 
-  void keep(const detail::RotorWatch::Found& found) {
+  void keep(const detail::SystemWatch::Found& found) {
     for (const EventRecord& record : found.records) {
       RunEvent event = run_event(record);
       if (control_.event) {
@@ -166,14 +161,13 @@ class FreeRun {
 
   RunEvent run_event(const EventRecord& record) const {
     std::vector<double> row(control_.events_have_rows ? layout_.width() : 0);
-    const DampedSample there{record.t, damped(record.s)};
+    const Sample there{record.t, record.s};
     if (!row.empty() && rotation_.frame.is_inertial()) {
       layout_.write_rows(motion_, {&there.t, 1}, row);
     } else if (!row.empty()) {
       layout_.write_rows(origin_, {&there, 1}, row);
     }
-    return event_of<DampedRotorState>({record.name, record.t, there.s, record.direction},
-                                      std::move(row));
+    return event_of(record, std::move(row));
   }
 
   // Of rows not yet written.
@@ -209,7 +203,7 @@ class FreeRun {
   const RowLayout& layout_;
   RowWriter& writer_;
   const RunControl& control_;
-  DampedProblem problem_;
+  Problem problem_;
   const System& system_;
   FreeRotation motion_;
   RowOrigin origin_;
@@ -221,19 +215,19 @@ class FreeRun {
 RunReport run_integrated(const Scenario& scenario, const RowLayout& layout, RowWriter& writer,
                          const RunControl& control) {
   const Rotation& rotation = scenario.rotation();
-  DampedProblem problem = rotor_problem(rotation);
+  Problem problem = rotor_problem(rotation);
   const System& system = problem.system;
   const double energy_0 = initial_energy(problem);
-  problem.events = events_of<DampedRotorState>(scenario, system, energy_0);
-  const auto write = [&](std::span<const DampedSample> samples, std::span<double> numbers) {
+  problem.events = events_of(scenario, system, energy_0);
+  const auto write = [&](std::span<const Sample> samples, std::span<double> numbers) {
     layout.write_rows(RowOrigin{system, energy_0}, samples, numbers);
   };
-  const detail::RowsOfMotion<System, DampedRotorState> motion{problem, *rotation.time, write};
+  const detail::RowsOfMotion<System> motion{problem, *rotation.time, write};
   auto [report, last] = detail::integrated_run(motion, writer, control);
   report.end = last;
   if (last && system.has_energy()) {
     const auto& [t, end] = *last;
-    report.energy_change = energy(at_damper_rate(system, end.damper_rate), t, end.rotor) - energy_0;
+    report.energy_change = energy(at_damper_rate(system, end.damper_rate), t, end) - energy_0;
   }
   return report;
 }

@@ -191,14 +191,13 @@ void add_spin(Lines& lines, const Rotation& rotation, const FreeRotation& motion
 }
 
 // Mode, periods and pole at t = 0 and at the end of a run.
-void add_change(Lines& lines, const Rotation& rotation, const Units& units,
-                const DampedSample& end) {
+void add_change(Lines& lines, const Rotation& rotation, const Units& units, const Sample& end) {
   const System& system = rotor_system(rotation);
   lines.text("before", "at t = 0", spin_text(system, units, 0.0, initial_state(rotation)));
   lines.text(
       "after",
       fmt::format("at t = {:.10g} {}", units.from_core(end.t, Dimension::time), units.time()),
-      spin_text(system, units, end.t, end.s.rotor));
+      spin_text(system, units, end.t, end.s));
 }
 
 // Notes on probable mistakes: a quaternion that looks scalar-last, an orbit inside its central

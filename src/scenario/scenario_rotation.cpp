@@ -144,20 +144,21 @@ std::optional<Method> propagation_method(const Rotation& rotation) {
 const std::optional<SaveAt>& row_times(const Rotation& rotation) { return rotation.time; }
 bool has_events(const Rotation& rotation) { return !rotation.events.empty(); }
 
-DampedProblem rotor_problem(const Rotation& rotation) {
+Problem rotor_problem(const Rotation& rotation) {
   if (!rotation.time) throw DomainError("rotor_problem: got no [time]; expected its rows");
   const SaveAt& rows = *rotation.time;
+  const RotorState& s = initial_state(rotation);
   return {rotor_system(rotation),
-          {initial_state(rotation), rotation.damper_rate},
+          {s.q, s.g, rotation.damper_rate},
           0.0,
           rows.end(),
           propagation_method(rotation).value_or(default_rotor_method)};
 }
 
-double initial_energy(const DampedProblem& problem) {
+double initial_energy(const Problem& problem) {
   if (!problem.system.has_energy()) return 0.0;
-  const auto& [rotor, damper_rate] = problem.initial;
-  return energy(at_damper_rate(problem.system, damper_rate), problem.start, rotor);
+  const SystemState& s = problem.initial;
+  return energy(at_damper_rate(problem.system, s.damper_rate), problem.start, s);
 }
 
 const Rotation& detail::rotation_of(const Experiment& experiment) {
@@ -182,7 +183,7 @@ bool has_events(const Scenario& scenario) {
 std::optional<Method> propagation_method(const Scenario& scenario) {
   return std::visit([](const auto& kind) { return propagation_method(kind); }, scenario.experiment);
 }
-DampedProblem problem(const Experiment& experiment) {
+Problem problem(const Experiment& experiment) {
   return rotor_problem(detail::rotation_of(experiment));
 }
 

@@ -111,7 +111,7 @@ void no_dense_output() {
       "alone were saved");
 }
 
-template class BasicTrajectory<RotorState>;
+template class BasicTrajectory<SystemState>;
 
 }  // namespace v0
 }  // namespace polhode

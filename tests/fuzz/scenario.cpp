@@ -57,8 +57,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       // the terms and the frame at both times, without the integration
       const System system = rotor_system(scenario);
       const RotorState s = initial_state(scenario);
-      const DampedRotorState damped{s, scenario.rotation().damper_rate};
-      const DampedSample samples[] = {{0.0, damped}, {last, damped}};
+      const SystemState damped{s.q, s.g, scenario.rotation().damper_rate};
+      const Sample samples[] = {{0.0, damped}, {last, damped}};
       layout.write_rows({system, 0.0}, samples, rows);
     }
     if (has_every_number(scenario))

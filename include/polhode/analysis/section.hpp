@@ -102,29 +102,6 @@ SpinOrbitSection spin_orbit_section(const Problem& problem, const PrecessingKepl
                                     const PointSink<SpinOrbitPoint>& sink,
                                     const Progress& progress = {});
 
-// Those of a DampedProblem.
-template <MotionState S>
-AndoyerSection andoyer_section(const BasicProblem<System, S>& problem,
-                               const SectionSurface& surface = AndoyerSurface{},
-                               const Progress& progress = {});
-template <MotionState S>
-SpinOrbitSection spin_orbit_section(const BasicProblem<System, S>& problem,
-                                    const PrecessingKeplerOrbit& orbit,
-                                    const Progress& progress = {});
-template <MotionState S>
-SpinOrbitSection spin_orbit_section(const BasicProblem<System, S>& problem,
-                                    const KeplerOrbit& orbit, const Progress& progress = {});
-
-template <MotionState S>
-AndoyerSection andoyer_section(const BasicProblem<System, S>& problem,
-                               const SectionSurface& surface, const PointSink<AndoyerPoint>& sink,
-                               const Progress& progress = {});
-template <MotionState S>
-SpinOrbitSection spin_orbit_section(const BasicProblem<System, S>& problem,
-                                    const PrecessingKeplerOrbit& orbit,
-                                    const PointSink<SpinOrbitPoint>& sink,
-                                    const Progress& progress = {});
-
 // DomainError unless an orbit has a pericentre that comes again.
 void require_pericentres(const KeplerElements& elements, const char* function);
 

@@ -5,7 +5,7 @@
 //             twelfth part of the fastest turn apart at most (of the free body with its momentum,
 //             along its whole polhode, and of the frame), and at the end of every step.
 // Units       any; `interval` is a time.
-// Domain      a continuous function of time and state, (t, q_SB, g_B) for a rotor, or of a sample,
+// Domain      a continuous function of time and state, (t, q_SB, g_B) for a system, or of a sample,
 //             which is both. It finds every change of sign from one look to the next; two zeros
 //             between two looks, where the function turns around beyond zero; and a touch, where it
 //             turns around at zero to rounding (1e-14 of its values around, and of t), of direction
@@ -64,7 +64,7 @@ class BasicEventFunction {
  private:
   std::function<double(const BasicSample<S>&)> value_;
 };
-using EventFunction = BasicEventFunction<RotorState>;
+using EventFunction = BasicEventFunction<SystemState>;
 
 template <MotionState S>
 struct BasicEvent {
@@ -80,7 +80,7 @@ struct BasicEvent {
   double interval = 0.0;
 };
 
-using Event = BasicEvent<RotorState>;
+using Event = BasicEvent<SystemState>;
 
 // DomainError for an event without a function, or an invalid period or interval.
 void require_valid_event(const std::string& name, bool has_function, double period,

@@ -6,9 +6,8 @@
 // Domain      any state with a non-zero quaternion, from `start` to `stop` in either direction.
 //             Samples outside the span are left out, but for a last one that rounding alone puts
 //             beyond `stop`. A sample at `stop` is the end of the last step; others come from the
-//             dense output. A Problem whose system has a damper is run with the damper, which
-//             starts at the rate 0, and shows the rotor; a DampedProblem gives the rate, and shows
-//             both. For models of your own: polhode/dynamics/integrate_model.hpp.
+//             dense output. A damper moves from the rate that
+//             the initial state has. For models of your own: polhode/dynamics/integrate_model.hpp.
 // Accuracy    docs/guide/which-propagator.md.
 // Errors      DomainError for an invalid problem (NaN, a method out of range, a splitting of a
 //             term without a flow, a damper with a method that does not move its state). A run
@@ -37,28 +36,17 @@ Trajectory integrate(const Problem& problem, const Keep& keep = {}, const Progre
 Trajectory integrate(const Problem& problem, const SaveAt& samples, const SampleSink& sink,
                      const Progress& progress = {});
 
-// What the templates take: a model with its own state, and a System with a rotor and its damper.
-template <class M, class S>
-concept Integrable = ((Model<M> || FrozenModel<M>)&&std::same_as<S, typename M::State>) ||
-                     (std::same_as<M, System> && std::same_as<S, DampedRotorState>);
+// The same of a model of your own.
+template <class M>
+concept Integrable = Model<M> || FrozenModel<M>;
 
-// Of any other state: a rotor with a damper, and every model.
-template <class M, MotionState S>
-  requires Integrable<M, S>
-BasicTrajectory<S> integrate(const BasicProblem<M, S>& problem, const Keep& keep = {},
-                             const Progress& progress = {});
-template <class M, MotionState S>
-  requires Integrable<M, S>
-BasicTrajectory<S> integrate(const BasicProblem<M, S>& problem, const SaveAt& samples,
-                             const std::type_identity_t<BasicSampleSink<S>>& sink,
-                             const Progress& progress = {});
-
-template <>
-DampedTrajectory integrate(const DampedProblem& problem, const Keep& keep,
-                           const Progress& progress);
-template <>
-DampedTrajectory integrate(const DampedProblem& problem, const SaveAt& samples,
-                           const DampedSampleSink& sink, const Progress& progress);
+template <Integrable M>
+BasicTrajectory<typename M::State> integrate(const BasicProblem<M>& problem, const Keep& keep = {},
+                                             const Progress& progress = {});
+template <Integrable M>
+BasicTrajectory<typename M::State> integrate(const BasicProblem<M>& problem, const SaveAt& samples,
+                                             const BasicSampleSink<typename M::State>& sink,
+                                             const Progress& progress = {});
 
 // A state with the derivative of its hub tangent (dtheta_B, dg_B) by that of the initial state.
 struct TransitionSample {

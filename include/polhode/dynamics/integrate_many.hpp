@@ -27,34 +27,24 @@
 namespace polhode {
 inline namespace v0 {
 
-template <MotionState S>
-struct BasicBodyRun {
-  std::optional<BasicTrajectory<S>> trajectory;
+struct BodyRun {
+  std::optional<Trajectory> trajectory;
   std::string error;          // why there is none
   std::exception_ptr thrown;  // and what was thrown
 };
-using BodyRun = BasicBodyRun<RotorState>;
-using DampedBodyRun = BasicBodyRun<DampedRotorState>;
 
 // One of them. `error` calls it by its index. `progress` is called after every step.
 BodyRun integrate_body(std::size_t index, const Problem& problem, const Keep& keep,
                        const Progress& progress = {});
-DampedBodyRun integrate_body(std::size_t index, const DampedProblem& problem, const Keep& keep,
-                             const Progress& progress = {});
 
 // Integrates the problems with indices below `count`, in order. `problem` is called for each before
 // its run, and `done` gets the run when it has ended.
 void integrate_many(std::size_t count, const std::function<Problem(std::size_t)>& problem,
                     const Keep& keep, const std::function<void(std::size_t, BodyRun)>& done,
                     const Progress& progress = {});
-void integrate_many(std::size_t count, const std::function<DampedProblem(std::size_t)>& problem,
-                    const Keep& keep, const std::function<void(std::size_t, DampedBodyRun)>& done,
-                    const Progress& progress = {});
 
 // All of them, in the order of the problems.
 std::vector<BodyRun> integrate_many(std::span<const Problem> problems, const Keep& keep = {});
-std::vector<DampedBodyRun> integrate_many(std::span<const DampedProblem> problems,
-                                          const Keep& keep = {});
 
 }  // namespace v0
 }  // namespace polhode

@@ -15,37 +15,33 @@
 
 namespace polhode {
 inline namespace v0 {
-template <class M, MotionState S>
-  requires Integrable<M, S>
-BasicTrajectory<S> integrate(const BasicProblem<M, S>& problem, const Keep& keep,
-                             const Progress& progress) {
+template <Integrable M>
+BasicTrajectory<typename M::State> integrate(const BasicProblem<M>& problem, const Keep& keep,
+                                             const Progress& progress) {
   return detail::kept_run(problem, keep, detail::maker_of(problem, progress));
 }
 
-template <class M, MotionState S>
-  requires Integrable<M, S>
-BasicTrajectory<S> integrate(const BasicProblem<M, S>& problem, const SaveAt& times,
-                             const std::type_identity_t<BasicSampleSink<S>>& sink,
-                             const Progress& progress) {
+template <Integrable M>
+BasicTrajectory<typename M::State> integrate(const BasicProblem<M>& problem, const SaveAt& times,
+                                             const BasicSampleSink<typename M::State>& sink,
+                                             const Progress& progress) {
   return detail::run_into(problem, times, sink, detail::maker_of(problem, progress));
 }
 
-template <class M, MotionState S>
-  requires Integrable<M, S>
-BasicTrajectory<S> integrate(const BasicProblem<M, S>& problem, const SaveAt& times,
-                             const std::type_identity_t<BasicStreams<S>>& streams,
-                             const Progress& progress) {
+template <Integrable M>
+BasicTrajectory<typename M::State> integrate(const BasicProblem<M>& problem, const SaveAt& times,
+                                             const BasicStreams<typename M::State>& streams,
+                                             const Progress& progress) {
   return detail::streamed_run(problem, times, nullptr, streams,
                               detail::run_features(problem, times, detail::model_features(problem)),
                               detail::maker_of(problem, progress));
 }
 
-template <class M, MotionState S>
-  requires Integrable<M, S>
-BasicTrajectory<S> resume(const BasicProblem<M, S>& problem, const SaveAt& times,
-                          const Checkpoint& from,
-                          const std::type_identity_t<BasicStreams<S>>& streams,
-                          const Progress& progress) {
+template <Integrable M>
+BasicTrajectory<typename M::State> resume(const BasicProblem<M>& problem, const SaveAt& times,
+                                          const Checkpoint& from,
+                                          const BasicStreams<typename M::State>& streams,
+                                          const Progress& progress) {
   return detail::streamed_run(problem, times, &from, streams,
                               detail::run_features(problem, times, detail::model_features(problem)),
                               detail::maker_of(problem, progress));

@@ -3,9 +3,8 @@
 //
 // Equations   those of the system.
 // Units       those of the system.
-// Domain      any model of polhode/dynamics/model.hpp; of a System the type of the state says which
-//             motion is meant. Problem: a rotor. DampedProblem: a rotor whose system may have a
-//             damper, with the rate of the damper.
+// Domain      any model of polhode/dynamics/model.hpp, or a System: its state is that of a rotor and
+//             of the damper, if it has one.
 // Errors      DomainError where it is made with a time that is not finite. It is a plain value:
 //             functions that integrate it check it, all of it.
 #pragma once
@@ -17,7 +16,6 @@
 #include "polhode/dynamics/detail/finite_span.hpp"
 #include "polhode/dynamics/event.hpp"
 #include "polhode/dynamics/method.hpp"
-#include "polhode/system/damped_rotor_state.hpp"
 #include "polhode/system/system.hpp"
 #include "polhode/trajectory/save_at.hpp"
 #include "polhode/trajectory/trajectory.hpp"
@@ -34,28 +32,22 @@ constexpr auto default_method() {
     return default_model_method;
 }
 
-template <class M, MotionState S = typename M::State>
+template <class M>
 struct BasicProblem {
+  using State = typename M::State;
+
   M system;
-  S initial;  // at `start`; of a rotor q_SB, g_B
+  State initial;  // at `start`; of a system q_SB, g_B, and the rate of the damper
   double start;
   double stop;
   Method method = default_method<M>();
-  std::vector<BasicEvent<S>> events = {};
+  std::vector<BasicEvent<State>> events = {};
   // This run continues one that ended at `start`, which has already reported any event there.
   bool continues = false;
   // Last, and left out: it looks at the times, and holds nothing.
   [[no_unique_address]] detail::FiniteSpan span = {start, stop};
 };
-using Problem = BasicProblem<System, RotorState>;
-using DampedProblem = BasicProblem<System, DampedRotorState>;
-
-using DampedSample = BasicSample<DampedRotorState>;
-using DampedSampleSink = BasicSampleSink<DampedRotorState>;
-using DampedEvent = BasicEvent<DampedRotorState>;
-using DampedEventRecord = BasicEventRecord<DampedRotorState>;
-using DampedTrajectory = BasicTrajectory<DampedRotorState>;
-extern template class BasicTrajectory<DampedRotorState>;
+using Problem = BasicProblem<System>;
 
 // What to keep in memory.
 struct Keep {

@@ -54,8 +54,7 @@ struct BasicStreams {
   // Where the run has ended, after all else.
   std::function<void(const BasicSample<S>&)> end = {};
 };
-using Streams = BasicStreams<RotorState>;
-using DampedStreams = BasicStreams<DampedRotorState>;
+using Streams = BasicStreams<SystemState>;
 
 Trajectory integrate(const Problem& problem, const SaveAt& samples, const Streams& streams,
                      const Progress& progress = {});
@@ -65,25 +64,16 @@ Trajectory integrate(const Problem& problem, const SaveAt& samples, const Stream
 Trajectory resume(const Problem& problem, const SaveAt& samples, const Checkpoint& from,
                   const Streams& streams, const Progress& progress = {});
 
-// Of any other state, as integrate.
-template <class M, MotionState S>
-  requires Integrable<M, S>
-BasicTrajectory<S> integrate(const BasicProblem<M, S>& problem, const SaveAt& samples,
-                             const std::type_identity_t<BasicStreams<S>>& streams,
-                             const Progress& progress = {});
-template <class M, MotionState S>
-  requires Integrable<M, S>
-BasicTrajectory<S> resume(const BasicProblem<M, S>& problem, const SaveAt& samples,
-                          const Checkpoint& from,
-                          const std::type_identity_t<BasicStreams<S>>& streams,
-                          const Progress& progress = {});
-
-template <>
-DampedTrajectory integrate(const DampedProblem& problem, const SaveAt& samples,
-                           const DampedStreams& streams, const Progress& progress);
-template <>
-DampedTrajectory resume(const DampedProblem& problem, const SaveAt& samples, const Checkpoint& from,
-                        const DampedStreams& streams, const Progress& progress);
+// The same of a model of your own.
+template <Integrable M>
+BasicTrajectory<typename M::State> integrate(const BasicProblem<M>& problem, const SaveAt& samples,
+                                             const BasicStreams<typename M::State>& streams,
+                                             const Progress& progress = {});
+template <Integrable M>
+BasicTrajectory<typename M::State> resume(const BasicProblem<M>& problem, const SaveAt& samples,
+                                          const Checkpoint& from,
+                                          const BasicStreams<typename M::State>& streams,
+                                          const Progress& progress = {});
 
 }  // namespace v0
 }  // namespace polhode

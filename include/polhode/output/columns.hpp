@@ -65,7 +65,7 @@ struct RowOrigin {
 // One column as a function of a sample, in core units.
 struct ScalarColumn {
   Dimension dimension;
-  std::function<double(const DampedSample&)> value;
+  std::function<double(const Sample&)> value;
 };
 ScalarColumn scalar_column(std::string_view name, const System& system, double initial_energy,
                            const ColumnKinds& kinds = default_columns());
@@ -97,7 +97,7 @@ class RowLayout {
   void write_rows(const FreeRotation& motion, std::span<const double> times,
                   std::span<double> out) const;
   // The same for samples of any motion.
-  void write_rows(const RowOrigin& origin, std::span<const DampedSample> samples,
+  void write_rows(const RowOrigin& origin, std::span<const Sample> samples,
                   std::span<double> out) const;
 
  private:

@@ -46,10 +46,10 @@ struct RunReport {
   Statistics statistics;  // all 0 for exact free rotation
   std::vector<RunEvent> events;
   std::int64_t rows = 0;
-  std::optional<double> energy_change;  // E at the end - E(0), when every term has an energy
-  std::int64_t events_met = 0;          // of which `events` may hold the first ones only
-  std::optional<DampedSample> end = std::nullopt;  // of an integrated rotation
-  std::vector<std::string> warnings = {};          // "PATH: what its readers should know"
+  std::optional<double> energy_change;       // E at the end - E(0), when every term has an energy
+  std::int64_t events_met = 0;               // of which `events` may hold the first ones only
+  std::optional<Sample> end = std::nullopt;  // of an integrated rotation
+  std::vector<std::string> warnings = {};    // "PATH: what its readers should know"
 };
 
 // Writes every row in order to each sink, then finishes them unless the run failed. Times of

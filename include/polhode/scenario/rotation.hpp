@@ -155,9 +155,9 @@ bool has_events(const Rotation& rotation);
 
 // From t = 0 to the last row, without its events; of exact free rotation as default_rotor_method
 // would run it.
-DampedProblem rotor_problem(const Rotation& rotation);
+Problem rotor_problem(const Rotation& rotation);
 // The energy at its start; 0 if a term has none.
-double initial_energy(const DampedProblem& problem);
+double initial_energy(const Problem& problem);
 
 }  // namespace v0
 }  // namespace polhode

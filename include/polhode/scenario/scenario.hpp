@@ -94,7 +94,7 @@ const std::optional<SaveAt>& row_times(const Scenario& scenario);
 bool has_events(const Scenario& scenario);
 std::optional<Method> propagation_method(const Scenario& scenario);
 // Of a rotation (polhode/scenario/rotation.hpp). DomainError where the kind is another.
-DampedProblem problem(const Experiment& experiment);
+Problem problem(const Experiment& experiment);
 inline const System& rotor_system(const Scenario& scenario) {
   return rotor_system(scenario.rotation());
 }

@@ -25,12 +25,15 @@
 #include "polhode/frame/frame.hpp"
 #include "polhode/perturb/any_perturbation.hpp"
 #include "polhode/perturb/kane_damper.hpp"
+#include "polhode/system/system_state.hpp"
 
 namespace polhode {
 inline namespace v0 {
 
 class System {
  public:
+  using State = SystemState;
+
   explicit System(const Body& body, Frame frame = Frame::inertial(),
                   std::vector<AnyPerturbation> terms = {},
                   const std::optional<KaneDamper>& damper = {});

@@ -5,7 +5,7 @@
 // Domain      a MotionState is a value that visits its own numbers: each_number(s, visit) calls
 //             visit(double&) for every one of them, always in the same order, and is found where
 //             the type is. A checkpoint keeps these numbers, so that they must be all of the state.
-// Cost        a sample of a rotor is 64 bytes.
+// Cost        a sample of a system is 88 bytes.
 #pragma once
 
 #include <concepts>
@@ -14,7 +14,7 @@
 #include <span>
 #include <string>
 
-#include "polhode/rotor/rotor_state.hpp"
+#include "polhode/system/system_state.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -26,16 +26,16 @@ concept MotionState = std::semiregular<S> && std::equality_comparable<S> &&
 template <MotionState S>
 struct BasicSample {
   double t;
-  S s;  // of a rotor: q normalised
+  S s;  // of a system: q normalised
 
   constexpr bool operator==(const BasicSample&) const = default;
 };
-using Sample = BasicSample<RotorState>;
+using Sample = BasicSample<SystemState>;
 
 // Where a run puts its samples, block by block, in order of time.
 template <MotionState S>
 using BasicSampleSink = std::function<void(std::span<const BasicSample<S>>)>;
-using SampleSink = BasicSampleSink<RotorState>;
+using SampleSink = BasicSampleSink<SystemState>;
 
 // A crossing that an event function met.
 template <MotionState S>
@@ -47,7 +47,7 @@ struct BasicEventRecord {
 
   bool operator==(const BasicEventRecord&) const = default;
 };
-using EventRecord = BasicEventRecord<RotorState>;
+using EventRecord = BasicEventRecord<SystemState>;
 
 // The state inside one step, t0 to t1 (t1 < t0 backwards): as accurate as the method is.
 template <MotionState S>
@@ -66,7 +66,7 @@ class BasicDenseStep {
   double t0_;
   double t1_;
 };
-using DenseStep = BasicDenseStep<RotorState>;
+using DenseStep = BasicDenseStep<SystemState>;
 
 }  // namespace v0
 }  // namespace polhode

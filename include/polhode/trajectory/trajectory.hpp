@@ -8,7 +8,7 @@
 //             initial state alone.
 // Accuracy    that of the method; at(t) has the order of the method.
 // Errors      at(t) throws DomainError outside the span, or when the run kept no dense output.
-// Cost        a sample of a rotor is 64 bytes; dense output keeps some hundred bytes per step.
+// Cost        a sample of a system is 88 bytes; dense output keeps some hundred bytes per step.
 #pragma once
 
 #include <algorithm>
@@ -90,9 +90,9 @@ class BasicTrajectory {
  private:
   Parts parts_;
 };
-using Trajectory = BasicTrajectory<RotorState>;
+using Trajectory = BasicTrajectory<SystemState>;
 
-extern template class BasicTrajectory<RotorState>;
+extern template class BasicTrajectory<SystemState>;
 
 }  // namespace v0
 }  // namespace polhode

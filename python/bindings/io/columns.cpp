@@ -44,7 +44,7 @@ class Part {
 
   const std::vector<std::string>& names() const { return names_; }
   // Number i of the row is in out[i].at(k).
-  void write(const DampedSample& sample, std::size_t k, std::vector<Result>& out) {
+  void write(const Sample& sample, std::size_t k, std::vector<Result>& out) {
     if (!layout_) {
       *out[0].at(k) = one_(sample);
       return;
@@ -56,14 +56,14 @@ class Part {
  private:
   RowOrigin origin_;
   std::optional<RowLayout> layout_;
-  std::function<double(const DampedSample&)> one_;
+  std::function<double(const Sample&)> one_;
   std::vector<std::string> names_;
   std::vector<double> row_;
 };
 
 }  // namespace
 
-nb::dict columns_of(const System& system, std::span<const DampedSample> rows,
+nb::dict columns_of(const System& system, std::span<const Sample> rows,
                     const std::vector<std::string>& names, double initial_energy) {
   const System principal = along_principal_axes(system);
   const ColumnKinds known = known_columns();

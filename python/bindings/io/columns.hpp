@@ -16,7 +16,7 @@ namespace polhode::python {
 // Name -> array of a number per row. `names` are groups ("andoyer") or columns ("theta"); a column
 // that two groups share comes once. Core units; components along principal axes. ValueError for an
 // unknown name, with the nearest known one.
-nb::dict columns_of(const System& system, std::span<const DampedSample> rows,
+nb::dict columns_of(const System& system, std::span<const Sample> rows,
                     const std::vector<std::string>& names, double initial_energy);
 
 // None, one name, or a sequence of names.

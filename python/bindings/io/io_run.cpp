@@ -194,16 +194,16 @@ void bind_run(nb::module_& m, nb::class_<Scenario>& scenario) {
       .def_prop_ro("statistics", [](const Run& r) { return r.report.statistics; })
       .def_prop_ro("events",
                    [](const Run& r) {
-                     std::vector<DampedEventRecord> events;
+                     std::vector<EventRecord> events;
                      for (const RunEvent& event : r.report.events)
-                       events.push_back(record_of<DampedRotorState>(event));
+                       events.push_back(record_of<SystemState>(event));
                      return events;
                    })
       .def_prop_ro("energy_change", [](const Run& r) { return r.report.energy_change; })
       .def_prop_ro("end",
-                   [](const Run& r) -> std::optional<DampedEventRecord> {
+                   [](const Run& r) -> std::optional<EventRecord> {
                      if (!r.report.end) return std::nullopt;
-                     return DampedEventRecord{"end", r.report.end->t, r.report.end->s, 0};
+                     return EventRecord{"end", r.report.end->t, r.report.end->s, 0};
                    })
       .def_prop_ro("rows", [](const Run& r) { return r.report.rows; })
       .def_prop_ro("rows_before", [](const Run& r) { return r.rows_before; })
@@ -216,11 +216,11 @@ void bind_run(nb::module_& m, nb::class_<Scenario>& scenario) {
       .def("states_in", states_in)
       .def("report_lines",
            [](const Scenario& s, const Outcome& outcome, const Statistics& statistics,
-              const std::vector<DampedEventRecord>& events, std::optional<double> energy_change,
-              const std::optional<DampedEventRecord>& end) {
+              const std::vector<EventRecord>& events, std::optional<double> energy_change,
+              const std::optional<EventRecord>& end) {
              RunReport report{outcome, statistics, {}, 0, energy_change, 0};
-             if (end) report.end = DampedSample{end->t, end->s};
-             for (const DampedEventRecord& event : events) report.events.push_back(event_of(event));
+             if (end) report.end = Sample{end->t, end->s};
+             for (const EventRecord& event : events) report.events.push_back(event_of(event));
              return lines_of(report_lines(s, report, "all in .events"));
            });
 }

@@ -32,7 +32,7 @@ Deviation deviation_of(nb::handle value) {
 PythonIndicator indicator(const PythonProblem& python_problem,
                           Typed<"SaveAt | numpy.typing.ArrayLike"> samples, ArrayLike deviation,
                           double momentum_scale, double distance, bool neighbour) {
-  const Problem problem = rotor_problem_of(python_problem, "chaos_indicator");
+  const Problem problem = problem_without_events(python_problem);
   const SaveAt times =
       samples.is_none() ? SaveAt::times({problem.stop}) : save_at_of(samples, "samples");
   ChaosOptions options{

@@ -38,41 +38,31 @@ void require_no_truth(nb::handle value, const std::string& label) {
 }  // namespace
 
 // The objects outlive the run, which copies the function without the GIL: hence a bare pointer.
-template <MotionState S>
-BasicEvent<S> event_of(const PythonEvent& event) {
+Event event_of(const PythonEvent& event) {
   const auto function = [f = event.function.ptr(), label = "event \"" + event.name + "\""](
-                            double t, const S& s) {
+                            double t, const SystemState& s) {
     const WithGil acquired;
-    const nb::object value =
-        staying_put([&] { return nb::handle(f)(t, Rotors::one(rotor_of(s))); });
+    const nb::object value = staying_put([&] { return nb::handle(f)(t, Rotors::one(s)); });
     if (!PyFloat_Check(value.ptr())) require_no_truth(value, label);
     return number(value, label.c_str());
   };
   return {event.name, function, event.crossing, event.stops, event.period, event.interval};
 }
 
-DampedProblem problem_of(const PythonProblem& p) {
+Problem problem_of(const PythonProblem& p) {
   const System& system = nb::cast<const PythonSystem&>(p.system);
-  DampedProblem problem{system,
-                        {nb::cast<const Rotors&>(p.initial)[0], p.damper_rate},
-                        p.start,
-                        p.stop,
-                        method_of(p.method),
-                        {},
-                        p.continues};
+  const RotorState& s = nb::cast<const Rotors&>(p.initial)[0];
+  Problem problem{system,     {s.q, s.g, p.damper_rate}, p.start, p.stop, method_of(p.method), {},
+                  p.continues};
   for (const nb::handle event : p.events)
-    problem.events.push_back(event_of<DampedRotorState>(nb::cast<const PythonEvent&>(event)));
+    problem.events.push_back(event_of(nb::cast<const PythonEvent&>(event)));
   return problem;
 }
 
-Problem rotor_problem_of(const PythonProblem& p, const char* function) {
-  const System& system = nb::cast<const PythonSystem&>(p.system);
-  const Vec3& s = p.damper_rate;
-  if (!system.damper() && !(s == Vec3{}))
-    throw DomainError(std::string(function) + ": damper_rate (" + number_text(s.x) + ", " +
-                      number_text(s.y) + ", " + number_text(s.z) +
-                      ") must be zero for a system without a damper");
-  return {system, nb::cast<const Rotors&>(p.initial)[0], p.start, p.stop, method_of(p.method)};
+Problem problem_without_events(const PythonProblem& p) {
+  Problem problem = problem_of(p);
+  problem.events.clear();
+  return problem;
 }
 
 void warn_of(const Outcome& outcome, const char* function) {
@@ -110,13 +100,13 @@ PyObject* function_in(nb::handle value, const char* name) {
 
 // A block of samples as sink(t, states): its own memory.
 // Of a system with a damper, sink(t, states, rates).
-void give_block(PyObject* sink, std::span<const DampedSample> block, bool with_damper) {
+void give_block(PyObject* sink, std::span<const Sample> block, bool with_damper) {
   const WithGil acquired;
   staying_put([&] {
     Result times({block.size()});
     for (std::size_t k = 0; k < block.size(); ++k) *times.at(k) = block[k].t;
     const Rotors states = Rotors::filled({block.size()}, [&](RotorState* out) {
-      for (std::size_t k = 0; k < block.size(); ++k) out[k] = block[k].s.rotor;
+      for (std::size_t k = 0; k < block.size(); ++k) out[k] = block[k].s;
     });
     if (!with_damper) return nb::handle(sink)(times.take(), states);
     Result rates({block.size()}, {3});
@@ -133,14 +123,14 @@ struct StreamArguments {
   double checkpoint_seconds;
 };
 
-DampedStreams streams_of(const StreamArguments& arguments, bool with_damper) {
-  DampedStreams streams;
+Streams streams_of(const StreamArguments& arguments, bool with_damper) {
+  Streams streams;
   if (PyObject* const sink = function_in(arguments.sink, "sink"))
-    streams.samples = [sink, with_damper](std::span<const DampedSample> block) {
+    streams.samples = [sink, with_damper](std::span<const Sample> block) {
       give_block(sink, block, with_damper);
     };
   if (PyObject* const events = function_in(arguments.events, "events"))
-    streams.events = [events](const DampedEventRecord& event) {
+    streams.events = [events](const EventRecord& event) {
       const WithGil acquired;
       staying_put([&] { return nb::handle(events)(event); });
     };
@@ -164,11 +154,11 @@ PythonTrajectory streamed(const PythonProblem& python_problem, const StreamArgum
                           nb::handle progress, const Checkpoint* from) {
   if (arguments.samples.is_none())
     throw nb::type_error("integrate: samples: got None; expected a SaveAt or times for a sink");
-  const DampedProblem problem = problem_of(python_problem);
+  const Problem problem = problem_of(python_problem);
   const SaveAt times = save_at_of(arguments.samples, "samples");
-  const DampedStreams streams = streams_of(arguments, problem.system.damper().has_value());
+  const Streams streams = streams_of(arguments, problem.system.damper().has_value());
   const Progress look = listener(progress);
-  DampedTrajectory trajectory = [&] {
+  Trajectory trajectory = [&] {
     const WithoutGil released;
     return from == nullptr ? integrate(problem, times, streams, look)
                            : resume(problem, times, *from, streams, look);
@@ -191,11 +181,11 @@ PythonTrajectory integrated(const PythonProblem& python_problem,
                     progress, nullptr);
   if (!events.is_none() || !checkpoint.is_none())
     throw nb::type_error("integrate: events and keep_checkpoint go with a sink; got sink None");
-  const DampedProblem problem = problem_of(python_problem);
+  const Problem problem = problem_of(python_problem);
   Keep keep{.dense = dense, .most_bytes = most_bytes};
   if (!samples.is_none()) keep.samples = save_at_of(samples, "samples");
   const Progress look = listener(progress);
-  DampedTrajectory trajectory = [&] {
+  Trajectory trajectory = [&] {
     const WithoutGil released;
     return integrate(problem, keep, look);
   }();
@@ -213,14 +203,14 @@ PythonTrajectory resumed(const PythonProblem& python_problem,
                   &from);
 }
 
-std::vector<DampedEventRecord> free_events_of(const FreeRotation& motion,
-                                              Typed<"collections.abc.Iterable[Event]"> events,
-                                              double start, double stop, Typed<"Frame"> frame,
-                                              const ProgressFunction& progress) {
+std::vector<EventRecord> free_events_of(const FreeRotation& motion,
+                                        Typed<"collections.abc.Iterable[Event]"> events,
+                                        double start, double stop, Typed<"Frame"> frame,
+                                        const ProgressFunction& progress) {
   const nb::tuple all = events_of(events, "free_events");
   std::vector<Event> wanted;
   for (const nb::handle event : all)
-    wanted.push_back(event_of<RotorState>(nb::cast<const PythonEvent&>(event)));
+    wanted.push_back(event_of(nb::cast<const PythonEvent&>(event)));
   if (!frame.is_none() && !nb::isinstance<PythonFrame>(frame))
     throw nb::type_error(
         ("free_events: frame: got " + class_name(frame) + "; expected a Frame").c_str());
@@ -232,9 +222,7 @@ std::vector<DampedEventRecord> free_events_of(const FreeRotation& motion,
     return free_events(motion, wanted, start, stop, seen_from, look);
   }();
   warn_of(found.outcome, "free_events");
-  std::vector<DampedEventRecord> met;
-  for (const EventRecord& e : found.events) met.push_back({e.name, e.t, damped(e.s), e.direction});
-  return met;
+  return std::move(found.events);
 }
 
 void bind_free_events(nb::module_& m) {
@@ -308,7 +296,7 @@ struct TransitionRows : Records<TransitionSample> {
 
 TransitionRows transition_rows(const PythonProblem& python_problem,
                                Typed<"SaveAt | numpy.typing.ArrayLike"> samples) {
-  const Problem problem = rotor_problem_of(python_problem, "state_transitions");
+  const Problem problem = problem_without_events(python_problem);
   const SaveAt times = save_at_of(samples, "samples");
   const Progress look = signal_check();
   const WithoutGil released;

@@ -23,7 +23,7 @@ namespace polhode::python {
 namespace {
 
 struct Bodies {
-  std::vector<DampedProblem> problems;
+  std::vector<Problem> problems;
   std::vector<nb::object> systems;
 };
 
@@ -48,7 +48,7 @@ class Collected {
       : bodies_(bodies), dense_(dense), results_(bodies.problems.size()) {}
 
   // Without the GIL. An interrupt ends the runs of all.
-  void take(std::size_t k, DampedBodyRun run) {
+  void take(std::size_t k, BodyRun run) {
     const WithGil acquired;
     if (run.thrown) {
       failed(run.error);
@@ -80,7 +80,7 @@ class Collected {
   void failed(const std::string& why) {
     if (failures_++ == 0) first_ = why;
   }
-  static nb::object exception_of(const DampedBodyRun& run) {
+  static nb::object exception_of(const BodyRun& run) {
     try {
       std::rethrow_exception(run.thrown);
     } catch (const nb::python_error& e) {
@@ -104,17 +104,17 @@ class Collected {
 
 // True if the problem may call functions in Python. On several threads each call would wait for the
 // GIL.
-bool asks_python(const DampedProblem& problem) {
+bool asks_python(const Problem& problem) {
   const std::vector<AnyPerturbation>& terms = problem.system.terms();
   return !problem.events.empty() ||
          std::any_of(terms.begin(), terms.end(),
                      [](const AnyPerturbation& term) { return !term.is_asked_together(); });
 }
 
-void integrate_on_threads(const std::vector<DampedProblem>& problems, const Keep& keep,
-                          const std::function<void(std::size_t, DampedBodyRun)>& take) {
+void integrate_on_threads(const std::vector<Problem>& problems, const Keep& keep,
+                          const std::function<void(std::size_t, BodyRun)>& take) {
   WorkLoop loop("integrate_many was stopped", nb::none());
-  std::vector<DampedBodyRun> runs(problems.size());
+  std::vector<BodyRun> runs(problems.size());
   const auto count = static_cast<std::int64_t>(runs.size());
   loop.do_work(count, [&] {
     ordered_parallel_for(
@@ -134,7 +134,7 @@ nb::list integrated_many(Typed<"collections.abc.Iterable[Problem]"> problems,
   Keep keep{.dense = dense};
   if (!samples.is_none()) keep.samples = save_at_of(samples, "samples");
   Collected collected(bodies, dense);
-  const auto take = [&](std::size_t k, DampedBodyRun run) { collected.take(k, std::move(run)); };
+  const auto take = [&](std::size_t k, BodyRun run) { collected.take(k, std::move(run)); };
   if (std::any_of(bodies.problems.begin(), bodies.problems.end(), asks_python)) {
     const Progress look = signal_check();
     const WithoutGil released;

@@ -63,7 +63,7 @@ PythonSection<AndoyerPoint> andoyer(const PythonProblem& python_problem, OneOf<A
   SectionSurface surface = AndoyerSurface{choice<AndoyerAngle>(angle, "angle"), value,
                                           choice<Crossing>(crossing, "crossing")};
   if (period) surface = Strobe{*period, epoch};
-  const DampedProblem problem = problem_of(python_problem);
+  const Problem problem = problem_of(python_problem);
   return made_without_gil("andoyer_section", [&](const Progress& look) {
     return andoyer_section(problem, surface, look);
   });
@@ -72,7 +72,7 @@ PythonSection<AndoyerPoint> andoyer(const PythonProblem& python_problem, OneOf<A
 PythonSection<SpinOrbitPoint> spin_orbit(
     const PythonProblem& python_problem,
     const std::variant<KeplerOrbit, PrecessingKeplerOrbit>& orbit) {
-  const DampedProblem problem = problem_of(python_problem);
+  const Problem problem = problem_of(python_problem);
   return made_without_gil("spin_orbit_section", [&](const Progress& look) {
     return std::visit([&](const auto& o) { return spin_orbit_section(problem, o, look); }, orbit);
   });

@@ -117,40 +117,43 @@ void bind_statistics(nb::module_& m) {
                       "Evaluations of the terms, all of them together counted once."));
 }
 
+SystemState state_of(const Rotors& s, nb::handle damper_rate) {
+  const RotorState& rotor = only(s);
+  return {rotor.q, rotor.g, vec3(damper_rate, "damper_rate")};
+}
+
 void bind_event_record(nb::module_& m) {
-  nb::class_<DampedEventRecord>(m, "EventRecord", "A crossing that the function of an event met.")
-      .def_ro("name", &DampedEventRecord::name, "Of the event.")
-      .def_ro("t", &DampedEventRecord::t, "When it was.")
+  nb::class_<EventRecord>(m, "EventRecord", "A crossing that the function of an event met.")
+      .def_ro("name", &EventRecord::name, "Of the event.")
+      .def_ro("t", &EventRecord::t, "When it was.")
       .def_prop_ro(
-          "s", [](const DampedEventRecord& e) { return Rotors::one(e.s.rotor); },
-          "The state there.")
-      .def_ro("direction", &DampedEventRecord::direction,
+          "s", [](const EventRecord& e) { return Rotors::one(e.s); }, "The state there.")
+      .def_ro("direction", &EventRecord::direction,
               "1: rising as time ran; -1: falling; 0: a touch.")
       .def_prop_ro(
-          "damper_rate", [](const DampedEventRecord& e) { return array_of(e.s.damper_rate); },
+          "damper_rate", [](const EventRecord& e) { return array_of(e.s.damper_rate); },
           "(3,): rate of a damper there.")
       .def("__repr__",
-           [](const DampedEventRecord& e) {
+           [](const EventRecord& e) {
              return "<EventRecord: " + e.name + " at t = " + number_text(e.t) +
                     (e.direction > 0 ? ", rising>"
                                      : (e.direction < 0 ? ", falling>" : ", touching>"));
            })
       .def("__getstate__",
-           [](const DampedEventRecord& e) {
-             return nb::make_tuple(e.name, e.t, Rotors::one(e.s.rotor), e.direction,
+           [](const EventRecord& e) {
+             return nb::make_tuple(e.name, e.t, Rotors::one(e.s), e.direction,
                                    array_of(e.s.damper_rate));
            })
       .def("__setstate__",
-           [](DampedEventRecord& e,
+           [](EventRecord& e,
               const std::tuple<std::string, double, Rotors, int, nb::object>& state) {
              const auto& [name, t, s, direction, rate] = state;
-             new (&e) DampedEventRecord{name, t, {only(s), vec3(rate, "damper_rate")}, direction};
+             new (&e) EventRecord{name, t, state_of(s, rate), direction};
            });
 }
 
 Rotors states_of(const PythonTrajectory& trajectory) {
-  return trajectory.states<RotorState>(
-      [](const DampedSample& s) -> const RotorState& { return s.s.rotor; });
+  return trajectory.states<RotorState>([](const Sample& s) -> const RotorState& { return s.s; });
 }
 
 // As many states as times, in as long as it takes: Ctrl-C ends it.
@@ -160,13 +163,13 @@ Rotors states_at(const PythonTrajectory& trajectory, ArrayLike times) {
   const std::size_t n = size_of(t.shape());
   return Rotors::filled(t.shape(), [&](RotorState* out) {
     if (n <= few) {
-      for (std::size_t k = 0; k < n; ++k) out[k] = trajectory.run.at(t[k]).rotor;
+      for (std::size_t k = 0; k < n; ++k) out[k] = trajectory.run.at(t[k]);
       return;
     }
     const Progress look = signal_check();
     const WithoutGil released;
     for (std::size_t k = 0; k < n; ++k) {
-      out[k] = trajectory.run.at(t[k]).rotor;
+      out[k] = trajectory.run.at(t[k]);
       if (look) look(t[k]);
     }
   });
@@ -182,9 +185,9 @@ FloatArray damper_rates_at(const PythonTrajectory& trajectory, ArrayLike times) 
 
 Typed<"dict[str, numpy.typing.NDArray[numpy.float64]]"> columns_of_trajectory(
     const PythonTrajectory& self, ColumnNames names, Typed<"System"> system) {
-  const DampedTrajectory& trajectory = self.run;
+  const Trajectory& trajectory = self.run;
   nb::dict table;
-  table["t"] = self.column([](const DampedSample& s) { return &s.t; });
+  table["t"] = self.column([](const Sample& s) { return &s.t; });
   const nb::object states = nb::cast(states_of(self));
   const auto put_columns = [&](const nb::object& array, std::initializer_list<const char*> of) {
     int i = 0;
@@ -201,10 +204,10 @@ Typed<"dict[str, numpy.typing.NDArray[numpy.float64]]"> columns_of_trajectory(
     throw nb::value_error(("columns: \"" + wanted.front() + "\" needs system=").c_str());
   const System& of = system_of(system, "columns: system");
   const double start = trajectory.start();
-  const DampedRotorState initial = trajectory.at(start);
+  const SystemState initial = trajectory.at(start);
   const double initial_energy =
       any_needs_energy(wanted)
-          ? energy(of.damper() ? at_damper_rate(of, initial.damper_rate) : of, start, initial.rotor)
+          ? energy(of.damper() ? at_damper_rate(of, initial.damper_rate) : of, start, initial)
           : 0.0;
   for (const auto& [name, numbers] : columns_of(of, self.rows(), wanted, initial_energy))
     if (!table.contains(name)) table[name] = numbers;
@@ -213,28 +216,27 @@ Typed<"dict[str, numpy.typing.NDArray[numpy.float64]]"> columns_of_trajectory(
 
 // Without dense output, which is the method's own: at() says so afterwards.
 nb::tuple trajectory_state(const PythonTrajectory& self) {
-  const DampedTrajectory& run = self.run;
-  const DampedRotorState initial = run.at(run.start());
-  return nb::make_tuple(self.bytes(), run.start(), Rotors::one(initial.rotor),
+  const Trajectory& run = self.run;
+  const SystemState initial = run.at(run.start());
+  return nb::make_tuple(self.bytes(), run.start(), Rotors::one(initial),
                         array_of(initial.damper_rate), run.events(), run.outcome(),
                         run.statistics(), run.method());
 }
-using State = std::tuple<nb::bytes, double, Rotors, nb::object, std::vector<DampedEventRecord>,
-                         Outcome, Statistics, std::string>;
+using State = std::tuple<nb::bytes, double, Rotors, nb::object, std::vector<EventRecord>, Outcome,
+                         Statistics, std::string>;
 void restore(PythonTrajectory& trajectory, const State& state) {
   const auto& [rows, start, initial, rate, events, outcome, statistics, method] = state;
-  new (&trajectory) PythonTrajectory(
-      DampedTrajectory({.initial = {start, {only(initial), vec3(rate, "damper_rate")}},
-                        .samples = Records<DampedSample>(rows).rows(),
-                        .events = events,
-                        .outcome = outcome,
-                        .statistics = statistics,
-                        .method = method,
-                        .dense = {}}));
+  new (&trajectory) PythonTrajectory(Trajectory({.initial = {start, state_of(initial, rate)},
+                                                 .samples = Records<Sample>(rows).rows(),
+                                                 .events = events,
+                                                 .outcome = outcome,
+                                                 .statistics = statistics,
+                                                 .method = method,
+                                                 .dense = {}}));
 }
 
 std::string shown(const PythonTrajectory& trajectory) {
-  const DampedTrajectory& r = trajectory.run;
+  const Trajectory& r = trajectory.run;
   std::string text = "<Trajectory: " + counted(trajectory.rows().size(), "sample") +
                      ", t = " + number_text(r.start()) + " to " + number_text(r.stop()) + "; " +
                      r.method() + ", " + std::to_string(r.statistics().steps) + " steps; ";
@@ -245,7 +247,7 @@ std::string shown(const PythonTrajectory& trajectory) {
 // polhode._tables, which knows pandas and xarray, makes the table.
 nb::object table_of(const PythonTrajectory& self, const char* kind, ColumnNames names,
                     Typed<"System"> system) {
-  const DampedTrajectory& trajectory = self.run;
+  const Trajectory& trajectory = self.run;
   nb::dict notes;
   notes["method"] = trajectory.method();
   notes["outcome"] = text_of(trajectory.outcome());
@@ -295,14 +297,14 @@ Made by integrate. .t (N,), .q (N, 4), .g (N, 3) and .states (RotorState of shap
 read-only views onto the samples, without a copy; they keep the samples alive. q and g refer to the
 reference frame and the principal axes. A pickle holds everything but dense output.)",
       nb::type_slots(object_slots<PythonTrajectory, &PythonTrajectory::system>()));
-  using S = DampedSample;
+  using S = Sample;
   def_records<S>(c, {{"t", [](const S& s) { return &s.t; }, "(N,): times of the samples."},
                      {"q",
-                      [](const S& s) { return &s.s.rotor.q.w; },
+                      [](const S& s) { return &s.s.q.w; },
                       "(N, 4): attitudes (w, x, y, z), body to frame.",
                       {4}},
                      {"g",
-                      [](const S& s) { return &s.s.rotor.g.x; },
+                      [](const S& s) { return &s.s.g.x; },
                       "(N, 3): angular momenta along the principal axes.",
                       {3}},
                      {"damper_rate",

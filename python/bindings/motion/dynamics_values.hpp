@@ -35,15 +35,13 @@ Method method_of(nb::handle method, const char* whose = "Problem");
 // The object of its class; None where there is none.
 nb::object object_of(const std::optional<Method>& method);
 // The event of C++; the object that it is made of must outlive it.
-template <MotionState S>
-BasicEvent<S> event_of(const PythonEvent& event);
+Event event_of(const PythonEvent& event);
 // A tuple of PythonEvent. `what` stands for it in messages.
 nb::tuple events_of(nb::handle events, const char* what);
 // For the time of a run: the Python objects outlive it.
-DampedProblem problem_of(const PythonProblem& problem);
-// Of the rotor alone, without events, for functions that carry no rate of a damper; they refuse a
-// system with one. ValueError, naming `function`, for a rate without a damper.
-Problem rotor_problem_of(const PythonProblem& problem, const char* function);
+Problem problem_of(const PythonProblem& problem);
+// Functions that look for no events ask none of Python.
+Problem problem_without_events(const PythonProblem& problem);
 // A failed run is a result, with its samples so far; but nobody should plot it unawares.
 void warn_of(const Outcome& outcome, const char* function);
 

@@ -63,9 +63,8 @@ using SwitchingStepper = AdaptiveStepper<Field, SwitchingSteps>;
 // The stepper of Adaptive for a problem of a System, of a field with a damper or without. Each is
 // made in a source of its own: next to the other, the compiler takes less of the inner loop in
 // line.
-template <template <class> class Field, MotionState S>
-std::unique_ptr<BasicStepper<S>> term_stepper(const BasicProblem<System, S>& problem,
-                                              const Adaptive& method) {
+template <template <class> class Field>
+std::unique_ptr<Stepper> term_stepper(const Problem& problem, const Adaptive& method) {
   require_valid(method);
   const auto made = [&]<class F>(std::shared_ptr<const F> field) {
     const typename F::Values y = field->start(problem.initial);

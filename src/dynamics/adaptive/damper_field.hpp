@@ -5,7 +5,6 @@
 
 #include "dynamics/adaptive/rotor_field.hpp"
 #include "math/finite.hpp"
-#include "polhode/system/damped_rotor_state.hpp"
 #include "system/damped_equations.hpp"
 
 namespace polhode {
@@ -65,7 +64,7 @@ class DamperField {
  public:
   using Number = T;
   using Values = DamperValues<T>;
-  using State = DampedRotorState;
+  using State = SystemState;
 
   explicit DamperField(const System& system) : equations_(system), error_size_(system.body()) {}
 
@@ -79,11 +78,12 @@ class DamperField {
     return {r.q.w, r.q.x, r.q.y, r.q.z, r.g.x, r.g.y, r.g.z, ds.x, ds.y, ds.z};
   }
 
-  static Values start(const DampedRotorState& s) {
-    return damper_values(widened<T>(s.rotor), s.damper_rate);
+  static Values start(const SystemState& s) { return damper_values(widened<T>(s), s.damper_rate); }
+  static Values values(const SystemState& s) { return damper_values<double>(s, s.damper_rate); }
+  static SystemState state(const Values& y) {
+    const RotorState s = rotor(y);
+    return {s.q, s.g, rounded(damper_rate<T>(y))};
   }
-  static Values values(const DampedRotorState& s) { return damper_values(s.rotor, s.damper_rate); }
-  static DampedRotorState state(const Values& y) { return {rotor(y), rounded(damper_rate<T>(y))}; }
   static RotorState rotor(const Values& y) { return rounded(rotor_state<T>(y)); }
   double error_size(const Values& error, const Values& y, const Values& increment) const {
     return error_size_(error, y, increment);

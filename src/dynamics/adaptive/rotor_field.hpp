@@ -105,7 +105,7 @@ class RotorField {
  public:
   using Number = T;
   using Values = RotorValues<T>;
-  using State = RotorState;
+  using State = SystemState;
 
   explicit RotorField(const System& system) : equations_(system) {}
 
@@ -121,8 +121,8 @@ class RotorField {
 
   static Values start(const RotorState& s) { return rotor_values(widened<T>(s)); }
   static Values values(const RotorState& s) { return rotor_values(s); }
-  static RotorState state(const Values& y) { return rounded(rotor_state<T>(y)); }
-  static RotorState rotor(const Values& y) { return state(y); }
+  static SystemState state(const Values& y) { return rotor(y); }
+  static RotorState rotor(const Values& y) { return rounded(rotor_state<T>(y)); }
   static double error_size(const Values& error, const Values& y, const Values& increment) {
     return RotorErrorSize()(error, y, increment);
   }

@@ -76,34 +76,48 @@ double fastest_rate(const Body& body, const Vec3& g) {
   return now * std::sqrt(std::fmax(1.0, std::fmax(rest, rest + slope * most)));
 }
 
-template <class Field>
-auto TermMotion<Field>::rates(const Sample& s, bool forward) const -> typename Field::Values {
+namespace {
+
+std::variant<RotorField<double>, DamperField<double>> field_of(const System& system) {
+  if (system.damper()) return DamperField<double>(system);
+  return RotorField<double>(system);
+}
+
+}  // namespace
+
+SystemMotion::SystemMotion(const System& system) : field_(field_of(system)), breakpoints_(system) {}
+
+// On the side of s that is asked for.
+DoubleDouble SystemMotion::time_of_rates(const Sample& s, bool forward) const {
   ++evaluations_;
   const double far = (forward ? 1.0 : -1.0) * std::numeric_limits<double>::infinity();
-  const DoubleDouble t = breakpoints_.stretch(s.t, far).inside(s.t);
-  return field_(t, Field::values(s.s));
+  return breakpoints_.stretch(s.t, far).inside(s.t);
 }
 
-template <class Field>
-auto TermMotion<Field>::moved(const Sample& s, double time) const -> Sample {
-  const typename Field::Values r = rates(s, time > 0.0);
-  typename Field::Values y = Field::values(s.s);
-  for (std::size_t i = 0; i < y.size(); ++i) y[i] = y[i] + time * r[i];
-  return {s.t + time, Field::state(y)};
+Sample SystemMotion::moved(const Sample& s, double time) const {
+  const DoubleDouble t = time_of_rates(s, time > 0.0);
+  const auto moved_in = [&]<class Field>(const Field& field) -> Sample {
+    typename Field::Values y = Field::values(s.s);
+    const typename Field::Values r = field(t, y);
+    for (std::size_t i = 0; i < y.size(); ++i) y[i] = y[i] + time * r[i];
+    return {s.t + time, Field::state(y)};
+  };
+  return std::visit(moved_in, field_);
 }
 
-template <class Field>
-double TermMotion<Field>::turning_rate(const Sample& s, bool forward) const {
-  const System& system = field_.system();
-  const typename Field::Values r = rates(s, forward);
-  const double relative = 2.0 * std::hypot(std::hypot(r[0], r[1]), std::hypot(r[2], r[3]));
-  const double frame = system.frame().is_inertial() ? 0.0 : norm(system.frame().at(s.t).mu_S);
-  return std::fmax(relative, fastest_rate(system.body(), rotor_of(s.s).g)) + frame;
+double SystemMotion::turning_rate(const Sample& s, bool forward) const {
+  const DoubleDouble t = time_of_rates(s, forward);
+  const auto rate_in = [&]<class Field>(const Field& field) {
+    const System& system = field.system();
+    const typename Field::Values r = field(t, Field::values(s.s));
+    const double relative = 2.0 * std::hypot(std::hypot(r[0], r[1]), std::hypot(r[2], r[3]));
+    const double frame = system.frame().is_inertial() ? 0.0 : norm(system.frame().at(s.t).mu_S);
+    return std::fmax(relative, fastest_rate(system.body(), s.s.g)) + frame;
+  };
+  return std::visit(rate_in, field_);
 }
 
-template class TermMotion<RotorField<double>>;
-template class TermMotion<DamperField<double>>;
-template class EventWatch<RotorMotion>;
+template class EventWatch<SystemMotion>;
 
 namespace {
 
@@ -118,7 +132,7 @@ class FreeStretch final : public DenseStep {
  public:
   FreeStretch(const FreeRotation& motion, const System& system, double t0, double t1)
       : DenseStep(t0, t1), motion_(motion), system_(system) {}
-  RotorState at(double t) const override { return seen(system_, t, motion_.at(t)); }
+  SystemState at(double t) const override { return seen(system_, t, motion_.at(t)); }
 
  private:
   const FreeRotation& motion_;
@@ -136,7 +150,7 @@ FreeEventSearch::FreeEventSearch(const FreeRotation& motion, const Frame& frame,
                                  std::vector<Event> events, double start)
     : motion_(motion),
       system_(motion.body(), frame),
-      watch_(RotorMotion(system_), valid(std::move(events))),
+      watch_(SystemMotion(system_), valid(std::move(events))),
       t_(start) {
   // At its epoch the motion is what it was given, without a rounding.
   Sample first = sample(start);
@@ -149,7 +163,7 @@ FreeEventSearch::FreeEventSearch(const FreeRotation& motion, const Frame& frame,
 
 Sample FreeEventSearch::sample(double t) const { return {t, seen(system_, t, motion_.at(t))}; }
 
-RotorWatch::Found FreeEventSearch::advance(double until) {
+SystemWatch::Found FreeEventSearch::advance(double until) {
   const bool forward = until >= t_;
   // infinite for a body at rest
   const double reach = intervals_at_once * watch_.interval(sample(t_), forward);
@@ -159,7 +173,7 @@ RotorWatch::Found FreeEventSearch::advance(double until) {
     if (end == t_) end = std::nextafter(t_, until);
   }
   const FreeStretch stretch(motion_, system_, t_, end);
-  RotorWatch::Found found = watch_.search(stretch, stretch, sample(end), intervals_at_once / 4);
+  SystemWatch::Found found = watch_.search(stretch, stretch, sample(end), intervals_at_once / 4);
   t_ = refusal().empty() ? end : watch_.reached();
   return found;
 }
@@ -173,7 +187,7 @@ FreeEvents free_events(const FreeRotation& motion, const std::vector<Event>& eve
                       detail::number_text(stop) + " must be finite");
   FreeEvents result;
   detail::FreeEventSearch search(motion, frame, events, start);
-  const auto keep = [&result](detail::RotorWatch::Found found) {
+  const auto keep = [&result](detail::SystemWatch::Found found) {
     for (EventRecord& event : found.records) result.events.push_back(std::move(event));
     if (!found.stops) return;
     result.outcome.status = Outcome::Status::stopped_by_event;

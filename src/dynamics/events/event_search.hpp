@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "dynamics/adaptive/breakpoints.hpp"
@@ -20,46 +21,35 @@ namespace detail {
 // The largest |I^-1 g| on the polhode through g: the largest rate of the free motion.
 double fastest_rate(const Body& body, const Vec3& g);
 
-inline RotorState nearer(const Quaternion& to, RotorState s) {
-  const Quaternion &p = to, q = s.q;
-  if (p.w * q.w + p.x * q.x + p.y * q.y + p.z * q.z < 0.0) s.q = {-q.w, -q.x, -q.y, -q.z};
-  return s;
-}
-
 // How a sample of a run of a System moves on, and how fast it turns, for the search of events.
-template <class Field>
-class TermMotion {
+class SystemMotion {
  public:
-  using State = typename Field::State;
-  using Sample = BasicSample<State>;
+  using State = SystemState;
 
-  explicit TermMotion(const System& system) : field_(system), breakpoints_(system) {}
+  explicit SystemMotion(const System& system);
 
   Sample moved(const Sample& s, double time) const;
   // No direction in the body turns faster as seen from the frame or from inertial axes, nor does
   // the momentum in the body.
   double turning_rate(const Sample& s, bool forward) const;
-  static RotorState near(const RotorState& to, const RotorState& s) { return nearer(to.q, s); }
-  static DampedRotorState near(const DampedRotorState& to, const DampedRotorState& s) {
-    return {nearer(to.rotor.q, s.rotor), s.damper_rate};
+  static SystemState near(const SystemState& to, SystemState s) {
+    const Quaternion &p = to.q, q = s.q;
+    if (p.w * q.w + p.x * q.x + p.y * q.y + p.z * q.z < 0.0) s.q = {-q.w, -q.x, -q.y, -q.z};
+    return s;
   }
   std::int64_t evaluations() const { return evaluations_; }
   void serialize(Archive& bytes) { bytes(evaluations_); }
 
  private:
-  typename Field::Values rates(const Sample& s, bool forward) const;
+  DoubleDouble time_of_rates(const Sample& s, bool forward) const;
 
-  Field field_;
+  std::variant<RotorField<double>, DamperField<double>> field_;
   Breakpoints breakpoints_;
   mutable std::int64_t evaluations_ = 0;
 };
 
-using RotorMotion = TermMotion<RotorField<double>>;
-using DamperMotion = TermMotion<DamperField<double>>;
-extern template class TermMotion<RotorField<double>>;
-extern template class TermMotion<DamperField<double>>;
-using RotorWatch = EventWatch<RotorMotion>;
-extern template class EventWatch<RotorMotion>;
+using SystemWatch = EventWatch<SystemMotion>;
+extern template class EventWatch<SystemMotion>;
 
 // The search for events along a free rotation, a few turns at a time.
 class FreeEventSearch {
@@ -70,9 +60,9 @@ class FreeEventSearch {
 
   double t() const { return t_; }  // how far it has come: where it cannot go on, up to there
   // On towards `until`, by some turns at most.
-  RotorWatch::Found advance(double until);
+  SystemWatch::Found advance(double until);
   // A zero where it has come to.
-  RotorWatch::Found finish() { return watch_.finish(); }
+  SystemWatch::Found finish() { return watch_.finish(); }
   // Why it cannot go on; empty where it can.
   const std::string& refusal() const { return watch_.refusal(); }
   Sample sample(double t) const;
@@ -84,7 +74,7 @@ class FreeEventSearch {
  private:
   FreeRotation motion_;
   System system_;
-  RotorWatch watch_;
+  SystemWatch watch_;
   double t_;
 };
 

@@ -86,7 +86,7 @@ SplittingState SplittingMap::start(double t, const RotorState& s) const {
           0};
 }
 
-RotorState SplittingMap::state(const SplittingState& s) const {
+SystemState SplittingMap::state(const SplittingState& s) const {
   if (system_.frame().is_inertial()) return {normalized(s.q_IB), s.g.hi};
   return {normalized(conj(system_.frame().at(s.t.hi).q_IS) * s.q_IB), s.g.hi};
 }

@@ -39,14 +39,14 @@ struct DeviationStep {
 class SplittingMap {
  public:
   using State = SplittingState;
-  using Shown = RotorState;
+  using Shown = SystemState;
 
   // DomainError when a term has no flow.
   SplittingMap(const System& system, SplittingScheme scheme);
 
   const System& system() const { return system_; }
   SplittingState start(double t, const RotorState& s) const;
-  RotorState state(const SplittingState& s) const;  // q_SB, normalised
+  SystemState state(const SplittingState& s) const;  // q_SB, normalised
 
   // Empty, or why no step by h is tried: the body would rotate too far.
   std::string obstacle(const SplittingState& s, double h) const;

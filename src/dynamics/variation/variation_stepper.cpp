@@ -120,7 +120,7 @@ class VariationDense final : public DenseStep {
                  const RotorState& end)
       : DenseStep(t0.hi, t1), field_(std::move(field)), t0_(t0), start_(start), end_(end) {}
 
-  RotorState at(double t) const override {
+  SystemState at(double t) const override {
     if (t == t1()) return end_;
     const double h = (DoubleDouble(t) - t0_).hi;
     Constants c = start_;
@@ -162,7 +162,7 @@ class VariationPieces final : public DenseStep {
   // Where the terms are too rough for so small a change, it is no polynomial.
   bool is_made() const { return is_made_; }
 
-  RotorState at(double t) const override {
+  SystemState at(double t) const override {
     const double share = (DoubleDouble(t) - begin_[0]).hi / length_;
     const std::size_t i = static_cast<std::size_t>(std::clamp(share, 0.0, pieces - 1.0));
     const double x = (DoubleDouble(t) - begin_[i]).hi / length_;
@@ -210,7 +210,7 @@ class VariationStepper final : public Stepper {
   }
 
   double time() const override { return solver_.time().hi; }
-  RotorState state() const override {
+  SystemState state() const override {
     return reference_axes(*field_, solver_.time(), solver_.state().y);
   }
   std::shared_ptr<const DenseStep> dense(bool) override {

@@ -84,8 +84,8 @@ std::vector<double> MemberColumns::indicators(const Rotation& rotation, std::vec
   if (stop == 0.0) return std::vector<double>(size, 0.0);
   std::vector<double> all;
   try {
-    const DampedProblem of = rotor_problem(rotation);
-    const Problem problem{of.system, of.initial.rotor, of.start, stop, of.method};
+    Problem problem = rotor_problem(rotation);
+    problem.stop = stop;
     const ChaosIndicator found =
         chaos_indicator(problem, SaveAt::times(std::move(times)), {}, progress);
     for (const ChaosSample& at : found.samples)

@@ -204,15 +204,14 @@ std::vector<Seen> motion_of(const Scenario& scenario) {
     }
     return all;
   }
-  const DampedProblem problem = rotor_problem(rotation);
+  const Problem problem = rotor_problem(rotation);
   const System& system = problem.system;
-  const DampedTrajectory end =
-      integrate(problem, *rotation.time, [&](std::span<const DampedSample> samples) {
-        for (const DampedSample& one : samples)
-          all.push_back({one.t, normalized(one.s.rotor.q * conj(f)),
-                         rotate(f, angular_velocity(system, one.t, one.s.rotor).inertial),
-                         normalized(one.s.rotor.q)});
-      });
+  const Trajectory end = integrate(problem, *rotation.time, [&](std::span<const Sample> samples) {
+    for (const Sample& one : samples)
+      all.push_back({one.t, normalized(one.s.q * conj(f)),
+                     rotate(f, angular_velocity(system, one.t, one.s).inertial),
+                     normalized(one.s.q)});
+  });
   if (end.outcome().status == Outcome::Status::failed)
     throw DomainError(scenario.document.name + ": the run failed: " + end.outcome().advice);
   return all;

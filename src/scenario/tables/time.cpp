@@ -93,9 +93,9 @@ SaveAt automatic_times(const Rotation& rotation, const Placed<TimeTable>& time) 
   constexpr double margin = 0.9, largest_turn = 1.0, most_rows = 1e8;
   constexpr int looks = 128;
   const double start = time->start, stop = *time->stop, error = time->error.value_or(usual);
-  const DampedProblem problem = rotor_problem(rotation);
+  const Problem problem = rotor_problem(rotation);
   const System& system = problem.system;
-  const FreeRotation motion(rotation.body, inertial_state(system, 0.0, problem.initial.rotor));
+  const FreeRotation motion(rotation.body, inertial_state(system, 0.0, problem.initial));
   const double span = stop - start, period = std::fabs(motion.polhode_period());
   double acceleration = 0.0, rate = 0.0;
   const auto look = [&](double t) {

@@ -144,7 +144,8 @@ TEST(SpinOrbitSection, FollowsAnOrbitThatPrecesses) {
 // A damper turns the body too.
 TEST(SpinOrbitSection, SpinIsThatOfABodyWithADamper) {
   const System damped(body, Frame::inertial(), {}, KaneDamper(0.3, 0.05));
-  const DampedProblem problem{damped, {tumbling, {0.1, -0.2, 0.4}}, 0.0, 30.0, Adaptive{1e-11}};
+  const Problem problem{
+      damped, {tumbling.q, tumbling.g, {0.1, -0.2, 0.4}}, 0.0, 30.0, Adaptive{1e-11}};
   const std::vector<SpinOrbitPoint> points = spin_orbit_section(problem, saturn).points;
   ASSERT_EQ(points.size(), 5U);
   std::vector<double> times;
@@ -153,7 +154,8 @@ TEST(SpinOrbitSection, SpinIsThatOfABodyWithADamper) {
   for (std::size_t k = 0; k < 5; ++k) {
     const Vec3& I = body.moments();
     const Vec3 v = damped.damper()->rate_of_body(body, samples[k].s.damper_rate);
-    const auto& [q, g] = samples[k].s.rotor;
+    const RotorState& s = samples[k].s;
+    const auto& [q, g] = s;
     const Vec3 w{g.x / I.x + v.x, g.y / I.y + v.y, g.z / I.z + v.z};
     EXPECT_NEAR(points[k].spin, rotate(q, w).z, budget::section_rounding);
   }

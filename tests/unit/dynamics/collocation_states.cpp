@@ -30,21 +30,21 @@ const Body body(1.0, 1.6, 2.1);
 const RotorState start{{0.5, 0.5, -0.5, 0.5}, {0.8, 1.9, 0.3}};
 const Vec3 rate{0.4, -0.7, 0.2};
 
-DampedProblem damped(const std::vector<AnyPerturbation>& terms, double stop, const Method& method,
-                     double friction = 0.4) {
+Problem damped(const std::vector<AnyPerturbation>& terms, double stop, const Method& method,
+               double friction = 0.4) {
   return {System(body, Frame::precessing({0.1, 0.2, 1.0}, 0.3), terms, KaneDamper(0.3, friction)),
-          {start, rate},
+          {start.q, start.g, rate},
           0.0,
           stop,
           method};
 }
-DampedRotorState end_of(const DampedProblem& problem) {
-  const DampedTrajectory run = integrate(problem, {SaveAt::times({problem.stop})});
+SystemState end_of(const Problem& problem) {
+  const Trajectory run = integrate(problem, {SaveAt::times({problem.stop})});
   EXPECT_TRUE(run.outcome().ok()) << run.outcome().advice;
   return run.samples().back().s;
 }
-double apart(const DampedRotorState& a, const DampedRotorState& b) {
-  return distance(a.rotor, b.rotor) + norm(a.damper_rate - b.damper_rate);
+double apart(const SystemState& a, const SystemState& b) {
+  return distance(a, b) + norm(a.damper_rate - b.damper_rate);
 }
 
 // Bits of a solver after 20 units of time, by one set of instructions.
@@ -74,7 +74,7 @@ struct Spinning final : detail::NumberField {
 
 TEST(CollocationStates, DoNotDependOnTheProcessor) {
   const auto with_damper = std::make_shared<const detail::SweptDamper>(damped({}, 1.0, {}).system);
-  const auto first = detail::SweptDamper::start({start, rate});
+  const auto first = detail::SweptDamper::start({start.q, start.g, rate});
   const auto numbers = std::make_shared<const Spinning>();
   const std::vector<double> eleven{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11};
   for (const std::size_t stages : {4U, 8U, 16U})
@@ -103,7 +103,7 @@ TEST(CollocationStates, EndTheirStepsWhereATorqueSwitches) {
   const std::vector<AnyPerturbation> terms{
       AnyPerturbation("jets", jets), AnyPerturbation("push", SwitchedTorqueTerm(push, sides))};
   for (const double stop : {20.0, -3.0}) {
-    const DampedRotorState exact = end_of(damped(terms, stop, Adaptive{1e-14}));
+    const SystemState exact = end_of(damped(terms, stop, Adaptive{1e-14}));
     for (const int stages : {4, 8, 16})
       EXPECT_LE(apart(end_of(damped(terms, stop, Collocation{1e-13, stages})), exact),
                 budget::collocation_switches)
@@ -186,7 +186,7 @@ TEST(CollocationStates, ResolveWeakTorques) {
     return Vec3{1e-6 * std::sin(40.0 * t), 0.0, 0.0};
   };
   const std::vector<AnyPerturbation> terms{AnyPerturbation("torque", TorqueTerm(fast))};
-  const DampedRotorState exact = end_of(damped(terms, 40.0, Adaptive{1e-14}, 0.01));
+  const SystemState exact = end_of(damped(terms, 40.0, Adaptive{1e-14}, 0.01));
   for (const int stages : {4, 8, 16})
     EXPECT_LE(apart(end_of(damped(terms, 40.0, Collocation{.stages = stages}, 0.01)), exact),
               budget::collocation_weak)
@@ -236,14 +236,14 @@ TEST(CollocationStates, OfModelsResolveWeakTorques) {
 // A sphere that follows closely: the body says how long steps are, not the friction.
 TEST(CollocationStates, OfADamperTakeLongStepsUnderStrongFriction) {
   const auto run = [](const Method& method) {
-    const DampedTrajectory found =
+    const Trajectory found =
         integrate(damped({}, 20.0, method, 300.0), {SaveAt::times({20.0}), false});
     EXPECT_TRUE(found.outcome().ok()) << found.outcome().advice;
     return found;
   };
-  const DampedTrajectory exact = run(Adaptive{1e-13});
+  const Trajectory exact = run(Adaptive{1e-13});
   for (const int stages : {4, 8, 16}) {
-    const DampedTrajectory found = run(Collocation{1e-13, stages});
+    const Trajectory found = run(Collocation{1e-13, stages});
     EXPECT_LE(apart(found.samples().back().s, exact.samples().back().s),
               budget::collocation_friction)
         << stages;
@@ -256,7 +256,7 @@ TEST(CollocationStates, OfADamperKeepQuadraticInvariants) {
   const auto field = std::make_shared<const detail::SweptDamper>(
       System(body, Frame::inertial(), {}, KaneDamper(0.3, 0.0)));
   detail::BasicCollocationSolver<detail::DamperStages> solver(
-      field, 8, widest_instruction_set(), 0.0, detail::SweptDamper::start({start, rate}),
+      field, 8, widest_instruction_set(), 0.0, detail::SweptDamper::start({start.q, start.g, rate}),
       {{1e-12, 0.3}, true});
   const auto square = [&](std::size_t first, std::size_t last) {
     DoubleDouble sum;

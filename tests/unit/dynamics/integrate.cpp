@@ -49,7 +49,7 @@ const Event middle_momentum{"g2", [](double, const RotorState& s) { return s.g.y
 
 TEST(Integrate, GoesByCollocationWhereNoMethodIsNamed) {
   const Problem rotor{System(wing_nut), tumbling, 0.0, 10.0};
-  const DampedProblem damped{System(wing_nut), {tumbling, {}}, 0.0, 10.0};
+  const Problem damped{System(wing_nut), {tumbling, {}}, 0.0, 10.0};
   for (const Method& method : {rotor.method, damped.method})
     EXPECT_EQ(method, Method(Collocation{}));
   const Trajectory run = integrate(rotor);

@@ -32,11 +32,10 @@ const Vec3 torque{0.02, -0.01, 0.03};  // inertial axes
 constexpr Adaptive sharp{.tolerance = 1e-14};
 const Method methods[] = {sharp, Collocation{.tolerance = 1e-14}};
 
-DampedProblem problem(double stop, const Method& method = sharp,
-                      const Frame& frame = Frame::inertial(),
-                      std::vector<AnyPerturbation> terms = {}, double friction = c) {
+Problem problem(double stop, const Method& method = sharp, const Frame& frame = Frame::inertial(),
+                std::vector<AnyPerturbation> terms = {}, double friction = c) {
   return {System(body, frame, std::move(terms), KaneDamper(J, friction)),
-          {start, s0},
+          {start.q, start.g, s0},
           0.0,
           stop,
           method};
@@ -81,16 +80,16 @@ class TwoBodies {
       stepper.do_step([this](const Values& a, Values& da, Long) { da = rates(a); }, v, 0.0L, h);
     return v;
   }
-  DampedSample sample(double t, const Values& v) const {
+  Sample sample(double t, const Values& v) const {
     const LongQuaternion q = attitude({v[0], v[1], v[2], v[3]});
     const LongVec3 P{v[4], v[5], v[6]}, H{v[7], v[8], v[9]};
     return {t,
-            {{{static_cast<double>(q.w), static_cast<double>(q.x), static_cast<double>(q.y),
-               static_cast<double>(q.z)},
-              narrow(rotate(conj(q), P + H))},
+            {{static_cast<double>(q.w), static_cast<double>(q.x), static_cast<double>(q.y),
+              static_cast<double>(q.z)},
+             narrow(rotate(conj(q), P + H)),
              narrow(rotate(conj(q), (1.0L / J_) * H - rate(q, P)))}};
   }
-  DampedSample sample(double t) const { return sample(t, at(t)); }
+  Sample sample(double t) const { return sample(t, at(t)); }
 
  private:
   // Of the hub, in space.
@@ -111,9 +110,9 @@ class TwoBodies {
   Long J_ = static_cast<Long>(J);
 };
 
-double distance(const DampedSample& a, const DampedSample& b) {
-  const Quaternion d = conj(a.s.rotor.q) * b.s.rotor.q;
-  return 2.0 * norm(Vec3{d.x, d.y, d.z}) + norm(a.s.rotor.g - b.s.rotor.g) / norm(b.s.rotor.g) +
+double distance(const Sample& a, const Sample& b) {
+  const Quaternion d = conj(a.s.q) * b.s.q;
+  return 2.0 * norm(Vec3{d.x, d.y, d.z}) + norm(a.s.g - b.s.g) / norm(b.s.g) +
          norm(a.s.damper_rate - b.s.damper_rate);
 }
 
@@ -125,10 +124,10 @@ TEST(KaneDamperRun, IsThatOfTwoBodiesInSpace) {
         Method(Collocation{.tolerance = 1e-14}), Method(Collocation{1e-14, 4}),
         Method(Collocation{1e-14, 16}), Method(Collocation{.step = 0.1})}) {
     SCOPED_TRACE(method_text(method));
-    const DampedTrajectory run = integrate(problem(20.0, method, Frame::inertial(), {thruster()}));
+    const Trajectory run = integrate(problem(20.0, method, Frame::inertial(), {thruster()}));
     ASSERT_TRUE(run.outcome().ok());
     for (const double t : {0.3, 7.1, 20.0}) {
-      const DampedSample want = TwoBodies().sample(t);
+      const Sample want = TwoBodies().sample(t);
       EXPECT_LE(distance(run.sample(t), want), budget::kane_two_bodies) << t;
       EXPECT_EQ(run.at(t), run.sample(t).s);
     }
@@ -140,11 +139,13 @@ TEST(KaneDamperRun, IsTheSameInAMovingFrame) {
   for (const Method& method : methods) {
     SCOPED_TRACE(method_text(method));
     const Frame frame = Frame::precessing({0.3, -0.2, 1.0}, 0.7, 0.4);
-    DampedProblem moving = problem(20.0, method, frame, {thruster()});
-    moving.initial.rotor = reference_state(moving.system, 0.0, start);
-    const DampedTrajectory run = integrate(moving);
-    DampedSample end = run.sample(20.0);
-    end.s.rotor = inertial_state(moving.system, 20.0, end.s.rotor);
+    Problem moving = problem(20.0, method, frame, {thruster()});
+    const RotorState seen = reference_state(moving.system, 0.0, start);
+    moving.initial = {seen.q, seen.g, s0};
+    const Trajectory run = integrate(moving);
+    Sample end = run.sample(20.0);
+    const RotorState inertial = inertial_state(moving.system, 20.0, end.s);
+    end.s = {inertial.q, inertial.g, end.s.damper_rate};
     EXPECT_LE(distance(end, TwoBodies().sample(20.0)), budget::kane_two_bodies);
   }
 }
@@ -169,11 +170,11 @@ TEST(KaneDamperRun, LosesTheEnergyOfTheFrictionAndNoMomentum) {
       if (with_terms) terms.emplace_back("coupling", Coupling{});
       const Frame frame =
           with_terms ? Frame::precessing({0.0, 0.6, 0.8}, 0.3, 0.0) : Frame::inertial();
-      const DampedProblem p = problem(15.0, method, frame, terms);
-      const DampedTrajectory run = integrate(p);
+      const Problem p = problem(15.0, method, frame, terms);
+      const Trajectory run = integrate(p);
       const auto energy_at = [&](double t) {
-        const DampedRotorState at = run.at(t);
-        return energy(at_damper_rate(p.system, at.damper_rate), t, at.rotor);
+        const SystemState at = run.at(t);
+        return energy(at_damper_rate(p.system, at.damper_rate), t, at);
       };
       const auto power = [&](double t) {
         const Vec3 s = run.at(t).damper_rate;
@@ -186,7 +187,7 @@ TEST(KaneDamperRun, LosesTheEnergyOfTheFrictionAndNoMomentum) {
       EXPECT_GT(lost, 0.01);
       EXPECT_NEAR((energy_at(0.0) - energy_at(15.0)) / lost, 1.0, budget::kane_energy);
       const auto in_space = [&](double t) {
-        const RotorState s = inertial_state(p.system, t, run.at(t).rotor);
+        const RotorState s = inertial_state(p.system, t, run.at(t));
         return rotate(s.q, s.g);
       };
       if (with_terms) continue;
@@ -198,20 +199,19 @@ TEST(KaneDamperRun, LosesTheEnergyOfTheFrictionAndNoMomentum) {
 TEST(KaneDamperRun, WithoutFrictionTheHubIsFree) {
   for (const Method& method : methods) {
     SCOPED_TRACE(method_text(method));
-    const DampedProblem p = problem(30.0, method, Frame::inertial(), {}, 0.0);
-    const DampedTrajectory run = integrate(p);
+    const Problem p = problem(30.0, method, Frame::inertial(), {}, 0.0);
+    const Trajectory run = integrate(p);
     const Vec3& I = body.moments();
     const Vec3 h = p.system.damper()->momentum(body, start.g, s0);
     const FreeRotation hub(Body(I.x - J, I.y - J, I.z - J), {start.q, start.g - h});
     const Vec3 h_I = rotate(start.q, h);
     for (const double t : {3.0, 30.0}) {
-      const DampedSample at = run.sample(t);
+      const Sample at = run.sample(t);
       const RotorState alone = hub.at(t);
       const Vec3 of_sphere = rotate(conj(alone.q), h_I);
-      const DampedSample want{
-          t,
-          {{alone.q, alone.g + of_sphere},
-           p.system.damper()->relative_rate(body, alone.g + of_sphere, of_sphere)}};
+      const Sample want{t,
+                        {{alone.q, alone.g + of_sphere},
+                         p.system.damper()->relative_rate(body, alone.g + of_sphere, of_sphere)}};
       EXPECT_LE(distance(at, want), budget::kane_two_bodies);
     }
   }
@@ -236,22 +236,22 @@ TEST(KaneDamperRun, TendsToInternalDamping) {
 TEST(KaneDamperRun, TurnsWithABodyThatSpins) {
   for (const Method& method : methods) {
     SCOPED_TRACE(method_text(method));
-    DampedProblem p = problem(50.0, method);
-    p.initial.rotor.g = {0.0, 0.0, 1.7};
+    Problem p = problem(50.0, method);
+    p.initial.g = {0.0, 0.0, 1.7};
     p.initial.damper_rate = {};
-    const DampedTrajectory run = integrate(p);
+    const Trajectory run = integrate(p);
     EXPECT_EQ(run.samples().back().s.damper_rate, Vec3{});
-    EXPECT_EQ(run.samples().back().s.rotor.g, p.initial.rotor.g);
+    EXPECT_EQ(run.samples().back().s.g, p.initial.g);
   }
 }
 
 TEST(KaneDamperRun, RestsWithABodyAtRest) {
   for (const Method& method : methods) {
     SCOPED_TRACE(method_text(method));
-    DampedProblem p = problem(50.0, method);
-    p.initial.rotor.g = {};
+    Problem p = problem(50.0, method);
+    p.initial.g = {};
     p.initial.damper_rate = {};
-    const DampedTrajectory run = integrate(p);
+    const Trajectory run = integrate(p);
     EXPECT_EQ(run.outcome().status, Outcome::Status::completed) << run.outcome().advice;
     EXPECT_EQ(run.samples().back().s, p.initial);
     EXPECT_EQ(run.samples().back().s.damper_rate, Vec3{});
@@ -261,22 +261,23 @@ TEST(KaneDamperRun, RestsWithABodyAtRest) {
 TEST(KaneDamperRun, GoesBackToItsStart) {
   for (const Method& method : methods) {
     SCOPED_TRACE(method_text(method));
-    DampedProblem p = problem(3.0, method, Frame::inertial(), {thruster()});
+    Problem p = problem(3.0, method, Frame::inertial(), {thruster()});
     p.initial = integrate(p).at(3.0);
     p.start = 3.0;
     p.stop = 0.0;
-    EXPECT_LE(distance(integrate(p).sample(0.0), {0.0, {start, s0}}), budget::kane_two_bodies);
+    EXPECT_LE(distance(integrate(p).sample(0.0), {0.0, {start.q, start.g, s0}}),
+              budget::kane_two_bodies);
   }
 }
 
 TEST(KaneDamperRun, EventsAndSamplesHoldItsRate) {
   for (const Method& method : methods) {
     SCOPED_TRACE(method_text(method));
-    DampedProblem p = problem(20.0, method);
+    Problem p = problem(20.0, method);
     p.events.push_back({"slow",
-                        [](double, const DampedRotorState& s) { return norm(s.damper_rate) - 0.3; },
+                        [](double, const SystemState& s) { return norm(s.damper_rate) - 0.3; },
                         Crossing::falling, true});
-    const DampedTrajectory run = integrate(p, {.samples = SaveAt::steps(0.0, 20.0, 0.25)});
+    const Trajectory run = integrate(p, {.samples = SaveAt::steps(0.0, 20.0, 0.25)});
     ASSERT_EQ(run.events().size(), 1U);
     EXPECT_NEAR(norm(run.events()[0].s.damper_rate), 0.3, budget::kane_two_bodies);
     EXPECT_EQ(run.outcome().status, Outcome::Status::stopped_by_event);
@@ -286,42 +287,28 @@ TEST(KaneDamperRun, EventsAndSamplesHoldItsRate) {
   }
 }
 
-// A Problem shows the rotor, whatever its system has; a DampedProblem the damper too, at rest in
-// the body where there is none.
-TEST(KaneDamperRun, IsSeenAsTheStateOfTheProblem) {
-  const Crossing both = Crossing::both;
+// An event of the rotor, samples that are pushed, and a rate of 0 without a damper.
+TEST(KaneDamperRun, SamplesPushedAreThoseKept) {
   const auto height = [](double, const RotorState& s) { return s.g.z - 0.2; };
-  const auto of_rotor = [](double, const DampedRotorState& s) { return s.rotor.g.z - 0.2; };
   for (const bool with_damper : {true, false}) {
     SCOPED_TRACE(with_damper);
     const System system =
         with_damper ? problem(1.0).system : System(body, Frame::inertial(), {thruster()});
-    const Problem rotor{system, start, 0.0, 20.0, sharp, {{"height", height, both}}};
-    const DampedProblem damped{system, {start, {}}, 0.0, 20.0, sharp, {{"height", of_rotor, both}}};
-    const Trajectory a = integrate(rotor);
-    const DampedTrajectory b = integrate(damped);
-    ASSERT_EQ(a.samples().size(), b.samples().size());
-    ASSERT_FALSE(a.events().empty());
-    ASSERT_EQ(a.events().size(), b.events().size());
-    for (std::size_t k = 0; k < a.samples().size(); ++k) {
-      EXPECT_EQ(a.samples()[k].t, b.samples()[k].t);
-      EXPECT_EQ(a.samples()[k].s, b.samples()[k].s.rotor);
-    }
-    for (std::size_t k = 0; k < a.events().size(); ++k)
-      EXPECT_EQ(a.events()[k].s, b.events()[k].s.rotor);
-    EXPECT_EQ(a.at(7.7), b.at(7.7).rotor);
-    EXPECT_EQ(norm(b.at(7.7).damper_rate) > 0.0, with_damper);
+    const Problem p{system, start, 0.0, 20.0, sharp, {{"height", height, Crossing::both}}};
+    const Trajectory run = integrate(p);
+    ASSERT_FALSE(run.events().empty());
+    EXPECT_EQ(norm(run.at(7.7).damper_rate) > 0.0, with_damper);
     std::vector<Sample> pushed;
-    integrate(rotor, SaveAt::count(0.0, 20.0, 9), [&](std::span<const Sample> block) {
+    integrate(p, SaveAt::count(0.0, 20.0, 9), [&](std::span<const Sample> block) {
       pushed.insert(pushed.end(), block.begin(), block.end());
     });
     ASSERT_EQ(pushed.size(), 9U);
-    for (const Sample& at : pushed) EXPECT_EQ(at.s, b.at(at.t).rotor);
+    for (const Sample& at : pushed) EXPECT_EQ(at.s, run.at(at.t));
   }
 }
 
 TEST(KaneDamperRun, SystemAtARateKnowsItsRotation) {
-  const DampedProblem p = problem(1.0);
+  const Problem p = problem(1.0);
   const System at = at_damper_rate(p.system, s0);
   const Vec3& I = body.moments();
   const Vec3 h = p.system.damper()->momentum(body, start.g, s0), rest = start.g - h;
@@ -334,7 +321,7 @@ TEST(KaneDamperRun, SystemAtARateKnowsItsRotation) {
 }
 
 TEST(KaneDamperRun, RefusesWhatDoesNotCarryItsState) {
-  const DampedProblem p = problem(1.0);
+  const Problem p = problem(1.0);
   EXPECT_MESSAGE(angular_velocity(p.system, 0.0, start),
                  "a system with a Kane damper has no angular velocity without the rate of the "
                  "damper: take at_damper_rate(system, rate)");
@@ -349,12 +336,12 @@ TEST(KaneDamperRun, RefusesWhatDoesNotCarryItsState) {
                  "state_transitions: a Kane damper has a state of its own, which integrate alone "
                  "carries; InternalDamping, its limit of strong friction, has no state");
   EXPECT_REJECTED(chaos_indicator(bare, SaveAt::times({1.0})), "which integrate alone carries");
-  const DampedProblem without{System(body), {start, {0.0, 0.1, 0.0}}, 0.0, 1.0, sharp};
+  const Problem without{System(body), {start, {0.0, 0.1, 0.0}}, 0.0, 1.0, sharp};
   EXPECT_MESSAGE(integrate(without),
                  "integrate: damper_rate (0, 0.1, 0) must be zero for a system without a damper");
   EXPECT_MESSAGE(at_damper_rate(without.system, {0.0, 0.1, 0.0}),
                  "at_damper_rate: rate (0, 0.1, 0) must be zero for a system without a damper");
-  DampedProblem lost = p;
+  Problem lost = p;
   lost.initial.damper_rate.y = std::nan("");
   EXPECT_MESSAGE(integrate(lost), "integrate: damper_rate (0.4, nan, 0.2) must be finite");
   EXPECT_REJECTED(System(body, Frame::inertial(), {}, KaneDamper(0.6, 1.0)),

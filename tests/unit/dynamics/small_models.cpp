@@ -56,9 +56,7 @@ struct Oscillator {
 };
 
 static_assert(Model<Oscillator> && !ModelOn<Oscillator, DoubleDouble>);
-// a model with the state of another is refused where it is called
-static_assert(Integrable<Oscillator, Pair> && !Integrable<Oscillator, RotorState>);
-static_assert(Integrable<System, DampedRotorState> && !Integrable<System, Pair>);
+static_assert(Integrable<Oscillator> && !Integrable<Pair>);
 
 using OscillatorProblem = BasicProblem<Oscillator>;
 
@@ -125,7 +123,7 @@ struct Paced : Oscillator {
 
 // The longest step that begins before t = 1, and after it.
 std::array<double, 2> longest_steps(double start, double stop, const Method& method) {
-  const BasicProblem<Paced, Pair> p{{{0.01}}, {1.0, 0.0}, start, stop, method};
+  const BasicProblem<Paced> p{{{0.01}}, {1.0, 0.0}, start, stop, method};
   const auto run = integrate(p, {.samples = std::nullopt, .dense = false});
   EXPECT_TRUE(run.outcome().ok());
   std::array<double, 2> longest{0.0, 0.0};
@@ -171,7 +169,7 @@ struct Normalised : Oscillator {
 // The state that is given lies one part in a hundred outside: its side of an event says nothing.
 TEST(SmallModels, EventsBeginAtTheNormalisedStateInAnyUnits) {
   for (const double radius : {1.0, 1e-30, 1e30}) {
-    BasicProblem<Normalised, Pair> p{
+    BasicProblem<Normalised> p{
         {{1.0}, radius}, {1.01 * radius, 0.0}, 0.0, 1.0, Adaptive{.tolerance = 1e-12}};
     p.events = {{"outside", [radius](double, const Pair& s) { return s.x / radius - 1.005; }}};
     EXPECT_TRUE(integrate(p).events().empty()) << radius;

@@ -78,25 +78,25 @@ TEST(ScenarioKaneDamper, RowsAreThoseOfIntegrate) {
   sinks.push_back(std::move(rows));
   const RunReport report = run(s, sinks);
   const System system = rotor_system(s);
-  const DampedTrajectory straight = integrate(
-      DampedProblem{system, {initial_state(s), s.rotation().damper_rate}, 0.0, 5.0, Adaptive{}});
+  const RotorState& start = initial_state(s);
+  const Trajectory straight = integrate(
+      Problem{system, {start.q, start.g, s.rotation().damper_rate}, 0.0, 5.0, Adaptive{}});
   const double E0 = energy(at_damper_rate(system, s.rotation().damper_rate), 0.0, initial_state(s));
   ASSERT_EQ(kept.numbers.size(), 3U * 9U);
   for (std::size_t k = 0; k < 3; ++k) {
     const double* row = &kept.numbers[9 * k];
-    const DampedRotorState at = straight.at(row[0]);
+    const SystemState at = straight.at(row[0]);
     const System then = at_damper_rate(system, at.damper_rate);
-    const Vec3 w = angular_velocity(then, row[0], at.rotor).inertial;
+    const Vec3 w = angular_velocity(then, row[0], at).inertial;
     EXPECT_LE(norm(Vec3{row[1], row[2], row[3]} - w), budget::adaptive_short_run);
     EXPECT_LE(norm(Vec3{row[4], row[5], row[6]} - at.damper_rate), budget::adaptive_short_run);
-    EXPECT_NEAR(row[7], energy(then, row[0], at.rotor), budget::adaptive_short_run);
+    EXPECT_NEAR(row[7], energy(then, row[0], at), budget::adaptive_short_run);
     EXPECT_NEAR(row[8], row[7] - E0, budget::adaptive_short_run);
   }
   EXPECT_LT(kept.numbers[26], kept.numbers[17]);
   EXPECT_EQ(report.energy_change, kept.numbers[26]);
   for (const RunEvent& event : report.events)
-    EXPECT_NEAR(record_of<DampedRotorState>(event).s.damper_rate.y, 0.1,
-                budget::adaptive_short_run);
+    EXPECT_NEAR(record_of<SystemState>(event).s.damper_rate.y, 0.1, budget::adaptive_short_run);
   EXPECT_FALSE(report.events.empty());
 }
 

@@ -379,10 +379,10 @@ TEST(Scenario, ItsProblemIsTheRunToTheLastRow) {
           "kind = \"constant-torque\"\ntorque = [0, 0, 1]\n[method]\nkind = \"splitting\"\n" +
           "step = 0.5\n",
       "f.toml");
-  const DampedProblem problem = polhode::problem(s.experiment);
+  const Problem problem = polhode::problem(s.experiment);
   EXPECT_EQ(problem.start, 0.0);
   EXPECT_EQ(problem.stop, 8.0);
-  EXPECT_EQ(problem.initial.rotor, initial_state(s));
+  EXPECT_EQ(problem.initial, initial_state(s));
   EXPECT_EQ(problem.initial.damper_rate, Vec3{});
   EXPECT_EQ(problem.method, Method(Splitting{.step = 0.5}));
   EXPECT_EQ(problem.system.terms().size(), 1U);

@@ -47,8 +47,8 @@ S started_state(const M& model, const S& s) {
     return s;
 }
 
-template <Real T, class M, MotionState S>
-std::unique_ptr<BasicStepper<S>> model_stepper(const BasicProblem<M, S>& problem, const S& initial,
+template <Real T, class M, MotionState S = typename M::State>
+std::unique_ptr<BasicStepper<S>> model_stepper(const BasicProblem<M>& problem, const S& initial,
                                                const Adaptive& method) {
   using Field = ModelField<M, T>;
   return std::make_unique<AdaptiveStepper<Field, PlainSteps>>(
@@ -58,8 +58,8 @@ std::unique_ptr<BasicStepper<S>> model_stepper(const BasicProblem<M, S>& problem
       StepControl{method.tolerance, method.first_step, method.largest_step});
 }
 
-template <class M, MotionState S>
-std::unique_ptr<BasicStepper<S>> stepper_of_model(const BasicProblem<M, S>& problem,
+template <class M, MotionState S = typename M::State>
+std::unique_ptr<BasicStepper<S>> stepper_of_model(const BasicProblem<M>& problem,
                                                   const S& initial) {
   if constexpr (FrozenModel<M>)
     if (const Splitting* const method = method_of_frozen_models(problem.method))
@@ -80,8 +80,8 @@ std::unique_ptr<BasicStepper<S>> stepper_of_model(const BasicProblem<M, S>& prob
   }
 }
 
-template <class M, MotionState S>
-auto watch_of(const BasicProblem<M, S>& problem) {
+template <class M, MotionState S = typename M::State>
+auto watch_of(const BasicProblem<M>& problem) {
   if constexpr (Model<M>) {
     return EventWatch<ModelMotion<M>>(ModelMotion<M>(problem.system), problem.events);
   } else {
@@ -90,8 +90,8 @@ auto watch_of(const BasicProblem<M, S>& problem) {
   }
 }
 
-template <class M, MotionState S>
-auto model_run(const BasicProblem<M, S>& problem, bool keep_dense, SampleQueue<S>& samples,
+template <class M, MotionState S = typename M::State>
+auto model_run(const BasicProblem<M>& problem, bool keep_dense, SampleQueue<S>& samples,
                const Progress& progress) {
   require_finite_span("integrate", problem.start, problem.stop);
   require_valid(problem.method);
@@ -110,15 +110,15 @@ auto model_run(const BasicProblem<M, S>& problem, bool keep_dense, SampleQueue<S
 }
 
 // What makes the run of a problem.
-template <class M, MotionState S>
-auto maker_of(const BasicProblem<M, S>& problem, const Progress& progress) {
+template <class M, MotionState S = typename M::State>
+auto maker_of(const BasicProblem<M>& problem, const Progress& progress) {
   return [&problem, &progress](bool keep_dense, SampleQueue<S>& samples) {
     return model_run(problem, keep_dense, samples, progress);
   };
 }
 
-template <class M, MotionState S>
-Features model_features(const BasicProblem<M, S>& problem) {
+template <class M, MotionState S = typename M::State>
+Features model_features(const BasicProblem<M>& problem) {
   std::string parameters;
   if constexpr (requires { problem.system.parameters(); })
     for (const double x : problem.system.parameters()) parameters += number_bytes(x);

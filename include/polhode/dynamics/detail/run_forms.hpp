@@ -18,8 +18,8 @@ namespace detail {
 // DomainError for times that are not finite, naming `function`.
 void require_finite_span(const std::string& function, double start, double stop);
 
-template <class M, MotionState S, class Make>
-BasicTrajectory<S> kept_run(const BasicProblem<M, S>& problem, const Keep& keep, const Make& make) {
+template <class M, class Make, MotionState S = typename M::State>
+BasicTrajectory<S> kept_run(const BasicProblem<M>& problem, const Keep& keep, const Make& make) {
   std::vector<BasicSample<S>> kept;
   const BasicSampleSink<S> into_memory = [&kept](std::span<const BasicSample<S>> block) {
     kept.insert(kept.end(), block.begin(), block.end());
@@ -32,17 +32,18 @@ BasicTrajectory<S> kept_run(const BasicProblem<M, S>& problem, const Keep& keep,
   return BasicTrajectory<S>(std::move(parts));
 }
 
-template <class M, MotionState S, class Make>
-BasicTrajectory<S> run_into(const BasicProblem<M, S>& problem, const SaveAt& times,
-                            const BasicSampleSink<S>& sink, const Make& make) {
+template <class M, class Make, MotionState S = typename M::State>
+BasicTrajectory<S> run_into(const BasicProblem<M>& problem, const SaveAt& times,
+                            const BasicSampleSink<typename M::State>& sink, const Make& make) {
   SampleQueue<S> samples(problem.start, problem.stop, times, sink);
   return BasicTrajectory<S>(make(false, samples)->result());
 }
 
-template <class M, MotionState S, class Make>
-BasicTrajectory<S> streamed_run(const BasicProblem<M, S>& problem, const SaveAt& times,
-                                const Checkpoint* from, const BasicStreams<S>& streams,
-                                Features features, const Make& make) {
+template <class M, class Make, MotionState S = typename M::State>
+BasicTrajectory<S> streamed_run(const BasicProblem<M>& problem, const SaveAt& times,
+                                const Checkpoint* from,
+                                const BasicStreams<typename M::State>& streams, Features features,
+                                const Make& make) {
   const BasicSampleSink<S> nowhere = [](std::span<const BasicSample<S>>) {};
   SampleQueue<S> samples(problem.start, problem.stop, times,
                          streams.samples ? streams.samples : nowhere);
@@ -53,10 +54,10 @@ BasicTrajectory<S> streamed_run(const BasicProblem<M, S>& problem, const SaveAt&
 }
 
 // `moving`: those of what moves, and of its state.
-template <class M, MotionState S>
-Features run_features(const BasicProblem<M, S>& problem, const SaveAt& times, Features moving) {
+template <class M>
+Features run_features(const BasicProblem<M>& problem, const SaveAt& times, Features moving) {
   std::string events;
-  for (const BasicEvent<S>& e : problem.events)
+  for (const auto& e : problem.events)
     events += event_bytes(e.name, e.crossing, e.stops, e.period, e.interval);
   Features all{{"start", number_bytes(problem.start)}, {"stop", number_bytes(problem.stop)}};
   for (auto& feature : moving) all.push_back(std::move(feature));

@@ -19,12 +19,14 @@ inline namespace v0 {
 namespace detail {
 
 // What an experiment says of its motion.
-template <class M, MotionState S = typename M::State>
+template <class M>
 struct RowsOfMotion {
-  BasicProblem<M, S> from_zero;  // its events are looked for from the first row on
+  using State = typename M::State;
+
+  BasicProblem<M> from_zero;  // its events are looked for from the first row on
   const SaveAt& rows;
   // Numbers of the columns for each sample, one row after the other.
-  std::function<void(std::span<const BasicSample<S>>, std::span<double>)> write;
+  std::function<void(std::span<const BasicSample<State>>, std::span<double>)> write;
 };
 
 template <MotionState S>
@@ -33,10 +35,12 @@ struct IntegratedEnd {
   std::optional<BasicSample<S>> latest;  // where it ended; none where it did not get to the rows
 };
 
-template <class M, MotionState S>
+template <class M>
 class IntegratedRun {
  public:
-  IntegratedRun(const RowsOfMotion<M, S>& motion, RowWriter& writer, const RunControl& control)
+  using S = typename M::State;
+
+  IntegratedRun(const RowsOfMotion<M>& motion, RowWriter& writer, const RunControl& control)
       : motion_(motion), writer_(writer), control_(control) {
     if (control.motion == nullptr) return;
     std::string integration;
@@ -61,7 +65,7 @@ class IntegratedRun {
   }
 
   void go_to_first_row() {
-    BasicProblem<M, S> lead_in = motion_.from_zero;
+    BasicProblem<M> lead_in = motion_.from_zero;
     lead_in.events = {};
     lead_in.stop = motion_.rows[0];
     BasicSample<S> there{lead_in.stop, lead_in.initial};
@@ -76,7 +80,7 @@ class IntegratedRun {
 
   void go_along_rows() {
     report_.statistics = before_;
-    BasicProblem<M, S> along = motion_.from_zero;
+    BasicProblem<M> along = motion_.from_zero;
     along.start = motion_.rows[0];
     along.stop = motion_.rows.end();
     along.initial = first_.s;
@@ -89,7 +93,7 @@ class IntegratedRun {
       report_.events.push_back(run_event(event));
   }
 
-  BasicTrajectory<S> integrate_on(const BasicProblem<M, S>& problem, const SaveAt& times,
+  BasicTrajectory<S> integrate_on(const BasicProblem<M>& problem, const SaveAt& times,
                                   BasicSampleSink<S> samples) {
     BasicStreams<S> streams{std::move(samples), {}, control_.due};
     streams.steps_to_last_sample = true;  // rows do not depend on what comes behind them
@@ -121,7 +125,7 @@ class IntegratedRun {
     return event_of(event, std::move(row));
   }
 
-  const RowsOfMotion<M, S>& motion_;
+  const RowsOfMotion<M>& motion_;
   RowWriter& writer_;
   const RunControl& control_;
   bool among_rows_ = false;  // or on the way to the first
@@ -132,10 +136,10 @@ class IntegratedRun {
   RunReport report_;
 };
 
-template <class M, MotionState S>
-IntegratedEnd<S> integrated_run(const RowsOfMotion<M, S>& motion, RowWriter& writer,
-                                const RunControl& control) {
-  return IntegratedRun<M, S>(motion, writer, control).run();
+template <class M>
+IntegratedEnd<typename M::State> integrated_run(const RowsOfMotion<M>& motion, RowWriter& writer,
+                                                const RunControl& control) {
+  return IntegratedRun<M>(motion, writer, control).run();
 }
 
 }  // namespace detail
