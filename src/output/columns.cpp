@@ -17,8 +17,6 @@ inline namespace v0 {
 
 namespace {
 
-constexpr std::size_t states_at_a_time = 64;  // of a free motion, in the lanes of the processor
-
 std::size_t group_index(const ColumnKinds& kinds, const std::string& name) {
   const ColumnKind* const found = kinds.group(name);
   if (found != nullptr) return static_cast<std::size_t>(found - kinds.all().data());
@@ -108,25 +106,29 @@ void RowLayout::write_row(const RowSample& sample, std::span<const ColumnNumbers
   }
 }
 
-void RowLayout::write_rows(const FreeRotation& motion, std::span<const double> times,
+void RowLayout::write_rows(const FreeRotation& motion, std::span<const Sample> samples,
                            std::span<double> out) const {
   const System system(motion.body());
   const RotorState& start = motion.initial_state();
-  RowSample sample{system, energy(system, 0.0, start), motion.epoch(), start, {}, &motion};
+  RowSample row{system, energy(system, 0.0, start), motion.epoch(), start, {}, &motion};
   std::vector<ColumnNumbers> constants(kinds_.all().size());
   for (const Cell& cell : cells_)
     if (const ColumnKind& kind = kinds_.all()[cell.group]; kind.is_constant)
-      constants[cell.group] = kind.numbers(sample);
-  std::array<RotorState, states_at_a_time> states;
-  for (std::size_t first = 0; first < times.size(); first += states.size()) {
-    const std::size_t count = std::min(states.size(), times.size() - first);
-    motion.at(times.subspan(first, count), std::span(states).first(count));
-    for (std::size_t k = 0; k < count; ++k) {
-      sample.t = times[first + k];
-      sample.state = states[k];
-      write_row(sample, constants, out.subspan((first + k) * width_, width_));
-    }
+      constants[cell.group] = kind.numbers(row);
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    row.t = samples[k].t;
+    row.state = samples[k].s;
+    write_row(row, constants, out.subspan(k * width_, width_));
   }
+}
+
+void RowLayout::write_rows(const FreeRotation& motion, std::span<const double> times,
+                           std::span<double> out) const {
+  std::vector<RotorState> states(times.size());
+  motion.at(times, states);
+  std::vector<Sample> samples;
+  for (std::size_t k = 0; k < times.size(); ++k) samples.push_back({times[k], states[k]});
+  write_rows(motion, samples, out);
 }
 
 void RowLayout::write_rows(const RowOrigin& origin, std::span<const Sample> samples,

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "dynamics/events/event_search.hpp"
+#include "dynamics/free_run.hpp"
 #include "polhode/dynamics/resume.hpp"
 #include "polhode/error.hpp"
 #include "polhode/run/detail/integrated_run.hpp"
@@ -28,8 +28,6 @@ namespace {
 using detail::completed;
 using detail::RowWriter;
 using detail::RunControl;
-
-constexpr std::int64_t rows_per_block = 1024;
 
 bool is_free(const Rotation& rotation) { return !propagation_method(rotation).has_value(); }
 // Free and in inertial axes: the elements of the motion are constant.
@@ -71,146 +69,29 @@ std::vector<Event> events_of(const Scenario& scenario, const System& system, dou
 }
 
 // The closed form, in inertial axes; a moving frame is applied to each state afterwards.
-class FreeRun {
- public:
-  FreeRun(const Scenario& scenario, const RowLayout& layout, RowWriter& writer,
-          const RunControl& control)
-      : rotation_(scenario.rotation()),
-        layout_(layout),
-        writer_(writer),
-        control_(control),
-        problem_(rotor_problem(rotation_)),
-        system_(problem_.system),
-        motion_(rotation_.frame.is_inertial()
-                    ? free_rotation(rotation_)
-                    : FreeRotation(rotation_.body, inertial_state(system_, 0.0, problem_.initial))),
-        origin_{system_, initial_energy(problem_)},
-        rows_(*rotation_.time) {
-    report_.outcome.t = rows_.end();
-    if (rotation_.events.empty()) return;
-    search_.emplace(motion_, rotation_.frame, events_of(scenario, system_, origin_.initial_energy),
-                    rows_[0]);
-    if (control.motion != nullptr) search_->serialize(*control.motion);
-  }
-
-  RunReport report() {
-    while (writer_.rows() < rows_.size() && goes_on()) {
-      const std::int64_t first = writer_.rows();
-      const std::int64_t last = std::min(rows_.size(), first + rows_per_block);
-      if (!events_until(rows_[last - 1])) break;
-      write(first, last);
-      if (last < rows_.size()) offer_state(rows_[last - 1]);
-      if (control_.progress) control_.progress(rows_[last - 1]);
-    }
-    if (goes_on() && events_until(rows_.end()) && search_) keep(search_->finish());
-    return std::move(report_);
-  }
-
- private:
-  bool goes_on() const { return report_.outcome.status == Outcome::Status::completed; }
-
-  void write(std::int64_t first, std::int64_t last) {
-    std::vector<double> times;
-    for (std::int64_t k = first; k < last; ++k) times.push_back(rows_[k]);
-    write(times);
-  }
-  void write(std::span<const double> times) {
-    if (rotation_.frame.is_inertial())
-      return writer_.push(times.size(), [&](std::span<double> numbers) {
-        layout_.write_rows(motion_, times, numbers);
-      });
-    std::vector<Sample> samples;
-    for (const double t : times) samples.push_back({t, reference_state(system_, t, motion_.at(t))});
-    writer_.push(samples.size(),
-                 [&](std::span<double> numbers) { layout_.write_rows(origin_, samples, numbers); });
-  }
-
-  // Events up to there; whether the run goes on.
-  bool events_until(double t) {
-    if (!search_) return true;
-    for (;;) {
-      if (!search_->refusal().empty()) {
-        report_.outcome = {Outcome::Status::failed, search_->t(), search_->refusal()};
-        write(times_until(search_->t()));
-        return false;
-      }
-      if (search_->t() == t) return true;
-      keep(search_->advance(t));
-      if (!goes_on()) {
-        write_to_the_end();
-        return false;
-      }
-      if (search_->t() == t || !search_->refusal().empty()) continue;
-      offer_state(search_->t());
-      if (control_.progress) control_.progress(search_->t());
-    }
-  }
-
-  void keep(const detail::SystemWatch::Found& found) {
-    for (const EventRecord& record : found.records) {
-      RunEvent event = run_event(record);
-      if (control_.event) {
-        control_.event(event);
-      } else {
-        report_.events.push_back(std::move(event));
-      }
-    }
-    if (found.stops)
-      report_.outcome = {Outcome::Status::stopped_by_event, found.records.back().t, {}};
-  }
-
-  RunEvent run_event(const EventRecord& record) const {
-    std::vector<double> row(control_.events_have_rows ? layout_.width() : 0);
-    const Sample there{record.t, record.s};
-    if (!row.empty() && rotation_.frame.is_inertial()) {
-      layout_.write_rows(motion_, {&there.t, 1}, row);
-    } else if (!row.empty()) {
-      layout_.write_rows(origin_, {&there, 1}, row);
-    }
-    return event_of(record, std::move(row));
-  }
-
-  // Of rows not yet written.
-  std::vector<double> times_until(double end) const {
-    const bool forward = rows_[0] <= rows_.end();
-    std::vector<double> times;
-    for (std::int64_t k = writer_.rows(); k < rows_.size(); ++k) {
-      const double t = rows_[k];
-      if (forward ? t > end : t < end) break;
-      times.push_back(t);
-    }
-    return times;
-  }
-
-  // Rows before the event that has stopped the run, and one more there.
-  void write_to_the_end() {
-    const double end = report_.outcome.t;
-    std::vector<double> times = times_until(end);
-    const double latest =
-        !times.empty() ? times.back() : rows_[std::max<std::int64_t>(writer_.rows() - 1, 0)];
-    if (latest != end || (times.empty() && writer_.rows() == 0)) times.push_back(end);
-    write(times);
-  }
-
-  void offer_state(double t) {
-    if (!control_.due || !control_.due(t)) return;
-    control_.keep({t, writer_.rows()}, [this](Archive& bytes) {
-      if (search_) search_->serialize(bytes);
-    });
-  }
-
-  const Rotation& rotation_;
-  const RowLayout& layout_;
-  RowWriter& writer_;
-  const RunControl& control_;
-  Problem problem_;
-  const System& system_;
-  FreeRotation motion_;
-  RowOrigin origin_;
-  const SaveAt& rows_;
-  std::optional<detail::FreeEventSearch> search_;
-  RunReport report_;
-};
+RunReport run_free(const Scenario& scenario, const RowLayout& layout, RowWriter& writer,
+                   const RunControl& control) {
+  const Rotation& rotation = scenario.rotation();
+  const Problem problem = rotor_problem(rotation);
+  const bool is_inertial = rotation.frame.is_inertial();
+  const FreeRotation motion =
+      is_inertial
+          ? free_rotation(rotation)
+          : FreeRotation(rotation.body, inertial_state(problem.system, 0.0, problem.initial));
+  const RowOrigin origin{problem.system, initial_energy(problem)};
+  const SaveAt& rows = *rotation.time;
+  const auto write = [&](std::span<const Sample> samples, std::span<double> numbers) {
+    if (is_inertial) return layout.write_rows(motion, samples, numbers);
+    layout.write_rows(origin, samples, numbers);
+  };
+  const detail::RowsOfMotion<detail::FreeMotion> free{
+      detail::free_problem(motion, rotation.frame, rows[0], rows.end(),
+                           events_of(scenario, problem.system, origin.initial_energy)),
+      rows, write};
+  RunReport report = detail::integrated_run(free, writer, control).report;
+  report.statistics = {};  // looks for events are no steps
+  return report;
+}
 
 RunReport run_integrated(const Scenario& scenario, const RowLayout& layout, RowWriter& writer,
                          const RunControl& control) {
@@ -300,7 +181,7 @@ RunReport detail::rows_of(const Rotation& rotation, const Scenario& scenario,
                           std::span<const std::unique_ptr<Sink>> sinks, const RunControl& control) {
   const RowLayout layout = row_layout(rotation, scenario);
   RowWriter writer(layout.width(), sinks, control.rows);
-  return completed(is_free(rotation) ? FreeRun(scenario, layout, writer, control).report()
+  return completed(is_free(rotation) ? run_free(scenario, layout, writer, control)
                                      : run_integrated(scenario, layout, writer, control),
                    writer);
 }

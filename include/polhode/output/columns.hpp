@@ -92,8 +92,11 @@ class RowLayout {
   // "t" first, then as asked for, without columns that an earlier group has.
   const std::vector<ColumnGroup>& groups() const { return groups_; }
   std::size_t width() const { return width_; }
-  // Writes width() numbers per time to out, in inertial axes. Serret's elements, constants of the
-  // motion, are those at the epoch in every row: t0 does not jump by a period.
+  // Writes width() numbers per sample of a free motion to out, in inertial axes. Serret's elements,
+  // constants of the motion, are those at the epoch in every row: t0 does not jump by a period.
+  void write_rows(const FreeRotation& motion, std::span<const Sample> samples,
+                  std::span<double> out) const;
+  // The same at these times.
   void write_rows(const FreeRotation& motion, std::span<const double> times,
                   std::span<double> out) const;
   // The same for samples of any motion.

@@ -56,6 +56,10 @@ class BasicDenseStep {
   BasicDenseStep(double t0, double t1) : t0_(t0), t1_(t1) {}
   virtual ~BasicDenseStep() = default;
   virtual S at(double t) const = 0;
+  // At several times; both have the same size.
+  virtual void samples(std::span<const double> t, std::span<BasicSample<S>> to) const {
+    for (std::size_t k = 0; k < t.size(); ++k) to[k] = {t[k], at(t[k])};
+  }
   // That it takes in memory.
   virtual std::size_t bytes() const { return 256; }
   BasicSample<S> sample(double t) const { return {t, at(t)}; }

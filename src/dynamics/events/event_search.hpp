@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The search for events along the motion of a System, and along a free rotation.
+// The search for events along the motion of a System.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,6 @@
 #include "dynamics/adaptive/damper_field.hpp"
 #include "dynamics/adaptive/rotor_field.hpp"
 #include "polhode/dynamics/detail/event_watch.hpp"
-#include "polhode/free/free_rotation.hpp"
 #include "polhode/system/system.hpp"
 
 namespace polhode {
@@ -50,33 +49,6 @@ class SystemMotion {
 
 using SystemWatch = EventWatch<SystemMotion>;
 extern template class EventWatch<SystemMotion>;
-
-// The search for events along a free rotation, a few turns at a time.
-class FreeEventSearch {
- public:
-  // `motion` is in inertial axes, samples are in the frame. Zeros at `start` count.
-  FreeEventSearch(const FreeRotation& motion, const Frame& frame, std::vector<Event> events,
-                  double start);
-
-  double t() const { return t_; }  // how far it has come: where it cannot go on, up to there
-  // On towards `until`, by some turns at most.
-  SystemWatch::Found advance(double until);
-  // A zero where it has come to.
-  SystemWatch::Found finish() { return watch_.finish(); }
-  // Why it cannot go on; empty where it can.
-  const std::string& refusal() const { return watch_.refusal(); }
-  Sample sample(double t) const;
-  void serialize(Archive& bytes) {
-    bytes(t_);
-    watch_.serialize(bytes);
-  }
-
- private:
-  FreeRotation motion_;
-  System system_;
-  SystemWatch watch_;
-  double t_;
-};
 
 }  // namespace detail
 }  // namespace v0

@@ -35,6 +35,15 @@ std::string too_many_looks_text(const std::string& event, double interval, doubl
 //   static State near(const State& to, State s)
 //     the same state in that of its forms which is nearer: q and -q are one attitude;
 //   serialize, evaluations: of the terms, so far.
+template <class Motion, MotionState S = typename Motion::State>
+double time_between_looks(const Motion& motion, const std::vector<BasicEvent<S>>& events,
+                          const BasicSample<S>& from, bool forward) {
+  double least = time_between_looks(motion.turning_rate(from, forward));
+  for (const auto& event : events)
+    if (event.interval > 0.0) least = std::fmin(least, event.interval);
+  return least;
+}
+
 template <class Motion>
 class EventWatch {
  public:
@@ -80,13 +89,6 @@ class EventWatch {
     return in_order<State>(met, true);
   }
 
-  // Between two looks from a state on.
-  double interval(const Sample& from, bool forward) const {
-    double least = time_between_looks(motion_.turning_rate(from, forward));
-    for (const auto& event : events_)
-      if (event.interval > 0.0) least = std::fmin(least, event.interval);
-    return least;
-  }
   // Why the run cannot go on: an event is NaN, or a step would need too many looks; else empty.
   const std::string& refusal() const { return refusal_; }
   // Up to where events are known.
@@ -196,7 +198,8 @@ auto EventWatch<Motion>::search(const Dense& inside, const Dense& step, const Sa
   const double t0 = last_.t, h = end.t - t0;
   const bool forward = h >= 0.0;
   reached_ = t0;
-  const double apart = std::fmin(interval(last_, forward), interval(end, !forward));
+  const double apart = std::fmin(time_between_looks(motion_, events_, last_, forward),
+                                 time_between_looks(motion_, events_, end, !forward));
   const double n = std::fmax(intervals, std::ceil(std::fabs(h) / apart));
   if (are_too_many_looks(n)) {
     refuse_looks(end.t);

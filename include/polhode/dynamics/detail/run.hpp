@@ -173,7 +173,7 @@ class Run {
       const auto found = watch_.search(*stepper_->inside(), *dense, end, stepper_->intervals());
       keep(found.records);
       stopped_ = found.stops;
-      if (!stopped_ && refused()) return false;
+      if (!stopped_ && refused()) return ended_at_last_look(*dense);
       if (stopped_) end = {found.records.back().t, found.records.back().s};
     }
     if (keep_dense_) parts_.dense.push_back(dense);
@@ -181,6 +181,16 @@ class Run {
                                   (samples_.keeps_every_step() ? sizeof(Sample) : 0));
     end_ = end;
     return samples_of_step(dense.get());
+  }
+
+  // An event is not known beyond its last look: the run ends there.
+  bool ended_at_last_look(const Dense& step) {
+    const double t = watch_.reached();
+    if (t == step.t0()) return false;
+    end_ = step.sample(t);
+    samples_.step(&step, end_, {});
+    parts_.outcome.t = t;
+    return false;
   }
 
   // Where every sample is the end of a step, other steps need not say their state.

@@ -41,6 +41,7 @@ struct NoEvents {
   }
   Found finish() { return {}; }
   std::string refusal() const { return {}; }
+  static double reached() { return 0.0; }
   static std::int64_t evaluations() { return 0; }
   void serialize(Archive&) {}
 };

@@ -2,8 +2,11 @@
 // The samples of a run: which times are due in a step, gathered into blocks for a sink.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -73,10 +76,19 @@ class SampleQueue {
   void step(const BasicDenseStep<S>* dense, const BasicSample<S>& end, const Progress& progress) {
     if (!times_.is_given()) return push(end);
     while (times_.is_due(end.t)) {
-      const double t = times_.due();
-      push(t == end.t ? end : dense->sample(t));
-      times_.pass();
-      if (progress && times_.is_before(t, end.t)) progress(t);
+      if (times_.due() == end.t) {
+        push(end);
+        times_.pass();
+        continue;
+      }
+      std::array<double, samples_at_once> t;
+      std::array<BasicSample<S>, samples_at_once> found;
+      std::size_t count = 0;
+      for (; count < room() && times_.is_due(end.t) && times_.due() != end.t; times_.pass())
+        t[count++] = times_.due();
+      dense->samples(std::span(t).first(count), std::span(found).first(count));
+      for (std::size_t k = 0; k < count; ++k) push(found[k]);
+      if (progress && times_.is_before(t[count - 1], end.t)) progress(t[count - 1]);
     }
   }
   // One more sample where an event has stopped the run, unless it is there.
@@ -98,6 +110,9 @@ class SampleQueue {
 
  private:
   static constexpr std::size_t samples_per_block = 1024;
+  static constexpr std::size_t samples_at_once = 64;
+
+  std::size_t room() const { return std::min(samples_at_once, samples_per_block - block_.size()); }
 
   void push(const BasicSample<S>& sample) {
     latest_ = sample.t;
