@@ -87,8 +87,7 @@ ChaosIndicator chaos_indicator(const Problem& given, const SaveAt& samples,
       },
       carrying);
   for (const BasicSample<DeviatedState>& at : run.samples())
-    result.samples.push_back(detail::sample_of(at.t, std::abs(at.t - problem.start), at.s.growth,
-                                               at.s.growth_integral, at.s.megno_integral));
+    result.samples.push_back(detail::sample_of(at.t, std::abs(at.t - problem.start), at.s.extra));
   result.outcome = run.outcome();
   result.statistics = run.statistics();
   return result;

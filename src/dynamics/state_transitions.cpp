@@ -36,7 +36,7 @@ std::vector<TransitionSample> state_transitions(const Problem& problem, const Sa
   if (!run.outcome().ok()) throw DomainError("state_transitions: " + run.outcome().advice);
   std::vector<TransitionSample> rows;
   for (const BasicSample<TransitionState>& at : run.samples())
-    rows.push_back({at.t, at.s.rotor, at.s.transition});
+    rows.push_back({at.t, at.s.rotor, at.s.extra});
   return rows;
 }
 

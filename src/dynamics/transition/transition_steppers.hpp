@@ -7,12 +7,23 @@
 #include <string>
 #include <variant>
 
+#include "dynamics/augmented.hpp"
 #include "dynamics/steppers.hpp"
 #include "polhode/dynamics/method.hpp"
 #include "polhode/math/matrix6.hpp"
 
 namespace polhode {
 inline namespace v0 {
+
+template <class Visit>
+void each_number(Matrix6& M, Visit&& visit) {
+  for (auto& row : M.a)
+    for (double& x : row) visit(x);
+}
+
+// A rotor with the derivative of its state by that of the start.
+using TransitionState = Augmented<Matrix6>;
+
 namespace detail {
 
 // What carries derivatives of a motion, in double: the method of a problem, or one that makes the
@@ -23,29 +34,6 @@ using DerivativeMethod = std::variant<Adaptive, Splitting, Collocation>;
 // a method from outside, which knows states alone.
 DerivativeMethod derivative_method(const std::string& function, const std::string& what,
                                    const Method& method);
-
-}  // namespace detail
-
-// A rotor with the derivative of its state by that of the start, and the methods that step it.
-struct TransitionState {
-  RotorState rotor;
-  Matrix6 transition;
-
-  constexpr bool operator==(const TransitionState&) const = default;
-};
-
-template <class Visit>
-void each_number(TransitionState& s, Visit&& visit) {
-  each_number(s.rotor, visit);
-  for (auto& row : s.transition.a)
-    for (double& x : row) visit(x);
-}
-
-namespace detail {
-
-// Why a run with derivatives ends at a jump of a torque that the state decides.
-inline constexpr const char* no_transition_at_jump =
-    "its transition matrix is not known; take differences of runs";
 
 std::unique_ptr<BasicStepper<TransitionState>> transition_stepper(const Problem& problem,
                                                                   const Adaptive& method);
