@@ -6,13 +6,14 @@
 #include <cmath>
 #include <memory>
 #include <utility>
+#include <variant>
 
 #include "analysis/detail/deviated_state.hpp"
 #include "dynamics/adaptive/adaptive_stepper.hpp"
 #include "dynamics/augmented.hpp"
 #include "dynamics/collocation/collocation_stepper.hpp"
 #include "dynamics/collocation/variational_stages.hpp"
-#include "system/variational_equations.hpp"
+#include "system/moving_setting.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -42,8 +43,7 @@ class Variational {
   static constexpr double reach = linear_reach;
   using Values = std::array<double, 16>;
 
-  Variational(const System& system, double momentum_scale)
-      : equations_(system), scale_(momentum_scale) {}
+  Variational(const System&, double momentum_scale) : scale_(momentum_scale) {}
 
   Deviation deviation(const Values& y) const { return {{y[7], y[8], y[9]}, {y[10], y[11], y[12]}}; }
   void put(Values& y, const Deviation& d) const {
@@ -54,18 +54,31 @@ class Variational {
   double error_size(const Values& error, const Values& y, const Values&) const {
     return length(deviation(error)) / length(deviation(y));
   }
-  Values rates(const RotorField<double>&, const DoubleDouble& t, const Values& y,
+  // theta' = dw + theta x w, dg' = dg x w + g x dw + du; the frame turns both attitudes alike.
+  Values rates(const RotorField<double>& rotor, const DoubleDouble& t, const Values& y,
                const SwitchSides* sides) const {
+    const System& system = rotor.system();
+    const RotorState s = rotor_state<double>(y);
     const Deviation d = deviation(y);
-    const auto [r, along] =
-        equations_(t, rotor_state<double>(y), {d.turn, scale_ * d.momentum}, sides);
+    const Vec3 dg = scale_ * d.momentum;
+    Setting at = rotor.equations().setting(t, s);
+    const bool inertial = system.frame().is_inertial();
+    const FrameMotion frame = inertial ? FrameMotion{} : rotor.equations().frame_motion(t);
+    at.q_IS = frame.q_IS;
+    const BasicEffect<Tangent> sum = sum_of_terms(system, moving_along(at, {d.turn, dg}), sides);
+    const Effect e{value_of(sum.v), value_of(sum.u)};
+    const Vec3& I = system.body().moments();
+    const Vec3 w0{s.g.x / I.x, s.g.y / I.y, s.g.z / I.z}, w = w0 + e.v;
+    const Vec3 dw = Vec3{dg.x / I.x, dg.y / I.y, dg.z / I.z} + slope_of(sum.v);
+    RotorRates r = inertial_rates(s, w0, e);
+    if (!inertial) r = relative_rates(r, s.q, frame.mu_S);
     Values f{r.q.w, r.q.x, r.q.y, r.q.z, r.g.x, r.g.y, r.g.z};
-    put(f, {along.turn, (1.0 / scale_) * along.momentum});
+    put(f, {dw + cross(d.turn, w),
+            (1.0 / scale_) * (cross(dg, w) + cross(s.g, dw) + slope_of(sum.u))});
     return f;
   }
 
  private:
-  VariationalEquations equations_;
   double scale_;
 };
 
@@ -312,21 +325,19 @@ std::unique_ptr<BasicStepper<DeviatedState>> stepper_by(const Problem& problem,
 }  // namespace
 
 std::unique_ptr<BasicStepper<DeviatedState>> deviation_stepper(const Problem& problem,
-                                                               const Adaptive& method,
                                                                const ChaosOptions& options,
                                                                DeviationBy by) {
-  if (by == DeviationBy::variational) return stepper_by<Variational>(problem, method, options, 1.0);
-  return stepper_by<Neighbour>(problem, method, options, options.distance);
-}
-
-std::unique_ptr<BasicStepper<DeviatedState>> deviation_stepper(const Problem& problem,
-                                                               const Collocation& method,
-                                                               const ChaosOptions& options,
-                                                               DeviationBy by) {
-  if (by == DeviationBy::variational)
-    return stepper_by<VariationalStages<DeviationField<Column>, 1, 3>>(problem, method, options,
-                                                                       1.0);
-  return stepper_by<NeighbourStages>(problem, method, options, options.distance);
+  if (const auto* const method = std::get_if<Splitting>(&problem.method))
+    return splitting_deviation(problem, *method, options, by);
+  const bool is_linear = by == DeviationBy::variational;
+  if (const auto* const method = std::get_if<Collocation>(&problem.method)) {
+    using Linear = VariationalStages<DeviationField<Column>, 1, 3>;
+    return is_linear ? stepper_by<Linear>(problem, *method, options, 1.0)
+                     : stepper_by<NeighbourStages>(problem, *method, options, options.distance);
+  }
+  const Adaptive& method = std::get<Adaptive>(problem.method);
+  return is_linear ? stepper_by<Variational>(problem, method, options, 1.0)
+                   : stepper_by<Neighbour>(problem, method, options, options.distance);
 }
 
 }  // namespace detail

@@ -41,13 +41,10 @@ class DeviationMap {
     State to = from;
     SplittingState& motion = to;
     if (by_ == DeviationBy::variational) {
-      const Vec3 dg = scale_ * from.deviation.momentum;
-      const Vec3& turn = from.deviation.turn;
-      const DeviationStep step =
-          map_.step_deviation(from, {turn.x, turn.y, turn.z, dg.x, dg.y, dg.z}, h);
-      const std::array<double, 6>& x = step.x;
+      const Deviation& d = from.deviation;
+      const DeviationStep step = map_.step_deviation(from, {d.turn, scale_ * d.momentum}, h);
       motion = step.end;
-      to.deviation = {{x[0], x[1], x[2]}, (1.0 / scale_) * Vec3{x[3], x[4], x[5]}};
+      to.deviation = {step.along.turn, (1.0 / scale_) * step.along.momentum};
     } else {
       motion = map_.stepped(from, h);
       to.neighbour->t = from.t;
@@ -120,10 +117,10 @@ class DeviationMap {
 
 }  // namespace
 
-std::unique_ptr<BasicStepper<DeviatedState>> deviation_stepper(const Problem& problem,
-                                                               const Splitting& method,
-                                                               const ChaosOptions& options,
-                                                               DeviationBy by) {
+std::unique_ptr<BasicStepper<DeviatedState>> splitting_deviation(const Problem& problem,
+                                                                 const Splitting& method,
+                                                                 const ChaosOptions& options,
+                                                                 DeviationBy by) {
   DeviationMap map(problem, method.scheme, options, by);
   const DeviationOfSplitting start = map.start(problem.initial, options.deviation);
   return std::make_unique<FixedStepper<DeviationMap>>(std::move(map), start, method.step);

@@ -83,19 +83,15 @@ inline ChaosSample sample_of(double t, double elapsed, const GrownDeviation& d) 
 inline constexpr const char* unknown_jump =
     "how a deviation crosses that is not known; take differences of runs";
 
-// `options` have a scale of momentum, and a deviation that is not zero.
+// For a problem whose method carries derivatives (transition_steppers.hpp). `options` have a scale
+// of momentum, and a deviation that is not zero.
 std::unique_ptr<BasicStepper<DeviatedState>> deviation_stepper(const Problem& problem,
-                                                               const Adaptive& method,
                                                                const ChaosOptions& options,
                                                                DeviationBy by);
-std::unique_ptr<BasicStepper<DeviatedState>> deviation_stepper(const Problem& problem,
-                                                               const Splitting& method,
-                                                               const ChaosOptions& options,
-                                                               DeviationBy by);
-std::unique_ptr<BasicStepper<DeviatedState>> deviation_stepper(const Problem& problem,
-                                                               const Collocation& method,
-                                                               const ChaosOptions& options,
-                                                               DeviationBy by);
+std::unique_ptr<BasicStepper<DeviatedState>> splitting_deviation(const Problem& problem,
+                                                                 const Splitting& method,
+                                                                 const ChaosOptions& options,
+                                                                 DeviationBy by);
 
 }  // namespace detail
 

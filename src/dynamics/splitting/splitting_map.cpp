@@ -13,7 +13,6 @@
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
 #include "polhode/free/free_rotation.hpp"
-#include "system/variational_equations.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -272,38 +271,35 @@ Matrix6 SplittingMap::step_transition(SplittingState s, double h) const {
 }
 
 // A turn of the start turns the whole arc; what a change of the momentum does is ShortFlow's.
-void SplittingMap::deviate_by_drift(const SplittingState& s, double h, Vec3& turn, Vec3& dg) const {
+HubDirection SplittingMap::after_drift(const HubDirection& d, const SplittingState& s,
+                                       double h) const {
   const Vec3 g = is_at_rest(s, h) ? Vec3{} : s.g.hi;
   const Quaternion arc = free_.plain(g, h).turn;
-  const FlowTangent<double> change = free_.tangent(g, dg, h, arc);
-  turn = rotate(conj(arc), turn) + change.attitude;
-  dg = change.momentum;
+  const FlowTangent<double> change = free_.tangent(g, d.momentum, h, arc);
+  return {rotate(conj(arc), d.turn) + change.attitude, change.momentum};
 }
 
-void SplittingMap::deviate_by_kick(const SplittingState& s, double h, const Vec3& turn,
-                                   Vec3& dg) const {
+HubDirection SplittingMap::after_kick(HubDirection d, const SplittingState& s, double h) const {
   const Setting at = setting(s, system_.frame().at(s.t.hi).q_IS);
-  const BasicSetting<Tangent> moving = moving_along(at, {turn, {}});
-  for (const AnyPerturbation& term : kicks_) {
-    dg = dg + h * slope_of(term.effect(moving).u);
-  }
+  const BasicSetting<Tangent> moving = moving_along(at, {d.turn, {}});
+  for (const AnyPerturbation& term : kicks_)
+    d.momentum = d.momentum + h * slope_of(term.effect(moving).u);
+  return d;
 }
 
-DeviationStep SplittingMap::step_deviation(SplittingState s, std::array<double, 6> x,
-                                           double h) const {
+DeviationStep SplittingMap::step_deviation(SplittingState s, HubDirection d, double h) const {
   require_kicks();
-  Vec3 turn{x[0], x[1], x[2]}, dg{x[3], x[4], x[5]};
   each_part(
       coefficients_, h,
       [&](const TwoTerms<double>& time) {
-        deviate_by_drift(s, time.hi, turn, dg);
+        d = after_drift(d, s, time.hi);
         drift(s, time);
       },
       [&](double part) {
-        deviate_by_kick(s, part, turn, dg);
+        d = after_kick(d, s, part);
         kick(s, part);
       });
-  return {std::move(s), {turn.x, turn.y, turn.z, dg.x, dg.y, dg.z}};
+  return {std::move(s), d};
 }
 
 std::string StepJumps::seen(const SplittingMap& map, const SplittingState& from,

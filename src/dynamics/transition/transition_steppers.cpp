@@ -25,20 +25,20 @@ struct InItsPlace {
   const std::string& function;
   const std::string& what;
 
-  DerivativeMethod operator()(Adaptive method) const {
+  Method operator()(Adaptive method) const {
     if (method.tolerance < 1e-15)
       throw DomainError(function + ": tolerance " + number_text(method.tolerance) +
                         " must be from 1e-15: " + what + " are carried in double");
     method.precision = Precision::compensated;
     return method;
   }
-  DerivativeMethod operator()(const Splitting& method) const { return method; }
+  Method operator()(const Splitting& method) const { return method; }
   // The motion is the same to the tolerance; its variational equations need no constants.
-  DerivativeMethod operator()(const VariationOfConstants& method) const {
+  Method operator()(const VariationOfConstants& method) const {
     return Adaptive{.tolerance = method.tolerance, .largest_step = method.largest_step};
   }
-  DerivativeMethod operator()(const Collocation& method) const { return method; }
-  DerivativeMethod operator()(const CustomMethod& method) const {
+  Method operator()(const Collocation& method) const { return method; }
+  Method operator()(const CustomMethod& method) const {
     throw DomainError(function + ": method \"" + method.traits.kind + "\" carries no " + what +
                       ": take Adaptive, Collocation, Splitting or VariationOfConstants");
   }
@@ -106,29 +106,24 @@ class TransitionMap {
 
 }  // namespace
 
-DerivativeMethod derivative_method(const std::string& function, const std::string& what,
-                                   const Method& method) {
+Method derivative_method(const std::string& function, const std::string& what,
+                         const Method& method) {
   return std::visit(InItsPlace{function, what}, method);
 }
 
-std::unique_ptr<BasicStepper<TransitionState>> transition_stepper(const Problem& problem,
-                                                                  const Adaptive& method) {
-  return switching_stepper(std::make_shared<const TransitionField>(problem.system), problem.start,
-                           TransitionField::start(problem.initial), method, no_transition_at_jump);
-}
-
-std::unique_ptr<BasicStepper<TransitionState>> transition_stepper(const Problem& problem,
-                                                                  const Collocation& method) {
-  return collocation_stepper<VariationalStages<TransitionField, 6>>(
-      std::make_shared<const TransitionField>(problem.system), problem.start,
-      TransitionField::start(problem.initial), method, no_transition_at_jump);
-}
-
-std::unique_ptr<BasicStepper<TransitionState>> transition_stepper(const Problem& problem,
-                                                                  const Splitting& method) {
-  TransitionMap map(SplittingMap(problem.system, method.scheme));
-  const TransitionMap::State start = map.start(problem.start, problem.initial);
-  return std::make_unique<FixedStepper<TransitionMap>>(std::move(map), start, method.step);
+std::unique_ptr<BasicStepper<TransitionState>> transition_stepper(const Problem& problem) {
+  if (const auto* const method = std::get_if<Splitting>(&problem.method)) {
+    TransitionMap map(SplittingMap(problem.system, method->scheme));
+    const TransitionMap::State start = map.start(problem.start, problem.initial);
+    return std::make_unique<FixedStepper<TransitionMap>>(std::move(map), start, method->step);
+  }
+  auto field = std::make_shared<const TransitionField>(problem.system);
+  const TransitionField::Values start = TransitionField::start(problem.initial);
+  if (const auto* const method = std::get_if<Collocation>(&problem.method))
+    return collocation_stepper<VariationalStages<TransitionField, 6>>(
+        std::move(field), problem.start, start, *method, no_transition_at_jump);
+  return switching_stepper(std::move(field), problem.start, start,
+                           std::get<Adaptive>(problem.method), no_transition_at_jump);
 }
 
 }  // namespace detail

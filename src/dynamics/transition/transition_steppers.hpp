@@ -5,7 +5,6 @@
 
 #include <memory>
 #include <string>
-#include <variant>
 
 #include "dynamics/augmented.hpp"
 #include "dynamics/steppers.hpp"
@@ -27,20 +26,14 @@ using TransitionState = Augmented<Matrix6>;
 namespace detail {
 
 // What carries derivatives of a motion, in double: the method of a problem, or one that makes the
-// same motion to the same tolerance.
-using DerivativeMethod = std::variant<Adaptive, Splitting, Collocation>;
+// same motion to the same tolerance; Adaptive, Collocation or Splitting. `what` is carried.
+// DomainError of `function` for a tolerance that double does not reach, and for a method from
+// outside, which knows states alone.
+Method derivative_method(const std::string& function, const std::string& what,
+                         const Method& method);
 
-// `what` is carried. DomainError of `function` for a tolerance that double does not reach, and for
-// a method from outside, which knows states alone.
-DerivativeMethod derivative_method(const std::string& function, const std::string& what,
-                                   const Method& method);
-
-std::unique_ptr<BasicStepper<TransitionState>> transition_stepper(const Problem& problem,
-                                                                  const Adaptive& method);
-std::unique_ptr<BasicStepper<TransitionState>> transition_stepper(const Problem& problem,
-                                                                  const Collocation& method);
-std::unique_ptr<BasicStepper<TransitionState>> transition_stepper(const Problem& problem,
-                                                                  const Splitting& method);
+// For a problem with such a method.
+std::unique_ptr<BasicStepper<TransitionState>> transition_stepper(const Problem& problem);
 
 }  // namespace detail
 
