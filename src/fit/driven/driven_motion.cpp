@@ -22,8 +22,7 @@ inline namespace v0 {
 namespace detail {
 
 std::vector<DrivenLeg> driven_legs(std::span<const double> times, double t0,
-                                   const std::vector<SpinJump>& jumps,
-                                   const std::vector<AnyPerturbation>& terms) {
+                                   const std::vector<SpinJump>& jumps) {
   std::vector<DrivenLeg> legs;
   for (const double side : {1.0, -1.0}) {
     // A jump acts just after its time: at t0 on the way forwards.
@@ -42,15 +41,7 @@ std::vector<DrivenLeg> driven_legs(std::span<const double> times, double t0,
       // Forwards what is seen at its time is before it, backwards too, which is after undoing it.
       if (is_here(t) && (side > 0.0 ? t < last : -t <= last)) ends.emplace_back(side * t, j);
     }
-    for (const AnyPerturbation& term : terms) {
-      for (const double t : term.breakpoints()) {
-        if (side * t > side * t0 && side * t < last) ends.emplace_back(side * t, std::nullopt);
-      }
-    }
-    // At one time: backwards first the jumps, so that no leg with its observations comes before.
-    std::ranges::sort(ends, {}, [&](const auto& end) {
-      return std::tuple(end.first, side < 0.0 && !end.second, end.second);
-    });
+    std::ranges::sort(ends);
     ends.emplace_back(last, std::nullopt);
     double from = side * t0;
     std::size_t next = 0;
@@ -222,7 +213,7 @@ SpinState DrivenMotion::shown(const RotorState& s) const {
 
 std::optional<std::vector<MovedPoint>> DrivenMotion::at(
     std::span<const double> times, std::span<const DrivenColumn> columns) const {
-  const std::vector<DrivenLeg> legs = driven_legs(times, start_.t0, drive_.jumps, system_.terms());
+  const std::vector<DrivenLeg> legs = driven_legs(times, start_.t0, drive_.jumps);
   const Wanted wanted(times);
   std::vector<MovedPoint> points(times.size());
   const bool went = walk(
@@ -338,7 +329,7 @@ std::optional<SpinState> DrivenMotion::after_jumps() const {
   // To just after the last jump, and back without any.
   RotorState s = initial_;
   const std::vector<double> beyond{std::nextafter(last, std::numeric_limits<double>::infinity())};
-  std::vector<DrivenLeg> legs = driven_legs(beyond, start_.t0, drive_.jumps, system_.terms());
+  std::vector<DrivenLeg> legs = driven_legs(beyond, start_.t0, drive_.jumps);
   legs.pop_back();
   const auto run = [&](const RotorState& from, const DrivenLeg& leg) {
     auto samples =
