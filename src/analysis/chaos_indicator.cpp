@@ -68,9 +68,7 @@ double ChaosIndicator::lyapunov_time() const { return 1.0 / lyapunov(); }
 ChaosIndicator chaos_indicator(const Problem& given, const SaveAt& samples,
                                const ChaosOptions& given_options, const Progress& progress) {
   Problem problem = detail::checked_problem(function_name, given, detail::DamperState::refused);
-  const detail::DerivativeMethod carrying =
-      detail::derivative_method(function_name, "deviations", problem.method);
-  problem.method = std::visit([](const auto& method) { return Method(method); }, carrying);
+  problem.method = detail::derivative_method(function_name, "deviations", problem.method);
   const ChaosOptions options = checked(problem, given_options);
   ChaosIndicator result;
   result.by = kind_of(problem, options.neighbour);
@@ -80,15 +78,11 @@ ChaosIndicator chaos_indicator(const Problem& given, const SaveAt& samples,
                                          ? ", variational equations"
                                          : ", a second motion at " + number_text(options.distance));
   const std::vector<double> times = detail::sample_times(function_name, problem, samples);
-  const BasicTrajectory<DeviatedState> run = std::visit(
-      [&]<class M>(const M& method) {
-        return detail::sampled_run(detail::deviation_stepper(problem, method, options, result.by),
-                                   result.method, times, progress, detail::steps_to_samples<M>);
-      },
-      carrying);
+  const BasicTrajectory<DeviatedState> run =
+      detail::sampled_run(detail::deviation_stepper(problem, options, result.by), result.method,
+                          times, progress, detail::steps_to_samples(problem.method));
   for (const BasicSample<DeviatedState>& at : run.samples())
-    result.samples.push_back(detail::sample_of(at.t, std::abs(at.t - problem.start), at.s.growth,
-                                               at.s.growth_integral, at.s.megno_integral));
+    result.samples.push_back(detail::sample_of(at.t, std::abs(at.t - problem.start), at.s.extra));
   result.outcome = run.outcome();
   result.statistics = run.statistics();
   return result;

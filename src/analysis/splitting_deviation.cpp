@@ -16,12 +16,8 @@ namespace detail {
 namespace {
 
 // The motion, its deviation of length one (or a neighbour), and what has grown.
-struct DeviationOfSplitting : SplittingState {
-  Deviation deviation;
+struct DeviationOfSplitting : SplittingState, GrownDeviation {
   std::optional<SplittingState> neighbour = {};  // where the deviation is that to it
-  double growth = 0.0;                           // L
-  double integral = 0.0;                         // of L
-  double megno_total = 0.0;                      // integral of Y
 };
 
 class DeviationMap {
@@ -39,19 +35,16 @@ class DeviationMap {
         jumps_(problem.system, unknown_jump) {}
 
   State start(const RotorState& s, const Deviation& deviation) const {
-    return brought_back({map_.start(start_, s), deviation});
+    return brought_back({map_.start(start_, s), {deviation}});
   }
   State stepped(const State& from, double h) const {
     State to = from;
     SplittingState& motion = to;
     if (by_ == DeviationBy::variational) {
-      const Vec3 dg = scale_ * from.deviation.momentum;
-      const Vec3& turn = from.deviation.turn;
-      const DeviationStep step =
-          map_.step_deviation(from, {turn.x, turn.y, turn.z, dg.x, dg.y, dg.z}, h);
-      const std::array<double, 6>& x = step.x;
+      const Deviation& d = from.deviation;
+      const DeviationStep step = map_.step_deviation(from, {d.turn, scale_ * d.momentum}, h);
       motion = step.end;
-      to.deviation = {{x[0], x[1], x[2]}, (1.0 / scale_) * Vec3{x[3], x[4], x[5]}};
+      to.deviation = {step.along.turn, (1.0 / scale_) * step.along.momentum};
     } else {
       motion = map_.stepped(from, h);
       to.neighbour->t = from.t;
@@ -63,16 +56,14 @@ class DeviationMap {
     // trapezoids: of a function without a trend over equal steps they converge as fast as the
     // function is smooth
     const double half = 0.5 * std::abs(h);
-    to.integral = from.integral + half * (from.growth + to.growth);
-    to.megno_total =
-        from.megno_total + half * (megno(from.growth, from.integral, elapsed(from)) +
-                                   megno(to.growth, to.integral, elapsed(from) + std::abs(h)));
+    to.growth_integral = from.growth_integral + half * (from.growth + to.growth);
+    to.megno_integral = from.megno_integral +
+                        half * (megno(from.growth, from.growth_integral, elapsed(from)) +
+                                megno(to.growth, to.growth_integral, elapsed(from) + std::abs(h)));
     return to;
   }
 
-  Shown state(const State& at) const {
-    return {map_.state(at), at.deviation, at.growth, at.integral, at.megno_total};
-  }
+  Shown state(const State& at) const { return {map_.state(at), at}; }
   std::string obstacle(const State& from, double h) const { return map_.obstacle(from, h); }
   std::string failure(const State& from, const State& to) {
     std::string why = map_.failure(from, to);
@@ -85,7 +76,7 @@ class DeviationMap {
   static std::int64_t evaluations(const State& at, std::int64_t) { return at.evaluations; }
   static void serialize(Archive& bytes, State& at) {
     SplittingMap::serialize(bytes, at);
-    bytes.all(at.deviation.turn, at.deviation.momentum, at.growth, at.integral, at.megno_total);
+    each_number(static_cast<GrownDeviation&>(at), bytes);
     if (at.neighbour) SplittingMap::serialize(bytes, *at.neighbour);
   }
   void serialize(Archive& bytes) { jumps_.serialize(bytes); }
@@ -126,10 +117,10 @@ class DeviationMap {
 
 }  // namespace
 
-std::unique_ptr<BasicStepper<DeviatedState>> deviation_stepper(const Problem& problem,
-                                                               const Splitting& method,
-                                                               const ChaosOptions& options,
-                                                               DeviationBy by) {
+std::unique_ptr<BasicStepper<DeviatedState>> splitting_deviation(const Problem& problem,
+                                                                 const Splitting& method,
+                                                                 const ChaosOptions& options,
+                                                                 DeviationBy by) {
   DeviationMap map(problem, method.scheme, options, by);
   const DeviationOfSplitting start = map.start(problem.initial, options.deviation);
   return std::make_unique<FixedStepper<DeviationMap>>(std::move(map), start, method.step);

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "polhode/dynamics/detail/run.hpp"
@@ -16,10 +17,9 @@ namespace polhode {
 inline namespace v0 {
 namespace detail {
 
-template <class Method>
-inline constexpr bool steps_to_samples = false;
-template <>
-inline constexpr bool steps_to_samples<Adaptive> = true;
+inline bool steps_to_samples(const Method& method) {
+  return std::holds_alternative<Adaptive>(method);
+}
 
 // The stepper is at the start; times run from there in the direction of the run.
 template <MotionState S>

@@ -23,20 +23,17 @@ void require_terms(const Problem& problem) {
 std::vector<TransitionSample> state_transitions(const Problem& problem, const SaveAt& samples,
                                                 const Progress& progress) {
   require_terms(problem);
-  const Problem checked =
+  Problem checked =
       detail::checked_problem("state_transitions", problem, detail::DamperState::refused);
   const std::vector<double> times = detail::sample_times("state_transitions", checked, samples);
-  const BasicTrajectory<TransitionState> run = std::visit(
-      [&]<class M>(const M& method) {
-        return detail::sampled_run(detail::transition_stepper(checked, method),
-                                   method_text(checked.method), times, progress,
-                                   detail::steps_to_samples<M>);
-      },
-      detail::derivative_method("state_transitions", "derivatives", checked.method));
+  checked.method = detail::derivative_method("state_transitions", "derivatives", checked.method);
+  const BasicTrajectory<TransitionState> run =
+      detail::sampled_run(detail::transition_stepper(checked), method_text(checked.method), times,
+                          progress, detail::steps_to_samples(checked.method));
   if (!run.outcome().ok()) throw DomainError("state_transitions: " + run.outcome().advice);
   std::vector<TransitionSample> rows;
   for (const BasicSample<TransitionState>& at : run.samples())
-    rows.push_back({at.t, at.s.rotor, at.s.transition});
+    rows.push_back({at.t, at.s.rotor, at.s.extra});
   return rows;
 }
 

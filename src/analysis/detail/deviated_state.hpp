@@ -6,6 +6,7 @@
 #include <cmath>
 #include <memory>
 
+#include "dynamics/augmented.hpp"
 #include "dynamics/steppers.hpp"
 #include "math/finite.hpp"
 #include "polhode/analysis/chaos_indicator.hpp"
@@ -50,51 +51,47 @@ inline double megno(double growth, double integral, double elapsed) {
   return elapsed > 0.0 ? 2.0 * (growth - integral / elapsed) : 0.0;
 }
 
-inline ChaosSample sample_of(double t, double elapsed, double growth, double integral,
-                             double megno_integral) {
-  if (!(elapsed > 0.0)) return {t, growth, 0.0, 0.0, 0.0};
-  return {t, growth, growth / elapsed, megno(growth, integral, elapsed), megno_integral / elapsed};
-}
-
 }  // namespace detail
 
-struct DeviatedState {
-  RotorState rotor;
+struct GrownDeviation {
   Deviation deviation;  // brought back to its length from time to time
   double growth = 0.0;  // L, of all of it
   double growth_integral = 0.0;
   double megno_integral = 0.0;  // of Y
 
-  constexpr bool operator==(const DeviatedState&) const = default;
+  constexpr bool operator==(const GrownDeviation&) const = default;
 };
 
 template <class Visit>
-void each_number(DeviatedState& s, Visit&& visit) {
-  each_number(s.rotor, visit);
-  for (Vec3* v : {&s.deviation.turn, &s.deviation.momentum})
+void each_number(GrownDeviation& d, Visit&& visit) {
+  for (Vec3* v : {&d.deviation.turn, &d.deviation.momentum})
     for (double* x : {&v->x, &v->y, &v->z}) visit(*x);
-  for (double* x : {&s.growth, &s.growth_integral, &s.megno_integral}) visit(*x);
+  for (double* x : {&d.growth, &d.growth_integral, &d.megno_integral}) visit(*x);
 }
 
+using DeviatedState = Augmented<GrownDeviation>;
+
 namespace detail {
+
+inline ChaosSample sample_of(double t, double elapsed, const GrownDeviation& d) {
+  if (!(elapsed > 0.0)) return {t, d.growth, 0.0, 0.0, 0.0};
+  return {t, d.growth, d.growth / elapsed, megno(d.growth, d.growth_integral, elapsed),
+          d.megno_integral / elapsed};
+}
 
 // Why a run with a deviation ends at a jump of a torque that the state decides.
 inline constexpr const char* unknown_jump =
     "how a deviation crosses that is not known; take differences of runs";
 
-// `options` have a scale of momentum, and a deviation that is not zero.
+// For a problem whose method carries derivatives (transition_steppers.hpp). `options` have a scale
+// of momentum, and a deviation that is not zero.
 std::unique_ptr<BasicStepper<DeviatedState>> deviation_stepper(const Problem& problem,
-                                                               const Adaptive& method,
                                                                const ChaosOptions& options,
                                                                DeviationBy by);
-std::unique_ptr<BasicStepper<DeviatedState>> deviation_stepper(const Problem& problem,
-                                                               const Splitting& method,
-                                                               const ChaosOptions& options,
-                                                               DeviationBy by);
-std::unique_ptr<BasicStepper<DeviatedState>> deviation_stepper(const Problem& problem,
-                                                               const Collocation& method,
-                                                               const ChaosOptions& options,
-                                                               DeviationBy by);
+std::unique_ptr<BasicStepper<DeviatedState>> splitting_deviation(const Problem& problem,
+                                                                 const Splitting& method,
+                                                                 const ChaosOptions& options,
+                                                                 DeviationBy by);
 
 }  // namespace detail
 

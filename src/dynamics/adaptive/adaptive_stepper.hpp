@@ -60,17 +60,26 @@ class SwitchingSteps {
 template <class Field>
 using SwitchingStepper = AdaptiveStepper<Field, SwitchingSteps>;
 
-// The stepper of Adaptive for a problem of a System, of a field with a damper or without. Each is
-// made in a source of its own: next to the other, the compiler takes less of the inner loop in
-// line.
+// The stepper of Adaptive for a field of a System, from its numbers at a time. `jumps`: see
+// SwitchWatch.
+template <class Field>
+std::unique_ptr<BasicStepper<typename Field::State>> switching_stepper(
+    std::shared_ptr<const Field> field, double start, const typename Field::Values& y,
+    const Adaptive& method, const char* jumps = nullptr) {
+  const System& system = field->system();
+  const StepControl control = step_control(system, start, method);
+  return std::make_unique<SwitchingStepper<Field>>(std::move(field), SwitchingSteps(system, jumps),
+                                                   start, y, control);
+}
+
+// The same of a field with a damper or without. Each is made in a source of its own: next to the
+// other, the compiler takes less of the inner loop in line.
 template <template <class> class Field>
 std::unique_ptr<Stepper> term_stepper(const Problem& problem, const Adaptive& method) {
   require_valid(method);
   const auto made = [&]<class F>(std::shared_ptr<const F> field) {
     const typename F::Values y = field->start(problem.initial);
-    return std::make_unique<SwitchingStepper<F>>(
-        std::move(field), SwitchingSteps(problem.system), problem.start, y,
-        step_control(problem.system, problem.start, method));
+    return switching_stepper(std::move(field), problem.start, y, method);
   };
   if (method.precision == Precision::compensated)
     return made(std::make_shared<const Field<double>>(problem.system));

@@ -131,10 +131,9 @@ NumberLanes number_lanes(std::size_t stages, [[maybe_unused]] InstructionSet set
 
 std::unique_ptr<Stepper> make_stepper(const Problem& problem, const Collocation& method) {
   require_valid(method);
-  return std::make_unique<CollocationStepper<RotorStages>>(
-      std::make_shared<const RotorStages::Field>(problem.system), SwitchingSteps(problem.system),
-      problem.start, RotorStages::Field::start(problem.initial), method,
-      collocation_control(problem.system, problem.start, method));
+  return collocation_stepper<RotorStages>(
+      std::make_shared<const RotorStages::Field>(problem.system), problem.start,
+      RotorStages::Field::start(problem.initial), method);
 }
 
 }  // namespace detail

@@ -140,6 +140,17 @@ class CollocationStepper final : public BasicStepper<typename Stages::Field::Sta
   Solver solver_;
 };
 
+// For a field of a System, from its numbers at a time. `jumps`: see SwitchWatch.
+template <class Stages>
+std::unique_ptr<BasicStepper<typename Stages::Field::State>> collocation_stepper(
+    std::shared_ptr<const typename Stages::Field> field, double start,
+    const typename Stages::Values& y, const Collocation& method, const char* jumps = nullptr) {
+  const System& system = field->system();
+  return std::make_unique<CollocationStepper<Stages>>(
+      std::move(field), SwitchingSteps(system, jumps), start, y, method,
+      collocation_control(system, start, method));
+}
+
 }  // namespace detail
 }  // namespace v0
 }  // namespace polhode

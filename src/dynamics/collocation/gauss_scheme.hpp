@@ -128,8 +128,8 @@ struct NumberLanes {
   // Y from F for numbers `first` to `last`, and by how much each of them changed at most.
   void (*move)(const GaussScheme&, const StageRow& hb, NumberStep&, std::size_t first,
                std::size_t last, double* changes);
-  // F = A Y of columns of seven numbers: rates `from` to `to` of each. The first four numbers of
-  // all columns come first, then the last three of all.
+  // F = A Y of columns of seven numbers: rates `from` to `to` of each. The first numbers of all
+  // columns come first, then the second ones, and so on.
   void (*multiply)(const StageJacobian&, NumberStep&, std::size_t columns, std::size_t from,
                    std::size_t to);
   // y and carry at the end of the step.

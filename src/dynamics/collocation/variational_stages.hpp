@@ -8,6 +8,7 @@
 #include <memory>
 #include <utility>
 
+#include "dynamics/augmented.hpp"
 #include "dynamics/collocation/augmented_stages.hpp"
 #include "dynamics/collocation/step_control.hpp"
 #include "polhode/math/dual.hpp"
@@ -21,6 +22,8 @@ class RotorJacobian {
  public:
   explicit RotorJacobian(const System& system)
       : whole_(system), momentum_(only_kicks(system) ? without_terms(system) : system) {}
+
+  const RotorField<Tangent>& whole() const { return whole_; }
 
   // Into stage i.
   void put(StageJacobian& to, std::size_t i, const DoubleDouble& t, const RotorValues<Tangent>& at,
@@ -48,12 +51,26 @@ class RotorJacobian {
   RotorField<Tangent> momentum_;  // the same by momenta
 };
 
-// `columns` small changes (dq, dg) of seven numbers, and numbers that follow from them. Of the
-// further numbers all dq come first, then all dg. `F` knows the Jacobian of its rotor.
+// The rates of the rotor alone, by which the first step is chosen.
+template <class F>
+struct RotorAlone : SmoothField<F> {
+  typename F::Values operator()(const DoubleDouble& t, const typename F::Values& y) const {
+    const RotorValues<double> f =
+        this->field->rotor_alone()(this->stretch.inside(t), rotor_at(y), this->sides.get());
+    typename F::Values r{};
+    std::copy_n(f.begin(), 7, r.begin());
+    return r;
+  }
+};
+
+// `columns` small changes (dq, dg) of seven numbers, and numbers that follow from them. The first
+// number of all columns comes first, then the second, and so on. `F` knows the Jacobian of its
+// rotor.
 template <class F, std::size_t columns, std::size_t following = 0>
 class VariationalStages : public AugmentedStages<F, 7 * columns + following> {
  public:
   using Joined = AugmentedStages<F, 7 * columns + following>;
+  using Rates = RotorAlone<F>;
   static constexpr std::size_t first_momentum = 4 * columns;
   static constexpr std::size_t end_of_columns = 7 * columns;
 
@@ -65,17 +82,12 @@ class VariationalStages : public AugmentedStages<F, 7 * columns + following> {
     if (end != SweepsEnd::converged) return end;
     differentiate();
     sweeps += 2;
-    std::int64_t uncounted = 0;
-    Linear linear{*this};
-    return swept(linear, enough, uncounted);
+    SweepJudge judge(enough);
+    while (judge.goes_on()) judge.see(sweep_columns());
+    return judge.end();
   }
 
  private:
-  struct Linear {
-    VariationalStages& of;
-    double sweep() { return of.sweep_columns(); }
-  };
-
   void differentiate() {
     momentum_ = 0.0;
     for (std::size_t i = 0; i < this->scheme().stages; ++i) {
@@ -85,11 +97,7 @@ class VariationalStages : public AugmentedStages<F, 7 * columns + following> {
       for (std::size_t n = 4; n < 7; ++n)
         momentum_ = larger(momentum_, std::abs(this->at_stage(i, n)));
     }
-    for (std::size_t k = 0; k < columns; ++k) {
-      const double dq = largest(this->rest_.y.data(), 4 * k, 4);
-      const double dg = largest(this->rest_.y.data(), first_momentum + 3 * k, 3);
-      size_[k] = larger(dq, momentum_ > 0.0 ? dg / momentum_ : dg);
-    }
+    for (std::size_t k = 0; k < columns; ++k) size_[k] = size(this->rest_.y.data(), k);
   }
   // First dg, then dq by the new ones. The largest change relative to its column.
   double sweep_columns() {
@@ -99,17 +107,17 @@ class VariationalStages : public AugmentedStages<F, 7 * columns + following> {
     const auto& changes = this->move(0, first_momentum);
     double most = 0.0;
     for (std::size_t k = 0; k < columns; ++k) {
-      const double dq = largest(changes.data(), 4 * k, 4);
-      const double dg = largest(changes.data(), first_momentum + 3 * k, 3);
-      const double change = larger(dq, momentum_ > 0.0 ? dg / momentum_ : dg);
+      const double change = size(changes.data(), k);
       most = larger(most, change == 0.0 ? 0.0 : change / size_[k]);
     }
     return most;
   }
-  static double largest(const double* from, std::size_t first, std::size_t count) {
-    double r = 0.0;
-    for (std::size_t n = first; n < first + count; ++n) r = larger(r, std::abs(from[n]));
-    return r;
+  // Of column k, its dg over the momentum.
+  double size(const double* of, std::size_t k) const {
+    double dq = 0.0, dg = 0.0;
+    for (std::size_t n = 0; n < 4; ++n) dq = larger(dq, std::abs(of[n * columns + k]));
+    for (std::size_t n = 4; n < 7; ++n) dg = larger(dg, std::abs(of[n * columns + k]));
+    return larger(dq, momentum_ > 0.0 ? dg / momentum_ : dg);
   }
 
   StageJacobian A_{};

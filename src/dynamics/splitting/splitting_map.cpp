@@ -13,7 +13,6 @@
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
 #include "polhode/free/free_rotation.hpp"
-#include "system/variational_equations.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -33,6 +32,17 @@ constexpr double largest_arc = 0x1p20;
 
 bool is_finite_state(const SplittingState& s) {
   return has_finite_numbers(RotorState{s.q_IB, s.g.hi});
+}
+
+// The parts of a step of h in turn: drift(a part of h in two terms), kick(a part of h).
+template <class Drift, class Kick>
+void each_part(const SplittingCoefficients& of, double h, const Drift& drift, const Kick& kick) {
+  for (std::size_t i = 0; i < of.drifts.size() + of.kicks.size(); ++i) {
+    if ((i % 2 == 0) == of.drift_first)
+      drift(two_prod(of.drifts[i / 2], h));
+    else
+      kick(of.kicks[i / 2] * h);
+  }
 }
 
 // The momentum at the end of a flow, keeping the low part where the flow leaves g as it is.
@@ -175,14 +185,9 @@ void SplittingMap::flow(SplittingState& s, const AnyPerturbation& term, double h
 }
 
 SplittingState SplittingMap::stepped(SplittingState s, double h) const {
-  const std::size_t count = coefficients_.drifts.size() + coefficients_.kicks.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    if ((i % 2 == 0) == coefficients_.drift_first) {
-      drift(s, two_prod(coefficients_.drifts[i / 2], h));
-    } else {
-      kick(s, coefficients_.kicks[i / 2] * h);
-    }
-  }
+  each_part(
+      coefficients_, h, [&](const TwoTerms<double>& time) { drift(s, time); },
+      [&](double part) { kick(s, part); });
   return s;
 }
 
@@ -251,57 +256,50 @@ std::string SplittingMap::failure(const SplittingState& from, const SplittingSta
 Matrix6 SplittingMap::step_transition(SplittingState s, double h) const {
   require_kicks();
   Matrix6 M = Matrix6::identity();
-  const std::size_t count = coefficients_.drifts.size() + coefficients_.kicks.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    if ((i % 2 == 0) == coefficients_.drift_first) {
-      const TwoTerms<double> time = two_prod(coefficients_.drifts[i / 2], h);
-      const Vec3 g = is_at_rest(s, time.hi) ? Vec3{} : s.g.hi;
-      M = FreeRotation::short_arc(system_.body(), {s.q_IB, g}).state_transition(time.hi) * M;
-      drift(s, time);
-    } else {
-      const double fraction = coefficients_.kicks[i / 2] * h;
-      M = kick_transition(s, fraction) * M;
-      kick(s, fraction);
-    }
-  }
+  each_part(
+      coefficients_, h,
+      [&](const TwoTerms<double>& time) {
+        const Vec3 g = is_at_rest(s, time.hi) ? Vec3{} : s.g.hi;
+        M = FreeRotation::short_arc(system_.body(), {s.q_IB, g}).state_transition(time.hi) * M;
+        drift(s, time);
+      },
+      [&](double part) {
+        M = kick_transition(s, part) * M;
+        kick(s, part);
+      });
   return M;
 }
 
 // A turn of the start turns the whole arc; what a change of the momentum does is ShortFlow's.
-void SplittingMap::deviate_by_drift(const SplittingState& s, double h, Vec3& turn, Vec3& dg) const {
+HubDirection SplittingMap::after_drift(const HubDirection& d, const SplittingState& s,
+                                       double h) const {
   const Vec3 g = is_at_rest(s, h) ? Vec3{} : s.g.hi;
   const Quaternion arc = free_.plain(g, h).turn;
-  const FlowTangent<double> change = free_.tangent(g, dg, h, arc);
-  turn = rotate(conj(arc), turn) + change.attitude;
-  dg = change.momentum;
+  const FlowTangent<double> change = free_.tangent(g, d.momentum, h, arc);
+  return {rotate(conj(arc), d.turn) + change.attitude, change.momentum};
 }
 
-void SplittingMap::deviate_by_kick(const SplittingState& s, double h, const Vec3& turn,
-                                   Vec3& dg) const {
+HubDirection SplittingMap::after_kick(HubDirection d, const SplittingState& s, double h) const {
   const Setting at = setting(s, system_.frame().at(s.t.hi).q_IS);
-  const BasicSetting<Tangent> moving = moving_along(at, {turn, {}});
-  for (const AnyPerturbation& term : kicks_) {
-    dg = dg + h * slope_of(term.effect(moving).u);
-  }
+  const BasicSetting<Tangent> moving = moving_along(at, {d.turn, {}});
+  for (const AnyPerturbation& term : kicks_)
+    d.momentum = d.momentum + h * slope_of(term.effect(moving).u);
+  return d;
 }
 
-DeviationStep SplittingMap::step_deviation(SplittingState s, std::array<double, 6> x,
-                                           double h) const {
+DeviationStep SplittingMap::step_deviation(SplittingState s, HubDirection d, double h) const {
   require_kicks();
-  Vec3 turn{x[0], x[1], x[2]}, dg{x[3], x[4], x[5]};
-  const std::size_t count = coefficients_.drifts.size() + coefficients_.kicks.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    if ((i % 2 == 0) == coefficients_.drift_first) {
-      const TwoTerms<double> time = two_prod(coefficients_.drifts[i / 2], h);
-      deviate_by_drift(s, time.hi, turn, dg);
-      drift(s, time);
-    } else {
-      const double fraction = coefficients_.kicks[i / 2] * h;
-      deviate_by_kick(s, fraction, turn, dg);
-      kick(s, fraction);
-    }
-  }
-  return {std::move(s), {turn.x, turn.y, turn.z, dg.x, dg.y, dg.z}};
+  each_part(
+      coefficients_, h,
+      [&](const TwoTerms<double>& time) {
+        d = after_drift(d, s, time.hi);
+        drift(s, time);
+      },
+      [&](double part) {
+        d = after_kick(d, s, part);
+        kick(s, part);
+      });
+  return {std::move(s), d};
 }
 
 std::string StepJumps::seen(const SplittingMap& map, const SplittingState& from,

@@ -3,7 +3,6 @@
 // terms. The frame enters through q_SB = q_IS* q_IB where a term is asked, and nowhere else.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -17,6 +16,7 @@
 #include "polhode/math/matrix6.hpp"
 #include "polhode/system/system.hpp"
 #include "polhode/trajectory/archive.hpp"
+#include "system/moving_setting.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -33,7 +33,7 @@ struct SplittingState {
 // What a step makes of a state and of a deviation from it.
 struct DeviationStep {
   SplittingState end;
-  std::array<double, 6> x;
+  HubDirection along;
 };
 
 class SplittingMap {
@@ -63,9 +63,8 @@ class SplittingMap {
   // d(dtheta_B, dg_B) after the step by those before. DomainError when a term is not a kick written
   // as a template on the number type.
   Matrix6 step_transition(SplittingState s, double h) const;
-  // The same derivative along one deviation, in double precision and a hundred times as fast: what
-  // a step from s makes of x = (dtheta_B, dg_B).
-  DeviationStep step_deviation(SplittingState s, std::array<double, 6> x, double h) const;
+  // The same derivative along one deviation, in double precision and a hundred times as fast.
+  DeviationStep step_deviation(SplittingState s, HubDirection d, double h) const;
 
  private:
   // The largest component of I^-1 g.
@@ -83,8 +82,8 @@ class SplittingMap {
   AffineTorque torque(SplittingState& s) const;
   Setting setting(const SplittingState& s, const Quaternion& q_IS) const;
   Matrix6 kick_transition(const SplittingState& s, double h) const;
-  void deviate_by_drift(const SplittingState& s, double h, Vec3& turn, Vec3& dg) const;
-  void deviate_by_kick(const SplittingState& s, double h, const Vec3& turn, Vec3& dg) const;
+  HubDirection after_drift(const HubDirection& d, const SplittingState& s, double h) const;
+  HubDirection after_kick(HubDirection d, const SplittingState& s, double h) const;
 
   System system_;
   ShortFlow free_;

@@ -5,54 +5,35 @@
 
 #include <memory>
 #include <string>
-#include <variant>
 
+#include "dynamics/augmented.hpp"
 #include "dynamics/steppers.hpp"
 #include "polhode/dynamics/method.hpp"
 #include "polhode/math/matrix6.hpp"
 
 namespace polhode {
 inline namespace v0 {
-namespace detail {
-
-// What carries derivatives of a motion, in double: the method of a problem, or one that makes the
-// same motion to the same tolerance.
-using DerivativeMethod = std::variant<Adaptive, Splitting, Collocation>;
-
-// `what` is carried. DomainError of `function` for a tolerance that double does not reach, and for
-// a method from outside, which knows states alone.
-DerivativeMethod derivative_method(const std::string& function, const std::string& what,
-                                   const Method& method);
-
-}  // namespace detail
-
-// A rotor with the derivative of its state by that of the start, and the methods that step it.
-struct TransitionState {
-  RotorState rotor;
-  Matrix6 transition;
-
-  constexpr bool operator==(const TransitionState&) const = default;
-};
 
 template <class Visit>
-void each_number(TransitionState& s, Visit&& visit) {
-  each_number(s.rotor, visit);
-  for (auto& row : s.transition.a)
+void each_number(Matrix6& M, Visit&& visit) {
+  for (auto& row : M.a)
     for (double& x : row) visit(x);
 }
 
+// A rotor with the derivative of its state by that of the start.
+using TransitionState = Augmented<Matrix6>;
+
 namespace detail {
 
-// Why a run with derivatives ends at a jump of a torque that the state decides.
-inline constexpr const char* no_transition_at_jump =
-    "its transition matrix is not known; take differences of runs";
+// What carries derivatives of a motion, in double: the method of a problem, or one that makes the
+// same motion to the same tolerance; Adaptive, Collocation or Splitting. `what` is carried.
+// DomainError of `function` for a tolerance that double does not reach, and for a method from
+// outside, which knows states alone.
+Method derivative_method(const std::string& function, const std::string& what,
+                         const Method& method);
 
-std::unique_ptr<BasicStepper<TransitionState>> transition_stepper(const Problem& problem,
-                                                                  const Adaptive& method);
-std::unique_ptr<BasicStepper<TransitionState>> transition_stepper(const Problem& problem,
-                                                                  const Collocation& method);
-std::unique_ptr<BasicStepper<TransitionState>> transition_stepper(const Problem& problem,
-                                                                  const Splitting& method);
+// For a problem with such a method.
+std::unique_ptr<BasicStepper<TransitionState>> transition_stepper(const Problem& problem);
 
 }  // namespace detail
 

@@ -9,11 +9,12 @@
 #include <tuple>
 #include <utility>
 
-#include "fit/driven/sensitivity_model.hpp"
+#include "dynamics/adaptive/adaptive_stepper.hpp"
+#include "dynamics/sampled_run.hpp"
+#include "fit/driven/sensitivity_field.hpp"
 #include "math/finite.hpp"
 #include "math/number_text.hpp"
 #include "polhode/dynamics/integrate.hpp"
-#include "polhode/dynamics/integrate_model.hpp"
 #include "polhode/error.hpp"
 
 namespace polhode {
@@ -21,8 +22,7 @@ inline namespace v0 {
 namespace detail {
 
 std::vector<DrivenLeg> driven_legs(std::span<const double> times, double t0,
-                                   const std::vector<SpinJump>& jumps,
-                                   const std::vector<AnyPerturbation>& terms) {
+                                   const std::vector<SpinJump>& jumps) {
   std::vector<DrivenLeg> legs;
   for (const double side : {1.0, -1.0}) {
     // A jump acts just after its time: at t0 on the way forwards.
@@ -41,15 +41,7 @@ std::vector<DrivenLeg> driven_legs(std::span<const double> times, double t0,
       // Forwards what is seen at its time is before it, backwards too, which is after undoing it.
       if (is_here(t) && (side > 0.0 ? t < last : -t <= last)) ends.emplace_back(side * t, j);
     }
-    for (const AnyPerturbation& term : terms) {
-      for (const double t : term.breakpoints()) {
-        if (side * t > side * t0 && side * t < last) ends.emplace_back(side * t, std::nullopt);
-      }
-    }
-    // At one time: backwards first the jumps, so that no leg with its observations comes before.
-    std::ranges::sort(ends, {}, [&](const auto& end) {
-      return std::tuple(end.first, side < 0.0 && !end.second, end.second);
-    });
+    std::ranges::sort(ends);
     ends.emplace_back(last, std::nullopt);
     double from = side * t0;
     std::size_t next = 0;
@@ -104,15 +96,27 @@ BasicVec3<T> momentum_of(SpinJump::Of of, const BasicVec3<T>& change, const Basi
                                            : body_from_reference(BasicPose<T>{moments, s}, change);
 }
 
-// The samples of a run from a state; none where it failed or ends in no numbers.
-template <class Problem>
-auto samples_of(const Problem& problem, const std::vector<double>& times)
-    -> std::optional<std::vector<BasicSample<decltype(problem.initial)>>> {
-  using Samples = std::vector<BasicSample<decltype(problem.initial)>>;
-  if (problem.start == problem.stop) return Samples{{problem.start, problem.initial}};
-  auto run = integrate(problem, Keep{SaveAt::times(times), false});
-  if (!run.outcome().ok() || run.samples().size() != times.size()) return std::nullopt;
+// The samples of a run; none where it failed or ends in no numbers.
+template <class S>
+using LegSamples = std::optional<std::vector<BasicSample<S>>>;
+
+template <class S>
+LegSamples<S> samples_of(BasicTrajectory<S> run, const DrivenLeg& leg) {
+  if (!run.outcome().ok() || run.samples().size() != leg.times.size()) return std::nullopt;
   return std::move(run).samples();
+}
+LegSamples<SystemState> samples_of(const Problem& problem, const DrivenLeg& leg) {
+  if (leg.from == leg.to) return {{{leg.from, problem.initial}}};
+  return samples_of(integrate(problem, Keep{SaveAt::times(leg.times), false}), leg);
+}
+LegSamples<TangentRotor> samples_of(std::shared_ptr<const SensitivityField> field,
+                                    const TangentRotor& s, const DrivenLeg& leg, double tolerance) {
+  if (leg.from == leg.to) return {{{leg.from, s}}};
+  auto stepper = switching_stepper(std::move(field), leg.from, column_values(rotor_values(s)),
+                                   Adaptive{tolerance});
+  auto found = samples_of(sampled_run(std::move(stepper), "", leg.times, {}, false), leg);
+  if (found && leg.times.front() == leg.from) found->front().s = s;  // not normalised
+  return found;
 }
 
 // Leg by leg from t0: the samples of each by `run`, those that are asked for to `see`, and its jump
@@ -209,14 +213,14 @@ SpinState DrivenMotion::shown(const RotorState& s) const {
 
 std::optional<std::vector<MovedPoint>> DrivenMotion::at(
     std::span<const double> times, std::span<const DrivenColumn> columns) const {
-  const std::vector<DrivenLeg> legs = driven_legs(times, start_.t0, drive_.jumps, system_.terms());
+  const std::vector<DrivenLeg> legs = driven_legs(times, start_.t0, drive_.jumps);
   const Wanted wanted(times);
   std::vector<MovedPoint> points(times.size());
   const bool went = walk(
       legs, start_.t0, initial_,
       [&](const RotorState& s, const DrivenLeg& leg) {
         return samples_of(Problem{system_, s, leg.from, leg.to, Collocation{drive_.tolerance}},
-                          leg.times);
+                          leg);
       },
       [&](const RotorState& s, std::size_t j, double sign) { return jumped(s, j, sign); },
       [&](const Sample& sample) {
@@ -256,9 +260,8 @@ bool DrivenMotion::add_columns(std::span<const DrivenLeg> legs, std::span<const 
       moments[*terms[c].moment].derivative[c] = unit;
     }
   }
-  const SensitivityModel model(system_, std::move(terms));
-  const auto jump = [&](const SensitivityState& s, std::size_t j, double sign) {
-    TangentRotor at = tangent_rotor(s);
+  const auto field = std::make_shared<const SensitivityField>(system_, std::move(terms));
+  const auto jump = [&](TangentRotor at, std::size_t j, double sign) {
     const SpinJump::Of of = drive_.jumps[j].of;
     const auto turned = [&](const Vec3& x) {
       return of == SpinJump::Of::inertial_momentum ? x : in_body(R_, x);
@@ -271,21 +274,19 @@ bool DrivenMotion::add_columns(std::span<const DrivenLeg> legs, std::span<const 
       for (int k = 0; k < 3; ++k) change[k].derivative[c] = axis[k];
     }
     at.g = at.g + Tangent(sign) * momentum_of<Tangent>(of, change, moments, at);
-    return sensitivity_state(at);
+    return at;
   };
   return walk(
-      legs, start_.t0, sensitivity_state(seeded(initial_, system_.body(), unit, R_, six)),
-      [&](const SensitivityState& s, const DrivenLeg& leg) {
-        return samples_of(
-            BasicProblem<SensitivityModel>{model, s, leg.from, leg.to, Adaptive{drive_.tolerance}},
-            leg.times);
+      legs, start_.t0, seeded(initial_, system_.body(), unit, R_, six),
+      [&](const TangentRotor& s, const DrivenLeg& leg) {
+        return samples_of(field, s, leg, drive_.tolerance);
       },
       jump,
-      [&](const BasicSample<SensitivityState>& sample) {
-        const BasicVec3<Tangent> w = model.rate(sample.t, sample.s);
+      [&](const BasicSample<TangentRotor>& sample) {
+        const BasicVec3<Tangent> w = field->rate(sample.t, sample.s);
         bool is_number = true;
         wanted.each(sample.t, [&](std::size_t i) {
-          put_columns(tangent_rotor(sample.s), w, R_, six.size(), points[i]);
+          put_columns(sample.s, w, R_, six.size(), points[i]);
           is_number = is_number && is_finite(points[i].turn.back() + points[i].rate.back());
         });
         return is_number;
@@ -328,11 +329,11 @@ std::optional<SpinState> DrivenMotion::after_jumps() const {
   // To just after the last jump, and back without any.
   RotorState s = initial_;
   const std::vector<double> beyond{std::nextafter(last, std::numeric_limits<double>::infinity())};
-  std::vector<DrivenLeg> legs = driven_legs(beyond, start_.t0, drive_.jumps, system_.terms());
+  std::vector<DrivenLeg> legs = driven_legs(beyond, start_.t0, drive_.jumps);
   legs.pop_back();
   const auto run = [&](const RotorState& from, const DrivenLeg& leg) {
-    auto samples = samples_of(
-        Problem{system_, from, leg.from, leg.to, Collocation{drive_.tolerance}}, leg.times);
+    auto samples =
+        samples_of(Problem{system_, from, leg.from, leg.to, Collocation{drive_.tolerance}}, leg);
     if (samples) s = samples->back().s;
     return samples;
   };

@@ -25,10 +25,9 @@ struct DrivenLeg {
   bool is_first;  // of those that begin at t0
 };
 
-// They end at jumps and where terms are not smooth in time.
+// They end at jumps.
 std::vector<DrivenLeg> driven_legs(std::span<const double> times, double t0,
-                                   const std::vector<SpinJump>& jumps,
-                                   const std::vector<AnyPerturbation>& terms);
+                                   const std::vector<SpinJump>& jumps);
 
 // What one unknown changes: the attitude at t0, by a rotation about `axis_F`; a component of the
 // rate at t0; a ratio of moments; a parameter of torques; a component of a jump.

@@ -7,7 +7,7 @@
 
 #include "fit/detail/rotation_vector.hpp"
 #include "fit/driven/driven_motion.hpp"
-#include "fit/driven/sensitivity_model.hpp"
+#include "fit/driven/sensitivity_field.hpp"
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
 

@@ -427,11 +427,12 @@ TEST(SplittingDeviation, IsAColumnOfTheTransition) {
         map.start(0.4, {normalized(Quaternion{0.3, -0.4, 0.5, 0.6}), g});
     const Matrix6 M = map.step_transition(s, 0.3);
     for (int j = 0; j < 6; ++j) {
-      std::array<double, 6> x{};
-      x[static_cast<std::size_t>(j)] = 1.0;
-      const std::array<double, 6> y = map.step_deviation(s, x, 0.3).x;
+      HubDirection d{};
+      (j < 3 ? d.turn : d.momentum)[j % 3] = 1.0;
+      const HubDirection after = map.step_deviation(s, d, 0.3).along;
       for (int i = 0; i < 6; ++i)
-        EXPECT_NEAR(y[static_cast<std::size_t>(i)], M(i, j), budget::splitting_deviation)
+        EXPECT_NEAR((i < 3 ? after.turn : after.momentum)[i % 3], M(i, j),
+                    budget::splitting_deviation)
             << "entry " << i << ", " << j;
     }
   }

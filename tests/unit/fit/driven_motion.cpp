@@ -255,19 +255,14 @@ TEST(DrivenMotion, WithoutDriveItIsFree) {
   }
 }
 
-// Where a torque has an edge at the time of a jump, what is seen then is before the jump on both
-// ways.
-TEST(DrivenLegs, SeeBeforeTheJumpWhereATorqueHasAnEdge) {
-  struct Edged : ConstantTorque {
-    std::vector<double> breakpoints() const { return {-3.0, 2.0}; }
-  };
-  const std::vector<AnyPerturbation> terms{{"edged", Edged{ConstantTorque::in_body({0, 0, 1})}}};
+// What is seen at the time of a jump is before it, on both ways.
+TEST(DrivenLegs, SeeBeforeTheJump) {
   const std::vector<SpinJump> jumps{{"a", -3.0, SpinJump::Of::rate, {}},
                                     {"b", 2.0, SpinJump::Of::rate, {}}};
   const std::vector<double> times{-5.0, -3.0, 2.0, 4.0};
   double undone = 0.0;
   std::size_t seen = 0;
-  for (const detail::DrivenLeg& leg : detail::driven_legs(times, 0.0, jumps, terms)) {
+  for (const detail::DrivenLeg& leg : detail::driven_legs(times, 0.0, jumps)) {
     if (leg.is_first) undone = 0.0;
     for (std::size_t i = 0; i < leg.asked; ++i) {
       const double t = leg.times[i];
@@ -277,6 +272,39 @@ TEST(DrivenLegs, SeeBeforeTheJumpWhereATorqueHasAnEdge) {
     if (leg.jump) undone += 1.0;
   }
   EXPECT_EQ(seen, times.size());
+}
+
+// A torque that names breakpoints, some at the times of jumps and observations, where it is smooth.
+TEST(DrivenMotion, EdgesAtTheTimesOfJumpsChangeNothing) {
+  struct Edged : ConstantTorque {
+    std::vector<double> breakpoints() const { return {-3.0, -2.0, 1.0, 3.0, 4.5}; }
+  };
+  const Case smooth = jumps();
+  Case edged = smooth;
+  edged.drive.terms = [](std::span<const double> p) {
+    return std::vector<AnyPerturbation>{
+        {"body", Edged{ConstantTorque::in_body({p[0], p[1], p[2]})}},
+        {"space", ConstantTorque::in_space({p[3], p[4], 0.003})}};
+  };
+  const std::vector<double> times{6.0, 3.0, 1.0, -2.0, -4.0};
+  std::vector<double> parameters;
+  std::vector<Vec3> changes;
+  for (const TorqueParameter& one : smooth.drive.parameters) parameters.push_back(one.start);
+  for (const SpinJump& one : smooth.drive.jumps) changes.push_back(one.change);
+  const std::vector<DrivenColumn> columns = all_columns(smooth.drive);
+  const auto points_of = [&](const Case& c) {
+    return detail::DrivenMotion(c.drive, c.start, parameters, changes).at(times, columns).value();
+  };
+  const auto expected = points_of(smooth), found = points_of(edged);
+  for (std::size_t n = 0; n < times.size(); ++n) {
+    EXPECT_LE(norm(attitude_residual(expected[n].q, found[n].q)), budget::fit_driven_motion);
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      const double size = norm(expected[n].turn[k]) + norm(expected[n].rate[k]);
+      const double apart = norm(found[n].turn[k] - expected[n].turn[k]) +
+                           norm(found[n].rate[k] - expected[n].rate[k]);
+      EXPECT_LE(apart, budget::fit_driven_derivatives * size) << times[n] << " " << k;
+    }
+  }
 }
 
 }  // namespace

@@ -90,9 +90,7 @@ struct NumberKernel {
   [[gnu::flatten]] static void multiply(const StageJacobian& A, NumberStep& s, std::size_t columns,
                                         std::size_t from, std::size_t to) {
     for (std::size_t column = 0; column < columns; ++column) {
-      const auto place = [&](std::size_t n) {
-        return n < 4 ? 4 * column + n : 4 * columns + 3 * column + (n - 4);
-      };
+      const auto place = [&](std::size_t n) { return n * columns + column; };
       for (std::size_t i = 0; i < filled; i += T::width) {
         T y[7];
         for (std::size_t n = 0; n < 7; ++n) y[n] = loaded(s.Y[place(n)], i);
