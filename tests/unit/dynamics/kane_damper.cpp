@@ -210,7 +210,7 @@ TEST(KaneDamperRun, WithoutFrictionTheHubIsFree) {
       const RotorState alone = hub.at(t);
       const Vec3 of_sphere = rotate(conj(alone.q), h_I);
       const Sample want{t,
-                        {{alone.q, alone.g + of_sphere},
+                        {alone.q, alone.g + of_sphere,
                          p.system.damper()->relative_rate(body, alone.g + of_sphere, of_sphere)}};
       EXPECT_LE(distance(at, want), budget::kane_two_bodies);
     }
@@ -336,7 +336,7 @@ TEST(KaneDamperRun, RefusesWhatDoesNotCarryItsState) {
                  "state_transitions: a Kane damper has a state of its own, which integrate alone "
                  "carries; InternalDamping, its limit of strong friction, has no state");
   EXPECT_REJECTED(chaos_indicator(bare, SaveAt::times({1.0})), "which integrate alone carries");
-  const Problem without{System(body), {start, {0.0, 0.1, 0.0}}, 0.0, 1.0, sharp};
+  const Problem without{System(body), {start.q, start.g, {0.0, 0.1, 0.0}}, 0.0, 1.0, sharp};
   EXPECT_MESSAGE(integrate(without),
                  "integrate: damper_rate (0, 0.1, 0) must be zero for a system without a damper");
   EXPECT_MESSAGE(at_damper_rate(without.system, {0.0, 0.1, 0.0}),
