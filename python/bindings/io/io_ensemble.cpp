@@ -73,7 +73,7 @@ Ensemble run_ensemble(const ScenarioEnsemble& ensemble, const nb::list& outputs,
     throw DomainError("ensemble: resume=True reads the rows so far from " +
                       readable_paths(ensemble.scenario().output.formats) +
                       "; expected one of them");
-  WorkLoop loop("the ensemble was stopped", progress);
+  WorkLoop loop("the ensemble was stopped", count_to(progress, ensemble.size()));
   PythonExecutor workers(executor);
   RunOptions options = run_options("ensemble", resume, restart);
   options.threads = threads;
@@ -90,7 +90,7 @@ Ensemble run_ensemble(const ScenarioEnsemble& ensemble, const nb::list& outputs,
   result.is_whole = !result.was_done && (!run.continues() || is_statistics(ensemble));
   if (result.is_whole) reserve(ensemble, result);
   try {
-    loop.do_work(ensemble.size(), [&] { result.report = run.run(); });
+    loop.do_work([&] { result.report = run.run(); });
   } catch (const RunInterrupted&) {
     workers.raise();  // what they have done is kept
     throw;

@@ -26,7 +26,7 @@ Map run_map(const Scenario& scenario, const nb::list& outputs, int threads, bool
   Map result{{}, map.plan().axes.size() + map.width(), map.groups(), map.plan().axes.size(), {}};
   std::vector<std::string> paths;
   for (const nb::handle path : outputs) paths.push_back(path_text(path));
-  WorkLoop loop("the map was stopped", progress);
+  WorkLoop loop("the map was stopped", count_to(progress, map.size()));
   const auto begun = [&](bool resumes, bool restarts) {
     RunOptions options = run_options("map", resumes, restarts);
     options.threads = threads;
@@ -37,7 +37,7 @@ Map run_map(const Scenario& scenario, const nb::list& outputs, int threads, bool
   std::unique_ptr<MapRun> run = begun(resume, restart);
   if (run->is_complete()) run = begun(false, true);  // its rows are wanted all the same
   result.rows_before = run->rows();
-  loop.do_work(map.size(), [&] { result.report = run->run(); });
+  loop.do_work([&] { result.report = run->run(); });
   run.reset();  // closes its files
   if (result.rows_before > 0)
     put_first(result.rows,
