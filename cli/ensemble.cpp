@@ -24,12 +24,8 @@ namespace {
 
 constexpr std::size_t reasons_shown = 3, columns_shown = 12;
 
-struct EnsembleCommand : WorkOptions {
+struct EnsembleCommand : SharedWorkOptions {
   std::optional<std::int64_t> member;
-  bool any_machine = false;
-  // They last until the last message is written: MPI_Finalize does not return once mpirun was told
-  // to stop.
-  std::unique_ptr<Ranks> ranks;
 };
 
 std::string with_unit(const std::string& unit) { return unit == "1" ? "" : " " + unit; }
@@ -156,28 +152,6 @@ void run_member(const ScenarioEnsemble& ensemble, const EnsembleCommand& options
   require_done(report.outcome.ok() ? std::string() : report.outcome.advice);
 }
 
-// Work together with the ensemble that it is of.
-class OwnWork final : public ExecutorWork {
- public:
-  OwnWork(const EnsembleCommand& options, const Kinds& kinds)
-      : ensemble_(changed_scenario(options.scenario, options.set, kinds)),
-        work_(ensemble_work(ensemble_, options.any_machine)) {}
-  void begin(const std::string& stage) override { work_->begin(stage); }
-  std::string cell(std::int64_t index, const std::function<void()>& look) const override {
-    return work_->cell(index, look);
-  }
-
- private:
-  ScenarioEnsemble ensemble_;
-  std::unique_ptr<ExecutorWork> work_;
-};
-
-// What the ranks do that do not lead. Signals are for the one that does: it says when to stop.
-void serve(Ranks& ranks, const EnsembleCommand& options, const Kinds& kinds) {
-  const StopSignals signals;
-  ranks.serve([&] { return std::make_unique<OwnWork>(options, kinds); });
-}
-
 // Tables of the file that its keep leaves out: no error, so that --set ensemble.keep shows members
 // of an ensemble as it is.
 void say_what_is_not_made(const ScenarioEnsemble& ensemble) {
@@ -193,13 +167,10 @@ void say_what_is_not_made(const ScenarioEnsemble& ensemble) {
                       ensemble.scenario().document.name, table, keep));
 }
 
-void make_ensemble(const EnsembleCommand& options, const Kinds& kinds) {
-  if (options.ranks && !options.ranks->leads()) return serve(*options.ranks, options, kinds);
-  if (options.ranks && options.scenario == "-")
-    throw DomainError(
-        "polhode ensemble: got - and several processes, of which one has standard "
-        "input; expected a file that all can read");
-  const ScenarioEnsemble ensemble(changed_scenario(options.scenario, options.set, kinds));
+void make_ensemble(EnsembleCommand& options, const Kinds& kinds) {
+  const auto read = [&] { return changed_scenario(options.scenario, options.set, kinds); };
+  if (has_served(options, [&] { return ensemble_work(read(), options.any_machine); })) return;
+  const ScenarioEnsemble ensemble(read());
   require_different("ensemble", options.out);
   if (options.member) return run_member(ensemble, options);
   std::vector<std::string> out = options.out;
@@ -246,16 +217,13 @@ void add_ensemble(CLI::App& app, const Kinds& kinds, const std::string& typed,
       ->check(member_index());
   add_threads(*command, *options, "chunks");
   add_begin(*command, *options, {"ensemble", "an ensemble", "members"});
-  command->add_flag("--any-machine", options->any_machine,
-                    "Let machines work together, or go on, whose sines and logarithms differ in "
-                    "last digits: so do the results");
+  add_any_machine(*command, *options);
   command->footer(
       "\nCtrl-C stops an ensemble and keeps its members; --resume continues it.\n"
       "\nExample:\n  " +
       full_name(*command) + " examples/apophis-ensemble.toml --out apophis.h5 --threads 2");
   command->callback([options, kinds, ranks] {
-    if (options->any_machine) options->own_flags = {"--any-machine"};
-    if (ranks) options->ranks = ranks(std::max(options->threads, 1));
+    options->begin(ranks);
     make_ensemble(*options, kinds);
   });
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "commands.hpp"
@@ -36,15 +37,20 @@ std::string summary_of(const ScenarioMap& map, const MapReport& report) {
   return failed <= reasons_shown ? text : text + "  ...\n";
 }
 
-void make_map(const WorkOptions& options, const Kinds& kinds) {
-  const ScenarioMap map(changed_scenario(options.scenario, options.set, kinds));
+void make_map(SharedWorkOptions& options, const Kinds& kinds) {
+  const auto read = [&] { return changed_scenario(options.scenario, options.set, kinds); };
+  if (has_served(options, [&] { return map_work(read(), options.any_machine); })) return;
+  const ScenarioMap map(read());
   std::vector<std::string> out = options.out;
   if (out.empty()) out.push_back("-");
   require_different("map", out);
   const bool to_standard_output = std::find(out.begin(), out.end(), "-") != out.end();
   const std::string& name = map.scenario().document.name;
   ResumableWork work(options, name);
-  MapRun run(map, out, work.run_options(!to_standard_output || isatty(STDOUT_FILENO) == 0));
+  RunOptions how = work.run_options(!to_standard_output || isatty(STDOUT_FILENO) == 0);
+  how.executor = options.ranks.get();
+  how.any_machine = options.any_machine;
+  MapRun run(map, out, std::move(how));
   if (run.is_complete()) return print_nothing_to_do(name, out);
   work.announce(run, ResumableWork::after(run.reached(), map.size(), "cells"), "cells");
   work.line().emplace(run.reached(), map.size(), "cells");
@@ -54,22 +60,26 @@ void make_map(const WorkOptions& options, const Kinds& kinds) {
 
 }  // namespace
 
-void add_map(CLI::App& app, const Kinds& kinds, const std::string& typed) {
+void add_map(CLI::App& app, const Kinds& kinds, const std::string& typed, const MakeRanks& ranks) {
   CLI::App* command = app.add_subcommand(
       "map",
       "Run a scenario over the grid of its [map], on all processors: chaos, extremes, sections");
-  const auto options = std::make_shared<WorkOptions>();
+  const auto options = std::make_shared<SharedWorkOptions>();
   options->program = typed;
   options->command = "map";
   add_scenario(*command, *options);
   add_tables(*command, *options, kinds);
   add_threads(*command, *options, "cells");
   add_begin(*command, *options, {"map", "a map", "cells"});
+  add_any_machine(*command, *options);
   command->footer(
       "\nCtrl-C stops a map and keeps its cells; --resume continues it.\n"
       "\nExample:\n  " +
       full_name(*command) + " examples/hyperion-map.toml --out hyperion.csv --threads 2");
-  command->callback([options, kinds] { make_map(*options, kinds); });
+  command->callback([options, kinds, ranks] {
+    options->begin(ranks);
+    make_map(*options, kinds);
+  });
 }
 
 }  // namespace polhode::cli

@@ -89,6 +89,30 @@ void add_begin(CLI::App& command, WorkOptions& options, const WorkWords& words) 
       ->capture_default_str();
 }
 
+void add_any_machine(CLI::App& command, SharedWorkOptions& options) {
+  command.add_flag("--any-machine", options.any_machine,
+                   "Let machines work together, or go on, whose sines and logarithms differ in "
+                   "last digits: so do the results");
+}
+
+void SharedWorkOptions::begin(const MakeRanks& make) {
+  if (any_machine) own_flags = {"--any-machine"};
+  if (make) ranks = make(std::max(threads, 1));
+}
+
+bool has_served(SharedWorkOptions& options, const Ranks::MakeWork& make) {
+  if (!options.ranks) return false;
+  if (options.ranks->leads()) {
+    if (options.scenario != "-") return false;
+    throw DomainError("polhode " + options.command +
+                      ": got - and several processes, of which one has standard input; expected a "
+                      "file that all can read");
+  }
+  const StopSignals signals;  // they are for the one that leads: it says when to stop
+  options.ranks->serve(make);
+  return true;
+}
+
 RunOptions begin_options(const WorkOptions& options) {
   RunOptions how;
   if (options.resume) how.begin = RunBegin::resume;

@@ -42,7 +42,7 @@ enum class RunBegin {
 struct BeginWords {
   std::string resume = "resume";
   std::string restart = "restart";
-  std::string any_machine = "any_machine";  // of ensembles
+  std::string any_machine = "any_machine";  // of maps and ensembles
 };
 
 struct RunProgress {
@@ -66,11 +66,11 @@ struct RunOptions {
   // Maps and ensembles compute this many cells or chunks at a time; 0 means one on each
   // processor.
   int threads = 0;
-  // Computes the chunks of an ensemble in several processes, each with an ensemble_work of the
-  // same ensemble, instead of on threads.
+  // Computes the cells of a map or the chunks of an ensemble in several processes, each with a
+  // map_work or ensemble_work of the same scenario, instead of on threads.
   Executor* executor = nullptr;
-  // Ensembles may run on machines whose sines and logarithms differ in the last digits, together
-  // or one after the other. The results then differ in the last digits.
+  // Maps and ensembles may run on machines whose sines and logarithms differ in the last digits,
+  // together or one after the other. The results then differ in the last digits.
   bool any_machine = false;
   // The report of a run has all events, not only the first 20.
   bool keep_events = false;
