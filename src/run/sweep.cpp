@@ -54,21 +54,22 @@ void Sweep::interrupt() {
 
 int Sweep::threads() const { return options_.threads > 0 ? options_.threads : hardware_threads(); }
 
-void Sweep::took(std::int64_t members, std::int64_t each, std::int64_t left, Stage stage) {
-  worked_ += members;
+int Sweep::workers() const {
+  return options_.executor == nullptr ? threads() : options_.executor->at_a_time();
+}
+
+void Sweep::took(double left, Stage stage) {
+  clock_.ended();
   if (waiting_.size() >= numbers_per_block) push_rows();
   if (stage == Stage::cells && options_.progress) {
-    const int workers = options_.executor == nullptr ? threads() : options_.executor->at_a_time();
-    const double at_a_time = static_cast<double>(each) * workers;
     try {
-      options_.progress({reached(), part_of_work(static_cast<double>(worked_),
-                                                 static_cast<double>(left), at_a_time)});
+      options_.progress({reached(), clock_.part(left)});
     } catch (...) {
       raised_ = std::current_exception();
       throw Stopped();
     }
   }
-  if (stage == Stage::cells && left == 0) return;
+  if (stage == Stage::cells && left == 0.0) return;
   if (is_stopped()) throw Stopped();
   if (has_state() && outputs_.is_due()) keep();
 }

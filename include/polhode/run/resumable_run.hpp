@@ -15,7 +15,6 @@
 // Cost        a checkpoint is a few kB and a few fsync, at most a twentieth of the time.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -47,12 +46,8 @@ struct BeginWords {
 
 struct RunProgress {
   double reached;  // t in core units; or the number of cells, members or starts so far
-  double part;     // fraction of the work since it began or was resumed, for the time left
+  double part;     // fraction of the time since it began or was resumed, as far as it is known
 };
-// The fraction of cells that are done. `at_a_time` are under way and half done on average.
-inline double part_of_work(double done, double left, double at_a_time) {
-  return (done + 0.5 * std::min(at_a_time, left)) / (done + left);
-}
 
 struct RunOptions {
   RunBegin begin = RunBegin::anew;

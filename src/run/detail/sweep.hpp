@@ -17,6 +17,7 @@
 
 #include "polhode/ensemble/ordered_parallel_for.hpp"
 #include "polhode/run/resumable_run.hpp"
+#include "polhode/run/time_left.hpp"
 #include "run/detail/checkpointed_outputs.hpp"
 #include "run/detail/source.hpp"
 
@@ -91,14 +92,16 @@ class Sweep {
  private:
   struct Stopped {};  // ends the loop over the cells, from within
   int threads() const;
-  // Called after a cell that had `members`, others `each`; `left` are still to come.
-  void took(std::int64_t members, std::int64_t each, std::int64_t left, Stage stage);
+  // Cells that are computed at a time.
+  int workers() const;
+  // Called after a cell; so many are left, where the last may have fewer members.
+  void took(double left, Stage stage);
 
   double reached_before_ = 0.0;
   std::int64_t rows_before_ = 0;
   std::vector<double> waiting_;  // rows that are not
-  std::int64_t worked_ = 0;      // members since this part began, preparations included
-  std::exception_ptr raised_;    // by `progress`
+  CellClock clock_;
+  std::exception_ptr raised_;  // by `progress`
 };
 
 template <class Result, class Reduce>
@@ -109,9 +112,11 @@ void Sweep::compute(const Source<Result>& source, const Reduce& reduce, Stage st
   const CellRange& range = source.range;
   const auto take = [&](std::int64_t cell, const Result& result) {
     reduce(range.begin_of(cell), result);
-    const std::int64_t end = range.begin_of(cell + 1);
-    took(end - range.begin_of(cell), range.each, range.end - end, stage);
+    took(
+        static_cast<double>(range.end - range.begin_of(cell + 1)) / static_cast<double>(range.each),
+        stage);
   };
+  clock_.begin(workers());
   try {
     if (options_.executor == nullptr || source.work == nullptr)
       return ordered_parallel_for(

@@ -193,15 +193,17 @@ TEST(EnsembleRun, WhatProgressThrowsPassesThrough) {
   EXPECT_THROW(run.run(), std::runtime_error);
 }
 
-// The base, two pilots and 20 members in chunks of 6, on one thread; half of the next chunk counts.
-TEST(EnsembleRun, PartsOfTheWorkCountPilotsAndTheChunkUnderWay) {
+// The part of the time that has passed is known after every chunk.
+TEST(EnsembleRun, PartsOfTheTimeEndAtOne) {
   const ScenarioEnsemble ensemble(body + varied, "e.toml");
   std::vector<double> parts;
   RunOptions options;
   options.threads = 1;
   options.progress = [&](const RunProgress& at) { parts.push_back(at.part); };
   EnsembleRun(ensemble, {}, std::move(options)).run();
-  EXPECT_EQ(parts, (std::vector<double>{12.0 / 23.0, 18.0 / 23.0, 22.0 / 23.0, 1.0}));
+  ASSERT_EQ(parts.size(), 4U);  // 20 members in chunks of 6
+  for (const double part : parts) EXPECT_TRUE(part > 0.0 && part <= 1.0) << part;
+  EXPECT_EQ(parts.back(), 1.0);
 }
 
 TEST(EnsembleRun, StatisticsThatDoNotFitAreRefused) {
