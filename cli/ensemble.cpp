@@ -6,7 +6,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <memory>
 #include <optional>
 #include <string>
@@ -14,10 +13,9 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "polhode/error.hpp"
 #include "polhode/run/ensemble_run.hpp"
-#include "polhode/run/scenario_run.hpp"
 #include "resumable_work.hpp"
+#include "run_alone.hpp"
 
 namespace polhode::cli {
 namespace {
@@ -113,43 +111,20 @@ std::string summary_of(const ScenarioEnsemble& ensemble, const std::vector<Colum
 
 // The scenario of the member; its rows into the outputs that are no scenario.
 void run_member(const ScenarioEnsemble& ensemble, const EnsembleCommand& options) {
-  std::string text = ensemble.member_text(*options.member);
-  const bool has_rows = std::ranges::any_of(
-      options.out, [](const std::string& path) { return !path.ends_with(".toml"); });
-  if (!has_rows && (options.resume || options.restart))
-    throw DomainError(
-        "polhode ensemble: got --resume or --restart of --member without rows in --out, which has "
-        "nothing to go on from; expected --member alone, or --out PATH.csv as well");
-  if (options.out.empty()) return print(text);
-  std::vector<std::string> rows;
-  for (const std::string& path : options.out) {
-    if (!path.ends_with(".toml")) {
-      rows.push_back(path);
-      continue;
-    }
-    std::ofstream file(path, std::ios::binary);
-    file << text;
-    file.close();
-    if (!file) throw OutputError(path + ": cannot be written");
-  }
+  const std::int64_t index = *options.member;
+  const std::string& name = ensemble.scenario().document.name;
+  const Alone one{"--member", "member " + std::to_string(index), name};
+  std::string text = ensemble.member_text(index);
+  const std::vector<std::string> rows = write_scenario_of(one, text, options);
   if (rows.empty()) return;
-  const auto require_done = [&](const std::string& failure) {
-    if (!failure.empty())
-      throw std::runtime_error(fmt::format(
-          "{}: member {} failed: {}", ensemble.scenario().document.name, *options.member, failure));
-  };
-  const Scenario member = ensemble.member_scenario(*options.member, std::move(text));
+  const Scenario member = ensemble.member_scenario(index, std::move(text));
   RunOptions how = begin_options(options);
+  if (ensemble.events().empty() && ensemble.plan().indicators.empty())
+    return run_alone(one, member, rows, std::move(how));
   // what the ensemble knows of it beside the columns of a run
-  if (!ensemble.events().empty() || !ensemble.plan().indicators.empty()) {
-    const MemberReport report = write_member(ensemble, *options.member, member, rows, how);
-    if (report.was_complete) return print_nothing_to_do(ensemble.scenario().document.name, rows);
-    return require_done(report.failure);
-  }
-  ScenarioRun run(member, {rows, {}}, std::move(how));
-  if (run.is_complete()) return print_nothing_to_do(member.document.name, rows);
-  const RunReport report = run.run();
-  require_done(report.outcome.ok() ? std::string() : report.outcome.advice);
+  const MemberReport report = write_member(ensemble, index, member, rows, how);
+  if (report.was_complete) return print_nothing_to_do(name, rows);
+  require_done(one, report.failure);
 }
 
 // Tables of the file that its keep leaves out: no error, so that --set ensemble.keep shows members
@@ -214,7 +189,7 @@ void add_ensemble(CLI::App& app, const Kinds& kinds, const std::string& typed,
           "indicators too, its scenario into a PATH.toml among these; without --out, "
           "print its scenario")
       ->type_name("K")
-      ->check(member_index());
+      ->check(index_of("member"));
   add_threads(*command, *options, "chunks");
   add_begin(*command, *options, {"ensemble", "an ensemble", "members"});
   add_any_machine(*command, *options);

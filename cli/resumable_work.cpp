@@ -44,9 +44,9 @@ CLI::Validator in_range(T first, T last, const std::string& expected) {
 
 }  // namespace
 
-CLI::Validator member_index() {
+CLI::Validator index_of(const std::string& what) {
   return in_range(std::int64_t{0}, std::int64_t{1'000'000'000'000},
-                  "the index of a member, 0 or more");
+                  "the index of a " + what + ", 0 or more");
 }
 
 void add_scenario(CLI::App& command, WorkOptions& options) {

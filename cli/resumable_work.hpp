@@ -62,8 +62,8 @@ bool has_served(SharedWorkOptions& options, const Ranks::MakeWork& make);
 // Options that say whether to resume or restart, and the time between checkpoints.
 RunOptions begin_options(const WorkOptions& options);
 
-// The index of a member.
-CLI::Validator member_index();
+// The index of a "member".
+CLI::Validator index_of(const std::string& what);
 
 // DomainError when a command has one path twice.
 void require_different(const std::string& command, const std::vector<std::string>& paths);

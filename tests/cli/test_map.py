@@ -81,6 +81,56 @@ def test_a_map_of_one_axis_has_its_dimension(run, scenario, tmp_path):
                                "chaos": ("body.moments[1]", "chaos_column")}
 
 
+COLUMN = """
+[[perturbation]]
+kind = "constant-torque"
+torque = [1e-4, 0, 2e-4]
+[map]
+kind = "column"
+column = "w3"
+[[map.axis]]
+key = "body.moments[1]"
+from = 1.4
+to = 1.9
+count = 6
+"""
+
+
+def test_a_cell_alone_has_the_numbers_of_the_map(run, scenario, tmp_path):
+    path, out, rows, own = (scenario(), *(tmp_path / name for name in ("m.csv", "c.csv", "c.toml")))
+    path.write_text(path.read_text() + COLUMN)
+    run.ok("map", path, "--out", out)
+    run.ok("map", path, "--cell", 4, "--out", rows, "--out", own)
+    names, numbers = columns_of(rows)
+    w3 = numbers[:, names.index("w3")]
+    axis, smallest, largest, last = columns_of(out)[1][4]
+    assert (smallest, largest, last) == (w3.min(), w3.max(), w3[-1])
+    text = run.ok("map", path, "--cell", 4).stdout
+    assert text == own.read_text() and text.startswith("# Cell 4 of body.toml, 6 cells\n")
+    assert "map" not in text.replace("# Cell 4", "") and f"moments = [1, {axis}, 2.5]" in text
+    run.ok("run", own, "--out", tmp_path / "again.csv")
+    assert (columns_of(tmp_path / "again.csv")[1] == numbers).all()
+    assert "got cell 6; expected 0 to 5" in run.rejected("map", path, "--cell", 6)
+    assert "expected --cell alone, or --out PATH.csv as well" in run.rejected(
+        "map", path, "--cell", 4, "--resume")
+
+
+def columns_of(path):
+    """The names of the columns of a file, and its rows."""
+    lines = [line for line in path.read_text().splitlines() if not line.startswith("#")]
+    return lines[0].split(","), numpy.array([[float(x) for x in line.split(",")]
+                                             for line in lines[1:]])
+
+
+def test_cells_that_fail_are_named(run, scenario, tmp_path):
+    path = scenario()
+    path.write_text(path.read_text() + COLUMN.replace("from = 1.4", "from = 0.4"))
+    done = run.ok("map", path, "--out", tmp_path / "m.csv")
+    assert ("failed            4, which hold nan; polhode map FILE --cell K runs one:\n  cell 0: "
+            in done.stdout)
+    assert "body.moments" in run.rejected("map", path, "--cell", 0, "--out", tmp_path / "c.csv")
+
+
 SECTION = """
 [[perturbation]]
 kind = "constant-torque"
