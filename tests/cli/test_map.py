@@ -2,6 +2,7 @@
 """`polhode map`: the same bytes for any number of threads, and after any number of kills."""
 
 import os
+import pathlib
 import signal
 import subprocess
 import time
@@ -10,7 +11,7 @@ import budgets
 import h5py
 import numpy
 import pytest
-from ensemble_files import dimensions
+from ensemble_files import dimensions, wait_for_another
 from slowdown import SLOWDOWN
 
 SECONDS = 60 * SLOWDOWN
@@ -79,6 +80,24 @@ def test_a_map_of_one_axis_has_its_dimension(run, scenario, tmp_path):
     run.ok("map", path, "--out", out)
     assert dimensions(out) == {"body.moments[1]": ("body.moments[1]",),
                                "chaos": ("body.moments[1]", "chaos_column")}
+
+
+def test_a_machine_with_other_sines_does_not_go_on_unless_told(polhode, elsewhere, map_file,
+                                                               tmp_path):
+    path, out = map_file, tmp_path / "out.csv"
+    path.write_text(path.read_text().replace("stop = 2000", "stop = 10000"))
+    words = ["map", path, "--checkpoint", "0", "--out", out]
+    process = subprocess.Popen([polhode, *words], stdout=subprocess.DEVNULL,
+                               stderr=subprocess.DEVNULL)
+    wait_for_another(pathlib.Path(f"{out}.checkpoint"), b"", process)
+    process.kill()
+    process.wait()
+    done = elsewhere(*words, "--resume")
+    assert done.returncode == 2
+    assert "is of another map: elementary functions of the machine was " in done.stderr
+    assert "; --any-machine goes on with other last digits; " in done.stderr
+    done = elsewhere(*words, "--resume", "--any-machine")
+    assert done.returncode == 0 and "continues after " in done.stderr
 
 
 COLUMN = """
