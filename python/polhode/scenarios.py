@@ -540,6 +540,11 @@ class MapResults(MapColumns):
         """What was run."""
         return Scenario._of(self._file)
 
+    def cell_scenario(self, index: int) -> Scenario:
+        """The scenario of one cell, from 0 on: what `polhode map --cell` prints. ValueError for
+        another index, or if the numbers of the cell are rejected."""
+        return Scenario._of(self._file.map_cell(index))
+
 
 class EnsembleResults(EnsembleColumns):
     """What an ensemble keeps: `results["P_short_mean"]` is a column, a view without a copy.

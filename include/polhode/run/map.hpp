@@ -60,6 +60,10 @@ class ScenarioMap {
   // The text of the scenario with the numbers of a cell, without its [map].
   std::string cell_text(std::int64_t index) const;
   // The scenario of this text, complete: it can be run and changed.
+  Scenario cell_scenario(std::int64_t index) const {
+    return cell_scenario(index, cell_text(index));
+  }
+  // The same for a caller that has the text.
   Scenario cell_scenario(std::int64_t index, std::string cell_text) const;
 
  private:

@@ -95,6 +95,10 @@ void bind_map(nb::module_& m, nb::class_<Scenario>& scenario) {
   scenario.def("map", run_map, "outputs"_a, "threads"_a, "executor"_a.none(), "resume"_a,
                "restart"_a, "any_machine"_a, "progress"_a.none());
   scenario.def(
+      "map_cell",
+      [](const Scenario& s, std::int64_t index) { return ScenarioMap(s).cell_scenario(index); },
+      "index"_a);
+  scenario.def(
       "map_work",
       [](const Scenario& s, bool any_machine) { return new WorkerCells{map_work(s, any_machine)}; },
       nb::rv_policy::take_ownership, "any_machine"_a);

@@ -40,7 +40,7 @@ void bind_run(nb::module_& m, nb::class_<Scenario>& scenario);
 // _ExecutorWork: a worker's map or ensemble.
 void bind_executor_work(nb::module_& m);
 
-// Methods map and map_work of _Scenario, and what map returns.
+// Methods map, map_cell and map_work of _Scenario, and what map returns.
 void bind_map(nb::module_& m, nb::class_<Scenario>& scenario);
 
 // Methods ensemble and ensemble_work of _Scenario, the ensemble, and _kinds_of_table.
