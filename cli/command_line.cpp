@@ -123,7 +123,7 @@ int command_line(int argc, const char* const* argv, const Kinds& kinds, const Ma
              " run body.toml --out body.csv");
   const std::string typed = typed_program(argc, argv);
   add_run(app, kinds, typed);
-  add_map(app, kinds, typed);
+  add_map(app, kinds, typed, ranks);
   add_ensemble(app, kinds, typed, ranks);
   add_fit(app, kinds, typed);
   add_simulate(app, kinds);

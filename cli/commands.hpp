@@ -23,7 +23,7 @@ void add_init(CLI::App& app, const Kinds& kinds);
 void add_cite(CLI::App& app, const Kinds& kinds);
 void add_completion(CLI::App& app);
 void add_golden(CLI::App& app);
-void add_map(CLI::App& app, const Kinds& kinds, const std::string& typed);
+void add_map(CLI::App& app, const Kinds& kinds, const std::string& typed, const MakeRanks& ranks);
 void add_ensemble(CLI::App& app, const Kinds& kinds, const std::string& typed,
                   const MakeRanks& ranks);
 void add_fit(CLI::App& app, const Kinds& kinds, const std::string& typed);

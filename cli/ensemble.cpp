@@ -6,7 +6,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <memory>
 #include <optional>
 #include <string>
@@ -14,22 +13,17 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "polhode/error.hpp"
 #include "polhode/run/ensemble_run.hpp"
-#include "polhode/run/scenario_run.hpp"
 #include "resumable_work.hpp"
+#include "run_alone.hpp"
 
 namespace polhode::cli {
 namespace {
 
 constexpr std::size_t reasons_shown = 3, columns_shown = 12;
 
-struct EnsembleCommand : WorkOptions {
+struct EnsembleCommand : SharedWorkOptions {
   std::optional<std::int64_t> member;
-  bool any_machine = false;
-  // They last until the last message is written: MPI_Finalize does not return once mpirun was told
-  // to stop.
-  std::unique_ptr<Ranks> ranks;
 };
 
 std::string with_unit(const std::string& unit) { return unit == "1" ? "" : " " + unit; }
@@ -117,65 +111,20 @@ std::string summary_of(const ScenarioEnsemble& ensemble, const std::vector<Colum
 
 // The scenario of the member; its rows into the outputs that are no scenario.
 void run_member(const ScenarioEnsemble& ensemble, const EnsembleCommand& options) {
-  std::string text = ensemble.member_text(*options.member);
-  const bool has_rows = std::ranges::any_of(
-      options.out, [](const std::string& path) { return !path.ends_with(".toml"); });
-  if (!has_rows && (options.resume || options.restart))
-    throw DomainError(
-        "polhode ensemble: got --resume or --restart of --member without rows in --out, which has "
-        "nothing to go on from; expected --member alone, or --out PATH.csv as well");
-  if (options.out.empty()) return print(text);
-  std::vector<std::string> rows;
-  for (const std::string& path : options.out) {
-    if (!path.ends_with(".toml")) {
-      rows.push_back(path);
-      continue;
-    }
-    std::ofstream file(path, std::ios::binary);
-    file << text;
-    file.close();
-    if (!file) throw OutputError(path + ": cannot be written");
-  }
+  const std::int64_t index = *options.member;
+  const std::string& name = ensemble.scenario().document.name;
+  const Alone one{"--member", "member " + std::to_string(index), name};
+  std::string text = ensemble.member_text(index);
+  const std::vector<std::string> rows = write_scenario_of(one, text, options);
   if (rows.empty()) return;
-  const auto require_done = [&](const std::string& failure) {
-    if (!failure.empty())
-      throw std::runtime_error(fmt::format(
-          "{}: member {} failed: {}", ensemble.scenario().document.name, *options.member, failure));
-  };
-  const Scenario member = ensemble.member_scenario(*options.member, std::move(text));
+  const Scenario member = ensemble.member_scenario(index, std::move(text));
   RunOptions how = begin_options(options);
+  if (ensemble.events().empty() && ensemble.plan().indicators.empty())
+    return run_alone(one, member, rows, std::move(how));
   // what the ensemble knows of it beside the columns of a run
-  if (!ensemble.events().empty() || !ensemble.plan().indicators.empty()) {
-    const MemberReport report = write_member(ensemble, *options.member, member, rows, how);
-    if (report.was_complete) return print_nothing_to_do(ensemble.scenario().document.name, rows);
-    return require_done(report.failure);
-  }
-  ScenarioRun run(member, {rows, {}}, std::move(how));
-  if (run.is_complete()) return print_nothing_to_do(member.document.name, rows);
-  const RunReport report = run.run();
-  require_done(report.outcome.ok() ? std::string() : report.outcome.advice);
-}
-
-// Work together with the ensemble that it is of.
-class OwnWork final : public ExecutorWork {
- public:
-  OwnWork(const EnsembleCommand& options, const Kinds& kinds)
-      : ensemble_(changed_scenario(options.scenario, options.set, kinds)),
-        work_(ensemble_work(ensemble_, options.any_machine)) {}
-  void begin(const std::string& stage) override { work_->begin(stage); }
-  std::string cell(std::int64_t index, const std::function<void()>& look) const override {
-    return work_->cell(index, look);
-  }
-
- private:
-  ScenarioEnsemble ensemble_;
-  std::unique_ptr<ExecutorWork> work_;
-};
-
-// What the ranks do that do not lead. Signals are for the one that does: it says when to stop.
-void serve(Ranks& ranks, const EnsembleCommand& options, const Kinds& kinds) {
-  const StopSignals signals;
-  ranks.serve([&] { return std::make_unique<OwnWork>(options, kinds); });
+  const MemberReport report = write_member(ensemble, index, member, rows, how);
+  if (report.was_complete) return print_nothing_to_do(name, rows);
+  require_done(one, report.failure);
 }
 
 // Tables of the file that its keep leaves out: no error, so that --set ensemble.keep shows members
@@ -193,13 +142,10 @@ void say_what_is_not_made(const ScenarioEnsemble& ensemble) {
                       ensemble.scenario().document.name, table, keep));
 }
 
-void make_ensemble(const EnsembleCommand& options, const Kinds& kinds) {
-  if (options.ranks && !options.ranks->leads()) return serve(*options.ranks, options, kinds);
-  if (options.ranks && options.scenario == "-")
-    throw DomainError(
-        "polhode ensemble: got - and several processes, of which one has standard "
-        "input; expected a file that all can read");
-  const ScenarioEnsemble ensemble(changed_scenario(options.scenario, options.set, kinds));
+void make_ensemble(EnsembleCommand& options, const Kinds& kinds) {
+  const auto read = [&] { return changed_scenario(options.scenario, options.set, kinds); };
+  if (has_served(options, [&] { return ensemble_work(read(), options.any_machine); })) return;
+  const ScenarioEnsemble ensemble(read());
   require_different("ensemble", options.out);
   if (options.member) return run_member(ensemble, options);
   std::vector<std::string> out = options.out;
@@ -243,19 +189,16 @@ void add_ensemble(CLI::App& app, const Kinds& kinds, const std::string& typed,
           "indicators too, its scenario into a PATH.toml among these; without --out, "
           "print its scenario")
       ->type_name("K")
-      ->check(member_index());
+      ->check(index_of("member"));
   add_threads(*command, *options, "chunks");
   add_begin(*command, *options, {"ensemble", "an ensemble", "members"});
-  command->add_flag("--any-machine", options->any_machine,
-                    "Let machines work together, or go on, whose sines and logarithms differ in "
-                    "last digits: so do the results");
+  add_any_machine(*command, *options);
   command->footer(
       "\nCtrl-C stops an ensemble and keeps its members; --resume continues it.\n"
       "\nExample:\n  " +
       full_name(*command) + " examples/apophis-ensemble.toml --out apophis.h5 --threads 2");
   command->callback([options, kinds, ranks] {
-    if (options->any_machine) options->own_flags = {"--any-machine"};
-    if (ranks) options->ranks = ranks(std::max(options->threads, 1));
+    options->begin(ranks);
     make_ensemble(*options, kinds);
   });
 }

@@ -18,6 +18,7 @@
 #include "polhode/run/light_report.hpp"
 #include "polhode/run/predictions.hpp"
 #include "polhode/run/simulate.hpp"
+#include "polhode/run/time_left.hpp"
 #include "resumable_work.hpp"
 
 namespace polhode::cli {
@@ -151,6 +152,10 @@ class KeptFit {
 
   CellJournal* journal() { return &checkpoint_.journal(); }
   std::optional<ProgressLine>& line() { return work_.line(); }
+  // Whether so many results were there at the beginning.
+  bool has_read(std::int64_t results) const {
+    return static_cast<double>(results) <= checkpoint_.reached();
+  }
   // Results that are read again take no time.
   void tell(const RunProgress& at) {
     if (!line()) return;
@@ -195,9 +200,11 @@ void fit_snapshots(const FitCommand& options, const Scenario& scenario, KeptFit&
   how.stop = [] { return StopSignals::came() != 0; };
   if (const std::int64_t starts = require_fit(scenario).starts; starts > 1) {
     kept.line().emplace(0.0, starts, "starts");
-    how.progress = [&kept, starts, threads = how.threads](std::int64_t done) {
-      const auto ended = static_cast<double>(done), left = static_cast<double>(starts - done);
-      kept.tell({ended, part_of_work(ended, left, threads)});
+    how.progress = [&kept, starts, threads = how.threads,
+                    clock = CellClock(how.threads)](std::int64_t done) mutable {
+      clock.ended();
+      if (kept.has_read(done)) clock = CellClock(threads);  // results that are read take no time
+      kept.tell({static_cast<double>(done), clock.part(static_cast<double>(starts - done))});
     };
   }
   const FitReport report = kept.run([&] { return fit_scenario(scenario, how); });

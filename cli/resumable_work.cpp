@@ -44,9 +44,9 @@ CLI::Validator in_range(T first, T last, const std::string& expected) {
 
 }  // namespace
 
-CLI::Validator member_index() {
+CLI::Validator index_of(const std::string& what) {
   return in_range(std::int64_t{0}, std::int64_t{1'000'000'000'000},
-                  "the index of a member, 0 or more");
+                  "the index of a " + what + ", 0 or more");
 }
 
 void add_scenario(CLI::App& command, WorkOptions& options) {
@@ -87,6 +87,30 @@ void add_begin(CLI::App& command, WorkOptions& options, const WorkWords& words) 
       ->type_name("SECONDS")
       ->check(in_range(0.0, 1e9, "a number of seconds, from 0 to 1e9"))
       ->capture_default_str();
+}
+
+void add_any_machine(CLI::App& command, SharedWorkOptions& options) {
+  command.add_flag("--any-machine", options.any_machine,
+                   "Let machines work together, or go on, whose sines and logarithms differ in "
+                   "last digits: so do the results");
+}
+
+void SharedWorkOptions::begin(const MakeRanks& make) {
+  if (any_machine) own_flags = {"--any-machine"};
+  if (make) ranks = make(std::max(threads, 1));
+}
+
+bool has_served(SharedWorkOptions& options, const Ranks::MakeWork& make) {
+  if (!options.ranks) return false;
+  if (options.ranks->leads()) {
+    if (options.scenario != "-") return false;
+    throw DomainError("polhode " + options.command +
+                      ": got - and several processes, of which one has standard input; expected a "
+                      "file that all can read");
+  }
+  const StopSignals signals;  // they are for the one that leads: it says when to stop
+  options.ranks->serve(make);
+  return true;
 }
 
 RunOptions begin_options(const WorkOptions& options) {

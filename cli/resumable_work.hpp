@@ -3,6 +3,7 @@
 #pragma once
 
 #include <exception>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -27,6 +28,17 @@ struct WorkOptions {
   std::vector<std::string> own_words = {}, own_flags = {};
 };
 
+// Options of work that several processes may share.
+struct SharedWorkOptions : WorkOptions {
+  bool any_machine = false;
+  // They last until the last message is written: MPI_Finalize does not return once mpirun was told
+  // to stop.
+  std::unique_ptr<Ranks> ranks;
+
+  // Makes the ranks from the options that were typed.
+  void begin(const MakeRanks& make);
+};
+
 // The words of help: "run", "a run", "rows".
 struct WorkWords {
   std::string name, one, results;
@@ -40,12 +52,18 @@ void add_tables(CLI::App& command, WorkOptions& options, const Kinds& kinds);
 void add_threads(CLI::App& command, WorkOptions& options, const std::string& at_a_time);
 // --resume, --restart and --checkpoint.
 void add_begin(CLI::App& command, WorkOptions& options, const WorkWords& words);
+// --any-machine.
+void add_any_machine(CLI::App& command, SharedWorkOptions& options);
+
+// True for a process that does not lead: it has computed cells for the one that does, by the work
+// that `make` returns. DomainError for a scenario that not all of several processes can read.
+bool has_served(SharedWorkOptions& options, const Ranks::MakeWork& make);
 
 // Options that say whether to resume or restart, and the time between checkpoints.
 RunOptions begin_options(const WorkOptions& options);
 
-// The index of a member.
-CLI::Validator member_index();
+// The index of a "member".
+CLI::Validator index_of(const std::string& what);
 
 // DomainError when a command has one path twice.
 void require_different(const std::string& command, const std::vector<std::string>& paths);

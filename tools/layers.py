@@ -30,7 +30,7 @@ LAYERS = {
     "light": "math rotor shape",
     "perturb": "math rotor orbit frame shape",
     "system": "math rotor free orbit frame perturb",
-    "trajectory": "math rotor",
+    "trajectory": "math rotor system",
     "dynamics": "math ode rotor free orbit frame perturb system trajectory",
     "secular": "*",
     "analysis": "*",

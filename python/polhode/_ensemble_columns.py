@@ -319,9 +319,9 @@ def run_ensemble(
     ensemble = file.ensemble()
     run_stage, names = None, [os.fsdecode(path) for path in paths]
     if executor is not None:
-        from polhode._ensemble_executor import stage_runner
+        from polhode._executor import stage_runner
 
-        run_stage = stage_runner(executor, file, any_machine)
+        run_stage = stage_runner("ensemble", executor, file, any_machine)
         # workers may be in other folders
         names = [os.path.abspath(name) if MARK in name else name for name in names]
     done = ensemble.run(names, threads or 0, run_stage, resume, restart, any_machine, progress)

@@ -15,6 +15,8 @@ from polhode._notebook import html_rows
 from polhode._summary import Summary
 
 if TYPE_CHECKING:
+    from concurrent.futures import Executor
+
     import numpy
     import numpy.typing
     import pandas
@@ -274,14 +276,21 @@ def run_map(
     file: Any,
     paths: Sequence[Any],
     threads: int | None,
+    executor: Executor | None,
     resume: bool,
     restart: bool,
+    any_machine: bool,
     progress: Callable[[int, int], object] | None,
 ) -> _Map:
     """The map of a file; see Scenario.map."""
     import numpy
 
-    done = file.map(list(paths), threads or 0, resume, restart, progress)
+    run_stage = None
+    if executor is not None:
+        from polhode._executor import stage_runner
+
+        run_stage = stage_runner("map", executor, file, any_machine)
+    done = file.map(list(paths), threads or 0, run_stage, resume, restart, any_machine, progress)
     groups = numpy.array(done.cells_and_rows, dtype=numpy.int64).reshape(-1, 2)
     rows = numpy.repeat(groups[:, 1], groups[:, 0])  # of each cell
     cells = numpy.repeat(numpy.arange(len(rows), dtype=numpy.int64), rows)

@@ -275,8 +275,10 @@ class Scenario:
         outputs: Path | Iterable[Path] = (),
         *,
         threads: int | None = None,
+        executor: Executor | None = None,
         resume: bool = False,
         restart: bool = False,
+        any_machine: bool = False,
         progress: Callable[[int, int], object] | None = None,
     ) -> MapResults:
         """Every cell of the grid of [map]: chaos, extremes of a column, or surfaces of section.
@@ -287,9 +289,13 @@ class Scenario:
             byte. As those of run they are PATH.part until they are complete, with a checkpoint.
         threads : how many cells at a time; None: one on each processor. The result does not depend
             on it.
+        executor : a concurrent.futures.Executor that computes the cells instead of these threads,
+            as in Scenario.ensemble. The result is that of threads, to the last bit.
         resume : continues a map that was stopped or killed, from its PATH.checkpoint; begins anew
             without one, also where the map is complete.
         restart : begins anew where an unfinished map is, which is an error otherwise.
+        any_machine : whether workers may work together, or a map go on, on machines whose sines and
+            logarithms differ in last digits: so does the result.
         progress : called with the number of cells so far and that of all, after each; what it
             raises ends the map.
 
@@ -301,16 +307,22 @@ class Scenario:
 
         ValueError for a scenario without [map], for a path that cannot be an output or that another
         map is writing, and for an unfinished map without resume or restart; OutputError
-        when writing fails. Cells release the GIL; Ctrl-C raises KeyboardInterrupt, and leaves
-        PATH.part and a checkpoint.
+        when writing fails; RuntimeError for a worker that dies or fails, after which the cells so
+        far are in the checkpoint. Cells release the GIL; Ctrl-C raises KeyboardInterrupt, and
+        leaves PATH.part and a checkpoint.
         """
         paths = _several(outputs, "map")
         _require_files(paths, "map")
         if threads is not None and threads < 1:
             raise ValueError(f"map: threads: got {threads!r}; expected a whole number from 1")
+        if threads is not None and executor is not None:
+            raise ValueError("map: got threads and an executor; expected one of them")
         if resume and not paths:
             raise ValueError("map: got resume=True; expected it with outputs")
-        return run_map(MapResults, self._file, paths, threads, resume, restart, progress)
+        return run_map(
+            MapResults, self._file, paths, threads, executor, resume, restart, any_machine,
+            progress,
+        )
 
     def ensemble(
         self,
@@ -527,6 +539,11 @@ class MapResults(MapColumns):
     def scenario(self) -> Scenario:
         """What was run."""
         return Scenario._of(self._file)
+
+    def cell_scenario(self, index: int) -> Scenario:
+        """The scenario of one cell, from 0 on: what `polhode map --cell` prints. ValueError for
+        another index, or if the numbers of the cell are rejected."""
+        return Scenario._of(self._file.map_cell(index))
 
 
 class EnsembleResults(EnsembleColumns):

@@ -95,6 +95,7 @@ def test_what_progress_raises_passes_through(tmp_path):
 
     with pytest.raises(Stop):
         scenario(1e7).run(tmp_path / "a.csv", keep=False, progress=stop)
+    assert (tmp_path / "a.csv.checkpoint").exists()  # the rows so far are kept
     with pytest.raises(TypeError, match="progress: expected a function"):
         scenario(1).run(progress=3)
 

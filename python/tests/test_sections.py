@@ -179,6 +179,21 @@ def test_a_map_is_that_of_its_cells():
         chart["lyapunov"][0] = 1.0
 
 
+def test_the_scenario_of_a_cell_runs_to_its_numbers():
+    text = MAP.replace("time = {", 'output.columns = ["omega"]\ntime = {')
+    chart = Scenario.from_text(text + 'kind = "column"\ncolumn = "w3"\n').map()
+    for k in (0, 7):
+        cell = chart.cell_scenario(k)
+        w3 = cell.run()["w3"]
+        found = [chart[f"w3_{name}"][k] for name in ("smallest", "largest", "last")]
+        assert found == [w3.min(), w3.max(), w3[-1]]  # NaN: no row has any
+        assert cell.text.startswith(f"# Cell {k} of scenario.toml, 15 cells\n")
+    with pytest.raises(ValueError, match="got cell 15; expected 0 to 14"):
+        chart.cell_scenario(15)
+    with pytest.raises(ValueError, match="body.moments"):
+        chart.cell_scenario(2)
+
+
 def test_a_map_of_sections_has_the_points_of_each_start():
     scenario = Scenario.from_text(SECTION)
     points = scenario.map()

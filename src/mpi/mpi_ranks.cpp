@@ -39,6 +39,7 @@ class MpiRanks final : public Ranks {
   }
 
   int processes() const override { return size_; }
+  int at_a_time() const override { return size_ * own_.threads(); }
   bool leads() const override { return rank_ == 0; }
 
   void run(ExecutorWork& work, const ExecutorStage& stage, const Take& take,

@@ -38,7 +38,7 @@ struct CheckpointHead {
 
   void serialize(Archive& bytes) {
     bytes(kind);
-    bytes.list(identity, [&](IdentityPart& part) { bytes.all(part.name, part.text); });
+    serialize_identity(bytes, identity);
     bytes.all(place.reached, place.goes_on);
     bytes.list(positions, [&](SinkPosition& p) { bytes.all(p.bytes, p.rows); });
   }

@@ -24,8 +24,10 @@
 #include "polhode/dynamics/integrate_model.hpp"
 #include "polhode/error.hpp"
 #include "polhode/output/columns.hpp"
+#include "polhode/scenario/changes.hpp"
 #include "polhode/scenario/obliquity.hpp"
 #include "polhode/scenario/varied_scenario.hpp"
+#include "text/words.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -347,6 +349,20 @@ std::vector<double> ScenarioMap::axis_values(std::int64_t index) const {
     index /= axes[i].count;
   }
   return values;
+}
+
+std::string ScenarioMap::cell_text(std::int64_t index) const {
+  if (index < 0 || index >= size())
+    throw DomainError(scenario().document.name + ": got cell " + std::to_string(index) +
+                      "; expected 0 to " + std::to_string(size() - 1));
+  const ScenarioChange without_map{"map", ""};
+  return "# Cell " + std::to_string(index) + " of " +
+         detail::printable(scenario().document.name, 200) + ", " + std::to_string(size()) +
+         " cells\n" + changed_text(parts_->varied.text(axis_values(index)), {&without_map, 1});
+}
+
+Scenario ScenarioMap::cell_scenario(std::int64_t index, std::string cell_text) const {
+  return parts_->varied.scenario(axis_values(index), std::move(cell_text));
 }
 
 MapCell ScenarioMap::cell(std::int64_t index, const Progress& progress) const {

@@ -2,12 +2,14 @@
 // The run of a map into files.
 #include "polhode/run/map_run.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <map>
 #include <utility>
 
 #include "polhode/run/run.hpp"
+#include "run/detail/machine.hpp"
 #include "run/detail/sweep.hpp"
 #include "text/words.hpp"
 
@@ -42,6 +44,34 @@ void serialize_failures(Archive& bytes, std::vector<MapReport::Failure>& failure
   });
 }
 
+// The cells of a map on threads and in other processes.
+class MapCells final : public detail::SourceWork {
+ public:
+  MapCells(const ScenarioMap& map, bool any_machine)
+      : SourceWork(map.scenario(), "map", map.groups(), any_machine), map_(map) {}
+
+  detail::Source<std::vector<MapCell>> cells(const detail::CellRange& range) {
+    return {.range = range,
+            .members =
+                [this](std::int64_t begin, std::int64_t end, const Progress& look) {
+                  std::vector<MapCell> some;
+                  for (std::int64_t k = begin; k < end; ++k) some.push_back(map_.cell(k, look));
+                  return some;
+                },
+            .work = this,
+            .stage = [](Archive&) {},
+            .serialize =
+                [](Archive& bytes, std::vector<MapCell>& some) {
+                  bytes.list(some, [&](MapCell& one) { bytes.all(one.numbers, one.failure); });
+                }};
+  }
+
+ private:
+  void begin_stage(const detail::CellRange& range, Archive&) override { computes(cells(range)); }
+
+  const ScenarioMap& map_;
+};
+
 // What is reported of a map, cell after cell.
 void add(MapReport& report, const MapCell& cell, std::size_t width) {
   const auto rows = static_cast<std::int64_t>(cell.numbers.size() / width);
@@ -67,11 +97,14 @@ class MapRun::Parts final : public detail::Sweep {
  public:
   Parts(const ScenarioMap& map, const std::vector<std::string>& paths, RunOptions options)
       : Sweep(map.scenario(),
-              detail::setup_of_tables({"map", "runs this one anew"}, map.scenario(), map.groups(),
-                                      paths),
+              detail::with_machine(detail::setup_of_tables({"map", "runs this one anew"},
+                                                           map.scenario(), map.groups(), paths),
+                                   options),
               map.groups(), provenance_of(map), std::move(options)),
         map_(map),
+        cells_(map, options_.any_machine),
         width_(map.width()) {
+    require_cells_for_all(map.size(), "map", "cells", "cell");
     constexpr double infinity = std::numeric_limits<double>::infinity();
     report_.ranges.assign(width_, {infinity, -infinity});
     if (outputs_.is_complete()) return;
@@ -82,11 +115,10 @@ class MapRun::Parts final : public detail::Sweep {
   MapReport run() {
     if (outputs_.is_complete()) return report_;
     outputs_.with_remedy([&] {
-      const std::int64_t first = report_.cells;
-      const detail::Source<MapCell> source{
-          .members = map_.size() - first,
-          .cell = [&](std::int64_t k, const Progress& look) { return map_.cell(first + k, look); }};
-      compute(source, [&](std::int64_t k, const MapCell& cell) { reduce(first + k, cell); });
+      compute(cells_.cells({report_.cells, map_.size(), together()}),
+              [&](std::int64_t, const std::vector<MapCell>& some) {
+                for (const MapCell& cell : some) reduce(cell);
+              });
       push_rows();
       for (const std::unique_ptr<Sink>& sink : sinks_) sink->finish();
       outputs_.forget();
@@ -105,8 +137,16 @@ class MapRun::Parts final : public detail::Sweep {
   double reached() const override { return static_cast<double>(report_.cells); }
   detail::CheckpointPlace place() const override { return place_among(map_.size(), "cells"); }
 
-  void reduce(std::int64_t index, const MapCell& cell) {
-    const std::vector<double> axes = map_.axis_values(index);
+  // Cells that go together: a message costs as much as a short cell. An executor that does not say
+  // how many cells it computes at a time joins short ones itself.
+  std::int64_t together() const {
+    constexpr std::int64_t most = 16, messages = 32;  // of each worker
+    const std::int64_t workers = options_.executor == nullptr ? 1 : options_.executor->at_a_time();
+    return workers == 1 ? 1 : std::clamp<std::int64_t>(map_.size() / (messages * workers), 1, most);
+  }
+
+  void reduce(const MapCell& cell) {
+    const std::vector<double> axes = map_.axis_values(report_.cells);
     for (std::size_t k = 0; k < cell.numbers.size(); k += width_) {
       add_rows(axes);
       add_rows(std::span(cell.numbers).subspan(k, width_));
@@ -115,6 +155,7 @@ class MapRun::Parts final : public detail::Sweep {
   }
 
   const ScenarioMap& map_;
+  MapCells cells_;
   std::size_t width_;
   MapReport report_;
 };
@@ -122,6 +163,10 @@ class MapRun::Parts final : public detail::Sweep {
 MapRun::MapRun(const ScenarioMap& map, const std::vector<std::string>& outputs, RunOptions options)
     : ResumableRun(std::make_unique<Parts>(map, outputs, std::move(options))) {}
 MapReport MapRun::run() { return static_cast<Parts&>(*sweep_).run(); }
+
+std::unique_ptr<ExecutorWork> map_work(Scenario scenario, bool any_machine) {
+  return detail::work_of<MapCells, ScenarioMap>(std::move(scenario), any_machine);
+}
 
 }  // namespace v0
 }  // namespace polhode

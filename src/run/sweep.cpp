@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "polhode/error.hpp"
+
 namespace polhode {
 inline namespace v0 {
 namespace detail {
@@ -52,23 +54,34 @@ void Sweep::interrupt() {
 
 int Sweep::threads() const { return options_.threads > 0 ? options_.threads : hardware_threads(); }
 
-void Sweep::took(std::int64_t members, std::int64_t each, std::int64_t left, Stage stage) {
-  worked_ += members;
+int Sweep::workers() const {
+  return options_.executor == nullptr ? threads() : options_.executor->at_a_time();
+}
+
+void Sweep::took(double left, Stage stage) {
+  clock_.ended();
   if (waiting_.size() >= numbers_per_block) push_rows();
   if (stage == Stage::cells && options_.progress) {
-    const int processes = options_.executor == nullptr ? 1 : options_.executor->processes();
-    const double at_a_time = static_cast<double>(each) * processes * threads();
     try {
-      options_.progress({reached(), part_of_work(static_cast<double>(worked_),
-                                                 static_cast<double>(left), at_a_time)});
+      options_.progress({reached(), clock_.part(left)});
     } catch (...) {
       raised_ = std::current_exception();
       throw Stopped();
     }
   }
-  if (stage == Stage::cells && left == 0) return;
+  if (stage == Stage::cells && left == 0.0) return;
   if (is_stopped()) throw Stopped();
   if (has_state() && outputs_.is_due()) keep();
+}
+
+void Sweep::require_cells_for_all(std::int64_t cells, const std::string& kind,
+                                  const std::string& called, const std::string& one,
+                                  const std::string& advice) const {
+  const int processes = options_.executor == nullptr ? 1 : options_.executor->processes();
+  if (processes <= cells) return;
+  throw DomainError(scenario_.document.name + ": " + kind + ": " + std::to_string(processes) +
+                    " processes for " + std::to_string(cells) + " " + called + "; expected a " +
+                    one + " for each at least: fewer processes" + advice);
 }
 
 void Sweep::add_rows(std::span<const double> rows) {

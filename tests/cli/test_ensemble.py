@@ -2,7 +2,6 @@
 """`polhode ensemble`: the same bytes for any number of threads and after kills, members that can be
 run alone, and statistics that are those of their rows."""
 
-import os
 import pathlib
 import signal
 import subprocess
@@ -12,7 +11,15 @@ import budgets
 import h5py
 import numpy
 import pytest
-from ensemble_files import COLLOCATION, TORQUE, VARY, dimensions, mark, rows_of
+from ensemble_files import (
+    COLLOCATION,
+    TORQUE,
+    VARY,
+    dimensions,
+    mark,
+    rows_of,
+    wait_for_another,
+)
 from slowdown import SLOWDOWN
 
 SECONDS = 60 * SLOWDOWN
@@ -96,37 +103,20 @@ def test_ctrl_c_keeps_the_members(polhode, run, ensemble, tmp_path):
     assert "is of another ensemble: scenario was" in done.stderr
 
 
-def test_a_machine_with_other_sines_does_not_go_on_unless_told(polhode, run, tmp_path):
-    """The C library of a processor without fused multiplication stands for another machine."""
-    other = {**os.environ, "GLIBC_TUNABLES": "glibc.cpu.hwcaps=-AVX2,-FMA,-FMA4"}
-    whole, out = tmp_path / "whole.csv", tmp_path / "out.csv"
-
-    def words(size):
-        return ["ensemble", "examples/apophis-ensemble.toml", "--set", f"ensemble.size={size}",
-                "--set", "ensemble.chunk=100", "--checkpoint", "0", "--out", str(out)]
-
-    def elsewhere(*arguments):
-        return subprocess.run([polhode, *arguments], capture_output=True, text=True,
-                              timeout=SECONDS, env=other)
-
-    run.ok(*words(500))
-    out.rename(whole)
-    assert elsewhere(*words(500)).returncode == 0
-    if out.read_bytes() == whole.read_bytes():
-        pytest.skip("the sines of this machine have no other last digits")
-    out.unlink()
-    process = subprocess.Popen([polhode, *words(6000)], stdout=subprocess.DEVNULL,
+def test_a_machine_with_other_sines_does_not_go_on_unless_told(polhode, elsewhere, tmp_path):
+    out = tmp_path / "out.csv"
+    words = ["ensemble", "examples/apophis-ensemble.toml", "--set", "ensemble.size=6000", "--set",
+             "ensemble.chunk=100", "--checkpoint", "0", "--out", out]
+    process = subprocess.Popen([polhode, *words], stdout=subprocess.DEVNULL,
                                stderr=subprocess.DEVNULL)
-    until = time.monotonic() + SECONDS
-    while not pathlib.Path(f"{out}.checkpoint").exists() and time.monotonic() < until:
-        time.sleep(0.01)
+    wait_for_another(pathlib.Path(f"{out}.checkpoint"), b"", process)
     process.kill()
     process.wait()
-    done = elsewhere(*words(6000), "--resume")
+    done = elsewhere(*words, "--resume")
     assert done.returncode == 2
     assert "is of another ensemble: elementary functions of the machine was " in done.stderr
     assert "; --any-machine goes on with other last digits; " in done.stderr
-    done = elsewhere(*words(6000), "--resume", "--any-machine")
+    done = elsewhere(*words, "--resume", "--any-machine")
     assert done.returncode == 0 and "continues after " in done.stderr
 
 

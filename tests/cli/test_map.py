@@ -2,6 +2,7 @@
 """`polhode map`: the same bytes for any number of threads, and after any number of kills."""
 
 import os
+import pathlib
 import signal
 import subprocess
 import time
@@ -10,7 +11,7 @@ import budgets
 import h5py
 import numpy
 import pytest
-from ensemble_files import dimensions
+from ensemble_files import dimensions, wait_for_another
 from slowdown import SLOWDOWN
 
 SECONDS = 60 * SLOWDOWN
@@ -79,6 +80,74 @@ def test_a_map_of_one_axis_has_its_dimension(run, scenario, tmp_path):
     run.ok("map", path, "--out", out)
     assert dimensions(out) == {"body.moments[1]": ("body.moments[1]",),
                                "chaos": ("body.moments[1]", "chaos_column")}
+
+
+def test_a_machine_with_other_sines_does_not_go_on_unless_told(polhode, elsewhere, map_file,
+                                                               tmp_path):
+    path, out = map_file, tmp_path / "out.csv"
+    path.write_text(path.read_text().replace("stop = 2000", "stop = 10000"))
+    words = ["map", path, "--checkpoint", "0", "--out", out]
+    process = subprocess.Popen([polhode, *words], stdout=subprocess.DEVNULL,
+                               stderr=subprocess.DEVNULL)
+    wait_for_another(pathlib.Path(f"{out}.checkpoint"), b"", process)
+    process.kill()
+    process.wait()
+    done = elsewhere(*words, "--resume")
+    assert done.returncode == 2
+    assert "is of another map: elementary functions of the machine was " in done.stderr
+    assert "; --any-machine goes on with other last digits; " in done.stderr
+    done = elsewhere(*words, "--resume", "--any-machine")
+    assert done.returncode == 0 and "continues after " in done.stderr
+
+
+COLUMN = """
+[[perturbation]]
+kind = "constant-torque"
+torque = [1e-4, 0, 2e-4]
+[map]
+kind = "column"
+column = "w3"
+[[map.axis]]
+key = "body.moments[1]"
+from = 1.4
+to = 1.9
+count = 6
+"""
+
+
+def test_a_cell_alone_has_the_numbers_of_the_map(run, scenario, tmp_path):
+    path, out, rows, own = (scenario(), *(tmp_path / name for name in ("m.csv", "c.csv", "c.toml")))
+    path.write_text(path.read_text() + COLUMN)
+    run.ok("map", path, "--out", out)
+    run.ok("map", path, "--cell", 4, "--out", rows, "--out", own)
+    names, numbers = columns_of(rows)
+    w3 = numbers[:, names.index("w3")]
+    axis, smallest, largest, last = columns_of(out)[1][4]
+    assert (smallest, largest, last) == (w3.min(), w3.max(), w3[-1])
+    text = run.ok("map", path, "--cell", 4).stdout
+    assert text == own.read_text() and text.startswith("# Cell 4 of body.toml, 6 cells\n")
+    assert "map" not in text.replace("# Cell 4", "") and f"moments = [1, {axis}, 2.5]" in text
+    run.ok("run", own, "--out", tmp_path / "again.csv")
+    assert (columns_of(tmp_path / "again.csv")[1] == numbers).all()
+    assert "got cell 6; expected 0 to 5" in run.rejected("map", path, "--cell", 6)
+    assert "expected --cell alone, or --out PATH.csv as well" in run.rejected(
+        "map", path, "--cell", 4, "--resume")
+
+
+def columns_of(path):
+    """The names of the columns of a file, and its rows."""
+    lines = [line for line in path.read_text().splitlines() if not line.startswith("#")]
+    return lines[0].split(","), numpy.array([[float(x) for x in line.split(",")]
+                                             for line in lines[1:]])
+
+
+def test_cells_that_fail_are_named(run, scenario, tmp_path):
+    path = scenario()
+    path.write_text(path.read_text() + COLUMN.replace("from = 1.4", "from = 0.4"))
+    done = run.ok("map", path, "--out", tmp_path / "m.csv")
+    assert ("failed            4, which hold nan; polhode map FILE --cell K runs one:\n  cell 0: "
+            in done.stdout)
+    assert "body.moments" in run.rejected("map", path, "--cell", 0, "--out", tmp_path / "c.csv")
 
 
 SECTION = """

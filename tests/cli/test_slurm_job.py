@@ -9,7 +9,7 @@ import subprocess
 import pytest
 from ensemble_files import TORQUE
 from slowdown import SLOWDOWN
-from test_ensemble_mpi import ENVIRONMENT, needs_mpi, wait_for_another  # noqa: F401
+from test_mpi import ENVIRONMENT, needs_mpi, wait_for_another  # noqa: F401
 
 SECONDS = 120 * SLOWDOWN
 

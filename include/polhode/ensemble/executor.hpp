@@ -50,6 +50,8 @@ class Executor {
   virtual ~Executor() = default;
   // How many processes compute cells.
   virtual int processes() const = 0;
+  // How many cells they compute at a time.
+  virtual int at_a_time() const { return processes(); }
   using Take = std::function<void(std::int64_t cell, const std::string& bytes)>;
   // On the leader, whose own `work` it may use too.
   virtual void run(ExecutorWork& work, const ExecutorStage& stage, const Take& take,

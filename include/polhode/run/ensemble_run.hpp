@@ -93,11 +93,10 @@ class EnsembleRun : public ResumableRun {
   class Parts;
 };
 
-// The work of a process that computes chunks of an ensemble for another one (RunOptions::executor):
-// each makes its own from the same scenario. begin() throws DomainError for bytes of another
-// ensemble, with what differs. `ensemble` must outlive it; `any_machine` as in RunOptions.
-std::unique_ptr<ExecutorWork> ensemble_work(const ScenarioEnsemble& ensemble,
-                                            bool any_machine = false);
+// The work of a process that computes chunks of the ensemble of a scenario for another process
+// (RunOptions::executor). begin() throws DomainError for bytes of another ensemble, with the
+// difference; `any_machine` as in RunOptions.
+std::unique_ptr<ExecutorWork> ensemble_work(Scenario scenario, bool any_machine = false);
 
 // The columns that the outputs of an ensemble have.
 std::vector<ColumnGroup> ensemble_groups(const ScenarioEnsemble& ensemble);

@@ -12,7 +12,8 @@
 //             each of its points.
 // Accuracy    axes are rounded once; the rest is that of the method.
 // Errors      ScenarioError for what is no map. A cell that cannot be (a chart refuses its numbers)
-//             or cannot go on has one row of NaN, and says why.
+//             or cannot go on has one row of NaN, and says why. DomainError of cell_text for an
+//             index outside.
 // Cost        its run, and some 20 us to make the experiment again: text is not read twice, and
 //             tables, meshes and files are those of the scenario unless a number below them (or,
 //             for positions of planets, the time of the run) is an axis.
@@ -56,6 +57,14 @@ class ScenarioMap {
   std::vector<double> axis_values(std::int64_t index) const;
   // From any thread. What `progress` throws passes through.
   MapCell cell(std::int64_t index, const Progress& progress = {}) const;
+  // The text of the scenario with the numbers of a cell, without its [map].
+  std::string cell_text(std::int64_t index) const;
+  // The scenario of this text, complete: it can be run and changed.
+  Scenario cell_scenario(std::int64_t index) const {
+    return cell_scenario(index, cell_text(index));
+  }
+  // The same for a caller that has the text.
+  Scenario cell_scenario(std::int64_t index, std::string cell_text) const;
 
  private:
   struct Parts;

@@ -1,19 +1,23 @@
 // SPDX-License-Identifier: MIT
-// MapRun: every cell of a map, on the processors of one machine, into files that may be stopped,
-// killed and resumed.
+// MapRun: every cell of a map, on the processors of one machine or of several, into files that may
+// be stopped, killed and resumed.
 //
 // Equations   those of the cells.
 // Units       those of the map.
 // Domain      rows go to the outputs in the order of the cells, block by block; files and
 //             checkpoints as in polhode/run/resumable_run.hpp. Without outputs the rows go to
 //             `extra_sink` alone.
-// Errors      the constructor as there. run() throws OutputError, and RunInterrupted when `stop`
-//             said so. If `progress` throws, the cells before it are kept.
+// Accuracy    the files do not depend on the number of threads or processes (same build of polhode,
+//             machines with the same elementary functions).
+// Errors      the constructor as there, and DomainError for an executor with more processes than
+//             cells. run() throws OutputError, ExecutorError, and RunInterrupted when `stop` said
+//             so. If `progress` throws, the cells before it are kept.
 // Cost        that of the cells. Memory does not grow with the number of cells, but for those that
 //             fail, and for sections with how the numbers of their points change.
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -56,6 +60,11 @@ class MapRun : public ResumableRun {
  private:
   class Parts;
 };
+
+// The work of a process that computes cells of the map of a scenario for another process
+// (RunOptions::executor). begin() throws DomainError for bytes of another map, with the difference;
+// `any_machine` as in RunOptions.
+std::unique_ptr<ExecutorWork> map_work(Scenario scenario, bool any_machine = false);
 
 }  // namespace v0
 }  // namespace polhode

@@ -15,7 +15,6 @@
 // Cost        a checkpoint is a few kB and a few fsync, at most a twentieth of the time.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -42,17 +41,13 @@ enum class RunBegin {
 struct BeginWords {
   std::string resume = "resume";
   std::string restart = "restart";
-  std::string any_machine = "any_machine";  // of ensembles
+  std::string any_machine = "any_machine";  // of maps and ensembles
 };
 
 struct RunProgress {
   double reached;  // t in core units; or the number of cells, members or starts so far
-  double part;     // fraction of the work since it began or was resumed, for the time left
+  double part;     // fraction of the time since it began or was resumed, as far as it is known
 };
-// The fraction of cells that are done. `at_a_time` are under way and half done on average.
-inline double part_of_work(double done, double left, double at_a_time) {
-  return (done + 0.5 * std::min(at_a_time, left)) / (done + left);
-}
 
 struct RunOptions {
   RunBegin begin = RunBegin::anew;
@@ -66,11 +61,11 @@ struct RunOptions {
   // Maps and ensembles compute this many cells or chunks at a time; 0 means one on each
   // processor.
   int threads = 0;
-  // Computes the chunks of an ensemble in several processes, each with an ensemble_work of the
-  // same ensemble, instead of on threads.
+  // Computes the cells of a map or the chunks of an ensemble in several processes, each with a
+  // map_work or ensemble_work of the same scenario, instead of on threads.
   Executor* executor = nullptr;
-  // Ensembles may run on machines whose sines and logarithms differ in the last digits, together
-  // or one after the other. The results then differ in the last digits.
+  // Maps and ensembles may run on machines whose sines and logarithms differ in the last digits,
+  // together or one after the other. The results then differ in the last digits.
   bool any_machine = false;
   // The report of a run has all events, not only the first 20.
   bool keep_events = false;

@@ -182,10 +182,10 @@ nb::dict searched(const nb::list& curves,
   search.most_iterations = most_iterations;
   search.seed = seed;
   search.threads = checked_threads(threads);
-  WorkLoop loop("the search was stopped", nb::none());
+  WorkLoop loop("the search was stopped");
   search.between = [&loop] { loop.go_on(); };
   LightSearchResult found;
-  loop.do_work(0, [&] { found = search_light(search); });
+  loop.do_work([&] { found = search_light(search); });
   nb::dict d;
   d["solutions"] = found_list(found.solutions, mesh);
   d["chi_square_of_periods"] = array_of(std::span<const double>(found.chi_square_of_periods));
@@ -215,10 +215,10 @@ nb::dict extended(const nb::list& curves, const nb::list& starts, std::size_t fi
   how.most_iterations = most_iterations;
   how.threads = checked_threads(threads);
   how.regularisation = regularisation_of(regularisation);
-  WorkLoop loop("the extension was stopped", nb::none());
+  WorkLoop loop("the extension was stopped");
   how.between = [&loop] { loop.go_on(); };
   LightExtensionResult found;
-  loop.do_work(0, [&] { found = extend_light(how); });
+  loop.do_work([&] { found = extend_light(how); });
   nb::dict d;
   nb::list joined;
   for (const JoinedSession& j : found.joined)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Fits of scenarios that observed light curves: the same methods as those of snapshots.
 
+#include <cmath>
+
 #include "fit/bind_fit.hpp"
 #include "fit/kept_rows.hpp"
 #include "fit/light_problem.hpp"
@@ -30,16 +32,15 @@ LightScenarioFit light_fit_of(const Scenario& scenario, int threads, nb::handle 
   const double search = plan.searches ? 1.0 : 0.0;
   const bool goes_on = plan.shape != LightPlan::Shape::ellipsoid || plan.one_by_one;
   const double whole = scan + search + (goes_on ? 1.0 : 0.0);
-  WorkLoop loop("the fit was stopped", progress);
+  WorkLoop loop("the fit was stopped", count_to(progress, thousandths));
   LightFitOptions options;
   options.threads = checked_threads(threads);
   options.stop = [&loop] { return loop.is_stopped(); };
   options.progress = [&loop, scan, search, whole](const std::string& stage, double part) {
     const double before = stage == "scan" ? 0.0 : stage == "search" ? scan : scan + search;
-    loop.reach(
-        static_cast<std::int64_t>((before + part) / whole * static_cast<double>(thousandths)));
+    loop.reach(std::floor((before + part) / whole * static_cast<double>(thousandths)));
   };
-  loop.do_work(thousandths, [&] { fit.report = fit_light_scenario(fit.scenario, options); });
+  loop.do_work([&] { fit.report = fit_light_scenario(fit.scenario, options); });
   return fit;
 }
 

@@ -45,10 +45,10 @@ ScanFound scanned(const nb::list& curves, const Grid& first, const Grid& second,
   ScanOptions options;
   options.order = order;
   options.threads = checked_threads(threads);
-  WorkLoop loop("the scan was stopped", nb::none());
+  WorkLoop loop("the scan was stopped");
   options.between = [&loop] { loop.go_on(); };
   ScanFound found;
-  loop.do_work(0, [&] {
+  loop.do_work([&] {
     found.landscape = scan_pairs(points, grid_of(first), grid_of(second), options);
     found.minima = scan_minima(points, found.landscape, {most, threads, options.between});
   });

@@ -30,12 +30,12 @@ struct ScenarioFit {
 ScenarioFit fit_of(const Scenario& scenario, int threads, nb::handle progress) {
   ScenarioFit fit{std::make_shared<const Scenario>(scenario), {}};
   const std::int64_t starts = require_fit(scenario).starts;
-  WorkLoop loop("the fit was stopped", progress);
+  WorkLoop loop("the fit was stopped", count_to(progress, starts));
   FitOptions options;
   options.threads = checked_threads(threads);
   options.stop = [&loop] { return loop.is_stopped(); };
-  options.progress = [&loop](std::int64_t done) { loop.reach(done); };
-  loop.do_work(starts, [&] { fit.report = fit_scenario(*fit.scenario, options); });
+  options.progress = [&loop](std::int64_t done) { loop.reach(static_cast<double>(done)); };
+  loop.do_work([&] { fit.report = fit_scenario(*fit.scenario, options); });
   return fit;
 }
 

@@ -41,18 +41,29 @@ Progress signal_check() {
   return [check = SignalCheck()](double) mutable { check(); };
 }
 
-Progress progress_to(nb::handle function) {
+bool Seldom::operator()() {
+  if (++calls_ % 16 != 0) return false;
+  const auto now = std::chrono::steady_clock::now();
+  if (now - last_ < std::chrono::milliseconds(100)) return false;
+  last_ = now;
+  return true;
+}
+
+Progress time_listener(nb::handle function) {
   if (function.is_none()) return {};
   if (PyCallable_Check(function.ptr()) == 0)
     throw nb::type_error("progress: expected a function of the time");
-  return [f = function.ptr(), calls = 0,
-          last_call = std::chrono::steady_clock::now()](double t) mutable {
-    if (++calls % 16 != 0) return;
-    const auto now = std::chrono::steady_clock::now();
-    if (now - last_call < std::chrono::milliseconds(100)) return;
-    last_call = now;
+  return [f = function.ptr()](double t) {
     const WithGil acquired;
     staying_put([&] { return nb::handle(f)(t); });
+  };
+}
+
+Progress progress_to(nb::handle function) {
+  const Progress told = time_listener(function);
+  if (!told) return {};
+  return [told, seldom = Seldom()](double t) mutable {
+    if (seldom()) told(t);
   };
 }
 

@@ -35,8 +35,20 @@ bool handles_signals();
 // signals: runs in other threads never wait for the GIL. With the GIL.
 Progress signal_check();
 
-// A listener that calls a function of Python with the time, some ten times a second; empty for
-// None. The function outlives the run.
+// True for some ten calls a second of those after every step.
+class Seldom {
+ public:
+  bool operator()();
+
+ private:
+  int calls_ = 0;
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+// A listener that calls a function of Python with the time; empty for None. The function outlives
+// the run.
+Progress time_listener(nb::handle function);
+// The same some ten times a second.
 Progress progress_to(nb::handle function);
 
 }  // namespace polhode::python

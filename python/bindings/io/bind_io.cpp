@@ -180,6 +180,7 @@ void bind_io(nb::module_& m) {
       .def_prop_ro("summary", [](const Scenario& s) { return lines_of(summary(s)); });
   bind_objects(c);
   bind_run(m, c);
+  bind_executor_work(m);
   bind_map(m, c);
   bind_ensemble(m, c);
   // (start, stop, step or None) of steps and counts; None of a list

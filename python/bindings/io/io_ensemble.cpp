@@ -6,10 +6,8 @@
 #include <utility>
 
 #include "interface/arrays.hpp"
-#include "interface/signals.hpp"
 #include "io/io_parts.hpp"
 #include "io/python_executor.hpp"
-#include "io/work_loop.hpp"
 #include "motion/samples.hpp"
 #include "polhode/error.hpp"
 #include "polhode/run/ensemble_run.hpp"
@@ -62,7 +60,6 @@ void reserve(const ScenarioEnsemble& ensemble, Ensemble& result) {
   }
 }
 
-// `executor`: a function that runs a stage on an executor (python_executor.hpp), or None.
 Ensemble run_ensemble(const ScenarioEnsemble& ensemble, const nb::list& outputs, int threads,
                       nb::handle executor, bool resume, bool restart, bool any_machine,
                       nb::handle progress) {
@@ -73,14 +70,11 @@ Ensemble run_ensemble(const ScenarioEnsemble& ensemble, const nb::list& outputs,
     throw DomainError("ensemble: resume=True reads the rows so far from " +
                       readable_paths(ensemble.scenario().output.formats) +
                       "; expected one of them");
-  WorkLoop loop("the ensemble was stopped", progress);
-  PythonExecutor workers(executor);
+  ExecutorLoop loop("the ensemble was stopped", count_to(progress, ensemble.size()), executor);
   RunOptions options = run_options("ensemble", resume, restart);
   options.threads = threads;
   options.any_machine = any_machine;
-  if (!executor.is_none()) options.executor = &workers;
   loop.listen(options);
-  options.stop = [&] { return loop.is_stopped() || workers.has_failed(); };
   options.extra_sink = std::make_unique<TableSink>(result.rows);
   EnsembleRun run(ensemble, paths, std::move(options));
   result.groups = run.groups();
@@ -89,30 +83,8 @@ Ensemble run_ensemble(const ScenarioEnsemble& ensemble, const nb::list& outputs,
   // statistics come at the end
   result.is_whole = !result.was_done && (!run.continues() || is_statistics(ensemble));
   if (result.is_whole) reserve(ensemble, result);
-  try {
-    loop.do_work(ensemble.size(), [&] { result.report = run.run(); });
-  } catch (const RunInterrupted&) {
-    workers.raise();  // what they have done is kept
-    throw;
-  }
+  loop.do_work([&] { result.report = run.run(); });
   return result;
-}
-
-// What a worker has: the ensemble, and the stage that it computes cells of.
-struct EnsembleWork {
-  std::unique_ptr<ExecutorWork> work;
-};
-
-nb::bytes cell_of(const EnsembleWork& of, std::int64_t index) {
-  const Progress signals = signal_check();
-  std::string bytes;
-  {
-    const WithoutGil released;
-    bytes = of.work->cell(index, [&] {
-      if (signals) signals(0.0);
-    });
-  }
-  return nb::bytes(bytes.data(), bytes.size());
 }
 
 nb::object ensemble_table(nb::handle_t<Ensemble> self) {
@@ -229,14 +201,6 @@ void bind_ensemble(nb::module_& m, nb::class_<Scenario>& scenario) {
       .def_prop_ro("histograms", histogram_list)
       .def_prop_ro("failed", [](const Ensemble& e) { return e.report.failed; })
       .def_prop_ro("failures", ensemble_failures);
-  nb::class_<EnsembleWork>(m, "_EnsembleWork")
-      .def(
-          "begin",
-          [](EnsembleWork& of, const nb::bytes& stage) {
-            of.work->begin(std::string(stage.c_str(), stage.size()));
-          },
-          "stage"_a)
-      .def("cell", cell_of, "index"_a);
   nb::class_<ScenarioEnsemble>(m, "_Ensemble")
       .def_prop_ro("size", &ScenarioEnsemble::size)
       .def_prop_ro("seed", [](const ScenarioEnsemble& e) { return e.plan().seed; })
@@ -253,18 +217,18 @@ void bind_ensemble(nb::module_& m, nb::class_<Scenario>& scenario) {
           "member",
           [](const ScenarioEnsemble& e, std::int64_t index) { return e.member_scenario(index); },
           "index"_a)
-      .def(
-          "work",
-          [](const ScenarioEnsemble& e, bool any_machine) {
-            return new EnsembleWork{ensemble_work(e, any_machine)};
-          },
-          nb::rv_policy::take_ownership, nb::keep_alive<0, 1>(), "any_machine"_a)
       .def("run", run_ensemble, "outputs"_a, "threads"_a, "executor"_a.none(), "resume"_a,
            "restart"_a, "any_machine"_a, "progress"_a.none());
   scenario.def_prop_ro("has_ensemble", [](const Scenario& s) { return s.ensemble.has_value(); });
   scenario.def(
       "ensemble", [](const Scenario& s) { return new ScenarioEnsemble(s); },
       nb::rv_policy::take_ownership);
+  scenario.def(
+      "ensemble_work",
+      [](const Scenario& s, bool any_machine) {
+        return new WorkerCells{ensemble_work(s, any_machine)};
+      },
+      nb::rv_policy::take_ownership, "any_machine"_a);
   scenario.def(
       "with_ensemble",
       [](const Scenario& s, const std::string& tables) { return with_ensemble(s, tables); },

@@ -2,7 +2,7 @@
 // Maps of scenarios.
 #include "interface/arrays.hpp"
 #include "io/io_parts.hpp"
-#include "io/work_loop.hpp"
+#include "io/python_executor.hpp"
 #include "motion/samples.hpp"
 #include "polhode/run/map_run.hpp"
 
@@ -20,16 +20,17 @@ struct Map {
   std::int64_t rows_before = 0;  // of an earlier part of the map: in its files only
 };
 
-Map run_map(const Scenario& scenario, const nb::list& outputs, int threads, bool resume,
-            bool restart, nb::handle progress) {
+Map run_map(const Scenario& scenario, const nb::list& outputs, int threads, nb::handle executor,
+            bool resume, bool restart, bool any_machine, nb::handle progress) {
   const ScenarioMap map(scenario);
   Map result{{}, map.plan().axes.size() + map.width(), map.groups(), map.plan().axes.size(), {}};
   std::vector<std::string> paths;
   for (const nb::handle path : outputs) paths.push_back(path_text(path));
-  WorkLoop loop("the map was stopped", progress);
+  ExecutorLoop loop("the map was stopped", count_to(progress, map.size()), executor);
   const auto begun = [&](bool resumes, bool restarts) {
     RunOptions options = run_options("map", resumes, restarts);
     options.threads = threads;
+    options.any_machine = any_machine;
     loop.listen(options);
     options.extra_sink = std::make_unique<TableSink>(result.rows);
     return std::make_unique<MapRun>(map, paths, std::move(options));
@@ -37,7 +38,7 @@ Map run_map(const Scenario& scenario, const nb::list& outputs, int threads, bool
   std::unique_ptr<MapRun> run = begun(resume, restart);
   if (run->is_complete()) run = begun(false, true);  // its rows are wanted all the same
   result.rows_before = run->rows();
-  loop.do_work(map.size(), [&] { result.report = run->run(); });
+  loop.do_work([&] { result.report = run->run(); });
   run.reset();  // closes its files
   if (result.rows_before > 0)
     put_first(result.rows,
@@ -91,8 +92,16 @@ void bind_map(nb::module_& m, nb::class_<Scenario>& scenario) {
       .def_prop_ro("rows_before", [](const Map& of) { return of.rows_before; })
       .def_prop_ro("cells_and_rows", cells_and_rows)
       .def_prop_ro("failures", failures_of);
-  scenario.def("map", run_map, "outputs"_a, "threads"_a, "resume"_a, "restart"_a,
-               "progress"_a.none());
+  scenario.def("map", run_map, "outputs"_a, "threads"_a, "executor"_a.none(), "resume"_a,
+               "restart"_a, "any_machine"_a, "progress"_a.none());
+  scenario.def(
+      "map_cell",
+      [](const Scenario& s, std::int64_t index) { return ScenarioMap(s).cell_scenario(index); },
+      "index"_a);
+  scenario.def(
+      "map_work",
+      [](const Scenario& s, bool any_machine) { return new WorkerCells{map_work(s, any_machine)}; },
+      nb::rv_policy::take_ownership, "any_machine"_a);
 }
 
 }  // namespace polhode::python

@@ -37,10 +37,13 @@ void bind_oem(nb::module_& m);
 // Methods run, write and states_of of _Scenario, and what run returns.
 void bind_run(nb::module_& m, nb::class_<Scenario>& scenario);
 
-// The method map of _Scenario, and what it returns.
+// _ExecutorWork: a worker's map or ensemble.
+void bind_executor_work(nb::module_& m);
+
+// Methods map, map_cell and map_work of _Scenario, and what map returns.
 void bind_map(nb::module_& m, nb::class_<Scenario>& scenario);
 
-// The method ensemble of _Scenario, the ensemble that it returns, and _kinds_of_table.
+// Methods ensemble and ensemble_work of _Scenario, the ensemble, and _kinds_of_table.
 void bind_ensemble(nb::module_& m, nb::class_<Scenario>& scenario);
 // What resume and restart ask for, and what messages call them.
 RunOptions run_options(const char* function, bool resume, bool restart);

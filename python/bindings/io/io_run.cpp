@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // A run of a scenario: rows into memory, where columns are views, and into files at the same time.
-#include <exception>
 #include <optional>
 
 #include "charts/states.hpp"
 #include "interface/batch.hpp"
 #include "interface/signals.hpp"
 #include "io/io_parts.hpp"
+#include "io/work_loop.hpp"
 #include "motion/samples.hpp"
 #include "polhode/error.hpp"
 #include "polhode/run/scenario_run.hpp"
@@ -44,43 +44,18 @@ void reserve(Run& run, std::int64_t rows) {
   }
 }
 
-// Asks Python's signals, and keeps what a handler raised until the run has ended in order.
-class Stop {
- public:
-  explicit Stop(std::exception_ptr& raised) : raised_(raised), look_(signal_check()) {}
-  bool operator()() {
-    if (!look_) return false;
-    try {
-      look_(0.0);
-    } catch (...) {
-      raised_ = std::current_exception();
-      return true;
-    }
-    return false;
-  }
-
- private:
-  std::exception_ptr& raised_;
-  Progress look_;
-};
-
 void warn(const std::string& text) {
   constexpr int caller = 2;  // beyond the function of the package
   if (PyErr_WarnEx(PyExc_UserWarning, text.c_str(), caller) != 0) throw nb::python_error();
 }
 
-// Its files are closed at the end. The GIL is not held while rows are computed and written.
+// Its files are closed at the end.
 void run_into(Run& result, const Scenario& scenario, const RunFiles& files, RunOptions options,
-              const std::exception_ptr& raised) {
+              WorkLoop& loop) {
   ScenarioRun run(scenario, files, std::move(options));
   result.rows_before = run.is_complete() ? row_times(scenario)->size() : run.rows();
   result.complete = run.is_complete();
-  try {
-    const WithoutGil released;
-    result.report = run.run();
-  } catch (const RunInterrupted&) {
-    std::rethrow_exception(raised);
-  }
+  loop.do_work_here([&] { result.report = run.run(); });
   for (const std::string& warning : result.report.warnings) warn(warning);
 }
 
@@ -103,15 +78,18 @@ Run run_scenario(const Scenario& scenario, const nb::list& outputs, nb::handle e
   if (resume && keep && !files.outputs.empty() && !can_read_rows(formats, files.outputs))
     throw DomainError("run: resume=True with keep=True reads the rows so far from " +
                       readable_paths(formats) + "; expected one of them, or keep=False");
-  if (const Progress told = progress_to(progress))
-    options.progress = [told](const RunProgress& at) { told(at.reached); };
-  std::exception_ptr raised;
-  options.stop = Stop(raised);
+  const Progress told = time_listener(progress);
+  WorkLoop loop("the run was stopped", told);
+  options.stop = [&loop] { return loop.is_stopped(); };
+  if (told)
+    options.progress = [&loop, seldom = Seldom()](const RunProgress& at) mutable {
+      if (seldom()) loop.tell(at.reached);
+    };
   if (keep) {
     reserve(result, row_times(scenario)->size());  // before any file is there
     options.extra_sink = std::make_unique<TableSink>(result.rows);
   }
-  run_into(result, scenario, files, std::move(options), raised);
+  run_into(result, scenario, files, std::move(options), loop);
   if (keep && result.rows_before > 0)
     put_first(result.rows,
               first_rows(formats, files.outputs, row_groups(scenario), result.rows_before));

@@ -5,6 +5,8 @@
 #include <string>
 
 #include "interface/gil.hpp"
+#include "interface/signals.hpp"
+#include "io/io_parts.hpp"
 
 namespace polhode::python {
 
@@ -57,6 +59,42 @@ void PythonExecutor::run(ExecutorWork&, const ExecutorStage& stage, const Take& 
   }
   ended.raise();
   if (has_failed()) look();  // stops
+}
+
+void ExecutorLoop::do_work(const std::function<void()>& work) {
+  try {
+    loop_.do_work(work);
+  } catch (const RunInterrupted&) {
+    workers_.raise();  // what they have done is kept
+    throw;
+  }
+}
+
+namespace {
+
+nb::bytes cell_of(const WorkerCells& of, std::int64_t index) {
+  const Progress signals = signal_check();
+  std::string bytes;
+  {
+    const WithoutGil released;
+    bytes = of.work->cell(index, [&] {
+      if (signals) signals(0.0);
+    });
+  }
+  return nb::bytes(bytes.data(), bytes.size());
+}
+
+}  // namespace
+
+void bind_executor_work(nb::module_& m) {
+  nb::class_<WorkerCells>(m, "_ExecutorWork")
+      .def(
+          "begin",
+          [](WorkerCells& of, const nb::bytes& stage) {
+            of.work->begin(std::string(stage.c_str(), stage.size()));
+          },
+          "stage"_a)
+      .def("cell", cell_of, "index"_a);
 }
 
 }  // namespace polhode::python

@@ -16,12 +16,12 @@ constexpr std::chrono::milliseconds between_looks(20);
 
 }  // namespace
 
-WorkLoop::WorkLoop(std::string said_when_stopped, nb::handle progress)
+WorkLoop::WorkLoop(std::string said_when_stopped, Tell tell)
     : said_when_stopped_(std::move(said_when_stopped)),
-      progress_(progress.is_none() ? nullptr : progress.ptr()),
+      tell_(std::move(tell)),
       handles_signals_(handles_signals()) {}
 
-void WorkLoop::do_work(std::int64_t of, const std::function<void()>& work) {
+void WorkLoop::do_work(const std::function<void()>& work) {
   {
     const WithoutGil released;
     std::thread thread([&] {
@@ -33,20 +33,55 @@ void WorkLoop::do_work(std::int64_t of, const std::function<void()>& work) {
       }
       end(std::move(failure));
     });
-    wait(of);
+    wait();
     thread.join();
   }
+  finish();
+}
+
+void WorkLoop::do_work_here(const std::function<void()>& work) {
+  is_here_ = true;
+  try {
+    const WithoutGil released;
+    work();
+  } catch (...) {
+    failure_ = std::current_exception();
+  }
+  finish();
+}
+
+void WorkLoop::finish() const {
   if (raised_) std::rethrow_exception(raised_);
   if (failure_) std::rethrow_exception(failure_);
 }
 
-void WorkLoop::reach(std::int64_t done) {
+template <class F>
+void WorkLoop::call_here(const F& f) {
+  if (stopped_) return;
+  try {
+    f();
+  } catch (...) {
+    raised_ = std::current_exception();
+    stopped_ = true;
+  }
+}
+
+bool WorkLoop::is_stopped() {
+  if (is_here_ && handles_signals_) call_here([this] { signals_(); });
+  return stopped_.load(std::memory_order_relaxed);
+}
+
+void WorkLoop::tell(double done) {
+  if (!tell_) return;
+  if (is_here_)
+    return call_here([&] {
+      const WithGil acquired;
+      tell_(done);
+    });
   std::unique_lock<std::mutex> lock(mutex_);
   reached_ = done;
-  if (progress_ == nullptr) return;
   changed_.notify_all();
   changed_.wait(lock, [&] { return told_ == reached_ || is_stopped(); });
-  go_on();
 }
 
 void WorkLoop::end(std::exception_ptr failure) {
@@ -57,16 +92,16 @@ void WorkLoop::end(std::exception_ptr failure) {
 }
 
 // Without the GIL, until the work has ended.
-void WorkLoop::wait(std::int64_t of) {
+void WorkLoop::wait() {
   std::unique_lock<std::mutex> lock(mutex_);
-  const auto tells = [&] { return progress_ != nullptr && told_ != reached_ && !is_stopped(); };
+  const auto tells = [&] { return tell_ && told_ != reached_ && !is_stopped(); };
   while (!ended_) {
     changed_.wait_for(lock, between_looks, [&] { return ended_ || tells(); });
     if (ended_ || is_stopped()) continue;
     const bool tell = tells();
-    const std::int64_t done = reached_;
+    const double done = reached_;
     lock.unlock();
-    const std::exception_ptr raised = asked(tell, done, of);
+    const std::exception_ptr raised = asked(tell, done);
     lock.lock();
     if (tell) told_ = done;
     if (raised) {
@@ -77,11 +112,11 @@ void WorkLoop::wait(std::int64_t of) {
   }
 }
 
-std::exception_ptr WorkLoop::asked(bool tell, std::int64_t done, std::int64_t of) {
+std::exception_ptr WorkLoop::asked(bool tell, double done) {
   try {
     if (tell) {
       const WithGil acquired;
-      staying_put([&] { return nb::handle(progress_)(done, of); });
+      tell_(done);
     }
     ask_signals();
   } catch (...) {
@@ -96,6 +131,13 @@ void WorkLoop::ask_signals() {
   const WithGil acquired;
   if (PyErr_CheckSignals() != 0) throw nb::python_error();
   asked_ = Clock::now();  // the GIL may have been waited for
+}
+
+WorkLoop::Tell count_to(nb::handle progress, std::int64_t whole) {
+  if (progress.is_none()) return {};
+  return [function = progress.ptr(), whole](double done) {
+    staying_put([&] { return nb::handle(function)(static_cast<std::int64_t>(done), whole); });
+  };
 }
 
 }  // namespace polhode::python

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// WorkLoop: work that takes long, a map or an ensemble, in a thread of its own. The thread that
-// called waits for it, and alone runs Python: the function that hears how far the work is, and
-// handlers of signals.
+// WorkLoop: work that takes long, a run, a map, an ensemble or a fit, which stops at Ctrl-C. Only
+// the thread that called runs Python's listener and its handlers of signals. Work on several
+// threads has one more, and the caller waits for it; a run stays in the thread of the caller, since
+// one more would take longer than a short run.
 #pragma once
 
 #include <atomic>
@@ -15,57 +16,73 @@
 #include <string>
 
 #include "bindings.hpp"
+#include "interface/signals.hpp"
 #include "polhode/run/resumable_run.hpp"
 
 namespace polhode::python {
 
 class WorkLoop {
  public:
-  // `progress` is called with what is done and with the whole; None: nobody is.
-  WorkLoop(std::string said_when_stopped, nb::handle progress);
+  // Called with how far the work is, with the GIL; empty: nobody listens.
+  using Tell = std::function<void(double reached)>;
+  explicit WorkLoop(std::string said_when_stopped, Tell tell = {});
 
-  // With the GIL, which it gives up: `work`, of so many things, from beginning to end. What Python
-  // raises meanwhile stops it, and is thrown; then what `work` has thrown.
-  void do_work(std::int64_t of, const std::function<void()>& work);
+  // With the GIL, which it gives up: `work` from beginning to end. What Python raises meanwhile
+  // stops it, and is thrown; then what `work` has thrown.
+  void do_work(const std::function<void()>& work);
+  // The same in this thread, which alone asks is_stopped().
+  void do_work_here(const std::function<void()>& work);
 
   // Options by which the work can be stopped and reports its progress.
   void listen(RunOptions& options) {
     options.stop = [this] { return is_stopped(); };
-    options.progress = [this](const RunProgress& at) {
-      reach(static_cast<std::int64_t>(at.reached));
-    };
+    options.progress = [this](const RunProgress& at) { reach(at.reached); };
   }
 
   // In the work, from any thread.
-  bool is_stopped() const { return stopped_.load(std::memory_order_relaxed); }
+  bool is_stopped();
   // The same, for work that throws when it shall end.
-  void go_on() const {
+  void go_on() {
     if (is_stopped()) throw std::runtime_error(said_when_stopped_);
   }
-  // In the work, one call after the other: goes on when the function has returned; throws where it
-  // has not.
-  void reach(std::int64_t done);
+  // In the work, one call after the other: waits until the listener has returned or raised.
+  void tell(double done);
+  // The same, for work that throws when it shall end.
+  void reach(double done) {
+    tell(done);
+    go_on();
+  }
 
  private:
   using Clock = std::chrono::steady_clock;
 
-  void wait(std::int64_t of);
+  void wait();
   void end(std::exception_ptr failure);
-  std::exception_ptr asked(bool tell, std::int64_t done, std::int64_t of);
+  std::exception_ptr asked(bool tell, double done);
   void ask_signals();
+  void finish() const;
+  // f(), which may raise what stops the work.
+  template <class F>
+  void call_here(const F& f);
 
   std::string said_when_stopped_;
-  PyObject* progress_;
+  Tell tell_;
   bool handles_signals_;
+  bool is_here_ = false;
+  SignalCheck signals_;  // of work in the thread of the caller
   Clock::time_point asked_ = Clock::now();
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::int64_t reached_ = 0;
-  std::int64_t told_ = 0;
+  double reached_ = 0.0;
+  double told_ = 0.0;
   std::atomic<bool> stopped_ = false;
   bool ended_ = false;
   std::exception_ptr raised_;
   std::exception_ptr failure_;
 };
+
+// Calls a function of Python, which outlives it, with what is done and with the whole; empty for
+// None.
+WorkLoop::Tell count_to(nb::handle progress, std::int64_t whole);
 
 }  // namespace polhode::python

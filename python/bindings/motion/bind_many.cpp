@@ -113,10 +113,10 @@ bool asks_python(const Problem& problem) {
 
 void integrate_on_threads(const std::vector<Problem>& problems, const Keep& keep,
                           const std::function<void(std::size_t, BodyRun)>& take) {
-  WorkLoop loop("integrate_many was stopped", nb::none());
+  WorkLoop loop("integrate_many was stopped");
   std::vector<BodyRun> runs(problems.size());
   const auto count = static_cast<std::int64_t>(runs.size());
-  loop.do_work(count, [&] {
+  loop.do_work([&] {
     ordered_parallel_for(
         0, count, hardware_threads(),
         [&](std::int64_t index) {

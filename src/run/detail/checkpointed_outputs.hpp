@@ -30,6 +30,9 @@ struct IdentityPart {
   std::string text;
 };
 using Identity = std::vector<IdentityPart>;
+inline void serialize_identity(Archive& bytes, Identity& identity) {
+  bytes.list(identity, [&](IdentityPart& part) { bytes.all(part.name, part.text); });
+}
 // The part of what acts on the body, in numbers that this machine has computed.
 inline constexpr char surroundings_part[] = "orbits and torques";
 

@@ -15,30 +15,15 @@
 #include <string>
 #include <vector>
 
-#include "polhode/ensemble/executor.hpp"
 #include "polhode/ensemble/ordered_parallel_for.hpp"
 #include "polhode/run/resumable_run.hpp"
-#include "polhode/trajectory/progress.hpp"
+#include "polhode/run/time_left.hpp"
 #include "run/detail/checkpointed_outputs.hpp"
+#include "run/detail/source.hpp"
 
 namespace polhode {
 inline namespace v0 {
 namespace detail {
-
-// Cells that can be computed in any order.
-template <class Result>
-struct Source {
-  std::int64_t members = 0;
-  std::int64_t each = 1;  // members of a cell; the last may have fewer
-  // From any thread; `look` is called now and then, and what it throws passes through.
-  std::function<Result(std::int64_t cell, const Progress& look)> cell;
-  // The same in other processes, which exchange bytes: those that they begin with, and a result.
-  ExecutorWork* work = nullptr;
-  std::function<std::string()> stage = {};
-  std::function<void(Archive&, Result&)> serialize = {};
-
-  std::int64_t count() const { return (members + each - 1) / each; }
-};
 
 class Sweep {
  public:
@@ -75,12 +60,17 @@ class Sweep {
   // Keeps the state, and throws what `progress` has thrown, or RunInterrupted.
   [[noreturn]] void interrupt();
 
-  // reduce(cell, result) for all cells in order, on the threads of this process or an executor.
-  // After each it calls `progress`, stops if asked to, and keeps the state if a checkpoint is due.
-  // A preparation comes before the cells that `progress` is called for.
+  // reduce(first member, result) for all cells in order, on the threads of this process or an
+  // executor. After each it calls `progress`, stops if asked to, and keeps the state if a
+  // checkpoint is due. A preparation comes before the cells that `progress` is called for.
   enum class Stage { preparation, cells };
   template <class Result, class Reduce>
   void compute(const Source<Result>& source, const Reduce& reduce, Stage stage = Stage::cells);
+
+  // DomainError for more processes than cells: some would wait for nothing. `cells` are called
+  // "chunks of members", one of them "chunk".
+  void require_cells_for_all(std::int64_t cells, const std::string& kind, const std::string& called,
+                             const std::string& one, const std::string& advice = "") const;
 
   // Rows wait for their block to fill, in checkpoints too: blocks do not depend on when these were
   // made.
@@ -102,14 +92,16 @@ class Sweep {
  private:
   struct Stopped {};  // ends the loop over the cells, from within
   int threads() const;
-  // Called after a cell that had `members`, others `each`; `left` are still to come.
-  void took(std::int64_t members, std::int64_t each, std::int64_t left, Stage stage);
+  // Cells that are computed at a time.
+  int workers() const;
+  // Called after a cell; so many are left, where the last may have fewer members.
+  void took(double left, Stage stage);
 
   double reached_before_ = 0.0;
   std::int64_t rows_before_ = 0;
   std::vector<double> waiting_;  // rows that are not
-  std::int64_t worked_ = 0;      // members since this part began, preparations included
-  std::exception_ptr raised_;    // by `progress`
+  CellClock clock_;
+  std::exception_ptr raised_;  // by `progress`
 };
 
 template <class Result, class Reduce>
@@ -117,18 +109,22 @@ void Sweep::compute(const Source<Result>& source, const Reduce& reduce, Stage st
   const Progress look = [this](double) {
     if (is_stopped()) throw Stopped();
   };
+  const CellRange& range = source.range;
   const auto take = [&](std::int64_t cell, const Result& result) {
-    reduce(cell, result);
-    took(std::min(source.each, source.members - cell * source.each), source.each,
-         std::max<std::int64_t>(source.members - (cell + 1) * source.each, 0), stage);
+    reduce(range.begin_of(cell), result);
+    took(
+        static_cast<double>(range.end - range.begin_of(cell + 1)) / static_cast<double>(range.each),
+        stage);
   };
+  clock_.begin(workers());
   try {
     if (options_.executor == nullptr || source.work == nullptr)
       return ordered_parallel_for(
-          0, source.count(), threads(), [&](std::int64_t cell) { return source.cell(cell, look); },
-          take);
+          range.first_cell(), range.end_cell(), threads(),
+          [&](std::int64_t cell) { return source.cell(cell, look); }, take);
     options_.executor->run(
-        *source.work, {source.stage(), 0, source.count()},
+        *source.work,
+        {source.work->stage(range, source.stage), range.first_cell(), range.end_cell()},
         [&](std::int64_t cell, const std::string& from) {
           Archive bytes(from);
           Result result;

@@ -2,12 +2,10 @@
 #include "run/ensemble/ensemble_cells.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <type_traits>
 #include <utility>
 
-#include "polhode/error.hpp"
 #include "polhode/run/run.hpp"
 #include "polhode/trajectory/archive.hpp"
 #include "run/ensemble/ensemble_files.hpp"
@@ -27,46 +25,7 @@ constexpr std::int64_t most_at_a_time = 16;     // members whose rows one thread
 constexpr double most_numbers_at_a_time = 1e6;  // in these rows
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-constexpr char functions_part[] = "elementary functions of the machine";
-
-Identity identity_of_ensemble(const ScenarioEnsemble& ensemble) {
-  std::vector<std::string> columns;
-  for (const ColumnGroup& group : ensemble.row_groups()) columns.push_back(group.name);
-  Identity identity = identity_of(ensemble.scenario(), {{}, {}, columns});
-  identity.insert(identity.begin(), elementary_functions());
-  return identity;
-}
-
 }  // namespace
-
-IdentityPart elementary_functions() {
-  Archive bytes;
-  for (int k = 1; k <= 1000; ++k) {
-    const double x = 0.003 * k;
-    for (double value : {std::sin(x), std::cos(x), std::tan(x), std::atan2(x, 1.7), std::exp(-x),
-                         std::log(x), std::asin(x / 4.0), std::pow(x, 1.3)})
-      bytes(value);
-  }
-  return {functions_part, "mark " + std::to_string(fingerprint(bytes.bytes()))};
-}
-
-void take_elementary_functions(Identity& theirs, const Identity& ours) {
-  const auto part_of = [](auto& identity, const std::string& of) {
-    return std::find_if(identity.begin(), identity.end(),
-                        [&](const IdentityPart& part) { return part.name == of; });
-  };
-  const auto here = part_of(ours, functions_part);
-  const auto there = part_of(theirs, functions_part);
-  if (here == ours.end() || there == theirs.end() || here->text == there->text) return;
-  there->text = here->text;
-  const auto numbers = part_of(theirs, surroundings_part);
-  const auto own_numbers = part_of(ours, surroundings_part);
-  if (numbers != theirs.end() && own_numbers != ours.end()) numbers->text = own_numbers->text;
-}
-
-bool differs_in_elementary_functions(const std::string& difference) {
-  return difference.starts_with(functions_part);
-}
 
 void EnsembleChunk::serialize(Archive& bytes, const StatisticsFrame* frame) {
   bytes(drawn);
@@ -79,10 +38,9 @@ void EnsembleChunk::serialize(Archive& bytes, const StatisticsFrame* frame) {
 
 EnsembleCells::EnsembleCells(const ScenarioEnsemble& ensemble, bool any_machine,
                              std::string chunk_files)
-    : ensemble_(ensemble),
-      any_machine_(any_machine),
+    : SourceWork(ensemble.scenario(), "ensemble", ensemble.row_groups(), any_machine),
+      ensemble_(ensemble),
       chunk_files_(std::move(chunk_files)),
-      identity_(identity_of_ensemble(ensemble)),
       frame_(ensemble.plan().keep == EnsembleKeep::statistics
                  ? std::make_unique<StatisticsFrame>(ensemble)
                  : nullptr) {}
@@ -104,27 +62,23 @@ std::int64_t EnsembleCells::members_at_a_time() const {
 }
 
 template <class Result>
-Source<Result> EnsembleCells::source(Stage stage,
+Source<Result> EnsembleCells::source(const CellRange& range,
                                      Result (EnsembleCells::*made)(std::int64_t, std::int64_t,
                                                                    const Progress&) const) {
-  return {.members = stage.end - stage.first,
-          .each = stage.each,
-          .cell =
-              [this, stage, made](std::int64_t cell, const Progress& look) {
-                return (this->*made)(stage.begin_of(cell),
-                                     std::min(stage.end, stage.begin_of(cell + 1)), look);
-              },
+  constexpr bool are_pilots = std::is_same_v<Result, Pilots>;
+  return {.range = range,
+          .members = [this, made](std::int64_t begin, std::int64_t end,
+                                  const Progress& look) { return (this->*made)(begin, end, look); },
           .work = this,
           .stage =
-              [this, stage]() mutable {
-                Archive bytes;
-                stage.serialize(bytes);
-                if (!stage.pilots && frame_) frame_->serialize(bytes);
-                return bytes.bytes();
+              [this](Archive& bytes) {
+                bool pilots = are_pilots;
+                bytes.all(pilots, chunk_files_);
+                if (!pilots && frame_) frame_->serialize(bytes);
               },
           .serialize =
               [this](Archive& bytes, Result& result) {
-                if constexpr (std::is_same_v<Result, Pilots>)
+                if constexpr (are_pilots)
                   detail::serialize(bytes, result);
                 else
                   result.serialize(bytes, frame_.get());
@@ -132,15 +86,13 @@ Source<Result> EnsembleCells::source(Stage stage,
 }
 
 Source<Pilots> EnsembleCells::pilots() {
-  return source(Stage{true, 0, members_at_a_time(), frame_->pilots(), identity_, chunk_files_},
-                &EnsembleCells::members_of);
+  return source({0, frame_->pilots(), members_at_a_time()}, &EnsembleCells::members_of);
 }
 
 // Rows are whole after any member; statistics and files after a chunk.
 Source<EnsembleChunk> EnsembleCells::members(std::int64_t from) {
   const std::int64_t each = is_by_chunks() ? ensemble_.plan().chunk : members_at_a_time();
-  return source(Stage{false, from, each, ensemble_.size(), identity_, chunk_files_},
-                &EnsembleCells::chunk_of);
+  return source({from, ensemble_.size(), each}, &EnsembleCells::chunk_of);
 }
 
 Pilots EnsembleCells::members_of(std::int64_t begin, std::int64_t end, const Progress& look) const {
@@ -205,26 +157,12 @@ void EnsembleCells::append_rows(std::int64_t index, const EnsembleMember& member
     to.insert(to.end(), static_cast<std::size_t>(width), nan);
 }
 
-void EnsembleCells::Stage::serialize(Archive& bytes) {
-  bytes.all(pilots, first, each, end);
-  bytes.list(identity, [&](IdentityPart& part) { bytes.all(part.name, part.text); });
-  bytes(chunk_files);
-}
-
-void EnsembleCells::begin(const std::string& stage) {
-  Archive bytes(stage);
-  stage_.serialize(bytes);
-  if (any_machine_) take_elementary_functions(stage_.identity, identity_);
-  const std::string differs = difference(stage_.identity, identity_);
-  if (!differs.empty())
-    throw DomainError(ensemble_.scenario().document.name +
-                      ": is not the ensemble that is run: " + differs +
-                      (differs_in_elementary_functions(differs)
-                           ? "; expected machines that are alike, or --any-machine "
-                             "(any_machine=True from Python)"
-                           : ""));
-  chunk_files_ = stage_.chunk_files;
-  if (stage_.pilots || !frame_) return;
+void EnsembleCells::begin_stage(const CellRange& range, Archive& bytes) {
+  bool are_pilots = false;
+  bytes.all(are_pilots, chunk_files_);
+  if (are_pilots) return computes(source(range, &EnsembleCells::members_of));
+  computes(source(range, &EnsembleCells::chunk_of));
+  if (!frame_) return;
   // The leader's own: its bins stay those that it merges into, which are then alike at a glance.
   Archive own;
   frame_->serialize(own);
@@ -235,24 +173,10 @@ void EnsembleCells::begin(const std::string& stage) {
   frame_->serialize(frame);
 }
 
-std::string EnsembleCells::cell(std::int64_t index, const std::function<void()>& look) const {
-  const Progress progress = [&](double) { look(); };
-  const std::int64_t begin = stage_.begin_of(index),
-                     end = std::min(stage_.end, stage_.begin_of(index + 1));
-  Archive bytes;
-  if (stage_.pilots) {
-    Pilots some = members_of(begin, end, progress);
-    serialize(bytes, some);
-  } else {
-    chunk_of(begin, end, progress).serialize(bytes, frame_.get());
-  }
-  return bytes.bytes();
-}
-
 }  // namespace detail
 
-std::unique_ptr<ExecutorWork> ensemble_work(const ScenarioEnsemble& ensemble, bool any_machine) {
-  return std::make_unique<detail::EnsembleCells>(ensemble, any_machine);
+std::unique_ptr<ExecutorWork> ensemble_work(Scenario scenario, bool any_machine) {
+  return detail::work_of<detail::EnsembleCells, ScenarioEnsemble>(std::move(scenario), any_machine);
 }
 
 }  // namespace v0

@@ -12,6 +12,7 @@
 #include "polhode/error.hpp"
 #include "polhode/output/output_format.hpp"
 #include "polhode/run/run.hpp"
+#include "run/detail/machine.hpp"
 #include "run/detail/sweep.hpp"
 #include "run/ensemble/ensemble_cells.hpp"
 #include "run/ensemble/ensemble_files.hpp"
@@ -54,16 +55,10 @@ std::vector<ColumnGroup> groups_of(const ScenarioEnsemble& ensemble, const Ensem
 detail::CheckpointSetup setup_of(const ScenarioEnsemble& ensemble, const EnsembleCells& cells,
                                  const std::vector<std::string>& paths, const RunOptions& options) {
   require_tables(ensemble.scenario().output.formats, paths);
-  detail::CheckpointSetup setup = detail::setup_of_tables(
-      {"ensemble", "runs this one anew"}, ensemble.scenario(), groups_of(ensemble, cells), paths);
-  setup.identity.insert(setup.identity.begin(), detail::elementary_functions());
-  if (options.any_machine) setup.forgive = detail::take_elementary_functions;
-  setup.advice = [words = options.words](const std::string& differs) {
-    return detail::differs_in_elementary_functions(differs)
-               ? "; " + words.any_machine + " goes on with other last digits"
-               : std::string();
-  };
-  return setup;
+  return detail::with_machine(
+      detail::setup_of_tables({"ensemble", "runs this one anew"}, ensemble.scenario(),
+                              groups_of(ensemble, cells), paths),
+      options);
 }
 
 }  // namespace
@@ -87,7 +82,8 @@ class EnsembleRun::Parts final : public detail::Sweep {
         histograms_(detail::histogram_paths(ensemble, paths)),
         drawn_(ensemble.plan().keys().size(), NumberMoments(1)) {
     if (cells_->has_files()) origin_.row_dimension = "chunk";
-    require_work_for_all();
+    require_cells_for_all(cells_->members(0).range.end_cell(), "ensemble", "chunks of members",
+                          "chunk", cells_->is_by_chunks() ? ", or a smaller ensemble.chunk" : "");
     if (outputs_.is_complete()) {
       detail::require_there(histograms_, options_.words);
       detail::require_there(cells_->files_before(ensemble.size()), options_.words);
@@ -145,32 +141,20 @@ class EnsembleRun::Parts final : public detail::Sweep {
   }
   bool has_state() const override { return !frame_ || statistics_; }
 
-  // More processes than cells of all the members would wait for nothing.
-  void require_work_for_all() const {
-    if (options_.executor == nullptr) return;
-    const std::int64_t cells = cells_->members(0).count();
-    const int processes = options_.executor->processes();
-    if (processes <= cells) return;
-    throw DomainError(scenario_.document.name + ": ensemble: " + std::to_string(processes) +
-                      " processes for " + std::to_string(cells) +
-                      " chunks of members; expected a chunk for each at least: fewer processes" +
-                      (cells_->is_by_chunks() ? ", or a smaller ensemble.chunk" : ""));
-  }
-
   // The base, and the first members where bins and references come from these.
   void prepare() {
     const detail::Source<EnsembleMember> base{
-        .members = 1,
-        .cell = [&](std::int64_t, const Progress& look) { return ensemble_.base(look); }};
+        .range = {0, 1, 1}, .members = [&](std::int64_t, std::int64_t, const Progress& look) {
+          return ensemble_.base(look);
+        }};
     compute(
         base, [&](std::int64_t, const EnsembleMember& one) { frame_->set_base(one); },
         Stage::preparation);
-    const detail::Source<detail::Pilots> pilots = cells_->pilots();
     compute(
-        pilots,
-        [&](std::int64_t cell, const detail::Pilots& done) {
+        cells_->pilots(),
+        [&](std::int64_t first, const detail::Pilots& done) {
           for (std::size_t m = 0; m < done.size(); ++m)
-            frame_->add_pilot(cell * pilots.each + static_cast<std::int64_t>(m), done[m]);
+            frame_->add_pilot(first + static_cast<std::int64_t>(m), done[m]);
         },
         Stage::preparation);
     frame_->finish_pilots();

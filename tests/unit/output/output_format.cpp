@@ -153,7 +153,7 @@ TEST_F(OutputFormatTest, ItGoesOnWhereItWasKilled) {
     RunOptions how;
     how.checkpoint_seconds = 0.0;
     int asked = 0;
-    how.stop = [&asked] { return ++asked == 2; };
+    how.stop = [&asked] { return ++asked == 20; };  // behind the first block of rows
     EXPECT_THROW(run(of, outputs, std::move(how)), RunInterrupted);
     for (const std::string& output : outputs)
       std::ofstream(output + ".part", std::ios::app | std::ios::binary) << "0.5, 1\n{\"t\": 3";

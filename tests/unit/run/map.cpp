@@ -20,6 +20,7 @@
 #include "polhode/run/map_run.hpp"
 #include "temp_folder.hpp"
 #include "unit/run/map_refusal.hpp"
+#include "unit/run/shuffled_executor.hpp"
 #include "worst.hpp"
 
 namespace polhode {
@@ -27,6 +28,7 @@ namespace {
 
 using polhode::test::larger;
 using polhode::test::refusal;
+using polhode::test::ShuffledExecutor;
 using polhode::test::smaller;
 using ::testing::HasSubstr;
 
@@ -408,7 +410,7 @@ class MapRuns : public InFolder {
  protected:
   // Of all cells, or up to one.
   MapReport run(const ScenarioMap& map, RunBegin begin, std::int64_t up_to = -1,
-                const std::string& path = "m.csv") const {
+                const std::string& path = "m.csv", Executor* executor = nullptr) const {
     RunOptions options;
     options.begin = begin;
     options.checkpoint_seconds = 0.0;
@@ -416,6 +418,7 @@ class MapRuns : public InFolder {
     options.progress = [&](const RunProgress& at) { done = static_cast<std::int64_t>(at.reached); };
     options.stop = [&] { return done == up_to; };
     options.threads = 1;
+    options.executor = executor;
     return MapRun(map, {folder_ + "/" + path}, std::move(options)).run();
   }
   std::string checkpoint() const { return path_ + ".checkpoint"; }
@@ -428,6 +431,25 @@ class MapRuns : public InFolder {
 
   const std::string path_ = folder_ + "/m.csv";
 };
+
+void expect_equal(const MapReport& one, const MapReport& other) {
+  EXPECT_EQ(one.points, other.points);
+  ASSERT_EQ(one.groups.size(), other.groups.size());
+  for (std::size_t i = 0; i < one.groups.size(); ++i) {
+    EXPECT_EQ(one.groups[i].cells, other.groups[i].cells);
+    EXPECT_EQ(one.groups[i].rows, other.groups[i].rows);
+  }
+  ASSERT_EQ(one.ranges.size(), other.ranges.size());
+  for (std::size_t i = 0; i < one.ranges.size(); ++i) {
+    EXPECT_EQ(one.ranges[i].least, other.ranges[i].least);
+    EXPECT_EQ(one.ranges[i].most, other.ranges[i].most);
+  }
+  ASSERT_EQ(one.failures.size(), other.failures.size());
+  for (std::size_t i = 0; i < one.failures.size(); ++i) {
+    EXPECT_EQ(one.failures[i].cell, other.failures[i].cell);
+    EXPECT_EQ(one.failures[i].why, other.failures[i].why);
+  }
+}
 
 const std::string section = moon + R"([map]
 kind = "spin-orbit-section"
@@ -456,21 +478,7 @@ TEST_F(MapRuns, KeepSectionsWhole) {
     const MapReport report = run(map, RunBegin::resume);
     EXPECT_EQ(text_of(path_), straight) << stop;
     EXPECT_THAT(files(), ::testing::ElementsAre("m.csv"));
-    EXPECT_EQ(report.points, whole.points);
-    ASSERT_EQ(report.groups.size(), whole.groups.size());
-    for (std::size_t i = 0; i < whole.groups.size(); ++i) {
-      EXPECT_EQ(report.groups[i].cells, whole.groups[i].cells);
-      EXPECT_EQ(report.groups[i].rows, whole.groups[i].rows);
-    }
-    for (std::size_t i = 0; i < whole.ranges.size(); ++i) {
-      EXPECT_EQ(report.ranges[i].least, whole.ranges[i].least);
-      EXPECT_EQ(report.ranges[i].most, whole.ranges[i].most);
-    }
-    ASSERT_EQ(report.failures.size(), whole.failures.size());
-    for (std::size_t i = 0; i < whole.failures.size(); ++i) {
-      EXPECT_EQ(report.failures[i].cell, whole.failures[i].cell);
-      EXPECT_EQ(report.failures[i].why, whole.failures[i].why);
-    }
+    expect_equal(report, whole);
   }
 }
 
@@ -551,6 +559,73 @@ TEST_F(MapRuns, RefuseWhatIsOfAnother) {
   EXPECT_THAT(refusal_of(map), HasSubstr("cannot be continued"));
   std::ofstream(path_ + ".part", std::ios::binary) << "X" << part.substr(1);
   EXPECT_THAT(refusal_of(map), HasSubstr("it is the output of another scenario"));
+}
+
+// Processes whose cells are computed in any order.
+ShuffledExecutor shuffled(const std::string& text, int processes, unsigned seed) {
+  return {[&] { return map_work(scenario_from_text(text, "m.toml")); }, processes, seed};
+}
+
+TEST_F(MapRuns, OnAnExecutorAreThoseOfThreads) {
+  const std::string chaos = body + "[map]\nkind = \"chaos\"\n" + two_axes;
+  for (const std::string& text : {section, strobed, chaos}) {  // of sections some cells fail
+    const ScenarioMap map(text, "m.toml");
+    const MapReport threads = run(map, RunBegin::restart);
+    ShuffledExecutor executor = shuffled(text, 3, 5);
+    expect_equal(run(map, RunBegin::anew, -1, "e.csv", &executor), threads);
+    EXPECT_EQ(text_of(folder_ + "/e.csv"), text_of(path_));
+    std::filesystem::remove(folder_ + "/e.csv");
+  }
+}
+
+TEST_F(MapRuns, StoppedOnAnExecutorGoOnOnThreadsAndBack) {
+  const ScenarioMap map(section, "m.toml");
+  const MapReport whole = run(map, RunBegin::anew);
+  const std::string straight = text_of(path_);
+  std::filesystem::remove(path_);
+  for (std::int64_t stop = 1; stop < 13; ++stop) {
+    ShuffledExecutor executor = shuffled(section, 2, 7);
+    EXPECT_THROW(run(map, RunBegin::resume, stop, "m.csv", stop % 2 == 1 ? &executor : nullptr),
+                 RunInterrupted);
+  }
+  expect_equal(run(map, RunBegin::resume), whole);
+  EXPECT_EQ(text_of(path_), straight);
+}
+
+// Of many cells several go together to a process, 3 of these 300; on threads each is alone.
+TEST_F(MapRuns, OfManyCellsGoOnBetweenTwoOfThem) {
+  const std::string text = body + R"([map]
+kind = "column"
+column = "qw"
+[[map.axis]]
+key = "body.moments[1]"
+from = 1.1
+to = 1.9
+count = 300
+)";
+  const ScenarioMap map(text, "m.toml");
+  const MapReport whole = run(map, RunBegin::anew);
+  const std::string straight = text_of(path_);
+  std::filesystem::remove(path_);
+  ShuffledExecutor executor = shuffled(text, 3, 11);
+  EXPECT_THROW(run(map, RunBegin::anew, 4), RunInterrupted);
+  EXPECT_THROW(run(map, RunBegin::resume, 10, "m.csv", &executor), RunInterrupted);
+  EXPECT_THROW(run(map, RunBegin::resume, 11), RunInterrupted);
+  expect_equal(run(map, RunBegin::resume, -1, "m.csv", &executor), whole);
+  EXPECT_EQ(text_of(path_), straight);
+}
+
+TEST_F(MapRuns, OnAnExecutorOfAnotherMapAreRejected) {
+  const ScenarioMap map(section, "m.toml");
+  std::string text = section;
+  text.replace(text.find("count = 13"), 10, "count = 14");
+  ShuffledExecutor other = shuffled(text, 2, 1);
+  EXPECT_REJECTED(run(map, RunBegin::anew, -1, "m.csv", &other),
+                  "m.toml: is not the map that is run: scenario was");
+  ShuffledExecutor many = shuffled(section, 14, 1);
+  EXPECT_REJECTED(run(map, RunBegin::restart, -1, "m.csv", &many),
+                  "m.toml: map: 14 processes for 13 cells; expected a cell for each at least: "
+                  "fewer processes");
 }
 
 TEST_F(MapRuns, WhatProgressThrowsKeepsTheCellsBefore) {

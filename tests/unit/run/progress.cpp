@@ -55,13 +55,18 @@ RunReport run_into(const Scenario& s, Counted& counted, const Progress& progress
 const std::string torque = "[[perturbation]]\nkind = \"constant-torque\"\ntorque = [0.1, 0, 0]\n";
 const std::string turning = "[frame.precessing]\naxis = [1, 0, 0]\nrate = 1\n";
 
-TEST(ScenarioProgress, FreeRotationTellsAfterEveryBlockOfRows) {
+TEST(ScenarioProgress, FreeRotationTellsAlongItsRows) {
   for (const std::string& frame : {std::string(), turning}) {
     Counted counted;
     std::vector<double> reported;
     run_into(scenario(frame + "[time]\nstop = 2999\ncount = 3000\n"), counted,
              [&](double t) { reported.push_back(t); });
-    EXPECT_THAT(reported, testing::ElementsAre(1023.0, 2047.0, 2999.0));
+    reported.insert(reported.begin(), 0.0);
+    for (std::size_t k = 1; k < reported.size(); ++k) {
+      EXPECT_GT(reported[k], reported[k - 1]);
+      EXPECT_LE(reported[k] - reported[k - 1], 1024.0);
+    }
+    EXPECT_EQ(reported.back(), 2999.0);
   }
 }
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Ensembles on executors: the bits of threads, whoever computes a chunk; workers that die."""
+"""Maps and ensembles on executors: the bits of threads, whoever computes a cell; workers that
+die."""
 
 import concurrent.futures
 import multiprocessing
@@ -61,6 +62,54 @@ def test_processes_write_a_file_for_each_chunk(processes, tmp_path, monkeypatch)
     assert len(found.chunk_files) == 4
     for ours, theirs in zip(found.chunk_files, threads.chunk_files):
         assert pathlib.Path(ours).read_bytes() == pathlib.Path(theirs).read_bytes()
+
+
+MAP = """
+[map]
+kind = "{kind}"
+[[map.axis]]
+key = "body.moments[1]"
+from = 1.1
+to = 1.9
+count = {count}
+"""  # below 1.2 there is no such body
+
+
+def map_of(kind="chaos", count=17):
+    return Scenario.from_text(TEXT + MAP.format(kind=kind, count=count))
+
+
+@pytest.mark.parametrize("kind", ["chaos", 'andoyer-section"\nangle = "g'])
+def test_processes_give_the_map_of_threads(kind, processes, tmp_path):
+    of, told = map_of(kind), []
+    found = of.map(
+        tmp_path / "p.csv", executor=processes, progress=lambda k, size: told.append((k, size))
+    )
+    threads = of.map(tmp_path / "t.csv", threads=2)
+    assert found == threads and found.failures == threads.failures and found.failures
+    assert (found.cell == threads.cell).all()
+    assert (tmp_path / "p.csv").read_bytes() == (tmp_path / "t.csv").read_bytes()
+    assert told == [(k, 17) for k in range(1, 18)]
+
+
+def test_a_map_on_an_executor_is_resumed_on_threads(tmp_path):
+    path, told = tmp_path / "m.csv", []
+    of = map_of(count=100)
+
+    class Enough(Exception):
+        pass
+
+    def stop(cells, size):
+        if cells == 7:
+            raise Enough
+
+    with concurrent.futures.ThreadPoolExecutor(2) as executor:
+        with pytest.raises(Enough):
+            of.map(path, executor=executor, progress=stop)
+        with pytest.raises(ValueError, match="an unfinished map is there"):
+            of.map(path, executor=executor)
+    assert of.map(path, resume=True, progress=lambda k, size: told.append(k)) == of.map()
+    assert told[0] == 8
 
 
 def test_threads_of_an_executor_do_too():
@@ -144,7 +193,17 @@ def test_what_a_worker_raises_is_said(tmp_path):
         scenario().ensemble(executor=closed)
 
 
+def test_what_a_worker_of_a_map_raises_is_said(tmp_path):
+    path = tmp_path / "m.csv"
+    with Failing(1) as executor:
+        with pytest.raises(RuntimeError, match="failed, from cell [34] on: OSError: no room"):
+            map_of().map(path, executor=executor)
+    assert path.with_name("m.csv.checkpoint").exists()
+
+
 def test_what_is_no_executor_is_refused():
+    with pytest.raises(TypeError, match="^map: executor: got 3; expected a concurrent.futures"):
+        map_of().map(executor=3)
     with pytest.raises(TypeError, match="executor: got 3; expected a concurrent.futures.Executor"):
         scenario().ensemble(executor=3)
     with concurrent.futures.ThreadPoolExecutor(1) as executor:
@@ -172,6 +231,16 @@ def test_ctrl_c_leaves_an_ensemble_to_continue(processes, tmp_path):
         lambda: bool(told),
     )
     assert took < LATEST and path.with_name("e.csv.checkpoint").exists()
+
+
+def test_ctrl_c_leaves_a_map_to_continue(processes, tmp_path):
+    path, told = tmp_path / "m.csv", []
+    of = map_of(count=10**6)
+    took = seconds_from_signal(
+        lambda: of.map(path, executor=processes, progress=lambda k, size: told.append(k)),
+        lambda: bool(told),
+    )
+    assert took < LATEST and path.with_name("m.csv.checkpoint").exists()
 
 
 @pytest.mark.skipif("POLHODE_TEST_FULL" not in os.environ, reason="Dask: make test-full")

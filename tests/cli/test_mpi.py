@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""`mpirun polhode ensemble`: the same bytes for any number of ranks and threads, after kills too,
-and clear words where ranks cannot work."""
+"""`mpirun polhode ensemble` and `mpirun polhode map`: the same bytes for any number of ranks and
+threads, after kills too, and clear words where ranks cannot work."""
 
 import os
 import pathlib
@@ -215,3 +215,86 @@ def test_what_has_no_files_of_chunks(run, ensemble, tmp_path):
     assert "expected no other where each chunk has a file" in run.rejected("ensemble", path,
                                                                            "--out", out, "--out",
                                                                            tmp_path / "b.csv")
+
+
+MAP = """
+[map]
+kind = "{kind}"
+[[map.axis]]
+key = "body.moments[1]"
+from = 1.2
+to = 2.4
+count = 13
+[[map.axis]]
+key = "state.attitude-rate.omega_body[1]"
+from = 0.1
+to = 0.9
+count = 11
+"""
+
+
+@pytest.fixture
+def map_file(scenario):
+    """map_file(stop) writes a scenario with a map of 143 cells, of which some have no body."""
+
+    def write(stop, kind="chaos", extra=""):
+        path = scenario(time=f"stop = {stop}\ncount = 2")
+        path.write_text(path.read_text() + TORQUE + MAP.format(kind=kind) + extra)
+        return path
+
+    return write
+
+
+@pytest.mark.parametrize("kind, extra", [("chaos", ""), ("andoyer-section", 'angle = "g"\n')])
+def test_a_map_has_the_same_files_for_any_number_of_ranks(run, ranks, map_file, tmp_path, kind,
+                                                          extra):
+    path = map_file(300, kind)
+    path.write_text(path.read_text().replace("[[map.axis]]", extra + "[[map.axis]]", 1))
+    outs = [tmp_path / "alone.csv", tmp_path / "alone.h5"]
+    alone = run.ok("map", path, "--out", outs[0], "--out", outs[1])
+    assert "cells             143" in alone.stdout and "failed            " in alone.stdout
+    marks = {tuple(mark(out) for out in outs)}
+    for count, threads in ((2, 1), (2, 2), (3, 1)):
+        outs = [tmp_path / f"{count}-{threads}.csv", tmp_path / f"{count}-{threads}.h5"]
+        done = ranks(count, "map", path, "--out", outs[0], "--out", outs[1], "--threads", threads)
+        assert done.returncode == 0, done.stderr
+        assert done.stdout == alone.stdout
+        marks.add(tuple(mark(out) for out in outs))
+    assert len(marks) == 1
+
+
+def test_a_map_that_was_killed_on_ranks_goes_on_on_threads(run, ranks, command, map_file,
+                                                           tmp_path):
+    path = map_file(20000)
+    whole, out = tmp_path / "whole.csv", tmp_path / "part.csv"
+    run.ok("map", path, "--out", whole)
+    checkpoint = pathlib.Path(f"{out}.checkpoint")
+    words = ["map", path, "--out", out, "--resume", "--checkpoint", "0"]
+    kept = []
+    for count, victim in ((2, 1), (3, 0)):
+        before = bytes_of(checkpoint)
+        process = subprocess.Popen(command(count, *words), stdout=subprocess.DEVNULL,
+                                   stderr=subprocess.DEVNULL, env=ENVIRONMENT)
+        wait_for_another(checkpoint, before, process)
+        os.kill(children(process)[victim], signal.SIGKILL)
+        assert process.wait(timeout=SECONDS) != 0
+        kept.append(int(checkpoint.read_bytes().split(b" ")[0]))
+        assert not out.exists()
+    assert 0 < kept[0] < kept[1] < 143
+    done = run.ok(*words)
+    assert f"continues after {kept[1]} of 143 cells" in done.stderr
+    assert out.read_bytes() == whole.read_bytes()
+    assert "nothing to do: complete" in ranks(2, *words).stdout
+
+
+def test_what_several_ranks_cannot_do_with_a_map(ranks, map_file, tmp_path):
+    path = map_file(10)
+    path.write_text(path.read_text().replace("count = 13", "count = 1").replace("count = 11",
+                                                                               "count = 2"))
+    done = ranks(3, "map", path, "--out", tmp_path / "a.csv")
+    assert done.returncode == 2
+    assert ("body.toml: map: 3 processes for 2 cells; expected a cell for each at least: fewer "
+            "processes" in done.stderr)
+    done = ranks(2, "map", "-", "--out", tmp_path / "a.csv")
+    assert done.returncode == 2 and "expected a file that all can read" in done.stderr
+    assert not (tmp_path / "a.csv").exists()

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// One member of an ensemble or one cell of a map alone: its scenario, and the rows of its run.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "polhode/run/resumable_run.hpp"
+#include "polhode/scenario/scenario.hpp"
+#include "resumable_work.hpp"
+
+namespace polhode::cli {
+
+struct Alone {
+  std::string option;    // "--member"
+  std::string called;    // "member 7"
+  std::string scenario;  // the name of the whole
+};
+
+// Writes the text of its scenario into each PATH.toml of --out, or prints it if --out has no path.
+// The other paths, which are for its rows.
+std::vector<std::string> write_scenario_of(const Alone& one, const std::string& text,
+                                           const WorkOptions& options);
+
+// Throws if `failure` says why it failed.
+void require_done(const Alone& one, const std::string& failure);
+
+// Its rows into these paths.
+void run_alone(const Alone& one, const Scenario& scenario, const std::vector<std::string>& rows,
+               RunOptions how);
+
+}  // namespace polhode::cli
