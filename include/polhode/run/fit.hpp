@@ -77,8 +77,9 @@ FitReport fit_scenario(const Scenario& scenario, const FitOptions& options = {})
 struct FitNumber {
   std::string name;  // "w_x"
   std::string unit;  // "deg/d"; "1"
-  double start, value, error;
-  std::optional<double> scaled_value, scaled_error;
+  double value, error;
+  std::optional<double> start = std::nullopt;  // none in a search
+  std::optional<double> scaled_value = std::nullopt, scaled_error = std::nullopt;
 };
 std::vector<FitNumber> fit_numbers(const Scenario& scenario, const FitReport& report,
                                    std::size_t solution);

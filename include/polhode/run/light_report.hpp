@@ -138,8 +138,8 @@ struct LightFitOptions {
 };
 LightReport fit_light_scenario(const Scenario& scenario, const LightFitOptions& options = {});
 
-// The unknowns of a solution as fit_numbers has them, scaled by error_factor; `start` is the value
-// of the start, of coefficients that of its ellipsoid; or of the solution in a search.
+// The unknowns of a solution as fit_numbers has them, with errors scaled by error_factor; the start
+// of coefficients is that of its ellipsoid.
 std::vector<FitNumber> light_numbers(const Scenario& scenario, const LightReport& report,
                                      std::size_t solution);
 
