@@ -39,10 +39,6 @@ std::string numbered(const std::string& path, std::size_t place) {
   return path.substr(0, end) + "-" + std::to_string(place + 1) + path.substr(end);
 }
 
-int threads_of(const FitCommand& options) {
-  return options.threads > 0 ? options.threads : hardware_threads();
-}
-
 // A fit that ended without a solution: to continue it would find none either.
 struct NoSolution : std::runtime_error {
   using std::runtime_error::runtime_error;
@@ -182,6 +178,16 @@ class KeptFit {
   FitCheckpoint checkpoint_;
 };
 
+FitOptions fit_options(const FitCommand& options, KeptFit& kept) {
+  FitOptions how;
+  how.threads = options.threads > 0 ? options.threads : hardware_threads();
+  how.scans_only = options.scans_only;
+  how.journal = kept.journal();
+  how.stop = [] { return StopSignals::came() != 0; };
+  how.progress = [&kept](const RunProgress& at) { kept.tell(at); };
+  return how;
+}
+
 void fit_snapshots(const FitCommand& options, const Scenario& scenario, KeptFit& kept) {
   if (!options.landscape.empty() || options.scans_only)
     throw DomainError(scenario.document.name +
@@ -189,17 +195,9 @@ void fit_snapshots(const FitCommand& options, const Scenario& scenario, KeptFit&
                       ": there is none; expected light curves and fit.from = "
                       "\"search\"");
   const std::vector<double> times = times_at(options, scenario);
-  FitOptions how;
-  how.threads = threads_of(options);
-  how.journal = kept.journal();
-  how.stop = [] { return StopSignals::came() != 0; };
-  if (const std::int64_t starts = require_fit(scenario).starts; starts > 1) {
+  const FitOptions how = fit_options(options, kept);
+  if (const std::int64_t starts = require_fit(scenario).starts; starts > 1)
     kept.line().emplace(0.0, starts, "starts");
-    how.progress = [&kept, starts, threads = how.threads](std::int64_t done) {
-      const auto ended = static_cast<double>(done), left = static_cast<double>(starts - done);
-      kept.tell({ended, part_of_work(ended, left, threads)});
-    };
-  }
   const FitReport report = kept.run([&] { return fit_scenario(scenario, how); });
   if (!report.is_found())
     fail(scenario,
@@ -221,15 +219,11 @@ void fit_light_curves(FitCommand options, const Scenario& scenario, KeptFit& kep
     throw DomainError(scenario.document.name +
                       ": --landscape: no scan is made, and there is no landscape; expected "
                       "fit.from = \"search\" without fit.periods");
-  LightFitOptions how;
-  how.threads = threads_of(options);
-  how.scans_only = options.scans_only;
   if (options.scans_only && !scans)
     throw DomainError(scenario.document.name +
                       ": --scan-only: no scan is made; expected fit.from = \"search\" without "
                       "fit.periods");
-  how.journal = kept.journal();
-  how.stop = [] { return StopSignals::came() != 0; };
+  FitOptions how = fit_options(options, kept);
   how.begins = [&](const std::string& stage, const std::string& work) {
     kept.line().reset();
     kept.line().emplace(stage != "surfaces"                    ? stage
@@ -237,7 +231,6 @@ void fit_light_curves(FitCommand options, const Scenario& scenario, KeptFit& kep
                                                                : std::string("convex bodies"),
                         work);
   };
-  how.progress = [&](const std::string&, double part) { kept.tell({part, part}); };
   const LightReport report = kept.run([&] { return fit_light_scenario(scenario, how); });
   for (const std::string& path : options.landscape) write_landscape(scenario, report, path);
   if (report.start && !report.is_found() && report.chosen.empty() && report.notes.empty())

@@ -31,13 +31,16 @@ LightScenarioFit light_fit_of(const Scenario& scenario, int threads, nb::handle 
   const bool goes_on = plan.shape != LightPlan::Shape::ellipsoid || plan.one_by_one;
   const double whole = scan + search + (goes_on ? 1.0 : 0.0);
   WorkLoop loop("the fit was stopped", progress);
-  LightFitOptions options;
+  FitOptions options;
   options.threads = checked_threads(threads);
   options.stop = [&loop] { return loop.is_stopped(); };
-  options.progress = [&loop, scan, search, whole](const std::string& stage, double part) {
-    const double before = stage == "scan" ? 0.0 : stage == "search" ? scan : scan + search;
+  double before = 0.0;
+  options.begins = [&](const std::string& stage, const std::string&) {
+    before = stage == "scan" ? 0.0 : stage == "search" ? scan : scan + search;
+  };
+  options.progress = [&](const RunProgress& at) {
     loop.reach(
-        static_cast<std::int64_t>((before + part) / whole * static_cast<double>(thousandths)));
+        static_cast<std::int64_t>((before + at.part) / whole * static_cast<double>(thousandths)));
   };
   loop.do_work(thousandths, [&] { fit.report = fit_light_scenario(fit.scenario, options); });
   return fit;

@@ -34,7 +34,9 @@ ScenarioFit fit_of(const Scenario& scenario, int threads, nb::handle progress) {
   FitOptions options;
   options.threads = checked_threads(threads);
   options.stop = [&loop] { return loop.is_stopped(); };
-  options.progress = [&loop](std::int64_t done) { loop.reach(done); };
+  options.progress = [&loop](const RunProgress& at) {
+    loop.reach(static_cast<std::int64_t>(at.reached));
+  };
   loop.do_work(starts, [&] { fit.report = fit_scenario(*fit.scenario, options); });
   return fit;
 }

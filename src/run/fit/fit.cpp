@@ -187,7 +187,10 @@ FitReport fit_scenario(const Scenario& scenario, const FitOptions& options) {
         [&](std::int64_t start, const Tried& one) {
           solutions.add(one, start);
           report.starts = start + 1;
-          if (options.progress) options.progress(report.starts);
+          const auto done = static_cast<double>(start + 1);
+          if (options.progress)
+            options.progress({done, part_of_work(done, static_cast<double>(plan.starts) - done,
+                                                 options.threads)});
           if (report.starts < plan.starts) stop();
         },
         [](Archive& bytes, Tried& one) {

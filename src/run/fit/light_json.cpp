@@ -141,12 +141,12 @@ class LightJson {
       json_.members("b/a", shape.b / shape.a, "c/b", shape.c / shape.b).end_object();
     }
     if (pair.surface) {
+      const LeastSquaresResult& r = pair.surface->result;
       json_.key(detail::shape_word(report_.shape)).begin_object();
-      json_.members("chi_square", pair.surface->chi_square, "cost", pair.surface->cost, "converged",
-                    pair.surface->is_converged);
+      json_.members("chi_square", r.chi_square, "cost", r.cost, "converged", r.is_converged());
       add_periods(pair.surface->periods);
       add_poles(pair.surface->pole);
-      json_.members("sentence", pair.surface->sentence).end_object();
+      json_.members("sentence", r.sentence).end_object();
     }
     json_.end_object();
   }

@@ -122,7 +122,7 @@ std::vector<PairGroup> groups_of_pairs(const LightReport& report) {
   const auto rank = [&](std::size_t i) {
     const PairFound& pair = report.pairs[i];
     const double ellipsoid = pair.ellipsoid->result.cost;
-    return std::pair(pair.surface ? pair.surface->cost : ellipsoid, ellipsoid);
+    return std::pair(pair.surface ? pair.surface->result.cost : ellipsoid, ellipsoid);
   };
   std::ranges::stable_sort(order, {}, rank);
   std::vector<PairGroup> groups;

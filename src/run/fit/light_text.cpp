@@ -167,7 +167,7 @@ void add_pair_rows(std::string& text, const Scenario& scenario, const LightRepor
     };
     text += fmt::format("{:>12.5g}", s.result.cost);
     if (has_surface)
-      text += pair.surface ? fmt::format("{:>12.5g}", pair.surface->cost)
+      text += pair.surface ? fmt::format("{:>12.5g}", pair.surface->result.cost)
                            : fmt::format("{:>12}", "-");
     text += fmt::format("{:>6}{:>13}{:>13}", detail::mode_word(p.mode), period(p.precession_period),
                         period(p.rotation_period));
@@ -179,7 +179,7 @@ void add_pair_rows(std::string& text, const Scenario& scenario, const LightRepor
                           scenario.units().from_core(at.latitude, Dimension::angle));
     }
     text += fmt::format("{:>10}{}\n", groups[i].pairs.size(),
-                        pair.surface && !pair.surface->is_converged ? "  not converged" : "");
+                        pair.surface && !pair.surface->is_found() ? "  not converged" : "");
   }
   if (groups.size() > most_pairs)
     text += fmt::format(" and {} more; --json has all {} readings\n", groups.size() - most_pairs,
