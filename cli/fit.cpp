@@ -58,15 +58,18 @@ bool prints_table(const FitCommand& options) {
   return false;
 }
 
-// Files of every solution, and whether one of them went to standard output.
+// Files of every solution; the text of all of them, unless a table takes its place on standard
+// output.
 template <class Report>
-bool writes_files(
-    const FitCommand& options, const Scenario& scenario, const Report& report,
-    void (&residuals)(const Scenario&, const Report&, std::size_t, const std::string&),
-    void (&covariance)(const Scenario&, const Report&, std::size_t, const std::string&),
-    void (&solution)(const Scenario&, const Report&, std::size_t, const std::string&)) {
+void write_results(const FitCommand& options, const Scenario& scenario, const Report& report,
+                   const std::vector<double>& times) {
   const std::size_t most = require_fit(scenario).most_solutions;
   const std::size_t count = std::min(report.solutions.size(), most);
+  const std::vector<double> predicted =
+      options.predict.empty() || !options.at.empty() ? times : prediction_times(scenario);
+  for (std::size_t i = 0; i < count; ++i)
+    for (const std::string& path : options.predict)
+      write_predictions(scenario, fit_predictions(report, i, predicted), numbered(path, i));
   const bool writes = !options.residuals.empty() || !options.covariance.empty() ||
                       !options.predict.empty() || !options.solution.empty();
   if (writes && count < report.solutions.size())
@@ -76,25 +79,14 @@ bool writes_files(
         scenario.document.name, count, report.solutions.size(), most));
   for (std::size_t i = 0; i < count; ++i) {
     for (const std::string& path : options.residuals)
-      residuals(scenario, report, i, numbered(path, i));
+      write_residuals(scenario, report, i, numbered(path, i));
     for (const std::string& path : options.covariance)
-      covariance(scenario, report, i, numbered(path, i));
-    if (!options.solution.empty()) solution(scenario, report, i, numbered(options.solution, i));
+      write_covariance(scenario, report, i, numbered(path, i));
+    if (!options.solution.empty())
+      write_solution(scenario, report, i, numbered(options.solution, i));
   }
-  return prints_table(options);
-}
-
-// Whether they went to standard output.
-template <class Report>
-bool writes_predictions(const FitCommand& options, const Scenario& scenario, const Report& report,
-                        const std::vector<double>& at) {
-  if (options.predict.empty()) return false;
-  const std::vector<double> times = options.at.empty() ? prediction_times(scenario) : at;
-  const std::size_t count = std::min(report.solutions.size(), require_fit(scenario).most_solutions);
-  for (std::size_t i = 0; i < count; ++i)
-    for (const std::string& path : options.predict)
-      write_predictions(scenario, fit_predictions(report, i, times), numbered(path, i));
-  return std::count(options.predict.begin(), options.predict.end(), "-") > 0;
+  if (!prints_table(options) && std::ranges::count(options.predict, "-") == 0)
+    print(options.json ? fit_json(scenario, report, times) : fit_text(scenario, report, times));
 }
 
 // Those of --at, and what is wrong with what is to be predicted, before the fit.
@@ -204,11 +196,7 @@ void fit_snapshots(const FitCommand& options, const Scenario& scenario, KeptFit&
          report.starts == 1 ? std::string("its start")
                             : fmt::format("each of {} starts", report.starts),
          report.failure);
-  const bool predicted = writes_predictions(options, scenario, report, times);
-  if (!writes_files<FitReport>(options, scenario, report, write_residuals, write_covariance,
-                               write_solution) &&
-      !predicted)
-    print(options.json ? fit_json(scenario, report, times) : fit_text(scenario, report, times));
+  write_results(options, scenario, report, times);
 }
 
 void fit_light_curves(FitCommand options, const Scenario& scenario, KeptFit& kept) {
@@ -238,7 +226,7 @@ void fit_light_curves(FitCommand options, const Scenario& scenario, KeptFit& kep
   if (!report.is_found()) {
     // minima, pairs and what they came to are worth reading without a solution
     if (!prints_table(options))
-      print(options.json ? light_json(scenario, report) : light_text(scenario, report));
+      print(options.json ? fit_json(scenario, report) : fit_text(scenario, report));
     if (options.scans_only) return;
     if (report.start) fail(scenario, "its start", report.failure);
     throw NoSolution(fmt::format("{}: no solution: {}", scenario.document.name, report.failure));
@@ -250,11 +238,7 @@ void fit_light_curves(FitCommand options, const Scenario& scenario, KeptFit& kep
         "describes the data");
     options.covariance.clear();
   }
-  const bool predicted = writes_predictions(options, scenario, report, times);
-  if (!writes_files<LightReport>(options, scenario, report, write_light_residuals,
-                                 write_light_covariance, write_light_solution) &&
-      !predicted)
-    print(options.json ? light_json(scenario, report, times) : light_text(scenario, report, times));
+  write_results(options, scenario, report, times);
 }
 
 void fit_file(const FitCommand& options, const Kinds& kinds) {

@@ -115,10 +115,10 @@ bool observes_light(const Scenario& scenario);
 
 LightReport fit_light_scenario(const Scenario& scenario, const FitOptions& options = {});
 
-// The unknowns of a solution as fit_numbers has them, with errors scaled by error_factor; the start
-// of coefficients is that of its ellipsoid.
-std::vector<FitNumber> light_numbers(const Scenario& scenario, const LightReport& report,
-                                     std::size_t solution);
+// As those of a FitReport (fit.hpp). Errors are scaled by error_factor; the start of coefficients
+// is that of their ellipsoid.
+std::vector<FitNumber> fit_numbers(const Scenario& scenario, const LightReport& report,
+                                   std::size_t solution);
 
 // By which errors of a solution are scaled, its error_factor(); NaN where that is none or 0.
 double light_error_factor(const LightSolution& found);
@@ -126,31 +126,30 @@ double light_error_factor(const LightSolution& found);
 // The fit that a solution is of, from that solution on.
 LightFit light_fit_at(const Scenario& scenario, const LightReport& report, std::size_t solution);
 
-// With attitudes that are predicted, as those of fit_text.
-std::string light_text(const Scenario& scenario, const LightReport& report,
-                       std::span<const double> times = {});
-std::string light_json(const Scenario& scenario, const LightReport& report,
-                       std::span<const double> times = {});
+std::string fit_text(const Scenario& scenario, const LightReport& report,
+                     std::span<const double> times = {});
+std::string fit_json(const Scenario& scenario, const LightReport& report,
+                     std::span<const double> times = {});
 
 // f1, f2 and chi-square, a row for each pair of the scan; DomainError without a scan.
 void write_landscape(const Scenario& scenario, const LightReport& report, const std::string& path);
 // A row for each point: table, line and session from 1, flux, its error, that of the solution, the
 // difference, and this in errors.
-void write_light_residuals(const Scenario& scenario, const LightReport& report,
-                           std::size_t solution, const std::string& path);
-void write_light_covariance(const Scenario& scenario, const LightReport& report,
-                            std::size_t solution, const std::string& path);
-// As solution_text: a scenario of kind "fit" that begins at the solution, with the ellipsoid or the
+void write_residuals(const Scenario& scenario, const LightReport& report, std::size_t solution,
+                     const std::string& path);
+void write_covariance(const Scenario& scenario, const LightReport& report, std::size_t solution,
+                      const std::string& path);
+// A scenario of kind "fit" that begins at the solution, with the ellipsoid or the
 // mesh, so that it can be simulated and fitted again as well as run; `mesh` is the file of a convex
 // body, as the scenario names it, and `folder` where its paths start; left out, where those of this
 // one do.
-std::string light_solution_text(const Scenario& scenario, const LightReport& report,
-                                std::size_t solution, const std::string& mesh = "seen.obj",
-                                const std::optional<std::string>& folder = std::nullopt);
+std::string solution_text(const Scenario& scenario, const LightReport& report, std::size_t solution,
+                          const std::string& mesh = "seen.obj",
+                          const std::optional<std::string>& folder = std::nullopt);
 // The file, and beside PATH.toml the mesh of a convex body, PATH-seen.obj; DomainError for areas
 // that are those of no body. Nothing is written then.
-void write_light_solution(const Scenario& scenario, const LightReport& report, std::size_t solution,
-                          const std::string& path);
+void write_solution(const Scenario& scenario, const LightReport& report, std::size_t solution,
+                    const std::string& path);
 
 }  // namespace v0
 }  // namespace polhode

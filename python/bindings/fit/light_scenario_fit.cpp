@@ -15,15 +15,12 @@ namespace polhode::python {
 
 namespace {
 
-struct LightScenarioFit {
-  Scenario scenario;
-  LightReport report;
-};
+using LightScenarioFit = FitOf<LightReport>;
 
 constexpr std::int64_t thousandths = 1000;  // of the work, that progress counts
 
 LightScenarioFit light_fit_of(const Scenario& scenario, int threads, nb::handle progress) {
-  LightScenarioFit fit{scenario, {}};
+  LightScenarioFit fit{std::make_shared<const Scenario>(scenario), {}};
   // a scan, the search and what comes after it take about as long
   const LightPlan& plan = require_fit(scenario).light;
   const double scan = plan.searches && plan.periods.empty() ? 1.0 : 0.0;
@@ -42,23 +39,8 @@ LightScenarioFit light_fit_of(const Scenario& scenario, int threads, nb::handle 
     loop.reach(
         static_cast<std::int64_t>((before + at.part) / whole * static_cast<double>(thousandths)));
   };
-  loop.do_work(thousandths, [&] { fit.report = fit_light_scenario(fit.scenario, options); });
+  loop.do_work(thousandths, [&] { fit.report = fit_light_scenario(*fit.scenario, options); });
   return fit;
-}
-
-nb::tuple light_rows(const LightScenarioFit& fit, std::size_t solution) {
-  return kept_rows(fit.scenario, [&](const Scenario& scenario, const std::string& path) {
-    write_light_residuals(scenario, fit.report, solution, path);
-  });
-}
-
-nb::tuple predicted_light(const LightScenarioFit& fit, std::size_t solution,
-                          const std::vector<std::string>& words) {
-  const std::vector<double> times =
-      words.empty() ? prediction_times(fit.scenario) : prediction_times(fit.scenario, words);
-  return kept_rows(fit.scenario, [&](const Scenario& scenario, const std::string& path) {
-    write_predictions(scenario, fit_predictions(fit.report, solution, times), path);
-  });
 }
 
 // None without a scan.
@@ -70,7 +52,7 @@ nb::object scan_of(const LightScenarioFit& fit) {
 // As functions of the unknowns, from a solution on; errors are those that it has scaled, where
 // asked for.
 PythonResiduals residuals_from(const LightScenarioFit& fit, std::size_t solution, bool scaled) {
-  LightFit problem = light_fit_at(fit.scenario, fit.report, solution);
+  LightFit problem = light_fit_at(*fit.scenario, fit.report, solution);
   const double factor = light_error_factor(fit.report.solutions.at(solution).solution);
   if (scaled && factor > 0.0)
     for (LightCurve& curve : problem.curves)
@@ -82,19 +64,13 @@ PythonResiduals residuals_from(const LightScenarioFit& fit, std::size_t solution
 
 void bind_light_scenario_fit(nb::module_& m) {
   using F = LightScenarioFit;
-  nb::class_<F>(m, "_LightScenarioFit")
-      .def_prop_ro("json", [](const F& f) { return light_json(f.scenario, f.report); })
-      .def_prop_ro("text", [](const F& f) { return light_text(f.scenario, f.report); })
+  bind_fit_of<LightReport>(m, "_LightScenarioFit")
       .def_prop_ro("scan", scan_of)
       .def_prop_ro("curves", [](const F& f) { return curves_parts(f.report.observed.curves); })
-      .def("solution_text",
-           [](const F& f, std::size_t k) { return light_solution_text(f.scenario, f.report, k); })
       .def("write",
            [](const F& f, std::size_t k, nb::handle path) {
-             write_light_solution(f.scenario, f.report, k, path_text(path));
+             write_solution(*f.scenario, f.report, k, path_text(path));
            })
-      .def("residuals", light_rows)
-      .def("predicted", predicted_light)
       .def("raw", [](const F& f, std::size_t k) { return found_dict(f.report.solutions.at(k)); })
       .def("residuals_from", residuals_from);
   m.def("_fit_light_scenario", light_fit_of, "scenario"_a, "threads"_a, "progress"_a.none());

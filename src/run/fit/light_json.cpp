@@ -204,7 +204,7 @@ class LightJson {
                               one.ellipsoid.c / one.ellipsoid.b);
     json_.members("multiple", s.body.law.multiple, "epoch", time_ * s.body.spin.t0, "quaternion",
                   s.body.spin.q);
-    detail::add_unknowns(json_, light_numbers(scenario_, report_, i), s.covariance);
+    detail::add_unknowns(json_, fit_numbers(scenario_, report_, i), s.covariance);
     std::vector<std::string> bound;
     for (const std::size_t k : s.result.bound) bound.push_back(s.covariance.names.at(k));
     json_.members("factors", s.factors, "bound", bound);
@@ -226,8 +226,8 @@ class LightJson {
 
 }  // namespace
 
-std::string light_json(const Scenario& scenario, const LightReport& report,
-                       std::span<const double> times) {
+std::string fit_json(const Scenario& scenario, const LightReport& report,
+                     std::span<const double> times) {
   return LightJson(scenario, report, times).text();
 }
 

@@ -156,8 +156,8 @@ double light_error_factor(const LightSolution& found) {
   return factor > 0.0 ? factor : std::numeric_limits<double>::quiet_NaN();
 }
 
-std::vector<FitNumber> light_numbers(const Scenario& scenario, const LightReport& report,
-                                     std::size_t solution) {
+std::vector<FitNumber> fit_numbers(const Scenario& scenario, const LightReport& report,
+                                   std::size_t solution) {
   const LightSolution& found = report.solutions.at(solution).solution;
   LightModel about = report.start.value_or(found.body);
   if (report.start && found.body.is_convex()) {

@@ -354,7 +354,7 @@ void add_solution(std::string& text, const Scenario& scenario, const LightReport
                         error_text(f.pole_minor.scaled_error));
   add_fit_line(text, "pole", pole);
   add_surface(text, scenario, report, i);
-  std::vector<FitNumber> numbers = light_numbers(scenario, report, i);
+  std::vector<FitNumber> numbers = fit_numbers(scenario, report, i);
   if (s.body.is_convex())  // coefficients of facets: JSON has them
     numbers.resize(numbers.size() - (s.body.convex().coefficients.size() - 1));
   add_numbers(text, numbers);
@@ -364,8 +364,8 @@ void add_solution(std::string& text, const Scenario& scenario, const LightReport
 
 }  // namespace
 
-std::string light_text(const Scenario& scenario, const LightReport& report,
-                       std::span<const double> times) {
+std::string fit_text(const Scenario& scenario, const LightReport& report,
+                     std::span<const double> times) {
   std::string text;
   if (!scenario.document.title.empty()) text += scenario.document.title + "\n";
   if (!report.verdict.empty()) text += report.verdict + "\n";
