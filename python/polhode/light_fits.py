@@ -26,6 +26,7 @@ if TYPE_CHECKING:
 # (mode, P_phi, P_psi)
 Periods = tuple[str, float, float]
 MOMENTS = ("shape", "start", "fit")
+_ERRORS = ("roughness_error", "moments_error", "closure_error", "axes_error")
 # A standard deviation over the median of sizes: 1 / Phi^-1(3/4).
 _OF_NORMAL = 1.482602218505602
 
@@ -167,7 +168,7 @@ def _unknowns(bodies: Sequence[LightModel], shape: Any, moments: Any, multiple: 
 
 
 def _surface(
-    surface: Any, shape: Any, moments: Any, multiple: Any, errors: dict[str, Any], iterations: Any
+    surface: Any, shape: Any, moments: Any, multiple: Any, errors: Sequence[Any], iterations: Any
 ) -> tuple[Any, ...]:
     """For the core."""
     if isinstance(surface, tuple) and len(surface) == 2:
@@ -181,14 +182,14 @@ def _surface(
     return parts, unknowns, _regularisation(errors, None), most
 
 
-def _regularisation(errors: dict[str, Any], about: Any) -> tuple[Any, ...]:
+def _regularisation(errors: Sequence[Any], about: Any) -> tuple[Any, ...]:
     usual = None if about is None else model_of(about, "about")._parts()
-    return (*(float(_number(x, name)) for name, x in errors.items()), usual)
+    return (*(float(_number(x, name)) for name, x in zip(_ERRORS, errors)), usual)
 
 
 def _problem(
     start: Any, curves: Any, shape: Any, moments: Any, multiple: Any, loss: Any, iterations: Any,
-    errors: dict[str, Any], about: Any,
+    errors: Sequence[Any], about: Any,
 ) -> Any:  # fmt: skip
     body = model_of(start, "fit_light")
     return _core._light_problem(
@@ -252,10 +253,7 @@ def fit_light(
     that are not above 0, fewer points than unknowns. Exact derivatives. Releases the GIL; a second
     for a convex body and 350 points.
     """
-    errors = {
-        "roughness_error": roughness_error, "moments_error": moments_error,
-        "closure_error": closure_error, "axes_error": axes_error,
-    }  # fmt: skip
+    errors = roughness_error, moments_error, closure_error, axes_error
     problem = _problem(
         start, curves, shape, moments, multiple, loss, most_iterations, errors, about
     )
@@ -297,10 +295,7 @@ class LightResiduals(ResidualFunction):
         axes_error: float = 1e-2,
         loss: Loss = "squared",
     ) -> None:
-        errors = {
-            "roughness_error": roughness_error, "moments_error": moments_error,
-            "closure_error": closure_error, "axes_error": axes_error,
-        }  # fmt: skip
+        errors = roughness_error, moments_error, closure_error, axes_error
         problem = _problem(start, curves, shape, moments, multiple, loss, 1, errors, about)
         super().__init__(problem.residuals())
 
@@ -382,10 +377,7 @@ def search_light(
     ]  # fmt: skip
     known = [] if body is None else [model_of(body, "search_light")]
     usual_tries, usual_iterations = (60, 6) if known else (30, 8)
-    errors = {
-        "roughness_error": roughness_error, "moments_error": moments_error,
-        "closure_error": closure_error, "axes_error": axes_error,
-    }  # fmt: skip
+    errors = roughness_error, moments_error, closure_error, axes_error
     unknowns, follows = _unknowns(known, shape, moments, multiple), None
     if surface is not None:
         follows = _surface(surface, shape, moments, multiple, errors, most_iterations)
@@ -500,10 +492,7 @@ def extend_light(
     """
     bodies = [starts] if isinstance(starts, LightModel) else list(starts)
     given = [model_of(body, "extend_light: starts")._parts() for body in bodies]
-    errors = {
-        "roughness_error": roughness_error, "moments_error": moments_error,
-        "closure_error": closure_error, "axes_error": axes_error,
-    }  # fmt: skip
+    errors = roughness_error, moments_error, closure_error, axes_error
     found = _core._extend_light(
         curve_parts(curves), given, whole(first, "first", 0), float(_number(within, "within")),
         _unknowns(bodies, shape, moments, multiple), loss_of(loss),
