@@ -18,7 +18,6 @@
 #include "polhode/run/light_report.hpp"
 #include "polhode/run/predictions.hpp"
 #include "polhode/run/simulate.hpp"
-#include "polhode/run/time_left.hpp"
 #include "resumable_work.hpp"
 
 namespace polhode::cli {
@@ -40,10 +39,6 @@ std::string numbered(const std::string& path, std::size_t place) {
   return path.substr(0, end) + "-" + std::to_string(place + 1) + path.substr(end);
 }
 
-int threads_of(const FitCommand& options) {
-  return options.threads > 0 ? options.threads : hardware_threads();
-}
-
 // A fit that ended without a solution: to continue it would find none either.
 struct NoSolution : std::runtime_error {
   using std::runtime_error::runtime_error;
@@ -63,15 +58,18 @@ bool prints_table(const FitCommand& options) {
   return false;
 }
 
-// Files of every solution, and whether one of them went to standard output.
+// Files of every solution; the text of all of them, unless a table takes its place on standard
+// output.
 template <class Report>
-bool writes_files(
-    const FitCommand& options, const Scenario& scenario, const Report& report,
-    void (&residuals)(const Scenario&, const Report&, std::size_t, const std::string&),
-    void (&covariance)(const Scenario&, const Report&, std::size_t, const std::string&),
-    void (&solution)(const Scenario&, const Report&, std::size_t, const std::string&)) {
+void write_results(const FitCommand& options, const Scenario& scenario, const Report& report,
+                   const std::vector<double>& times) {
   const std::size_t most = require_fit(scenario).most_solutions;
   const std::size_t count = std::min(report.solutions.size(), most);
+  const std::vector<double> predicted =
+      options.predict.empty() || !options.at.empty() ? times : prediction_times(scenario);
+  for (std::size_t i = 0; i < count; ++i)
+    for (const std::string& path : options.predict)
+      write_predictions(scenario, fit_predictions(report, i, predicted), numbered(path, i));
   const bool writes = !options.residuals.empty() || !options.covariance.empty() ||
                       !options.predict.empty() || !options.solution.empty();
   if (writes && count < report.solutions.size())
@@ -81,25 +79,14 @@ bool writes_files(
         scenario.document.name, count, report.solutions.size(), most));
   for (std::size_t i = 0; i < count; ++i) {
     for (const std::string& path : options.residuals)
-      residuals(scenario, report, i, numbered(path, i));
+      write_residuals(scenario, report, i, numbered(path, i));
     for (const std::string& path : options.covariance)
-      covariance(scenario, report, i, numbered(path, i));
-    if (!options.solution.empty()) solution(scenario, report, i, numbered(options.solution, i));
+      write_covariance(scenario, report, i, numbered(path, i));
+    if (!options.solution.empty())
+      write_solution(scenario, report, i, numbered(options.solution, i));
   }
-  return prints_table(options);
-}
-
-// Whether they went to standard output.
-template <class Report>
-bool writes_predictions(const FitCommand& options, const Scenario& scenario, const Report& report,
-                        const std::vector<double>& at) {
-  if (options.predict.empty()) return false;
-  const std::vector<double> times = options.at.empty() ? prediction_times(scenario) : at;
-  const std::size_t count = std::min(report.solutions.size(), require_fit(scenario).most_solutions);
-  for (std::size_t i = 0; i < count; ++i)
-    for (const std::string& path : options.predict)
-      write_predictions(scenario, fit_predictions(report, i, times), numbered(path, i));
-  return std::count(options.predict.begin(), options.predict.end(), "-") > 0;
+  if (!prints_table(options) && std::ranges::count(options.predict, "-") == 0)
+    print(options.json ? fit_json(scenario, report, times) : fit_text(scenario, report, times));
 }
 
 // Those of --at, and what is wrong with what is to be predicted, before the fit.
@@ -152,10 +139,6 @@ class KeptFit {
 
   CellJournal* journal() { return &checkpoint_.journal(); }
   std::optional<ProgressLine>& line() { return work_.line(); }
-  // Whether so many results were there at the beginning.
-  bool has_read(std::int64_t results) const {
-    return static_cast<double>(results) <= checkpoint_.reached();
-  }
   // Results that are read again take no time.
   void tell(const RunProgress& at) {
     if (!line()) return;
@@ -187,6 +170,16 @@ class KeptFit {
   FitCheckpoint checkpoint_;
 };
 
+FitOptions fit_options(const FitCommand& options, KeptFit& kept) {
+  FitOptions how;
+  how.threads = options.threads > 0 ? options.threads : hardware_threads();
+  how.scans_only = options.scans_only;
+  how.journal = kept.journal();
+  how.stop = [] { return StopSignals::came() != 0; };
+  how.progress = [&kept](const RunProgress& at) { kept.tell(at); };
+  return how;
+}
+
 void fit_snapshots(const FitCommand& options, const Scenario& scenario, KeptFit& kept) {
   if (!options.landscape.empty() || options.scans_only)
     throw DomainError(scenario.document.name +
@@ -194,30 +187,16 @@ void fit_snapshots(const FitCommand& options, const Scenario& scenario, KeptFit&
                       ": there is none; expected light curves and fit.from = "
                       "\"search\"");
   const std::vector<double> times = times_at(options, scenario);
-  FitOptions how;
-  how.threads = threads_of(options);
-  how.journal = kept.journal();
-  how.stop = [] { return StopSignals::came() != 0; };
-  if (const std::int64_t starts = require_fit(scenario).starts; starts > 1) {
+  const FitOptions how = fit_options(options, kept);
+  if (const std::int64_t starts = require_fit(scenario).starts; starts > 1)
     kept.line().emplace(0.0, starts, "starts");
-    how.progress = [&kept, starts, threads = how.threads,
-                    clock = CellClock(how.threads)](std::int64_t done) mutable {
-      clock.ended();
-      if (kept.has_read(done)) clock = CellClock(threads);  // results that are read take no time
-      kept.tell({static_cast<double>(done), clock.part(static_cast<double>(starts - done))});
-    };
-  }
   const FitReport report = kept.run([&] { return fit_scenario(scenario, how); });
   if (!report.is_found())
     fail(scenario,
          report.starts == 1 ? std::string("its start")
                             : fmt::format("each of {} starts", report.starts),
          report.failure);
-  const bool predicted = writes_predictions(options, scenario, report, times);
-  if (!writes_files<FitReport>(options, scenario, report, write_residuals, write_covariance,
-                               write_solution) &&
-      !predicted)
-    print(options.json ? fit_json(scenario, report, times) : fit_text(scenario, report, times));
+  write_results(options, scenario, report, times);
 }
 
 void fit_light_curves(FitCommand options, const Scenario& scenario, KeptFit& kept) {
@@ -228,15 +207,11 @@ void fit_light_curves(FitCommand options, const Scenario& scenario, KeptFit& kep
     throw DomainError(scenario.document.name +
                       ": --landscape: no scan is made, and there is no landscape; expected "
                       "fit.from = \"search\" without fit.periods");
-  LightFitOptions how;
-  how.threads = threads_of(options);
-  how.scans_only = options.scans_only;
   if (options.scans_only && !scans)
     throw DomainError(scenario.document.name +
                       ": --scan-only: no scan is made; expected fit.from = \"search\" without "
                       "fit.periods");
-  how.journal = kept.journal();
-  how.stop = [] { return StopSignals::came() != 0; };
+  FitOptions how = fit_options(options, kept);
   how.begins = [&](const std::string& stage, const std::string& work) {
     kept.line().reset();
     kept.line().emplace(stage != "surfaces"                    ? stage
@@ -244,7 +219,6 @@ void fit_light_curves(FitCommand options, const Scenario& scenario, KeptFit& kep
                                                                : std::string("convex bodies"),
                         work);
   };
-  how.progress = [&](const std::string&, double part) { kept.tell({part, part}); };
   const LightReport report = kept.run([&] { return fit_light_scenario(scenario, how); });
   for (const std::string& path : options.landscape) write_landscape(scenario, report, path);
   if (report.start && !report.is_found() && report.chosen.empty() && report.notes.empty())
@@ -252,7 +226,7 @@ void fit_light_curves(FitCommand options, const Scenario& scenario, KeptFit& kep
   if (!report.is_found()) {
     // minima, pairs and what they came to are worth reading without a solution
     if (!prints_table(options))
-      print(options.json ? light_json(scenario, report) : light_text(scenario, report));
+      print(options.json ? fit_json(scenario, report) : fit_text(scenario, report));
     if (options.scans_only) return;
     if (report.start) fail(scenario, "its start", report.failure);
     throw NoSolution(fmt::format("{}: no solution: {}", scenario.document.name, report.failure));
@@ -264,11 +238,7 @@ void fit_light_curves(FitCommand options, const Scenario& scenario, KeptFit& kep
         "describes the data");
     options.covariance.clear();
   }
-  const bool predicted = writes_predictions(options, scenario, report, times);
-  if (!writes_files<LightReport>(options, scenario, report, write_light_residuals,
-                                 write_light_covariance, write_light_solution) &&
-      !predicted)
-    print(options.json ? light_json(scenario, report, times) : light_text(scenario, report, times));
+  write_results(options, scenario, report, times);
 }
 
 void fit_file(const FitCommand& options, const Kinds& kinds) {

@@ -26,6 +26,7 @@ if TYPE_CHECKING:
 # (mode, P_phi, P_psi)
 Periods = tuple[str, float, float]
 MOMENTS = ("shape", "start", "fit")
+_ERRORS = ("roughness_error", "moments_error", "closure_error", "axes_error")
 # A standard deviation over the median of sizes: 1 / Phi^-1(3/4).
 _OF_NORMAL = 1.482602218505602
 
@@ -112,7 +113,8 @@ class LightSearchResult:
         converged.
     periods : what was looked for. chi_square_of_periods : the lowest of it that each pair came to.
     starts, finalists, converged : how many had a body, were fitted to the end, and converged.
-    notes : what to know of it.
+    surfaces, surfaces_converged : the same of fits of the `surface`.
+    failure : why there are no solutions; else empty. notes : what to know of it.
     """
 
     solutions: list[FoundLight]
@@ -122,6 +124,9 @@ class LightSearchResult:
     finalists: int
     converged: int
     notes: tuple[str, ...]
+    surfaces: int = 0
+    surfaces_converged: int = 0
+    failure: str = ""
 
     def __repr__(self) -> str:
         head = f"<LightSearchResult: {len(self.solutions)} solutions of {self.starts} starts"
@@ -162,14 +167,29 @@ def _unknowns(bodies: Sequence[LightModel], shape: Any, moments: Any, multiple: 
     return bool(shape), one_of(moments or usual[kind], "moments", MOMENTS), bool(multiple)
 
 
-def _regularisation(errors: dict[str, Any], about: Any) -> tuple[Any, ...]:
+def _surface(
+    surface: Any, shape: Any, moments: Any, multiple: Any, errors: Sequence[Any], iterations: Any
+) -> tuple[Any, ...]:
+    """For the core."""
+    if isinstance(surface, tuple) and len(surface) == 2:
+        parts = tuple(whole(n, f"surface: {name}", 0)
+                      for n, name in zip(surface, ("degree", "rows"), strict=True))  # fmt: skip
+        unknowns = bool(shape), one_of(moments or "fit", "moments", MOMENTS), bool(multiple)
+    else:
+        body = model_of(surface, "search_light: surface")
+        parts, unknowns = body._parts(), _unknowns([body], False, moments, multiple)
+    most = whole(100 if iterations is None else iterations, "most_iterations")
+    return parts, unknowns, _regularisation(errors, None), most
+
+
+def _regularisation(errors: Sequence[Any], about: Any) -> tuple[Any, ...]:
     usual = None if about is None else model_of(about, "about")._parts()
-    return (*(float(_number(x, name)) for name, x in errors.items()), usual)
+    return (*(float(_number(x, name)) for name, x in zip(_ERRORS, errors)), usual)
 
 
 def _problem(
     start: Any, curves: Any, shape: Any, moments: Any, multiple: Any, loss: Any, iterations: Any,
-    errors: dict[str, Any], about: Any,
+    errors: Sequence[Any], about: Any,
 ) -> Any:  # fmt: skip
     body = model_of(start, "fit_light")
     return _core._light_problem(
@@ -233,10 +253,7 @@ def fit_light(
     that are not above 0, fewer points than unknowns. Exact derivatives. Releases the GIL; a second
     for a convex body and 350 points.
     """
-    errors = {
-        "roughness_error": roughness_error, "moments_error": moments_error,
-        "closure_error": closure_error, "axes_error": axes_error,
-    }  # fmt: skip
+    errors = roughness_error, moments_error, closure_error, axes_error
     problem = _problem(
         start, curves, shape, moments, multiple, loss, most_iterations, errors, about
     )
@@ -278,10 +295,7 @@ class LightResiduals(ResidualFunction):
         axes_error: float = 1e-2,
         loss: Loss = "squared",
     ) -> None:
-        errors = {
-            "roughness_error": roughness_error, "moments_error": moments_error,
-            "closure_error": closure_error, "axes_error": axes_error,
-        }  # fmt: skip
+        errors = roughness_error, moments_error, closure_error, axes_error
         problem = _problem(start, curves, shape, moments, multiple, loss, 1, errors, about)
         super().__init__(problem.residuals())
 
@@ -295,6 +309,7 @@ def search_light(
     periods: Iterable[Periods],
     *,
     body: LightModel | None = None,
+    surface: LightModel | tuple[int, int] | None = None,
     starts: int = 1000,
     within: float = 1.5,
     threads: int = 1,
@@ -306,11 +321,15 @@ def search_light(
     moments: str | None = None,
     multiple: bool = False,
     lambert: float = 0.0,
+    roughness_error: float = 3.0,
+    moments_error: float = 0.1,
+    closure_error: float = 1e-3,
+    axes_error: float = 1e-2,
     loss: Loss = "squared",
-    most_iterations: int = 60,
+    most_iterations: int | None = None,
 ) -> LightSearchResult:
     """All spin states of a tumbler that light curves allow, from many starts: with the shape of an
-    ellipsoid, or of a body that is known.
+    ellipsoid, of a convex body, or of a body that is known.
 
     Parameters
     ----------
@@ -321,6 +340,11 @@ def search_light(
         rate and t0 are ignored. With its moments a pair of periods leaves a phase of the
         polhode and an attitude to be found, on either side of the axis of circulation. None: an
         ellipsoid.
+    surface : what follows the ellipsoids and becomes the solutions: (degree, rows) of convex
+        bodies, or the LightModel of a mesh, whose shape, law and inertia are known. It is fitted
+        from the best ellipsoid of every pair of periods, whatever that came to, and from images of
+        what is within the limit; a mesh is also searched for as `body` is. None: ellipsoids are
+        the solutions.
     starts : in all, taken by the pairs of periods in turn; of ellipsoids, pairs near the lowest get
         more.
     within : chi-square, or the sum under a robust loss, over the lowest, up to which solutions are
@@ -329,10 +353,12 @@ def search_light(
     seed : of starts.
     tries : attitudes of a start, of which the best is taken; of a known body by about 60 points.
         short_iterations : of each start. None: 30 and 8 of ellipsoids, 60 and 6 of a known body.
-    finalists : of each pair of periods that are fitted to the end, with most_iterations; ellipsoids
-        near the lowest may go on for four times as many.
+    finalists : of each pair of periods that are fitted to the end, with most_iterations (None: 60,
+        of the surface 100); ellipsoids near the lowest may go on for four times as many.
     shape, moments, multiple, loss : as in fit_light; of a known body the shape stays, and moments
-        are unknown only of finalists. lambert is the weight of Lambert's law of ellipsoids.
+        are unknown only of finalists. Of a surface that is convex the usual moments are "fit",
+        those of its ellipsoids "shape" unless "fit" is asked for. lambert is the weight of
+        Lambert's law of ellipsoids. The four errors are of convex bodies, as in fit_light.
 
     Returns
     -------
@@ -351,19 +377,26 @@ def search_light(
     ]  # fmt: skip
     known = [] if body is None else [model_of(body, "search_light")]
     usual_tries, usual_iterations = (60, 6) if known else (30, 8)
+    errors = roughness_error, moments_error, closure_error, axes_error
+    unknowns, follows = _unknowns(known, shape, moments, multiple), None
+    if surface is not None:
+        follows = _surface(surface, shape, moments, multiple, errors, most_iterations)
+        unknowns = (True, "fit" if moments == "fit" else "shape", bool(multiple))
     found = _core._search_light(
-        curve_parts(curves), wanted, known[0]._parts() if known else None, whole(starts, "starts"),
+        curve_parts(curves), wanted, known[0]._parts() if known else None, follows,
+        whole(starts, "starts"),
         whole(usual_tries if tries is None else tries, "tries"),
         whole(usual_iterations if short_iterations is None else short_iterations,
               "short_iterations"),
         whole(finalists, "finalists"), float(_number(within, "within")),
-        _unknowns(known, shape, moments, multiple), float(_number(lambert, "lambert")),
-        loss_of(loss), whole(most_iterations, "most_iterations"), whole(seed, "seed", 0),
-        whole(threads, "threads"),
+        unknowns, float(_number(lambert, "lambert")), loss_of(loss),
+        whole(60 if most_iterations is None else most_iterations, "most_iterations"),
+        whole(seed, "seed", 0), whole(threads, "threads"),
     )  # fmt: skip
     return LightSearchResult(
         [found_light(one) for one in found["solutions"]], wanted, found["chi_square_of_periods"],
         found["starts"], found["finalists"], found["converged"], found["notes"],
+        found["surfaces"], found["surfaces_converged"], found["failure"],
     )  # fmt: skip
 
 
@@ -459,10 +492,7 @@ def extend_light(
     """
     bodies = [starts] if isinstance(starts, LightModel) else list(starts)
     given = [model_of(body, "extend_light: starts")._parts() for body in bodies]
-    errors = {
-        "roughness_error": roughness_error, "moments_error": moments_error,
-        "closure_error": closure_error, "axes_error": axes_error,
-    }  # fmt: skip
+    errors = roughness_error, moments_error, closure_error, axes_error
     found = _core._extend_light(
         curve_parts(curves), given, whole(first, "first", 0), float(_number(within, "within")),
         _unknowns(bodies, shape, moments, multiple), loss_of(loss),

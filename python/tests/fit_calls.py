@@ -93,7 +93,8 @@ def of_fits():
             polhode.likely_periods, {"f1": 0.1, "f2": 0.27, "order": 1}, {"curves": CURVE},
         ),
         "search_light": (
-            polhode.search_light, search, {"curves": CURVE, "periods": [("SAM", 10.0, 25.0)]},
+            polhode.search_light, {**search, **errors, "surface": (2, 3)},
+            {"curves": CURVE, "periods": [("SAM", 10.0, 25.0)]},
         ),
         "extend_light": (polhode.extend_light,
                          {"first": 0, "within": 2.0, "most_counts": 9, "most_iterations": 2,

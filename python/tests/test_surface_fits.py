@@ -164,6 +164,57 @@ def test_halves_of_a_night_join_to_a_convex_body():
                         rtol=budgets.fit_freedom)  # fmt: skip
 
 
+SEARCHED = [("LAM", 12.0, 20.0), ("LAM", 15.0, 20.0)]
+
+
+def bits_of(solutions):
+    return [(s.values.tobytes(), s.chi_square, s.starts, s.relation) for s in solutions]
+
+
+@pytest.mark.parametrize("kind", ["convex", "mesh"])
+def test_a_search_of_arrays_is_that_of_a_scenario(kind, tmp_path):
+    """Bit for bit, on any number of threads: ellipsoids first, then what follows them."""
+    mesh = fit_calls.TETRAHEDRON
+    lines = [("v", *row) for row in mesh.vertices.tolist()]
+    lines += [("f", *row) for row in (np.asarray(mesh.triangles) + 1).tolist()]
+    (tmp_path / "seen.obj").write_text("".join(" ".join(map(str, one)) + "\n" for one in lines))
+    text = NIGHT.read_text()
+    text = text[:text.index("[fit.scan]")].replace("tumbling-night.csv",
+                                                   str(NIGHT.with_suffix(".csv")))
+    text += "".join(f'[[fit.periods]]\nmode = "{mode}"\nprecession_period = {phi}\n'
+                    f"rotation_period = {psi}\n" for mode, phi, psi in SEARCHED)  # fmt: skip
+    changes = {"fit.starts": 24, "fit.iterations": 30, "light.shape": kind, "free.unknowns":
+               ["attitude", "rate", *(["shape"] if kind == "convex" else [])]}  # fmt: skip
+    if kind == "convex":
+        changes |= {"light.convex.degree": 3, "light.convex.rows": 4}
+    else:
+        changes |= {"light.mesh": str(tmp_path / "seen.obj")}
+    of_file = polhode.fit(polhode.Scenario.from_text(text, str(NIGHT)).replace(changes))
+    surface = (3, 4) if kind == "convex" else polhode.LightModel(
+        polhode.SpinState([1.0, 0, 0, 0], [0.0, 0.0, 1.0], np.diag([0.5625, 1.2025, 1.36])),
+        mesh)  # fmt: skip
+    for threads in (1, 2):
+        found = polhode.search_light(of_file.curves, SEARCHED, surface=surface, starts=24, seed=1,
+                                     within=2.0, most_iterations=30, threads=threads)
+        assert bits_of(found.solutions) == bits_of(one.light for one in of_file)
+        assert found.surfaces == of_file.report["surfaces"]
+        assert found.surfaces_converged == of_file.report["surfaces_converged"] > 0
+        assert found.solutions[0].body.kind == kind and found.failure == ""
+
+
+@pytest.mark.parametrize(("change", "error", "said"), [
+    ({"surface": 3}, TypeError, "search_light: surface: got 3; expected LightModel"),
+    ({"surface": fit_calls.BODY}, ValueError, "must be a mesh"),
+    ({"surface": (20, 4)}, ValueError, "rows"),
+    ({"surface": (2, 3), "body": fit_calls.MESH}, ValueError, "no ellipsoids"),
+    ({"surface": (2, 3), "roughness_error": 0.0}, ValueError, "roughness_error = 0"),
+    ({"surface": fit_calls.MESH, "moments": "shape"}, ValueError, "moments"),
+])  # fmt: skip
+def test_what_no_surface_can_follow_is_refused(change, error, said):
+    with pytest.raises(error, match=said):
+        polhode.search_light(fit_calls.CURVE, [("SAM", 10.0, 25.0)], **change)
+
+
 def test_facets_are_drawn_where_they_are():
     """Corners on paper are those of the mesh; what is lit and faces the observer is bright."""
     shape = fit_calls.TETRAHEDRON

@@ -30,6 +30,9 @@ bool are_same_spins(const FoundLight& a, const FoundLight& b, bool half_turns, d
 // The spin and the law of a solution with the ellipsoid that is like its body.
 LightModel as_ellipsoid(const FoundLight& found);
 
+// Gives a convex body the ellipsoid of the moments that it has if filled evenly.
+void set_ellipsoid(FoundLight& one);
+
 // By cost; `solution` is that of an element. Images under a Sun and an observer that do not move
 // have one cost but for rounding: of these the one with the highest pole is first, so that the
 // order does not depend on the starts.

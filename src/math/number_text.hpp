@@ -3,6 +3,7 @@
 #pragma once
 
 #include <charconv>
+#include <cstddef>
 #include <initializer_list>
 #include <string>
 
@@ -14,6 +15,11 @@ inline std::string number_text(double x) {
   char buffer[32];
   const std::to_chars_result end = std::to_chars(buffer, buffer + sizeof buffer, x);
   return std::string(buffer, end.ptr);
+}
+
+// "1 start", "3 starts".
+inline std::string counted(std::size_t n, const char* one, const char* many) {
+  return std::to_string(n) + " " + (n == 1 ? one : many);
 }
 
 // To three digits: "1.23e+04".

@@ -97,10 +97,6 @@ JsonWriter& JsonWriter::value(double number) {
   return raw(std::isfinite(number) ? number_text(number) : "null");
 }
 
-JsonWriter& JsonWriter::value(std::int64_t number) { return raw(std::to_string(number)); }
-
-JsonWriter& JsonWriter::value(bool truth) { return raw(truth ? "true" : "false"); }
-
 JsonWriter& JsonWriter::raw(std::string_view json) {
   separate();
   text_ += json;

@@ -2,10 +2,13 @@
 // A JSON document written front to back, two spaces per level; arrays stay on one line.
 #pragma once
 
-#include <cstdint>
+#include <concepts>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "polhode/math/quaternion.hpp"
+#include "polhode/math/vector.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -21,8 +24,37 @@ class JsonWriter {
   JsonWriter& value(std::string_view text);
   JsonWriter& value(const char* text) { return value(std::string_view(text)); }
   JsonWriter& value(double number);  // JSON has no infinity and no NaN: null
-  JsonWriter& value(std::int64_t number);
-  JsonWriter& value(bool truth);
+  template <std::integral T>
+  JsonWriter& value(T number) {
+    if constexpr (std::same_as<T, bool>)
+      return raw(number ? "true" : "false");
+    else
+      return raw(std::to_string(number));
+  }
+  JsonWriter& value(const Vec3& v) { return value(std::vector{v.x, v.y, v.z}); }
+  JsonWriter& value(const Quaternion& q) { return value(std::vector{q.w, q.x, q.y, q.z}); }
+  template <class T>
+  JsonWriter& value(const std::vector<T>& all) {
+    return array(all, [this](const T& one) { value(one); });
+  }
+  // An array of what `write(element)` writes.
+  template <class Range, class Write>
+  JsonWriter& array(const Range& range, const Write& write) {
+    begin_array();
+    for (const auto& one : range) write(one);
+    return end_array();
+  }
+  // Keys of an object with their values: members("a", 1, "b", "two").
+  template <class T, class... More>
+  JsonWriter& members(std::string_view name, const T& one, const More&... more) {
+    key(name).value(one);
+    if constexpr (sizeof...(more) > 0) members(more...);
+    return *this;
+  }
+  template <class... More>
+  JsonWriter& object(const More&... more) {
+    return begin_object().members(more...).end_object();
+  }
   JsonWriter& raw(std::string_view json);  // a value that is JSON already
 
   // The document, ended by a new line.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // search_light(): light curves of a tumbler to all its spin states and shapes that fit, from pairs
-// of periods and many starts: of ellipsoids, or of a body whose shape is known.
+// of periods and many starts: of ellipsoids, of a body whose shape is known, or of convex bodies
+// and meshes that follow the ellipsoids.
 //
 // Equations   of an ellipsoid a start takes one pair of periods, a tilt and a ratio of moments
 //             (inertia_from_periods.hpp), a phase of the polhode; of `tries` attitudes the one that
@@ -21,6 +22,11 @@
 //             body are other states. Of the images only the half turn about the bisector of Sun and
 //             observer leaves the light of every body as it is, where the directions stay: it
 //             exchanges both, and facets that are lit and seen do not mind.
+//             Convex bodies and a mesh follow the ellipsoids (SurfaceSearch): they are fitted from
+//             the best ellipsoid of every pair of periods, whatever it came to, and from what came
+//             within the limit; then, of bodies within the limit, again from their images. A mesh
+//             is also searched for by its periods; from an ellipsoid it takes mode, periods, pole
+//             and phases, in each of four half turns.
 // Units       as fit_light.
 // Domain      periods as the labels of a scan list them (`labelled_periods`). An ellipsoid fits an
 //             alias as well as the truth at times: solutions are all that there are, the lowest
@@ -36,6 +42,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -73,6 +80,24 @@ struct LabelChoice {
 std::vector<TumblerPeriods> labelled_periods(std::span<const ScanMinimum> minima,
                                              const LabelChoice& choice = {});
 
+// What follows the ellipsoids of a search, and becomes its solutions: convex bodies, or a mesh.
+struct SurfaceSearch {
+  // Whose shape, law and inertia are known; attitude, rate and epoch are ignored. nullopt: convex
+  // bodies.
+  std::optional<LightModel> mesh = std::nullopt;
+  int degree = 6, rows = 8;     // of convex bodies, as GaussianImage has them
+  LightUnknowns unknowns = {};  // of a mesh the shape is none of them
+  Regularisation regularisation = {};
+  int most_iterations = 100;  // of a fit
+  // Pairs of periods that go on, the best ones of the ellipsoid.
+  std::size_t pairs = std::numeric_limits<std::size_t>::max();
+
+  // The facets of an ellipsoid, with which the fit of a convex body begins.
+  LightModel convex_of(const LightModel& ellipsoid) const;
+  LightFit fit_from(const LightModel& start, std::vector<LightCurve> curves, const Loss& loss,
+                    int iterations) const;
+};
+
 struct LightSearch {
   std::vector<LightCurve> curves;
   std::vector<TumblerPeriods> periods;
@@ -93,14 +118,20 @@ struct LightSearch {
   // Called before each attitude that is tried and each fit, in any of the threads; what it throws
   // ends the search.
   std::function<void()> between = {};
-  // Called with the part of the work that is done, in one thread at a time; the last call has 1.
-  // The number of further fits is estimated from the solutions found so far, so the part may fall.
+  // Called when a stage begins, with how much work it is: "search", "40 starts of 2 pairs of
+  // periods", and with a surface "surfaces".
+  std::function<void(const std::string& stage, const std::string& work)> begins = {};
+  // Called with the part of the work of the stage that is done, in one thread at a time; the last
+  // call has 1. The number of further fits is estimated from the solutions found so far, so the
+  // part may fall.
   std::function<void(double part)> progress = {};
   // Keeps the results of a search that may be interrupted.
   CellJournal* journal = nullptr;
   // Whose shape, law and inertia are known; attitude, rate and epoch are ignored. nullopt: an
   // ellipsoid.
   std::optional<LightModel> body = std::nullopt;
+  // Follows the ellipsoids; there is none with a known body.
+  std::optional<SurfaceSearch> surface = std::nullopt;
 };
 
 struct FoundLight {
@@ -128,16 +159,21 @@ struct LightSearchResult {
   // By what was minimised, chi-square or the sum under a robust loss; those whose sums differ by
   // 1e-6 or less, by the height of their pole. Within the limit alone; all converged.
   std::vector<FoundLight> solutions;
-  // The lowest sum that each pair of periods came to, chi-square or what was minimised under a
-  // robust loss; infinite where nothing converged. It is a bound from above, of few fits where a
-  // pair is far beyond the limit.
+  // The lowest sum that an ellipsoid or the known body of each pair of periods came to, chi-square
+  // or what was minimised under a robust loss; infinite where nothing converged. It is a bound from
+  // above, of few fits where a pair is far beyond the limit.
   std::vector<double> chi_square_of_periods;
-  // The best body of each pair of periods, also beyond the limit: from where fits of convex bodies
-  // go on. Where fits with unknown law or moments did not converge, it is the one without them.
+  // The best of them, also beyond the limit. Where fits with unknown law or moments did not
+  // converge, it is the one without them.
   std::vector<std::optional<LightSolution>> best_of_periods;
+  // Of a search with a surface, what that came to from each of these: the best that converged, or
+  // else the best.
+  std::vector<std::optional<LightSolution>> surface_of_periods;
   std::size_t starts = 0;     // that had a body
   std::size_t finalists = 0;  // fitted to the end, images included
   std::size_t converged = 0;
+  std::size_t surfaces = 0, surfaces_converged = 0;  // fits of the surface
+  std::string failure;                               // why there are no solutions
   std::vector<std::string> notes;
 };
 

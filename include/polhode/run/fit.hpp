@@ -63,11 +63,17 @@ struct FitProblem {
 };
 FitProblem fit_problem(const Scenario& scenario);
 
+// Of fits of all kinds.
 struct FitOptions {
-  std::function<void(std::int64_t starts)> progress = {};  // how many are done
-  std::function<bool()> stop = {};                         // asked before each start
-  int threads = 1;                                         // the result does not depend on it
-  CellJournal* journal = nullptr;  // keeps the results of a fit that may be interrupted
+  int threads = 1;          // the result does not depend on it
+  bool scans_only = false;  // light curves: ends after the scan, without a solution
+  // Light curves: called when a stage begins, "scan", "search", "surfaces" or "sessions", with how
+  // much work it is: "44521 pairs of frequencies".
+  std::function<void(const std::string& stage, const std::string& work)> begins = {};
+  // Starts that are done, or the part of a stage; one call after the other.
+  std::function<void(const RunProgress&)> progress = {};
+  std::function<bool()> stop = {};  // asked before each start or fit, in any of the threads
+  CellJournal* journal = nullptr;   // keeps the results of a fit that may be interrupted
 };
 
 FitReport fit_scenario(const Scenario& scenario, const FitOptions& options = {});
@@ -77,8 +83,9 @@ FitReport fit_scenario(const Scenario& scenario, const FitOptions& options = {})
 struct FitNumber {
   std::string name;  // "w_x"
   std::string unit;  // "deg/d"; "1"
-  double start, value, error;
-  std::optional<double> scaled_value, scaled_error;
+  double value, error;
+  std::optional<double> start = std::nullopt;  // none in a search
+  std::optional<double> scaled_value = std::nullopt, scaled_error = std::nullopt;
 };
 std::vector<FitNumber> fit_numbers(const Scenario& scenario, const FitReport& report,
                                    std::size_t solution);

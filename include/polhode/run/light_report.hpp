@@ -3,15 +3,11 @@
 // what is made of them: a table, JSON, the landscape of the scan, residuals and covariance as
 // files, scenarios that go on from a solution.
 //
-// Equations   those of scan_pairs, labelled_periods, search_light and fit_light (polhode/fit/). A
-//             convex body and a given mesh follow the ellipsoid: of a search they start from the
-//             best ellipsoid of every pair of periods, whatever it came to, and of what comes
-//             within the limit again from its images. A mesh is looked for by periods, and takes
-//             those, pole and phases of the ellipsoid, too, in four half turns. Sessions one by
-//             one: extend_light begins with the solutions that a search finds in the session with
-//             most points, or with the start, in the session that it fits best; to convex bodies
-//             with the facets of the ellipsoids of that session.
-//             chi-square of a scan is the same for f1 and f2 exchanged: half of it is computed.
+// Equations   those of scan_pairs, labelled_periods, search_light and fit_light (polhode/fit/).
+//             Sessions one by one: extend_light begins with the solutions that a search finds in
+//             the session with most points, or with the start, in the session that it fits best;
+//             to convex bodies with the facets of the ellipsoids of that session. chi-square of a
+//             scan is the same for f1 and f2 exchanged: half of it is computed.
 // Units       core units; texts and files in the units of the scenario.
 // Domain      free rotation relative to inertial axes. Axes of solutions are the principal ones in
 //             the order of rising moments, those of a body whose moments follow from its shape; of
@@ -79,22 +75,14 @@ struct ChosenPair {
   RefinedPair refined;
 };
 
-// What a convex body or a mesh came to from the best ellipsoid of a pair of periods.
-struct SurfaceOfPeriods {
-  TumblerPeriods periods{};
-  Vec3 pole;
-  double chi_square = 0.0, cost = 0.0;  // of the data; what was minimised, priors included
-  bool is_converged = false;
-  std::string sentence;
-};
-
 // A pair of periods that a search began with.
 struct PairFound {
   TumblerPeriods from{};
   // The best ellipsoid that its starts came to, be its cost what it may; its periods may be
   // others. None where nothing converged.
   std::optional<LightSolution> ellipsoid;
-  std::optional<SurfaceOfPeriods> surface;
+  // What the convex body or the mesh came to from it, converged or not.
+  std::optional<LightSolution> surface;
 };
 
 struct LightReport {
@@ -125,23 +113,12 @@ struct LightReport {
 // Whether light curves are what the scenario observed.
 bool observes_light(const Scenario& scenario);
 
-// What goes on meanwhile, for people: "scan", "search", "surfaces", "sessions"; one call after the
-// other. Each `begins` with how much work it is: "44521 pairs of frequencies". `stop` is asked in
-// any of the threads.
-struct LightFitOptions {
-  int threads = 1;
-  bool scans_only = false;  // ends after the scan, without a solution
-  std::function<void(const std::string& stage, const std::string& work)> begins = {};
-  std::function<void(const std::string& stage, double part)> progress = {};
-  std::function<bool()> stop = {};
-  CellJournal* journal = nullptr;  // keeps the results of a fit that may be interrupted
-};
-LightReport fit_light_scenario(const Scenario& scenario, const LightFitOptions& options = {});
+LightReport fit_light_scenario(const Scenario& scenario, const FitOptions& options = {});
 
-// The unknowns of a solution as fit_numbers has them, scaled by error_factor; `start` is the value
-// of the start, of coefficients that of its ellipsoid; or of the solution in a search.
-std::vector<FitNumber> light_numbers(const Scenario& scenario, const LightReport& report,
-                                     std::size_t solution);
+// As those of a FitReport (fit.hpp). Errors are scaled by error_factor; the start of coefficients
+// is that of their ellipsoid.
+std::vector<FitNumber> fit_numbers(const Scenario& scenario, const LightReport& report,
+                                   std::size_t solution);
 
 // By which errors of a solution are scaled, its error_factor(); NaN where that is none or 0.
 double light_error_factor(const LightSolution& found);
@@ -149,31 +126,30 @@ double light_error_factor(const LightSolution& found);
 // The fit that a solution is of, from that solution on.
 LightFit light_fit_at(const Scenario& scenario, const LightReport& report, std::size_t solution);
 
-// With attitudes that are predicted, as those of fit_text.
-std::string light_text(const Scenario& scenario, const LightReport& report,
-                       std::span<const double> times = {});
-std::string light_json(const Scenario& scenario, const LightReport& report,
-                       std::span<const double> times = {});
+std::string fit_text(const Scenario& scenario, const LightReport& report,
+                     std::span<const double> times = {});
+std::string fit_json(const Scenario& scenario, const LightReport& report,
+                     std::span<const double> times = {});
 
 // f1, f2 and chi-square, a row for each pair of the scan; DomainError without a scan.
 void write_landscape(const Scenario& scenario, const LightReport& report, const std::string& path);
 // A row for each point: table, line and session from 1, flux, its error, that of the solution, the
 // difference, and this in errors.
-void write_light_residuals(const Scenario& scenario, const LightReport& report,
-                           std::size_t solution, const std::string& path);
-void write_light_covariance(const Scenario& scenario, const LightReport& report,
-                            std::size_t solution, const std::string& path);
-// As solution_text: a scenario of kind "fit" that begins at the solution, with the ellipsoid or the
+void write_residuals(const Scenario& scenario, const LightReport& report, std::size_t solution,
+                     const std::string& path);
+void write_covariance(const Scenario& scenario, const LightReport& report, std::size_t solution,
+                      const std::string& path);
+// A scenario of kind "fit" that begins at the solution, with the ellipsoid or the
 // mesh, so that it can be simulated and fitted again as well as run; `mesh` is the file of a convex
 // body, as the scenario names it, and `folder` where its paths start; left out, where those of this
 // one do.
-std::string light_solution_text(const Scenario& scenario, const LightReport& report,
-                                std::size_t solution, const std::string& mesh = "seen.obj",
-                                const std::optional<std::string>& folder = std::nullopt);
+std::string solution_text(const Scenario& scenario, const LightReport& report, std::size_t solution,
+                          const std::string& mesh = "seen.obj",
+                          const std::optional<std::string>& folder = std::nullopt);
 // The file, and beside PATH.toml the mesh of a convex body, PATH-seen.obj; DomainError for areas
 // that are those of no body. Nothing is written then.
-void write_light_solution(const Scenario& scenario, const LightReport& report, std::size_t solution,
-                          const std::string& path);
+void write_solution(const Scenario& scenario, const LightReport& report, std::size_t solution,
+                    const std::string& path);
 
 }  // namespace v0
 }  // namespace polhode

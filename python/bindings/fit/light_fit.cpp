@@ -154,13 +154,28 @@ nb::list found_list(const std::vector<FoundLight>& all, nb::handle mesh) {
   return list;
 }
 
+// (mesh or (degree, rows), unknowns, regularisation, most_iterations)
+using SurfaceParts = std::tuple<nb::tuple, UnknownParts, RegularisationParts, int>;
+SurfaceSearch surface_of(const SurfaceParts& parts) {
+  const auto& [shape, unknowns, regularisation, most_iterations] = parts;
+  SurfaceSearch surface{.unknowns = light_unknowns_of(unknowns),
+                        .regularisation = regularisation_of(regularisation),
+                        .most_iterations = most_iterations};
+  if (shape.size() == 2)
+    std::tie(surface.degree, surface.rows) = nb::cast<std::tuple<int, int>>(shape);
+  else
+    surface.mesh = body_of(shape);
+  return surface;
+}
+
 // `body` is one that is known, or None.
 nb::dict searched(const nb::list& curves,
                   const std::vector<std::tuple<std::string, double, double>>& periods,
-                  const nb::object& body, std::size_t starts, std::size_t tries,
-                  int short_iterations, std::size_t finalists, double within,
-                  const UnknownParts& unknowns, double lambert, const LossParts& loss,
-                  int most_iterations, std::uint64_t seed, int threads) {
+                  const nb::object& body, const std::optional<SurfaceParts>& surface,
+                  std::size_t starts, std::size_t tries, int short_iterations,
+                  std::size_t finalists, double within, const UnknownParts& unknowns,
+                  double lambert, const LossParts& loss, int most_iterations, std::uint64_t seed,
+                  int threads) {
   LightSearch search;
   search.curves = light_curves_of(curves);
   for (const auto& [mode, precession, rotation] : periods)
@@ -170,6 +185,10 @@ nb::dict searched(const nb::list& curves,
   if (!body.is_none()) {
     search.body = body_of(nb::cast<nb::tuple>(body));
     mesh = mesh_of(nb::cast<nb::tuple>(body));
+  }
+  if (surface) {
+    search.surface = surface_of(*surface);
+    if (search.surface->mesh) mesh = mesh_of(std::get<0>(*surface));
   }
   search.starts = starts;
   search.tries = tries;
@@ -192,6 +211,9 @@ nb::dict searched(const nb::list& curves,
   d["starts"] = found.starts;
   d["finalists"] = found.finalists;
   d["converged"] = found.converged;
+  d["surfaces"] = found.surfaces;
+  d["surfaces_converged"] = found.surfaces_converged;
+  d["failure"] = found.failure;
   d["notes"] = nb::tuple(nb::cast(found.notes));
   return d;
 }
@@ -329,9 +351,9 @@ void bind_light_fit(nb::module_& m) {
       });
   m.def("_light_problem", light_problem);
   m.def("_model_fluxes", model_of);
-  m.def("_search_light", searched, "curves"_a, "periods"_a, "body"_a.none(), "starts"_a, "tries"_a,
-        "short_iterations"_a, "finalists"_a, "within"_a, "unknowns"_a, "lambert"_a, "loss"_a,
-        "most_iterations"_a, "seed"_a, "threads"_a);
+  m.def("_search_light", searched, "curves"_a, "periods"_a, "body"_a.none(), "surface"_a.none(),
+        "starts"_a, "tries"_a, "short_iterations"_a, "finalists"_a, "within"_a, "unknowns"_a,
+        "lambert"_a, "loss"_a, "most_iterations"_a, "seed"_a, "threads"_a);
   m.def("_extend_light", extended);
   m.def("_facets_like", facets_like);
   m.def("_convex_facets", facets_of);

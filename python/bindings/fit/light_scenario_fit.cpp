@@ -17,15 +17,12 @@ namespace polhode::python {
 
 namespace {
 
-struct LightScenarioFit {
-  Scenario scenario;
-  LightReport report;
-};
+using LightScenarioFit = FitOf<LightReport>;
 
 constexpr std::int64_t thousandths = 1000;  // of the work, that progress counts
 
 LightScenarioFit light_fit_of(const Scenario& scenario, int threads, nb::handle progress) {
-  LightScenarioFit fit{scenario, {}};
+  LightScenarioFit fit{std::make_shared<const Scenario>(scenario), {}};
   // a scan, the search and what comes after it take about as long
   const LightPlan& plan = require_fit(scenario).light;
   const double scan = plan.searches && plan.periods.empty() ? 1.0 : 0.0;
@@ -33,30 +30,18 @@ LightScenarioFit light_fit_of(const Scenario& scenario, int threads, nb::handle 
   const bool goes_on = plan.shape != LightPlan::Shape::ellipsoid || plan.one_by_one;
   const double whole = scan + search + (goes_on ? 1.0 : 0.0);
   WorkLoop loop("the fit was stopped", count_to(progress, thousandths));
-  LightFitOptions options;
+  FitOptions options;
   options.threads = checked_threads(threads);
   options.stop = [&loop] { return loop.is_stopped(); };
-  options.progress = [&loop, scan, search, whole](const std::string& stage, double part) {
-    const double before = stage == "scan" ? 0.0 : stage == "search" ? scan : scan + search;
-    loop.reach(std::floor((before + part) / whole * static_cast<double>(thousandths)));
+  double before = 0.0;
+  options.begins = [&](const std::string& stage, const std::string&) {
+    before = stage == "scan" ? 0.0 : stage == "search" ? scan : scan + search;
   };
-  loop.do_work([&] { fit.report = fit_light_scenario(fit.scenario, options); });
+  options.progress = [&](const RunProgress& at) {
+    loop.reach(std::floor((before + at.part) / whole * static_cast<double>(thousandths)));
+  };
+  loop.do_work([&] { fit.report = fit_light_scenario(*fit.scenario, options); });
   return fit;
-}
-
-nb::tuple light_rows(const LightScenarioFit& fit, std::size_t solution) {
-  return kept_rows(fit.scenario, [&](const Scenario& scenario, const std::string& path) {
-    write_light_residuals(scenario, fit.report, solution, path);
-  });
-}
-
-nb::tuple predicted_light(const LightScenarioFit& fit, std::size_t solution,
-                          const std::vector<std::string>& words) {
-  const std::vector<double> times =
-      words.empty() ? prediction_times(fit.scenario) : prediction_times(fit.scenario, words);
-  return kept_rows(fit.scenario, [&](const Scenario& scenario, const std::string& path) {
-    write_predictions(scenario, fit_predictions(fit.report, solution, times), path);
-  });
 }
 
 // None without a scan.
@@ -68,7 +53,7 @@ nb::object scan_of(const LightScenarioFit& fit) {
 // As functions of the unknowns, from a solution on; errors are those that it has scaled, where
 // asked for.
 PythonResiduals residuals_from(const LightScenarioFit& fit, std::size_t solution, bool scaled) {
-  LightFit problem = light_fit_at(fit.scenario, fit.report, solution);
+  LightFit problem = light_fit_at(*fit.scenario, fit.report, solution);
   const double factor = light_error_factor(fit.report.solutions.at(solution).solution);
   if (scaled && factor > 0.0)
     for (LightCurve& curve : problem.curves)
@@ -80,19 +65,13 @@ PythonResiduals residuals_from(const LightScenarioFit& fit, std::size_t solution
 
 void bind_light_scenario_fit(nb::module_& m) {
   using F = LightScenarioFit;
-  nb::class_<F>(m, "_LightScenarioFit")
-      .def_prop_ro("json", [](const F& f) { return light_json(f.scenario, f.report); })
-      .def_prop_ro("text", [](const F& f) { return light_text(f.scenario, f.report); })
+  bind_fit_of<LightReport>(m, "_LightScenarioFit")
       .def_prop_ro("scan", scan_of)
       .def_prop_ro("curves", [](const F& f) { return curves_parts(f.report.observed.curves); })
-      .def("solution_text",
-           [](const F& f, std::size_t k) { return light_solution_text(f.scenario, f.report, k); })
       .def("write",
            [](const F& f, std::size_t k, nb::handle path) {
-             write_light_solution(f.scenario, f.report, k, path_text(path));
+             write_solution(*f.scenario, f.report, k, path_text(path));
            })
-      .def("residuals", light_rows)
-      .def("predicted", predicted_light)
       .def("raw", [](const F& f, std::size_t k) { return found_dict(f.report.solutions.at(k)); })
       .def("residuals_from", residuals_from);
   m.def("_fit_light_scenario", light_fit_of, "scenario"_a, "threads"_a, "progress"_a.none());

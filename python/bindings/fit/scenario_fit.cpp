@@ -21,11 +21,7 @@ namespace polhode::python {
 
 namespace {
 
-// A fit and what it left; torques in the report refer to the scenario, which stays where it is.
-struct ScenarioFit {
-  std::shared_ptr<const Scenario> scenario;
-  FitReport report;
-};
+using ScenarioFit = FitOf<FitReport>;
 
 ScenarioFit fit_of(const Scenario& scenario, int threads, nb::handle progress) {
   ScenarioFit fit{std::make_shared<const Scenario>(scenario), {}};
@@ -34,7 +30,7 @@ ScenarioFit fit_of(const Scenario& scenario, int threads, nb::handle progress) {
   FitOptions options;
   options.threads = checked_threads(threads);
   options.stop = [&loop] { return loop.is_stopped(); };
-  options.progress = [&loop](std::int64_t done) { loop.reach(static_cast<double>(done)); };
+  options.progress = [&loop](const RunProgress& at) { loop.reach(at.reached); };
   loop.do_work([&] { fit.report = fit_scenario(*fit.scenario, options); });
   return fit;
 }
@@ -59,12 +55,6 @@ Scenario keeping(const Scenario& scenario, Kept& kept) {
                       });
   changed.output.formats = changed.output.formats.with(std::move(format));
   return changed;
-}
-
-nb::tuple residual_rows(const ScenarioFit& fit, std::size_t solution) {
-  return kept_rows(*fit.scenario, [&](const Scenario& scenario, const std::string& path) {
-    write_residuals(scenario, fit.report, solution, path);
-  });
 }
 
 double middle_of(const Snapshots& seen) {
@@ -142,15 +132,6 @@ SpinProblem problem_of(const Scenario& scenario, const nb::tuple& given) {
   return {std::move(of.fit), std::move(of.drive)};
 }
 
-nb::tuple predicted_rows(const ScenarioFit& fit, std::size_t solution,
-                         const std::vector<std::string>& words) {
-  const std::vector<double> times =
-      words.empty() ? prediction_times(*fit.scenario) : prediction_times(*fit.scenario, words);
-  return kept_rows(*fit.scenario, [&](const Scenario& scenario, const std::string& path) {
-    write_predictions(scenario, fit_predictions(fit.report, solution, times), path);
-  });
-}
-
 }  // namespace
 
 nb::tuple kept_rows(const Scenario& scenario,
@@ -172,13 +153,7 @@ nb::tuple kept_rows(const Scenario& scenario,
 }
 
 void bind_scenario_fit(nb::module_& m) {
-  nb::class_<ScenarioFit>(m, "_ScenarioFit")
-      .def_prop_ro("json", [](const ScenarioFit& f) { return fit_json(*f.scenario, f.report); })
-      .def_prop_ro("text", [](const ScenarioFit& f) { return fit_text(*f.scenario, f.report); })
-      .def("solution_text", [](const ScenarioFit& f,
-                               std::size_t k) { return solution_text(*f.scenario, f.report, k); })
-      .def("residuals", residual_rows)
-      .def("predicted", predicted_rows)
+  bind_fit_of<FitReport>(m, "_ScenarioFit")
       .def("problem", problem_at, "solution"_a, "scaled"_a, "epoch"_a.none())
       .def("raw", [](const ScenarioFit& f,
                      std::size_t k) { return solution_dict(f.report.solutions.at(k).raw); })

@@ -61,6 +61,9 @@ class LightStarts {
   std::vector<std::vector<FreeRotation>> motions_;  // that it has, of each pair of periods
 };
 
+// Fits the surface of a search from the ellipsoids that it found; its bodies become the solutions.
+void fit_surfaces(const LightSearch& search, LightSearchResult& result);
+
 }  // namespace detail
 }  // namespace v0
 }  // namespace polhode

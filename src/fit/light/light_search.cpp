@@ -250,6 +250,8 @@ class Search {
       add_notes_of_known();
     else
       add_notes(seldom);
+    if (result_.solutions.empty())
+      result_.failure = result_.notes.empty() ? "no fit converged" : result_.notes.front();
     return std::move(result_);
   }
 
@@ -454,10 +456,26 @@ class Search {
   LightSearchResult result_;
 };
 
+// Says what is wrong with a surface before the starts do; `any` is an ellipsoid.
+void check_surface(const LightSearch& search, const LightModel& any) {
+  if (!search.surface) return;
+  const SurfaceSearch& s = *search.surface;
+  if (s.mesh && !s.mesh->is_mesh())
+    throw DomainError("search_light: a surface that is known must be a mesh");
+  detail::require_at_least_one("search_light: ", "most_iterations", s.most_iterations);
+  const LightModel start =
+      s.mesh
+          ? LightModel{{0.0, {}, any.spin.w_F, s.mesh->spin.inertia_F}, s.mesh->shape, s.mesh->law}
+          : s.convex_of(any);
+  static_cast<void>(least_squares_of(s.fit_from(start, search.curves, search.loss, 1)));
+}
+
 }  // namespace
 
 LightSearchResult search_light(const LightSearch& search) {
   detail::check_search("search_light: ", search);
+  if (search.body && search.surface)
+    throw DomainError("search_light: a known body has no ellipsoids that a surface could follow");
   // says what is wrong with law, moments and unknowns before the starts do
   LightModel any = LightModel::homogeneous(0.0, {}, {1.0, 1.0, 1.0}, {1.0, 0.8, 0.6}, search.law);
   LightUnknowns unknowns = search.unknowns;
@@ -467,7 +485,14 @@ LightSearchResult search_light(const LightSearch& search) {
     unknowns.shape = false;
   }
   static_cast<void>(least_squares_of(LightFit{search.curves, any, unknowns, search.loss}));
-  return Search(search).found();
+  check_surface(search, any);
+  if (search.begins)
+    search.begins("search", detail::counted(search.starts, "start", "starts") + " of " +
+                                detail::counted(search.periods.size(), "pair of periods",
+                                                "pairs of periods"));
+  LightSearchResult found = Search(search).found();
+  if (search.surface) detail::fit_surfaces(search, found);
+  return found;
 }
 
 }  // namespace v0

@@ -10,6 +10,7 @@
 #include "polhode/run/predictions.hpp"
 #include "polhode/run/summary.hpp"
 #include "text/json.hpp"
+#include "text/number_text.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -41,8 +42,21 @@ Dimension dimension_of_unknown(std::string_view name);
 std::string euler_text(const Scenario& scenario, const Quaternion& q);
 // "label             value\n"
 void add_fit_line(std::string& text, std::string_view label, const std::string& value);
-std::string counted(std::size_t n, const char* one, const char* many);
 
+// The end of a text with the first solutions: how many more there are, why there are none, notes.
+template <class Report>
+void add_end(std::string& text, const Report& report, std::size_t shown,
+             const std::vector<std::string>& notes) {
+  if (shown < report.solutions.size())
+    text += "\nand " + std::to_string(report.solutions.size() - shown) +
+            " more solutions, which --json has in full\n";
+  if (!report.is_found()) add_fit_line(text, "solutions", "none: " + report.failure);
+  for (const std::string& note : notes) text += "note: " + note + "\n";
+}
+
+// Members "unknowns" and "covariance_core"; null for what is infinite or unknown.
+void add_unknowns(JsonWriter& json, const std::vector<FitNumber>& numbers,
+                  const UnknownsCovariance& covariance);
 // What a solution predicts, as an array: predictions.cpp.
 void add_predictions(JsonWriter& json, const Scenario& scenario,
                      std::span<const AttitudePrediction> predictions);

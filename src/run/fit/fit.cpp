@@ -8,6 +8,7 @@
 #include "polhode/ensemble/cell_journal.hpp"
 #include "polhode/ensemble/counter_random.hpp"
 #include "polhode/error.hpp"
+#include "polhode/run/time_left.hpp"
 #include "run/detail/fit_tables.hpp"
 #include "run/fit/fit_torques.hpp"
 
@@ -180,6 +181,8 @@ FitReport fit_scenario(const Scenario& scenario, const FitOptions& options) {
   };
   report.starts = 0;
   stop();
+  CellClock clock(options.threads);  // results that are read take no time
+  const std::size_t read = options.journal != nullptr ? options.journal->results() : 0;
   plan.places.unknowns.built([&] {
     ordered_parallel_for(
         options.journal, plan.starts, options.threads,
@@ -187,7 +190,11 @@ FitReport fit_scenario(const Scenario& scenario, const FitOptions& options) {
         [&](std::int64_t start, const Tried& one) {
           solutions.add(one, start);
           report.starts = start + 1;
-          if (options.progress) options.progress(report.starts);
+          clock.ended();
+          if (static_cast<std::size_t>(start) < read) clock = CellClock(options.threads);
+          const auto done = static_cast<double>(report.starts);
+          if (options.progress)
+            options.progress({done, clock.part(static_cast<double>(plan.starts) - done)});
           if (report.starts < plan.starts) stop();
         },
         [](Archive& bytes, Tried& one) {

@@ -214,8 +214,8 @@ void write_landscape(const Scenario& scenario, const LightReport& report, const 
       path);
 }
 
-void write_light_residuals(const Scenario& scenario, const LightReport& report,
-                           std::size_t solution, const std::string& path) {
+void write_residuals(const Scenario& scenario, const LightReport& report, std::size_t solution,
+                     const std::string& path) {
   const std::vector<LightCurve>& curves = report.observed.curves;
   const std::vector<std::vector<double>> model = detail::fluxes_of(report, solution);
   std::vector<double> rows;
@@ -244,10 +244,10 @@ void write_light_residuals(const Scenario& scenario, const LightReport& report,
                          rows, notes, path);
 }
 
-void write_light_covariance(const Scenario& scenario, const LightReport& report,
-                            std::size_t solution, const std::string& path) {
+void write_covariance(const Scenario& scenario, const LightReport& report, std::size_t solution,
+                      const std::string& path) {
   detail::write_fit_covariance(scenario, report.solutions.at(solution).solution.covariance,
-                               light_numbers(scenario, report, solution), path);
+                               fit_numbers(scenario, report, solution), path);
 }
 
 namespace {
@@ -353,9 +353,8 @@ std::string comment_of(const FoundLight& found) {
 
 }  // namespace
 
-std::string light_solution_text(const Scenario& scenario, const LightReport& report,
-                                std::size_t solution, const std::string& mesh,
-                                const std::optional<std::string>& folder) {
+std::string solution_text(const Scenario& scenario, const LightReport& report, std::size_t solution,
+                          const std::string& mesh, const std::optional<std::string>& folder) {
   const FoundLight& found = report.solutions.at(solution);
   const std::string there = folder.value_or(scenario.document.folder);
   Changes changes = relocated_paths(scenario.document, there);
@@ -370,14 +369,14 @@ std::string light_solution_text(const Scenario& scenario, const LightReport& rep
          comment_of(found) + changed_text(scenario.document.text, changes);
 }
 
-void write_light_solution(const Scenario& scenario, const LightReport& report, std::size_t solution,
-                          const std::string& path) {
+void write_solution(const Scenario& scenario, const LightReport& report, std::size_t solution,
+                    const std::string& path) {
   const LightModel& body = report.solutions.at(solution).solution.body;
   if (!body.is_convex()) {
-    detail::write_fit_text(scenario,
-                           light_solution_text(scenario, report, solution, {},
-                                               detail::folder_of(scenario.document, path)),
-                           path);
+    detail::write_fit_text(
+        scenario,
+        solution_text(scenario, report, solution, {}, detail::folder_of(scenario.document, path)),
+        path);
     return;
   }
   const std::filesystem::path toml(path);
@@ -388,8 +387,8 @@ void write_light_solution(const Scenario& scenario, const LightReport& report, s
   const std::string files[] = {path, (toml.parent_path() / mesh).string()};
   detail::require_own_files(scenario.document, files);
   // both before the first is written
-  const std::string text = light_solution_text(scenario, report, solution, mesh,
-                                               detail::folder_of(scenario.document, path));
+  const std::string text =
+      solution_text(scenario, report, solution, mesh, detail::folder_of(scenario.document, path));
   const std::string obj = obj_text(body.convex().mesh());
   detail::write_fit_text(scenario, obj, files[1]);
   detail::write_fit_text(scenario, text, files[0]);

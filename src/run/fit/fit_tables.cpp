@@ -139,8 +139,23 @@ std::string euler_text(const Scenario& scenario, const Quaternion& q) {
                      units.angle());
 }
 
-std::string counted(std::size_t n, const char* one, const char* many) {
-  return fmt::format("{} {}", n, n == 1 ? one : many);
+void add_unknowns(JsonWriter& json, const std::vector<FitNumber>& numbers,
+                  const UnknownsCovariance& covariance) {
+  json.key("unknowns").begin_object();
+  for (const FitNumber& one : numbers) {
+    json.key(one.name).begin_object().members("unit", one.unit);
+    if (one.start) json.members("start", *one.start);
+    json.members("value", one.value, "error", one.error);
+    if (one.scaled_value) json.members("scaled_value", *one.scaled_value);
+    if (one.scaled_error) json.members("scaled_error", *one.scaled_error);
+    json.end_object();
+  }
+  json.end_object().key("covariance_core").begin_array();
+  const std::size_t n = covariance.names.size();
+  for (std::size_t i = 0; i < n; ++i)
+    json.value(std::vector(covariance.matrix.begin() + static_cast<std::ptrdiff_t>(i * n),
+                           covariance.matrix.begin() + static_cast<std::ptrdiff_t>((i + 1) * n)));
+  json.end_array();
 }
 
 }  // namespace detail

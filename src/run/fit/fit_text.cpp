@@ -61,32 +61,29 @@ std::vector<SummaryLine> state_lines(const Scenario& scenario, const SpinState& 
 // Of periods and pole, with errors as given and scaled; those that the data leave open are
 // infinite.
 std::string error_lines(const Scenario& scenario, const FoundSpin& found) {
+  using Error = double DerivedParameters::*;
   const Units& units = scenario.units();
-  const DerivedParameters raw = derived_parameters(found.raw);
-  const auto line = [&](const char* label, Dimension dimension, const auto& shown) {
-    std::string text = shown(raw);
-    if (found.scaled) text += ", scaled " + shown(derived_parameters(*found.scaled));
-    return fmt::format("{:<37}{} {}\n", label, text, units.label(dimension));
-  };
-  const auto number = [&](double error, Dimension dimension) {
-    return fmt::format("{:.2g}", units.from_core(error, dimension));
-  };
+  std::vector<DerivedParameters> all{derived_parameters(found.raw)};
+  if (found.scaled) all.push_back(derived_parameters(*found.scaled));
   std::string text;
-  if (raw.periods.precession_period > 0.0) {
-    text += line("error of P_phi", Dimension::time, [&](const DerivedParameters& f) {
-      return number(f.precession_error, Dimension::time);
-    });
-    text += line("error of P_psi", Dimension::time, [&](const DerivedParameters& f) {
-      return number(f.rotation_error, Dimension::time);
-    });
-    text +=
-        line("error of the short-axis period", Dimension::time,
-             [&](const DerivedParameters& f) { return number(f.short_error, Dimension::time); });
+  const auto add = [&](const char* label, Dimension dimension, Error error, Error minor = nullptr) {
+    std::string errors;
+    for (const DerivedParameters& one : all) {
+      if (!errors.empty()) errors += ", scaled ";
+      errors += fmt::format("{:.2g}", units.from_core(one.*error, dimension));
+      if (minor != nullptr)
+        errors += fmt::format(" by {:.2g}", units.from_core(one.*minor, dimension));
+    }
+    text += fmt::format("{:<37}{} {}\n", label, errors, units.label(dimension));
+  };
+  if (all.front().periods.precession_period > 0.0) {
+    add("error of P_phi", Dimension::time, &DerivedParameters::precession_error);
+    add("error of P_psi", Dimension::time, &DerivedParameters::rotation_error);
+    add("error of the short-axis period", Dimension::time, &DerivedParameters::short_error);
   }
-  return text + line("error of the pole", Dimension::angle, [&](const DerivedParameters& f) {
-           return number(f.pole_major, Dimension::angle) + " by " +
-                  number(f.pole_minor, Dimension::angle);
-         });
+  add("error of the pole", Dimension::angle, &DerivedParameters::pole_major,
+      &DerivedParameters::pole_minor);
+  return text;
 }
 
 void add_table(std::string& text, const std::vector<FitNumber>& numbers) {
@@ -99,7 +96,7 @@ void add_table(std::string& text, const std::vector<FitNumber>& numbers) {
                       unit, "start", "value", "error", "scaled", "error");
   for (const FitNumber& one : numbers)
     text += fmt::format("{:<{}}{:<{}}{:>13.6g}{:>13.6g}{:>11.3g}{:>13}{:>11}\n", one.name, name,
-                        one.unit, unit, one.start, one.value, one.error,
+                        one.unit, unit, *one.start, one.value, one.error,
                         number_or_dash(one.scaled_value, "{:.6g}"),
                         number_or_dash(one.scaled_error, "{:.3g}"));
 }
@@ -154,78 +151,40 @@ void add_solution(std::string& text, const Scenario& scenario, const FitReport& 
   if (!times.empty()) text += prediction_text(scenario, fit_predictions(report, place, times));
 }
 
-// null for what is infinite or unknown
-void add_values(detail::JsonWriter& json, const FitNumber& one) {
-  json.begin_object();
-  json.key("unit").value(one.unit).key("start").value(one.start);
-  json.key("value").value(one.value).key("error").value(one.error);
-  if (one.scaled_value) json.key("scaled_value").value(*one.scaled_value);
-  if (one.scaled_error) json.key("scaled_error").value(*one.scaled_error);
-  json.end_object();
-}
-
 // With errors as given, in the units of the file.
 void add_figures(detail::JsonWriter& json, const Scenario& scenario, const FoundSpin& found) {
   const DerivedParameters f = derived_parameters(found.raw);
   const Units& units = scenario.units();
   const auto add = [&](const char* key, double value, double error) {
-    json.key(key).begin_object();
-    json.key("value").value(units.from_core(value, Dimension::time));
-    json.key("error").value(units.from_core(error, Dimension::time));
-    json.key("unit").value(units.time()).end_object();
+    json.key(key).object("value", units.from_core(value, Dimension::time), "error",
+                         units.from_core(error, Dimension::time), "unit", units.time());
   };
   if (f.periods.precession_period > 0.0) {
     add("precession_period", f.periods.precession_period, f.precession_error);
     add("rotation_period", f.periods.rotation_period, f.rotation_error);
     add("short_axis_period", f.short_period, f.short_error);
   }
-  json.key("pole").begin_object();
-  json.key("direction").begin_array();
-  json.value(f.pole_I.x).value(f.pole_I.y).value(f.pole_I.z).end_array();
-  json.key("error_major").value(units.from_core(f.pole_major, Dimension::angle));
-  json.key("error_minor").value(units.from_core(f.pole_minor, Dimension::angle));
-  json.key("unit").value(units.angle()).end_object();
-}
-
-void add_matrix(detail::JsonWriter& json, const std::vector<double>& matrix, std::size_t n) {
-  json.begin_array();
-  for (std::size_t i = 0; i < n; ++i) {
-    json.begin_array();
-    for (std::size_t j = 0; j < n; ++j) json.value(matrix[i * n + j]);
-    json.end_array();
-  }
-  json.end_array();
+  json.key("pole").object("direction", f.pole_I, "error_major",
+                          units.from_core(f.pole_major, Dimension::angle), "error_minor",
+                          units.from_core(f.pole_minor, Dimension::angle), "unit", units.angle());
 }
 
 void add_solution(detail::JsonWriter& json, const Scenario& scenario, const FitReport& report,
                   std::size_t place, std::span<const double> times) {
   const FoundSpin& found = report.solutions[place];
   const SpinSolution& raw = found.raw;
-  json.begin_object();
-  json.key("converged").value(true).key("sentence").value(raw.result.sentence);
-  json.key("starts")
-      .value(found.starts)
-      .key("iterations")
-      .value(static_cast<std::int64_t>(raw.result.iterations));
-  json.key("chi_square").value(raw.result.chi_square);
-  json.key("degrees_of_freedom").value(raw.degrees_of_freedom);
-  json.key("cost").value(raw.result.cost);
-  json.key("attitude_rms").value(scenario.units().from_core(raw.attitude_rms, Dimension::angle));
-  if (found.scaled) json.key("error_factor").value(found.scaled->error_factor);
-  const Quaternion& q = raw.state.q;
+  json.begin_object().members("converged", true, "sentence", raw.result.sentence, "starts",
+                              found.starts, "iterations", raw.result.iterations, "chi_square",
+                              raw.result.chi_square, "degrees_of_freedom", raw.degrees_of_freedom,
+                              "cost", raw.result.cost, "attitude_rms",
+                              scenario.units().from_core(raw.attitude_rms, Dimension::angle));
+  if (found.scaled) json.members("error_factor", found.scaled->error_factor);
   add_figures(json, scenario, found);
-  json.key("quaternion").begin_array().value(q.w).value(q.x).value(q.y).value(q.z).end_array();
-  json.key("unknowns").begin_object();
-  for (const FitNumber& one : fit_numbers(scenario, report, place))
-    add_values(json.key(one.name), one);
-  json.end_object();
-  json.key("covariance_core");
-  add_matrix(json, raw.covariance.matrix, raw.covariance.names.size());
+  json.members("quaternion", raw.state.q);
+  detail::add_unknowns(json, fit_numbers(scenario, report, place), raw.covariance);
   if (!times.empty())
     detail::add_predictions(json.key("predicted"), scenario, fit_predictions(report, place, times));
-  json.key("notes").begin_array();
-  for (const std::string& note : raw.notes) json.value(note);
-  json.end_array().end_object();
+  json.members("notes", raw.notes).end_object();
 }
 
 }  // namespace
@@ -244,13 +203,8 @@ std::vector<FitNumber> fit_numbers(const Scenario& scenario, const FitReport& re
     const std::string& name = found.raw.covariance.names[i];
     const detail::ShownUnit unit = detail::unit_of(scenario, name);
     const auto shown = [&](double x) { return unit.of(x); };
-    FitNumber one{name,
-                  unit.label,
-                  shown(start[i]),
-                  shown(raw[i]),
-                  shown(found.raw.covariance.error(i)),
-                  std::nullopt,
-                  std::nullopt};
+    FitNumber one{name, unit.label, shown(raw[i]), shown(found.raw.covariance.error(i)),
+                  shown(start[i])};
     if (found.scaled) {
       one.scaled_value = shown(scaled[i]);
       one.scaled_error = shown(found.scaled->covariance.error(i));
@@ -270,11 +224,7 @@ std::string fit_text(const Scenario& scenario, const FitReport& report,
                  fmt::format("{}, of which {} did not converge", report.starts, report.failed));
   const std::size_t count = std::min(report.solutions.size(), require_fit(scenario).most_solutions);
   for (std::size_t i = 0; i < count; ++i) add_solution(text, scenario, report, i, times);
-  if (count < report.solutions.size())
-    text += fmt::format("\nand {} more solutions, which --json has in full\n",
-                        report.solutions.size() - count);
-  if (!report.is_found()) add_fit_line(text, "solutions", "none: " + report.failure);
-  for (const std::string& note : report.observed.notes) text += "note: " + note + "\n";
+  detail::add_end(text, report, count, report.observed.notes);
   return text;
 }
 
@@ -282,21 +232,16 @@ std::string fit_json(const Scenario& scenario, const FitReport& report,
                      std::span<const double> times) {
   detail::JsonWriter json;
   const Snapshots& seen = report.observed.seen;
-  json.begin_object();
-  json.key("scenario").value(scenario.document.name);
-  json.key("attitudes").value(static_cast<std::int64_t>(seen.attitudes.size()));
-  json.key("directions").value(static_cast<std::int64_t>(seen.directions.size()));
-  json.key("rates").value(static_cast<std::int64_t>(seen.rates.size()));
-  if (!seen.measurements.empty())
-    json.key("measurements").value(static_cast<std::int64_t>(seen.measurements.size()));
-  json.key("starts").value(report.starts).key("failed").value(report.failed);
-  if (!report.failure.empty()) json.key("failure").value(report.failure);
+  json.begin_object().members("scenario", scenario.document.name, "attitudes",
+                              seen.attitudes.size(), "directions", seen.directions.size(), "rates",
+                              seen.rates.size());
+  if (!seen.measurements.empty()) json.members("measurements", seen.measurements.size());
+  json.members("starts", report.starts, "failed", report.failed);
+  if (!report.failure.empty()) json.members("failure", report.failure);
   json.key("solutions").begin_array();
   for (std::size_t i = 0; i < report.solutions.size(); ++i)
     add_solution(json, scenario, report, i, times);
-  json.end_array().key("notes").begin_array();
-  for (const std::string& note : report.observed.notes) json.value(note);
-  json.end_array().end_object();
+  json.end_array().members("notes", report.observed.notes).end_object();
   return json.text();
 }
 

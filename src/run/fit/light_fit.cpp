@@ -74,12 +74,31 @@ LightModel start_of(const Scenario& scenario, const LightPlan& plan) {
   return start;
 }
 
+// Shape and unknowns into the report; and what the scenario asks that no fit can do.
+void begin_surfaces(const Scenario& scenario, LightReport& report) {
+  const FitPlan& plan = require_fit(scenario);
+  report.shape = plan.light.shape;
+  if (report.shape == LightPlan::Shape::mesh) {
+    if (plan.light.unknowns.shape)
+      plan.places.unknowns.refuse(
+          "expected no shape with light.shape = \"mesh\": the mesh is given");
+    report.unknowns.shape = false;
+  }
+  if (report.shape != LightPlan::Shape::convex) return;
+  // says what is wrong with degree and rows before the search
+  plan.light.places.degree.built(
+      [&] { return GaussianImage(plan.light.convex.degree, plan.light.convex.rows); });
+  report.unknowns = {.shape = true,
+                     .moments = plan.light.convex.moments,
+                     .multiple = plan.light.unknowns.multiple};
+}
+
 // A convex body begins with the ellipsoid of the first session.
-void extend_from_start(const Scenario& scenario, const FitPlan& plan,
-                       const LightFitOptions& options, LightReport& report) {
+void extend_from_start(const Scenario& scenario, const FitPlan& plan, const FitOptions& options,
+                       LightReport& report) {
   const std::vector<LightCurve>& curves = report.observed.curves;
   LightModel start = report.shape == LightPlan::Shape::mesh
-                         ? *detail::SurfaceFits(scenario, report.unknowns, curves).mesh()
+                         ? *detail::surface_search(scenario, report.unknowns).mesh
                          : start_of(scenario, plan.light);
   const std::size_t first = detail::nearest_session(curves, start, plan.loss);
   if (report.shape == LightPlan::Shape::convex) {
@@ -102,14 +121,33 @@ void extend_from_start(const Scenario& scenario, const FitPlan& plan,
   }
 }
 
+// The mesh in the state of the file, or a convex body from an ellipsoid that was fitted.
+void fit_surface(const Scenario& scenario, const LightModel& begun, LightReport& report) {
+  const SurfaceSearch surface = detail::surface_search(scenario, report.unknowns);
+  const LightModel start = surface.mesh ? *surface.mesh : surface.convex_of(begun);
+  FoundLight one = found_light(fit_light(surface.fit_from(
+      start, report.observed.curves, require_fit(scenario).loss, surface.most_iterations)));
+  report.surfaces = 1;
+  if (!one.solution.is_found()) {
+    report.failure = one.solution.result.sentence;
+    return;
+  }
+  report.surfaces_converged = 1;
+  one.starts = 1;
+  one.begun = begun;
+  if (start.is_convex()) one.ellipsoid = begun.ellipsoid();
+  detail::set_ellipsoid(one);
+  report.solutions = {std::move(one)};
+}
+
 // A mesh from the file; a convex body from the ellipsoid that is found first.
-void fit_from_start(const Scenario& scenario, const FitPlan& plan, const LightFitOptions& options,
+void fit_from_start(const Scenario& scenario, const FitPlan& plan, const FitOptions& options,
                     LightReport& report) {
   if (plan.light.one_by_one) return extend_from_start(scenario, plan, options, report);
   if (report.shape == LightPlan::Shape::mesh) {
     report.start =
         LightModel{spin_state(scenario.rotation()), Ellipsoid{1.0, 1.0, 1.0}, plan.light.law};
-    return detail::fit_surface_from_start(scenario, std::nullopt, report);
+    return fit_surface(scenario, *report.start, report);
   }
   report.start = start_of(scenario, plan.light);
   const LightFit fit{report.observed.curves, *report.start, plan.light.unknowns, plan.loss,
@@ -121,9 +159,8 @@ void fit_from_start(const Scenario& scenario, const FitPlan& plan, const LightFi
     return;
   }
   report.converged = 1;
-  if (report.shape == LightPlan::Shape::convex) {
-    return detail::fit_surface_from_start(scenario, found.solution.body, report);
-  }
+  if (report.shape == LightPlan::Shape::convex)
+    return fit_surface(scenario, found.solution.body, report);
   report.solutions.push_back(std::move(found));
 }
 
@@ -136,7 +173,21 @@ LightUnknowns unknowns_of_search(const LightPlan& plan) {
           .multiple = plan.unknowns.multiple};
 }
 
-void search(const Scenario& scenario, const FitPlan& plan, const LightFitOptions& options,
+// Notes pairs of periods whose fits are no solutions, although they came as low.
+void note_unfinished(const FitPlan& plan, LightReport& report) {
+  if (!report.is_found()) return;
+  const double most = plan.light.within_factor * report.solutions.front().solution.result.cost;
+  const auto count = std::ranges::count_if(report.pairs, [&](const PairFound& pair) {
+    return pair.surface && !pair.surface->is_found() && pair.surface->result.cost <= most;
+  });
+  if (count > 0)
+    report.notes.push_back(
+        detail::counted(static_cast<std::size_t>(count), "pair of periods", "pairs of periods") +
+        " came as low as the solutions, but the fits did not converge: the table has them, and "
+        "fit.iterations takes them further");
+}
+
+void search(const Scenario& scenario, const FitPlan& plan, const FitOptions& options,
             LightReport& report) {
   LightSearch how;
   how.curves = report.observed.curves;
@@ -171,33 +222,28 @@ void search(const Scenario& scenario, const FitPlan& plan, const LightFitOptions
   how.loss = plan.loss;
   how.most_iterations = plan.light.most_iterations.value_or(how.most_iterations);
   how.seed = plan.seed;
-  how.threads = options.threads;
-  how.journal = options.journal;
-  if (options.begins)
-    options.begins("search",
-                   detail::counted(how.starts, "start", "starts") + " of " +
-                       detail::counted(how.periods.size(), "pair of periods", "pairs of periods"));
-  if (options.progress) options.progress("search", 0.0);
-  how.between = [&] {
-    if (options.stop && options.stop())
-      throw RunInterrupted(scenario.document.name + ": stopped in the search");
+  if (report.shape != LightPlan::Shape::ellipsoid)
+    how.surface = detail::surface_search(scenario, report.unknowns);
+  std::string where = "in the search";
+  how.begins = [&](const std::string& stage, const std::string& work) {
+    if (stage == "surfaces")
+      where = how.surface->mesh ? "in the fits of the mesh" : "in the fits of convex bodies";
+    if (options.begins) options.begins(stage, work);
   };
-  if (options.progress) how.progress = [&](double part) { options.progress("search", part); };
+  detail::follow(scenario, options, where, how);
   LightSearchResult found = search_light(how);
-  if (options.progress) options.progress("search", 1.0);
   report.starts = found.starts;
   report.finalists = found.finalists;
   report.converged = found.converged;
+  report.surfaces = found.surfaces;
+  report.surfaces_converged = found.surfaces_converged;
+  found.surface_of_periods.resize(how.periods.size());
   for (std::size_t p = 0; p < how.periods.size(); ++p)
-    report.pairs.push_back({how.periods[p], found.best_of_periods[p], std::nullopt});
+    report.pairs.push_back({how.periods[p], found.best_of_periods[p], found.surface_of_periods[p]});
   report.notes = std::move(found.notes);
-  if (report.shape == LightPlan::Shape::ellipsoid) {
-    report.solutions = std::move(found.solutions);
-    if (report.solutions.empty())
-      report.failure = report.notes.empty() ? "no fit converged" : report.notes.front();
-  } else {
-    detail::fit_surfaces(scenario, how, found, options, report);
-  }
+  report.solutions = std::move(found.solutions);
+  report.failure = std::move(found.failure);
+  note_unfinished(plan, report);
   if (report.solutions.empty() || !plan.light.one_by_one) return;
   for (std::string& note : report.notes)
     note = "search of session " + std::to_string(first + 1) + ": " + note;
@@ -246,7 +292,31 @@ bool observes_light(const Scenario& scenario) {
   return plan != nullptr && plan->has_light();
 }
 
-LightReport fit_light_scenario(const Scenario& scenario, const LightFitOptions& options) {
+SurfaceSearch detail::surface_search(const Scenario& scenario, const LightUnknowns& unknowns) {
+  const LightPlan& plan = require_fit(scenario).light;
+  SurfaceSearch surface{.degree = plan.convex.degree,
+                        .rows = plan.convex.rows,
+                        .unknowns = unknowns,
+                        .regularisation = {.roughness_error = plan.convex.roughness_error,
+                                           .moments_error = plan.convex.moments_error},
+                        .pairs = plan.convex.pairs};
+  surface.most_iterations = plan.most_iterations.value_or(surface.most_iterations);
+  if (plan.shape == LightPlan::Shape::mesh)
+    surface.mesh =
+        LightModel{spin_state(scenario.rotation()), ShadedMesh(light_mesh(scenario)), plan.law};
+  return surface;
+}
+
+LightFit light_fit_at(const Scenario& scenario, const LightReport& report, std::size_t solution) {
+  const FoundLight& found = report.solutions.at(solution);
+  const SurfaceSearch surface = detail::surface_search(scenario, report.unknowns);
+  LightFit fit = surface.fit_from(found.solution.body, report.observed.curves,
+                                  require_fit(scenario).loss, surface.most_iterations);
+  if (found.solution.body.is_convex()) fit.regularisation.about = found.begun;
+  return fit;
+}
+
+LightReport fit_light_scenario(const Scenario& scenario, const FitOptions& options) {
   const FitPlan& plan = require_fit(scenario);
   require_free_fit(scenario);
   if (!plan.has_light()) plan.observations.at(0).place.refuse("expected \"light-curve\"");
@@ -260,7 +330,7 @@ LightReport fit_light_scenario(const Scenario& scenario, const LightFitOptions& 
   const std::vector<LightCurve>& curves = report.observed.curves;
   require_sound(curves, {.vectors = true});
   if (plan.light.one_by_one) detail::require_sessions(scenario, curves);
-  detail::begin_surfaces(scenario, report);
+  begin_surfaces(scenario, report);
   report.chosen = detail::chosen_pairs(scenario, curves);
   plan.places.unknowns.built([&] {
     if (plan.light.searches)

@@ -17,283 +17,218 @@ using detail::WithErrors;
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
-std::int64_t whole(std::size_t n) { return static_cast<std::int64_t>(n); }
+// In the units of the file.
+class LightJson {
+ public:
+  LightJson(const Scenario& scenario, const LightReport& report, std::span<const double> times)
+      : scenario_(scenario),
+        report_(report),
+        times_(times),
+        time_(scenario.units().from_core(1.0, Dimension::time)) {}
 
-void add_sessions(JsonWriter& json, const LightReport& report) {
-  json.key("sessions").begin_array();
-  for (std::size_t c = 0; c < report.observed.curves.size(); ++c) {
-    const LightCurve& curve = report.observed.curves[c];
-    json.begin_object();
-    json.key("name").value(curve.name).key("points").value(whole(curve.points.size()));
-    json.key("table").value(whole(report.observed.curve_rows.at(c).at(0).table + 1));
-    json.key("calibrated").value(curve.is_calibrated);
-    json.end_object();
+  std::string text() {
+    json_.begin_object().members("scenario", scenario_.document.name, "observed", "light-curves",
+                                 "points", report_.points());
+    std::size_t c = 0;
+    json_.key("sessions").array(report_.observed.curves, [&](const LightCurve& curve) {
+      json_.object("name", curve.name, "points", curve.points.size(), "table",
+                   report_.observed.curve_rows.at(c++).at(0).table + 1, "calibrated",
+                   curve.is_calibrated);
+    });
+    json_.key("units").object("time", scenario_.units().time(), "angle", scenario_.units().angle());
+    if (report_.scan) add_scan(*report_.scan);
+    if (!report_.chosen.empty()) add_chosen();
+    json_.key("periods").array(report_.pairs, [&](const PairFound& pair) { add(pair); });
+    if (!report_.joined.empty())
+      json_.key("joined_sessions").array(report_.joined, [&](const JoinedSession& one) {
+        json_.object("session", one.session + 1, "distance", time_ * one.distance, "counts",
+                     one.counts, "converged", one.converged, "solutions", one.solutions, "cost",
+                     one.cost);
+      });
+    json_.members("starts", report_.starts, "finalists", report_.finalists, "converged",
+                  report_.converged, "model", detail::shape_word(report_.shape));
+    if (report_.shape != LightPlan::Shape::ellipsoid)
+      json_.members("surfaces", report_.surfaces, "surfaces_converged", report_.surfaces_converged);
+    if (!report_.verdict.empty()) json_.members("verdict", report_.verdict);
+    if (!report_.failure.empty()) json_.members("failure", report_.failure);
+    json_.members("notes", report_.notes).key("solutions").begin_array();
+    for (std::size_t i = 0; i < report_.solutions.size(); ++i) add_solution(i);
+    json_.end_array().end_object();
+    return json_.text();
   }
-  json.end_array();
-}
 
-void add_scan(JsonWriter& json, const Scenario& scenario, const LightScan& scan) {
-  const double time = scenario.units().from_core(1.0, Dimension::time);
-  const FrequencyGrid& g = scan.landscape.first;
-  json.key("scan").begin_object();
-  json.key("order").value(whole(scan.landscape.orders.second));
-  json.key("frequencies").value(whole(g.count));
-  json.key("least").value(g.at(0) / time).key("most").value(g.at(g.count - 1) / time);
-  json.key("step").value(g.step / time);
-  json.key("sessions").value(scan.separate ? "separate" : "joined");
-  if (scan.separate) {
-    json.key("separate_sessions").value(whole(scan.separate->sessions));
-    json.key("windows").value(whole(scan.separate->windows));
-    json.key("pairs_in_windows").value(whole(scan.separate->pairs));
-  }
-  if (scan.constant) {
-    json.key("constant").begin_object().key("chi_square").value(scan.constant->chi_square);
-    json.key("degrees_of_freedom").value(whole(scan.constant->degrees_of_freedom));
-    json.key("suffices").value(scan.constant->suffices).end_object();
-  }
-  if (scan.one) {
-    const FourierFit& fit = scan.one->refined.fit;
-    json.key("one_period").begin_object().key("order").value(whole(scan.one->order));
-    json.key("period").value(time / fit.f2).key("chi_square").value(fit.chi_square);
-    json.key("degrees_of_freedom").value(whole(fit.degrees_of_freedom - 1));
-    json.key("suffices").value(scan.one->suffices).key("aliases").begin_array();
-    for (const double f : scan.one->aliases) json.value(time / f);
-    json.end_array().end_object();
-  }
-  json.key("minima").begin_array();
-  for (const ScanMinimum& m : scan.minima) {
-    const RefinedPair& r = m.refined;
-    json.begin_object();
-    json.key("f1").value(r.fit.f1 / time).key("f2").value(r.fit.f2 / time);
-    json.key("sigma_f1").value(r.sigma_f1 / time).key("sigma_f2").value(r.sigma_f2 / time);
-    json.key("scale").value(r.scale);
-    json.key("period_1").value(time / r.fit.f1).key("period_2").value(time / r.fit.f2);
-    json.key("chi_square").value(r.fit.chi_square);
-    json.key("converged").value(r.converged).key("resolved").value(m.resolved);
-    json.key("at_edge").value(m.at_edge);
-    json.end_object();
-  }
-  json.end_array().end_object();
-}
+ private:
+  double angle(double x) const { return scenario_.units().from_core(x, Dimension::angle); }
 
-void add_chosen(JsonWriter& json, const Scenario& scenario, const LightReport& report) {
-  const double time = scenario.units().from_core(1.0, Dimension::time);
-  const auto add = [&](const FourierFit& fit) {
-    json.key("period_1").value(time / fit.f1).key("period_2").value(time / fit.f2);
-    json.key("chi_square").value(fit.chi_square);
-    json.key("degrees_of_freedom").value(whole(fit.degrees_of_freedom));
-    json.key("resolved").value(is_resolved(fit));
-  };
-  json.key("chosen_pairs").begin_array();
-  for (const ChosenPair& one : report.chosen) {
-    const RefinedPair& r = one.refined;
-    json.begin_object();
-    json.key("order").value(whole(require_fit(scenario).light.scan.at_order));
-    add(one.fit);
-    json.key("minimum").begin_object();
-    add(r.fit);
-    json.key("f1").value(r.fit.f1 / time).key("f2").value(r.fit.f2 / time);
-    json.key("sigma_f1").value(r.sigma_f1 / time).key("sigma_f2").value(r.sigma_f2 / time);
-    json.key("scale").value(r.scale).key("converged").value(r.converged);
-    json.end_object().end_object();
+  void add_frequencies(const RefinedPair& r) {
+    json_.members("f1", r.fit.f1 / time_, "f2", r.fit.f2 / time_, "sigma_f1", r.sigma_f1 / time_,
+                  "sigma_f2", r.sigma_f2 / time_, "scale", r.scale);
   }
-  json.end_array();
-}
 
-void add_periods(JsonWriter& json, const Scenario& scenario, const LightReport& report) {
-  const double time = scenario.units().from_core(1.0, Dimension::time);
-  json.key("periods").begin_array();
-  const auto add_place = [&](const Vec3& direction, const char* longitude, const char* latitude) {
-    const detail::SkyPlace at = detail::sky_place(direction);
-    json.key(longitude).value(scenario.units().from_core(at.longitude, Dimension::angle));
-    json.key(latitude).value(scenario.units().from_core(at.latitude, Dimension::angle));
-  };
-  const auto add_poles = [&](const Vec3& pole) {
-    add_place(pole, "longitude", "latitude");
-    add_place(detail::mirror_pole(pole, report), "mirror_longitude", "mirror_latitude");
-  };
-  const auto add = [&](const TumblerPeriods& p) {
-    json.key("mode").value(detail::mode_word(p.mode));
-    json.key("precession_period").value(time * p.precession_period);
-    json.key("rotation_period").value(time * p.rotation_period);
-  };
-  for (const PairFound& pair : report.pairs) {
-    json.begin_object();
-    add(pair.from);
-    json.key("chi_square").value(pair.ellipsoid ? pair.ellipsoid->result.chi_square : unlimited);
-    json.key("cost").value(pair.ellipsoid ? pair.ellipsoid->result.cost : unlimited);
+  void add_scan(const LightScan& scan) {
+    const FrequencyGrid& g = scan.landscape.first;
+    json_.key("scan").begin_object();
+    json_.members("order", scan.landscape.orders.second, "frequencies", g.count, "least",
+                  g.at(0) / time_, "most", g.at(g.count - 1) / time_, "step", g.step / time_,
+                  "sessions", scan.separate ? "separate" : "joined");
+    if (scan.separate)
+      json_.members("separate_sessions", scan.separate->sessions, "windows", scan.separate->windows,
+                    "pairs_in_windows", scan.separate->pairs);
+    if (scan.constant)
+      json_.key("constant")
+          .object("chi_square", scan.constant->chi_square, "degrees_of_freedom",
+                  scan.constant->degrees_of_freedom, "suffices", scan.constant->suffices);
+    if (scan.one) {
+      const FourierFit& fit = scan.one->refined.fit;
+      std::vector<double> aliases;
+      for (const double f : scan.one->aliases) aliases.push_back(time_ / f);
+      json_.key("one_period")
+          .object("order", scan.one->order, "period", time_ / fit.f2, "chi_square", fit.chi_square,
+                  "degrees_of_freedom", fit.degrees_of_freedom - 1, "suffices", scan.one->suffices,
+                  "aliases", aliases);
+    }
+    json_.key("minima").array(scan.minima, [&](const ScanMinimum& m) {
+      const RefinedPair& r = m.refined;
+      json_.begin_object();
+      add_frequencies(r);
+      json_.members("period_1", time_ / r.fit.f1, "period_2", time_ / r.fit.f2, "chi_square",
+                    r.fit.chi_square, "converged", r.converged, "resolved", m.resolved, "at_edge",
+                    m.at_edge);
+      json_.end_object();
+    });
+    json_.end_object();
+  }
+
+  void add_chosen() {
+    const auto add = [&](const FourierFit& fit) {
+      json_.members("period_1", time_ / fit.f1, "period_2", time_ / fit.f2, "chi_square",
+                    fit.chi_square, "degrees_of_freedom", fit.degrees_of_freedom, "resolved",
+                    is_resolved(fit));
+    };
+    json_.key("chosen_pairs").array(report_.chosen, [&](const ChosenPair& one) {
+      json_.begin_object().members("order", require_fit(scenario_).light.scan.at_order);
+      add(one.fit);
+      json_.key("minimum").begin_object();
+      add(one.refined.fit);
+      add_frequencies(one.refined);
+      json_.members("converged", one.refined.converged).end_object().end_object();
+    });
+  }
+
+  void add_periods(const TumblerPeriods& p) {
+    json_.members("mode", detail::mode_word(p.mode), "precession_period",
+                  time_ * p.precession_period, "rotation_period", time_ * p.rotation_period);
+  }
+
+  void add_poles(const Vec3& pole) {
+    const detail::SkyPlace at = detail::sky_place(pole);
+    const detail::SkyPlace mirror = detail::sky_place(detail::mirror_pole(pole, report_));
+    json_.members("longitude", angle(at.longitude), "latitude", angle(at.latitude),
+                  "mirror_longitude", angle(mirror.longitude), "mirror_latitude",
+                  angle(mirror.latitude));
+  }
+
+  void add(const PairFound& pair) {
+    json_.begin_object();
+    add_periods(pair.from);
+    json_.members("chi_square", pair.ellipsoid ? pair.ellipsoid->result.chi_square : unlimited,
+                  "cost", pair.ellipsoid ? pair.ellipsoid->result.cost : unlimited);
     if (pair.ellipsoid) {
-      const LightSolution& s = *pair.ellipsoid;
-      json.key("found").begin_object();
-      add(s.periods);
-      add_poles(s.pole);
-      const Ellipsoid& shape = s.body.ellipsoid();
-      json.key("b/a").value(shape.b / shape.a).key("c/b").value(shape.c / shape.b).end_object();
+      const Ellipsoid& shape = pair.ellipsoid->body.ellipsoid();
+      json_.key("found").begin_object();
+      add_periods(pair.ellipsoid->periods);
+      add_poles(pair.ellipsoid->pole);
+      json_.members("b/a", shape.b / shape.a, "c/b", shape.c / shape.b).end_object();
     }
     if (pair.surface) {
-      json.key(detail::shape_word(report.shape)).begin_object();
-      json.key("chi_square").value(pair.surface->chi_square);
-      json.key("cost").value(pair.surface->cost);
-      json.key("converged").value(pair.surface->is_converged);
-      add(pair.surface->periods);
+      const LeastSquaresResult& r = pair.surface->result;
+      json_.key(detail::shape_word(report_.shape)).begin_object();
+      json_.members("chi_square", r.chi_square, "cost", r.cost, "converged", r.is_converged());
+      add_periods(pair.surface->periods);
       add_poles(pair.surface->pole);
-      json.key("sentence").value(pair.surface->sentence).end_object();
+      json_.members("sentence", r.sentence).end_object();
     }
-    json.end_object();
+    json_.end_object();
   }
-  json.end_array();
-}
 
-void add_joined(JsonWriter& json, const Scenario& scenario, const LightReport& report) {
-  json.key("joined_sessions").begin_array();
-  for (const JoinedSession& one : report.joined) {
-    json.begin_object().key("session").value(whole(one.session + 1));
-    json.key("distance").value(scenario.units().from_core(one.distance, Dimension::time));
-    json.key("counts").value(whole(one.counts)).key("converged").value(whole(one.converged));
-    json.key("solutions").value(whole(one.solutions)).key("cost").value(one.cost);
-    json.end_object();
+  void add_convex(const LightModel& body) {
+    const ConvexShape& shape = body.convex();
+    const ConvexPlan& plan = require_fit(scenario_).light.convex;
+    const Mat3& T = body.spin.inertia_F;
+    json_.key("convex").begin_object();
+    json_.members("degree", shape.image.degree(), "facets", shape.image.normals().size(),
+                  "roughness_error", plan.roughness_error);
+    if (plan.moments == MomentSource::fit) json_.members("moments_error", plan.moments_error);
+    json_.members("Ixx/Izz", T(0, 0) / T(2, 2), "Iyy/Izz", T(1, 1) / T(2, 2), "coefficients",
+                  shape.coefficients);
+    json_.end_object();
   }
-  json.end_array();
-}
 
-void add_convex(JsonWriter& json, const Scenario& scenario, const LightModel& body) {
-  const ConvexShape& shape = body.convex();
-  const ConvexPlan& plan = require_fit(scenario).light.convex;
-  json.key("convex").begin_object();
-  json.key("degree").value(static_cast<std::int64_t>(shape.image.degree()));
-  json.key("facets").value(whole(shape.image.normals().size()));
-  json.key("roughness_error").value(plan.roughness_error);
-  if (plan.moments == MomentSource::fit) json.key("moments_error").value(plan.moments_error);
-  const Mat3& T = body.spin.inertia_F;
-  json.key("Ixx/Izz").value(T(0, 0) / T(2, 2)).key("Iyy/Izz").value(T(1, 1) / T(2, 2));
-  json.key("coefficients").begin_array();
-  for (const double c : shape.coefficients) json.value(c);
-  json.end_array().end_object();
-}
-
-void add_with_errors(JsonWriter& json, const char* key, const WithErrors& x) {
-  json.key(key).begin_object();
-  json.key("value").value(x.value).key("error").value(x.error);
-  json.key("scaled_error").value(x.scaled_error).key("unit").value(x.unit);
-  json.end_object();
-}
-
-void add_pole(JsonWriter& json, const Scenario& scenario, const LightFigures& f) {
-  json.key("pole").begin_object();
-  json.key("axes").value(scenario.rotation().axes);
-  json.key("longitude").value(f.pole.longitude).key("latitude").value(f.pole.latitude);
-  json.key("error_major").value(f.pole_major.error).key("error_minor").value(f.pole_minor.error);
-  json.key("scaled_error_major").value(f.pole_major.scaled_error);
-  json.key("scaled_error_minor").value(f.pole_minor.scaled_error);
-  json.key("unit").value(f.pole_major.unit);
-  json.end_object();
-}
-
-void add_unknowns(JsonWriter& json, const Scenario& scenario, const LightReport& report,
-                  std::size_t i) {
-  json.key("unknowns").begin_object();
-  for (const FitNumber& one : light_numbers(scenario, report, i)) {
-    json.key(one.name).begin_object().key("unit").value(one.unit);
-    if (report.start) json.key("start").value(one.start);
-    json.key("value").value(one.value).key("error").value(one.error);
-    if (one.scaled_error) json.key("scaled_error").value(*one.scaled_error);
-    json.end_object();
+  void add_figures(const LightSolution& s, const LightFigures& f) {
+    const auto add = [&](const char* key, const WithErrors& x) {
+      json_.key(key).object("value", x.value, "error", x.error, "scaled_error", x.scaled_error,
+                            "unit", x.unit);
+    };
+    if (s.periods.precession_period > 0.0) {
+      add("precession_period", f.precession_period);
+      add("rotation_period", f.rotation_period);
+      add("short_axis_period", f.short_axis_period);
+    }
+    json_.key("pole").object("axes", scenario_.rotation().axes, "longitude", f.pole.longitude,
+                             "latitude", f.pole.latitude, "error_major", f.pole_major.error,
+                             "error_minor", f.pole_minor.error, "scaled_error_major",
+                             f.pole_major.scaled_error, "scaled_error_minor",
+                             f.pole_minor.scaled_error, "unit", f.pole_major.unit);
   }
-  json.end_object();
-}
 
-void add_solution(JsonWriter& json, const Scenario& scenario, const LightReport& report,
-                  std::size_t i, std::span<const double> times) {
-  const FoundLight& one = report.solutions[i];
-  const LightSolution& s = one.solution;
-  const LightFigures f = detail::light_figures(scenario, report, i);
-  json.begin_object();
-  json.key("beside").value(detail::beside_word(one)).key("of").value(whole(one.of + 1));
-  json.key("image").value(detail::image_word(one.image));
-  json.key("sentence").value(one.sentence.empty() ? s.result.sentence : one.sentence);
-  json.key("chi_square").value(s.result.chi_square).key("cost").value(s.result.cost);
-  json.key("cost_terms").begin_object();
-  for (const CostTerm& term : s.terms) json.key(term.name).value(term.value);
-  json.end_object();
-  json.key("degrees_of_freedom").value(s.degrees_of_freedom);
-  json.key("describes_data").value(s.describes_data());
-  if (const double scale = light_error_factor(s); std::isfinite(scale))
-    json.key("error_factor").value(scale);
-  json.key("starts").value(whole(one.starts));
-  json.key("iterations").value(static_cast<std::int64_t>(s.result.iterations));
-  json.key("mode").value(detail::mode_word(s.periods.mode));
-  if (s.periods.precession_period > 0.0) {
-    add_with_errors(json, "precession_period", f.precession_period);
-    add_with_errors(json, "rotation_period", f.rotation_period);
-    add_with_errors(json, "short_axis_period", f.short_axis_period);
+  void add_solution(std::size_t i) {
+    const FoundLight& one = report_.solutions[i];
+    const LightSolution& s = one.solution;
+    json_.begin_object();
+    json_.members("beside", detail::beside_word(one), "of", one.of + 1, "image",
+                  detail::image_word(one.image), "sentence",
+                  one.sentence.empty() ? s.result.sentence : one.sentence, "chi_square",
+                  s.result.chi_square, "cost", s.result.cost);
+    json_.key("cost_terms").begin_object();
+    for (const CostTerm& term : s.terms) json_.members(term.name, term.value);
+    json_.end_object().members("degrees_of_freedom", s.degrees_of_freedom, "describes_data",
+                               s.describes_data());
+    if (const double scale = light_error_factor(s); std::isfinite(scale))
+      json_.members("error_factor", scale);
+    json_.members("starts", one.starts, "iterations", s.result.iterations, "mode",
+                  detail::mode_word(s.periods.mode));
+    add_figures(s, detail::light_figures(scenario_, report_, i));
+    json_.members("converged", true, "convergence", s.result.sentence);
+    if (s.body.is_convex()) add_convex(s.body);
+    json_.key("shape").object("b/a", one.ellipsoid.b / one.ellipsoid.a, "c/b",
+                              one.ellipsoid.c / one.ellipsoid.b);
+    json_.members("multiple", s.body.law.multiple, "epoch", time_ * s.body.spin.t0, "quaternion",
+                  s.body.spin.q);
+    detail::add_unknowns(json_, fit_numbers(scenario_, report_, i), s.covariance);
+    std::vector<std::string> bound;
+    for (const std::size_t k : s.result.bound) bound.push_back(s.covariance.names.at(k));
+    json_.members("factors", s.factors, "bound", bound);
+    if (!times_.empty())
+      detail::add_predictions(json_.key("predicted"), scenario_,
+                              fit_predictions(report_, i, times_));
+    json_.key("far_points").array(detail::far_points(report_, s), [&](const auto& point) {
+      json_.object("table", point.place.table + 1, "line", point.place.line, "r", point.r);
+    });
+    json_.members("notes", s.notes).end_object();
   }
-  add_pole(json, scenario, f);
-  json.key("converged").value(true).key("convergence").value(s.result.sentence);
-  if (s.body.is_convex()) add_convex(json, scenario, s.body);
-  json.key("shape").begin_object();
-  json.key("b/a").value(one.ellipsoid.b / one.ellipsoid.a);
-  json.key("c/b").value(one.ellipsoid.c / one.ellipsoid.b).end_object();
-  json.key("multiple").value(s.body.law.multiple);
-  json.key("epoch").value(scenario.units().from_core(s.body.spin.t0, Dimension::time));
-  const Quaternion& q = s.body.spin.q;
-  json.key("quaternion").begin_array().value(q.w).value(q.x).value(q.y).value(q.z).end_array();
-  add_unknowns(json, scenario, report, i);
-  json.key("covariance_core").begin_array();
-  const std::size_t n = s.covariance.names.size();
-  for (std::size_t a = 0; a < n; ++a) {
-    json.begin_array();
-    for (std::size_t b = 0; b < n; ++b) json.value(s.covariance.matrix[a * n + b]);
-    json.end_array();
-  }
-  json.end_array().key("factors").begin_array();
-  for (const double factor : s.factors) json.value(factor);
-  json.end_array().key("bound").begin_array();
-  for (const std::size_t k : s.result.bound) json.value(s.covariance.names.at(k));
-  json.end_array();
-  if (!times.empty())
-    detail::add_predictions(json.key("predicted"), scenario, fit_predictions(report, i, times));
-  json.key("far_points").begin_array();
-  for (const detail::FarPoint& point : detail::far_points(report, s)) {
-    json.begin_object().key("table").value(whole(point.place.table + 1));
-    json.key("line").value(static_cast<std::int64_t>(point.place.line)).key("r").value(point.r);
-    json.end_object();
-  }
-  json.end_array().key("notes").begin_array();
-  for (const std::string& note : s.notes) json.value(note);
-  json.end_array().end_object();
-}
+
+  const Scenario& scenario_;
+  const LightReport& report_;
+  std::span<const double> times_;
+  double time_;
+  JsonWriter json_;
+};
 
 }  // namespace
 
-std::string light_json(const Scenario& scenario, const LightReport& report,
-                       std::span<const double> times) {
-  JsonWriter json;
-  json.begin_object();
-  json.key("scenario").value(scenario.document.name);
-  json.key("observed").value("light-curves").key("points").value(whole(report.points()));
-  add_sessions(json, report);
-  json.key("units").begin_object().key("time").value(scenario.units().time());
-  json.key("angle").value(scenario.units().angle()).end_object();
-  if (report.scan) add_scan(json, scenario, *report.scan);
-  if (!report.chosen.empty()) add_chosen(json, scenario, report);
-  add_periods(json, scenario, report);
-  if (!report.joined.empty()) add_joined(json, scenario, report);
-  json.key("starts").value(whole(report.starts)).key("finalists").value(whole(report.finalists));
-  json.key("converged").value(whole(report.converged));
-  json.key("model").value(detail::shape_word(report.shape));
-  if (report.shape != LightPlan::Shape::ellipsoid) {
-    json.key("surfaces").value(whole(report.surfaces));
-    json.key("surfaces_converged").value(whole(report.surfaces_converged));
-  }
-  if (!report.verdict.empty()) json.key("verdict").value(report.verdict);
-  if (!report.failure.empty()) json.key("failure").value(report.failure);
-  json.key("notes").begin_array();
-  for (const std::string& note : report.notes) json.value(note);
-  json.end_array().key("solutions").begin_array();
-  for (std::size_t i = 0; i < report.solutions.size(); ++i)
-    add_solution(json, scenario, report, i, times);
-  json.end_array().end_object();
-  return json.text();
+std::string fit_json(const Scenario& scenario, const LightReport& report,
+                     std::span<const double> times) {
+  return LightJson(scenario, report, times).text();
 }
 
 }  // namespace v0

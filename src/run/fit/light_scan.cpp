@@ -23,7 +23,7 @@ constexpr double deviations = 3.0;        // of chi-square, up to which data are
 
 class Scan {
  public:
-  Scan(const Scenario& scenario, std::span<const LightCurve> curves, const LightFitOptions& options)
+  Scan(const Scenario& scenario, std::span<const LightCurve> curves, const FitOptions& options)
       : scenario_(scenario),
         plan_(require_fit(scenario).light.scan),
         curves_(curves),
@@ -85,11 +85,7 @@ class Scan {
     LightScan scan{
         std::move(advice_), scan_pairs(points, grid, how()), {}, std::nullopt, std::nullopt,
         std::nullopt};
-    scan.minima = scan_minima(points, scan.landscape,
-                              {.most = plan_.minima,
-                               .threads = options_.threads,
-                               .between = [this] { end_if_asked(); },
-                               .journal = options_.journal});
+    scan.minima = scan_minima(points, scan.landscape, minima(plan_.minima));
     return scan;
   }
 
@@ -165,20 +161,17 @@ class Scan {
   std::optional<OnePeriod> one_period(const LightScan& scan, const ScanPoints& points,
                                       std::size_t order) const {
     constexpr std::size_t few = 5;
-    ScanOptions how{.order = order, .threads = options_.threads};
-    how.between = [this] { end_if_asked(); };
-    how.journal = options_.journal;
-    const std::vector<ScanMinimum> minima = scan_minima(
+    ScanOptions how{.order = order};
+    detail::follow(scenario_, options_, where_, how);
+    how.progress = {};  // the scan of pairs is nearly all of the work
+    const std::vector<ScanMinimum> all = scan_minima(
         points, scan_periods(points, FrequencyGrid::between(least_, most_, scan.advice.step), how),
-        {.most = few,
-         .threads = options_.threads,
-         .between = [this] { end_if_asked(); },
-         .journal = options_.journal});
-    const auto one = std::ranges::find_if(minima, is_sound);
-    if (one == minima.end()) return std::nullopt;
+        minima(few));
+    const auto one = std::ranges::find_if(all, is_sound);
+    if (one == all.end()) return std::nullopt;
     const FourierFit& fit = one->refined.fit;
     OnePeriod found{order, one->refined, fit.f2 * scan.advice.time_base >= 2.0, {}};
-    for (const ScanMinimum& other : minima)
+    for (const ScanMinimum& other : all)
       if (is_sound(other) && is_alias(other.refined.fit, fit, scan.advice.step))
         found.aliases.push_back(other.refined.fit.f2);
     return found;
@@ -265,16 +258,14 @@ class Scan {
                                         : std::string()));
   }
 
-  void end_if_asked() const {
-    if (options_.stop && options_.stop())
-      throw RunInterrupted(scenario_.document.name + ": stopped in the scan");
-  }
-
   ScanOptions how() const {
-    ScanOptions how{.order = plan_.order, .threads = options_.threads};
-    how.between = [this] { end_if_asked(); };
-    how.journal = options_.journal;
-    if (options_.progress) how.progress = [this](double part) { options_.progress("scan", part); };
+    ScanOptions how{.order = plan_.order};
+    detail::follow(scenario_, options_, where_, how);
+    return how;
+  }
+  MinimaOptions minima(std::size_t most) const {
+    MinimaOptions how{.most = most};
+    detail::follow(scenario_, options_, where_, how);
     return how;
   }
 
@@ -287,15 +278,16 @@ class Scan {
   const Scenario& scenario_;
   const ScanPlan& plan_;
   std::span<const LightCurve> curves_;
-  const LightFitOptions& options_;
+  const FitOptions& options_;
   ScanAdvice advice_;
   double least_, most_;
+  std::string where_ = "in the scan";
 };
 
 }  // namespace
 
 LightScan detail::light_scan(const Scenario& scenario, std::span<const LightCurve> curves,
-                             const LightFitOptions& options) {
+                             const FitOptions& options) {
   return Scan(scenario, curves, options).made();
 }
 

@@ -56,30 +56,25 @@ std::size_t nearest_session(std::span<const LightCurve> curves, const LightModel
 }
 
 void extend_to_sessions(const Scenario& scenario, std::size_t first, std::vector<LightModel> starts,
-                        const LightFitOptions& options, LightReport& report) {
+                        const FitOptions& options, LightReport& report) {
   const FitPlan& plan = require_fit(scenario);
-  const SurfaceFits fits(scenario, report.unknowns, report.observed.curves);
+  const std::string where = "while sessions were joined";
   LightExtension how;
   how.curves = report.observed.curves;
   how.first = first;
   how.starts = std::move(starts);
   if (report.shape == LightPlan::Shape::convex) {
-    for (LightModel& start : how.starts) start = fits.convex_of(start);
-    how.regularisation = fits.fit_from(how.starts.front()).regularisation;
+    const SurfaceSearch surface = surface_search(scenario, report.unknowns);
+    for (LightModel& start : how.starts) start = surface.convex_of(start);
+    how.regularisation = surface.regularisation;
   }
   how.unknowns = report.unknowns;
   how.loss = plan.loss;
   how.within = plan.light.within_factor;
   how.most_iterations = plan.light.most_iterations.value_or(how.most_iterations);
-  how.threads = options.threads;
-  how.journal = options.journal;
-  how.between = [&] {
-    if (options.stop && options.stop())
-      throw RunInterrupted(scenario.document.name + ": stopped while sessions were joined");
-  };
+  follow(scenario, options, where, how);
   if (options.begins)
     options.begins("sessions", counted(how.curves.size(), "session", "sessions") + " one by one");
-  if (options.progress) how.progress = [&](double part) { options.progress("sessions", part); };
   LightExtensionResult found = extend_light(how);
   report.joined = std::move(found.joined);
   report.solutions = std::move(found.solutions);

@@ -167,8 +167,8 @@ void add_pair_rows(std::string& text, const Scenario& scenario, const LightRepor
     };
     text += fmt::format("{:>12.5g}", s.result.cost);
     if (has_surface)
-      text +=
-          pair.surface ? fmt::format("{:>12.5g}", pair.surface->cost) : fmt::format("{:>12}", "-");
+      text += pair.surface ? fmt::format("{:>12.5g}", pair.surface->result.cost)
+                           : fmt::format("{:>12}", "-");
     text += fmt::format("{:>6}{:>13}{:>13}", detail::mode_word(p.mode), period(p.precession_period),
                         period(p.rotation_period));
     const Vec3 pole = pair.surface ? pair.surface->pole : s.pole;
@@ -179,7 +179,7 @@ void add_pair_rows(std::string& text, const Scenario& scenario, const LightRepor
                           scenario.units().from_core(at.latitude, Dimension::angle));
     }
     text += fmt::format("{:>10}{}\n", groups[i].pairs.size(),
-                        pair.surface && !pair.surface->is_converged ? "  not converged" : "");
+                        pair.surface && !pair.surface->is_found() ? "  not converged" : "");
   }
   if (groups.size() > most_pairs)
     text += fmt::format(" and {} more; --json has all {} readings\n", groups.size() - most_pairs,
@@ -258,7 +258,8 @@ void add_overview(std::string& text, const Scenario& scenario, const LightReport
     text += fmt::format(" and {} more; --json has all\n", report.solutions.size() - shown);
 }
 
-void add_numbers(std::string& text, const std::vector<FitNumber>& numbers, bool has_start) {
+void add_numbers(std::string& text, const std::vector<FitNumber>& numbers) {
+  const bool has_start = !numbers.empty() && numbers.front().start;
   text += fmt::format("{:<9}{:<9}", "unknown", "unit");
   if (has_start) text += fmt::format("{:>13}", "start");
   const bool has_errors = numbers.empty() || !std::isnan(numbers.front().error);
@@ -266,7 +267,7 @@ void add_numbers(std::string& text, const std::vector<FitNumber>& numbers, bool 
           (has_errors ? fmt::format("{:>11}{:>11}\n", "error", "scaled") : std::string("\n"));
   for (const FitNumber& one : numbers) {
     text += fmt::format("{:<9}{:<9}", one.name, one.unit);
-    if (has_start) text += fmt::format("{:>13.6g}", one.start);
+    if (has_start) text += fmt::format("{:>13.6g}", *one.start);
     text += fmt::format("{:>13.6g}", one.value);
     if (has_errors)
       text += fmt::format("{:>11.3g}{:>11}", one.error,
@@ -353,18 +354,18 @@ void add_solution(std::string& text, const Scenario& scenario, const LightReport
                         error_text(f.pole_minor.scaled_error));
   add_fit_line(text, "pole", pole);
   add_surface(text, scenario, report, i);
-  std::vector<FitNumber> numbers = light_numbers(scenario, report, i);
+  std::vector<FitNumber> numbers = fit_numbers(scenario, report, i);
   if (s.body.is_convex())  // coefficients of facets: JSON has them
     numbers.resize(numbers.size() - (s.body.convex().coefficients.size() - 1));
-  add_numbers(text, numbers, report.start.has_value());
+  add_numbers(text, numbers);
   if (!report.start && !s.result.bound.empty()) text += "note: " + s.result.sentence + "\n";
   add_notes(text, s.notes);
 }
 
 }  // namespace
 
-std::string light_text(const Scenario& scenario, const LightReport& report,
-                       std::span<const double> times) {
+std::string fit_text(const Scenario& scenario, const LightReport& report,
+                     std::span<const double> times) {
   std::string text;
   if (!scenario.document.title.empty()) text += scenario.document.title + "\n";
   if (!report.verdict.empty()) text += report.verdict + "\n";
@@ -383,11 +384,7 @@ std::string light_text(const Scenario& scenario, const LightReport& report,
     add_solution(text, scenario, report, i);
     if (!times.empty()) text += prediction_text(scenario, fit_predictions(report, i, times));
   }
-  if (shown < report.solutions.size())
-    text += fmt::format("\nand {} more solutions, which --json has in full\n",
-                        report.solutions.size() - shown);
-  if (!report.is_found()) add_fit_line(text, "solutions", "none: " + report.failure);
-  for (const std::string& note : report.notes) text += "note: " + note + "\n";
+  detail::add_end(text, report, shown, report.notes);
   return text;
 }
 

@@ -164,27 +164,23 @@ void detail::add_predictions(JsonWriter& json, const Scenario& scenario,
                              std::span<const AttitudePrediction> predictions) {
   const Units& units = scenario.units();
   const auto add_errors = [&](const std::string& scaled, const Mat3& c) {
-    json.key(scaled + "errors").begin_array();
-    for (int k = 0; k < 3; ++k) json.value(units.from_core(error_about(c, k), Dimension::angle));
-    json.end_array().key(scaled + "correlations").begin_array();
-    for (const auto& [i, j] : pairs) json.value(correlation(c, i, j));
-    json.end_array();
+    std::vector<double> errors, correlations;
+    for (int k = 0; k < 3; ++k)
+      errors.push_back(units.from_core(error_about(c, k), Dimension::angle));
+    for (const auto& [i, j] : pairs) correlations.push_back(correlation(c, i, j));
+    json.members(scaled + "errors", errors, scaled + "correlations", correlations);
   };
-  json.begin_array();
-  for (const auto& [raw, scaled] : predictions) {
-    json.begin_object().key("t").value(units.from_core(raw.t, Dimension::time));
-    if (const std::string date = date_of_time(scenario, raw.t); !date.empty())
-      json.key("date").value(date);
-    json.key("quaternion").begin_array();
-    json.value(raw.q.w).value(raw.q.x).value(raw.q.y).value(raw.q.z).end_array();
-    json.key("rate").begin_array();
-    for (int k = 0; k < 3; ++k) json.value(units.from_core(raw.w_F[k], Dimension::rate));
-    json.end_array();
-    add_errors("", raw.covariance);
-    if (scaled) add_errors("scaled_", scaled->covariance);
+  json.array(predictions, [&](const AttitudePrediction& one) {
+    json.begin_object().members("t", units.from_core(one.raw.t, Dimension::time));
+    if (const std::string date = date_of_time(scenario, one.raw.t); !date.empty())
+      json.members("date", date);
+    Vec3 rate = one.raw.w_F;
+    for (int k = 0; k < 3; ++k) rate[k] = units.from_core(rate[k], Dimension::rate);
+    json.members("quaternion", one.raw.q, "rate", rate);
+    add_errors("", one.raw.covariance);
+    if (one.scaled) add_errors("scaled_", one.scaled->covariance);
     json.end_object();
-  }
-  json.end_array();
+  });
 }
 
 }  // namespace v0

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Searches with a given mesh: tumblers in both modes from their periods alone, what half turns
-// leave, bad input.
+// leave, bad input; convex bodies that follow ellipsoids.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -9,6 +9,7 @@
 #include "bright_night.hpp"
 #include "budgets.hpp"
 #include "message_of.hpp"
+#include "polhode/ensemble/cell_journal.hpp"
 #include "polhode/error.hpp"
 #include "polhode/fit/light_search.hpp"
 #include "polhode/shape/mass_properties.hpp"
@@ -153,6 +154,67 @@ TEST(MeshSearch, SaysWhatIsWrong) {
     if (++calls == 3) throw std::runtime_error("stopped");
   };
   EXPECT_THROW(static_cast<void>(search_light(stopped)), std::runtime_error);
+  EXPECT_THAT(refusal([](LightSearch& s) { s.surface.emplace(); }), HasSubstr("no ellipsoids"));
+  EXPECT_THAT(refusal([](LightSearch& s) {
+                s.surface = SurfaceSearch{
+                    .mesh = LightModel::homogeneous(0.0, {}, {0.0, 0.0, 1.0}, {1.0, 0.8, 0.6})};
+                s.body.reset();
+              }),
+              HasSubstr("must be a mesh"));
+  EXPECT_THAT(refusal([](LightSearch& s) {
+                s.surface = SurfaceSearch{.degree = 20, .rows = 4};
+                s.body.reset();
+              }),
+              HasSubstr("rows"));
+}
+
+// Two stages, each to its end; a journal has the results of both, so that nothing is fitted again.
+TEST(SurfaceSearch, GoesOnFromEllipsoidsToConvexBodies) {
+  const Night night = night_of(tumbler({0.3, 0.4, 1.0}), 60);
+  LightSearch search;
+  search.curves = night.curves;
+  search.periods = {night.periods};
+  search.starts = 12;
+  search.surface =
+      SurfaceSearch{.degree = 2, .rows = 3, .unknowns = {.moments = MomentSource::fit}};
+  std::vector<std::string> stages;
+  std::vector<double> ends;
+  search.begins = [&](const std::string& stage, const std::string&) {
+    stages.push_back(stage);
+    ends.push_back(0.0);
+  };
+  search.progress = [&](double part) { ends.back() = part; };
+  CellJournal journal;
+  search.journal = &journal;
+  const LightSearchResult found = search_light(search);
+  EXPECT_THAT(stages, testing::ElementsAre("search", "surfaces"));
+  EXPECT_THAT(ends, testing::ElementsAre(1.0, 1.0));
+  ASSERT_FALSE(found.solutions.empty());
+  EXPECT_EQ(found.failure, "");
+  EXPECT_GE(found.surfaces, found.surfaces_converged);
+  EXPECT_GE(found.surfaces_converged, found.solutions.size());
+  for (const FoundLight& one : found.solutions) {
+    EXPECT_TRUE(one.solution.body.is_convex() && one.begun->is_ellipsoid());
+    EXPECT_EQ(one.solution.covariance.names.size(), 8u + 8u);
+  }
+  ASSERT_TRUE(found.best_of_periods[0] && found.surface_of_periods[0]);
+  EXPECT_TRUE(found.best_of_periods[0]->body.is_ellipsoid());
+  EXPECT_TRUE(found.surface_of_periods[0]->body.is_convex());
+  EXPECT_TRUE(found.surface_of_periods[0]->is_found());
+
+  Archive written;
+  journal.serialize(written);
+  Archive read(written.bytes());
+  CellJournal kept;
+  kept.serialize(read);
+  int fits = 0;
+  search.between = [&] { ++fits; };
+  search.journal = &kept;
+  const LightSearchResult again = search_light(search);
+  EXPECT_EQ(fits, 0);
+  ASSERT_EQ(again.solutions.size(), found.solutions.size());
+  for (std::size_t k = 0; k < again.solutions.size(); ++k)
+    EXPECT_EQ(again.solutions[k].solution.result.x, found.solutions[k].solution.result.x);
 }
 
 }  // namespace
