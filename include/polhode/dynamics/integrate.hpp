@@ -6,8 +6,8 @@
 // Domain      any state with a non-zero quaternion, from `start` to `stop` in either direction.
 //             Samples outside the span are left out, but for a last one that rounding alone puts
 //             beyond `stop`. A sample at `stop` is the end of the last step; others come from the
-//             dense output. A damper moves from the rate that
-//             the initial state has. For models of your own: polhode/dynamics/integrate_model.hpp.
+//             dense output. A damper moves from the rate in the initial state. For models of your
+//             own: polhode/dynamics/integrate_model.hpp.
 // Accuracy    docs/guide/which-propagator.md.
 // Errors      DomainError for an invalid problem (NaN, a method out of range, a splitting of a
 //             term without a flow, a damper with a method that does not move its state). A run

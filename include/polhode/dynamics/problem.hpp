@@ -3,8 +3,8 @@
 //
 // Equations   those of the system.
 // Units       those of the system.
-// Domain      any model of polhode/dynamics/model.hpp, or a System: its state is that of a rotor and
-//             of the damper, if it has one.
+// Domain      any model of polhode/dynamics/model.hpp, or a System: its state is that of a rotor
+//             and of the damper, if it has one.
 // Errors      DomainError where it is made with a time that is not finite. It is a plain value:
 //             functions that integrate it check it, all of it.
 #pragma once

@@ -56,6 +56,8 @@ class BasicDenseStep {
   BasicDenseStep(double t0, double t1) : t0_(t0), t1_(t1) {}
   virtual ~BasicDenseStep() = default;
   virtual S at(double t) const = 0;
+  // As many times as cost least together.
+  virtual std::size_t samples_at_once() const { return 1; }
   // At several times; both have the same size.
   virtual void samples(std::span<const double> t, std::span<BasicSample<S>> to) const {
     for (std::size_t k = 0; k < t.size(); ++k) to[k] = {t[k], at(t[k])};

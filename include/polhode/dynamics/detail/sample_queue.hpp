@@ -3,10 +3,8 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -81,14 +79,15 @@ class SampleQueue {
         times_.pass();
         continue;
       }
-      std::array<double, samples_at_once> t;
-      std::array<BasicSample<S>, samples_at_once> found;
-      std::size_t count = 0;
-      for (; count < room() && times_.is_due(end.t) && times_.due() != end.t; times_.pass())
-        t[count++] = times_.due();
-      dense->samples(std::span(t).first(count), std::span(found).first(count));
-      for (std::size_t k = 0; k < count; ++k) push(found[k]);
-      if (progress && times_.is_before(t[count - 1], end.t)) progress(t[count - 1]);
+      const std::size_t room =
+          std::min(dense->samples_at_once(), samples_per_block - block_.size());
+      due_.clear();
+      for (; due_.size() < room && times_.is_due(end.t) && times_.due() != end.t; times_.pass())
+        due_.push_back(times_.due());
+      found_.resize(due_.size());
+      dense->samples(due_, found_);
+      for (const BasicSample<S>& sample : found_) push(sample);
+      if (progress && times_.is_before(due_.back(), end.t)) progress(due_.back());
     }
   }
   // One more sample where an event has stopped the run, unless it is there.
@@ -110,9 +109,6 @@ class SampleQueue {
 
  private:
   static constexpr std::size_t samples_per_block = 1024;
-  static constexpr std::size_t samples_at_once = 64;
-
-  std::size_t room() const { return std::min(samples_at_once, samples_per_block - block_.size()); }
 
   void push(const BasicSample<S>& sample) {
     latest_ = sample.t;
@@ -124,6 +120,9 @@ class SampleQueue {
   const BasicSampleSink<S>& sink_;
   std::vector<BasicSample<S>> block_;
   std::optional<double> latest_;
+  // Of one call of a step: kept for their memory.
+  std::vector<double> due_;
+  std::vector<BasicSample<S>> found_;
 };
 
 }  // namespace detail
