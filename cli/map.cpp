@@ -47,8 +47,8 @@ std::string summary_of(const ScenarioMap& map, const MapReport& report) {
   }
   const std::size_t failed = report.failures.size();
   if (failed == 0) return text;
-  text += fmt::format("failed            {}, which hold nan; polhode map FILE --cell K runs one:\n",
-                      failed);
+  text += fmt::format(
+      "failed            {}, filled with nan; to run one: polhode map FILE --cell K:\n", failed);
   for (std::size_t i = 0; i < std::min(failed, reasons_shown); ++i)
     text += fmt::format("  cell {}: {}\n", report.failures[i].cell, report.failures[i].why);
   return failed <= reasons_shown ? text : text + "  ...\n";
@@ -89,7 +89,7 @@ void add_map(CLI::App& app, const Kinds& kinds, const std::string& typed, const 
   add_tables(*command, *options, kinds);
   command
       ->add_option("--cell", options->cell,
-                   "Run this cell alone, from 0 on: its rows into --out, its scenario into a "
+                   "Run only this cell (the first is 0): its rows into --out, its scenario into a "
                    "PATH.toml among these; without --out, print its scenario")
       ->type_name("K")
       ->check(index_of("cell"));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One member of an ensemble or one cell of a map alone: its scenario, and the rows of its run.
+// Runs one member of an ensemble or one cell of a map by itself, or writes its scenario.
 #pragma once
 
 #include <string>
@@ -18,14 +18,14 @@ struct Alone {
 };
 
 // Writes the text of its scenario into each PATH.toml of --out, or prints it if --out has no path.
-// The other paths, which are for its rows.
+// Returns the other paths, which are for its rows.
 std::vector<std::string> write_scenario_of(const Alone& one, const std::string& text,
                                            const WorkOptions& options);
 
 // Throws if `failure` says why it failed.
 void require_done(const Alone& one, const std::string& failure);
 
-// Its rows into these paths.
+// Writes its rows to these paths.
 void run_alone(const Alone& one, const Scenario& scenario, const std::vector<std::string>& rows,
                RunOptions how);
 

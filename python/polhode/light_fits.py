@@ -113,7 +113,7 @@ class LightSearchResult:
         converged.
     periods : what was looked for. chi_square_of_periods : the lowest of it that each pair came to.
     starts, finalists, converged : how many had a body, were fitted to the end, and converged.
-    surfaces, surfaces_converged : the same of fits of the `surface`.
+    surfaces, surfaces_converged : fits of the `surface`, and how many converged.
     failure : why there are no solutions; else empty. notes : what to know of it.
     """
 
@@ -340,10 +340,10 @@ def search_light(
         rate and t0 are ignored. With its moments a pair of periods leaves a phase of the
         polhode and an attitude to be found, on either side of the axis of circulation. None: an
         ellipsoid.
-    surface : what follows the ellipsoids and becomes the solutions: (degree, rows) of convex
+    surface : fitted after the ellipsoids, and becomes the solutions: (degree, rows) of convex
         bodies, or the LightModel of a mesh, whose shape, law and inertia are known. It is fitted
-        from the best ellipsoid of every pair of periods, whatever that came to, and from images of
-        what is within the limit; a mesh is also searched for as `body` is. None: ellipsoids are
+        from the best ellipsoid of every pair of periods, also beyond the limit, and from images of
+        bodies within the limit; a mesh is also searched for as `body` is. None: ellipsoids are
         the solutions.
     starts : in all, taken by the pairs of periods in turn; of ellipsoids, pairs near the lowest get
         more.
@@ -356,9 +356,9 @@ def search_light(
     finalists : of each pair of periods that are fitted to the end, with most_iterations (None: 60,
         of the surface 100); ellipsoids near the lowest may go on for four times as many.
     shape, moments, multiple, loss : as in fit_light; of a known body the shape stays, and moments
-        are unknown only of finalists. Of a surface that is convex the usual moments are "fit",
-        those of its ellipsoids "shape" unless "fit" is asked for. lambert is the weight of
-        Lambert's law of ellipsoids. The four errors are of convex bodies, as in fit_light.
+        are unknown only of finalists. Moments of a convex surface are "fit" by default; its
+        ellipsoids use "shape" unless "fit" is given. lambert is the weight of Lambert's law of
+        ellipsoids. The four errors are of convex bodies, as in fit_light.
 
     Returns
     -------

@@ -541,8 +541,8 @@ class MapResults(MapColumns):
         return Scenario._of(self._file)
 
     def cell_scenario(self, index: int) -> Scenario:
-        """The scenario of one cell, from 0 on: what `polhode map --cell` prints. ValueError for
-        another index, or if the numbers of the cell are rejected."""
+        """The scenario of one cell (the first is 0), as `polhode map --cell` prints it. ValueError
+        for another index, or if the numbers of the cell are rejected."""
         return Scenario._of(self._file.map_cell(index))
 
 

@@ -361,6 +361,15 @@ def test_a_long_list_of_times_is_quick():
     assert s.run().t.tobytes() == times.tobytes()
 
 
+def test_times_of_a_free_rotation_come_in_any_order():
+    state = polhode.RotorState([1, 0, 0, 0], [1, 2, 3])
+    motion = polhode.FreeRotation(polhode.Body(1, 2, 2.5), state)
+    for times in ([3.0, 1.0, 7.0, -2.0, 5.0], [3.0, 1.0, 3.0], [4.0, 4.0]):
+        rows = Scenario.build(motion.body, state, times).run()
+        assert rows.t.tolist() == times
+        assert rows.q.tobytes() == motion.at(times).q.tobytes()
+
+
 def test_a_script_is_stopped_from_outside(tmp_path):
     path = tmp_path / "run.toml"
     path.write_text(ENDLESS)

@@ -20,7 +20,7 @@ inline namespace v0 {
 namespace detail {
 namespace {
 
-// What a deviation is measured by.
+// The scales by which a deviation is measured.
 struct Growth {
   double start = 0.0;
   double forward = 1.0;  // or -1, as elapsed time runs

@@ -34,13 +34,13 @@ RotorValues<double> rotor_at(const std::array<double, N>& y, std::size_t first =
   return r;
 }
 
-// What fields of a rotor and `more` numbers behind it share. A field adds
+// The common part of fields of a rotor with `more` numbers after it. A field adds
 //   State state(y)                           what all numbers stand for
 //   double error_size(error, y, increment)   the measure of an error, in all numbers
 // and for the methods that carry it
 //   Values operator()(t, y, sides) const     Adaptive: the rates of all numbers
 //   const RotorJacobian& jacobian() const    Collocation: of its columns (variational_stages.hpp)
-//   rescale(CompensatedState&) const         Collocation: brings back what is too long or too short
+//   rescale(CompensatedState&) const         Collocation: rescales columns after a step
 template <class S, std::size_t more>
 class AugmentedField {
  public:
@@ -55,7 +55,7 @@ class AugmentedField {
   // The field that names the term of a failed step.
   const RotorField<double>& watched() const { return rotor_; }
   static RotorState rotor(const Values& y) { return rounded(rotor_state<double>(y)); }
-  // Columns would have to be brought back with q.
+  // q is not normalised here, because its columns would have to be as well.
   static void settle(CompensatedState<double, 7 + more>&) {}
 
  private:
@@ -85,7 +85,7 @@ inline RotorValues<Tangent> dual_values(const ColumnValues& y) {
   }
   return x;
 }
-// With a unit quaternion, and the derivatives of that.
+// The quaternion is normalised, and its derivatives are those of the unit quaternion.
 inline BasicRotorState<Tangent> dual_state(const ColumnValues& y) {
   BasicRotorState<Tangent> s = rotor_state<Tangent>(dual_values(y));
   s.q = normalized(s.q);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "dynamics/free_run.hpp"
 
-#include <array>
 #include <cmath>
 #include <memory>
 #include <span>

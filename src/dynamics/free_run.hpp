@@ -15,12 +15,14 @@ namespace detail {
 
 struct FreeMotion {
   using State = SystemState;
+  // Its states are known without steps between them.
+  static constexpr bool allows_any_order = true;
 
   FreeRotation motion;  // in inertial axes
   Frame frame;          // of the samples
 };
 
-// From the state of the motion at `start`.
+// The problem that begins with the state of the motion at `start`.
 BasicProblem<FreeMotion> free_problem(const FreeRotation& motion, const Frame& frame, double start,
                                       double stop, std::vector<Event> events);
 

@@ -38,19 +38,27 @@ constexpr std::int64_t settled = 1000;
 
 }  // namespace
 
-DueTimes::DueTimes(double start, double stop, std::optional<SaveAt> times)
+DueTimes::DueTimes(double start, double stop, std::optional<SaveAt> times, bool allows_any_order)
     : forward_(start <= stop),
       stop_(stop),
       reach_of_stop_(stop + (forward_ ? 1.0 : -1.0) * slack *
                                 std::fmax(std::fabs(start), std::fabs(stop))),
       times_(std::move(times)) {
   if (!times_) return;
-  while (!is_done() && is_before(due(), start)) ++next_;
+  const auto is_before_last = [&](std::int64_t k) {
+    return is_before((*times_)[k], (*times_)[k - 1]);
+  };
+  if (allows_any_order && times_->is_list())
+    for (std::int64_t k = 1; k < times_->size(); ++k)
+      is_unordered_ = is_unordered_ || is_before_last(k);
+  find_due();
+  if (is_unordered_) return;
+  while (!is_done() && is_before(due(), start)) pass();
   // the whole list before the first step: a run of hours must not end in this message
   const std::int64_t checked =
       times_->is_list() ? times_->size() : std::min(times_->size(), next_ + 2);
   for (std::int64_t k = next_ + 1; k < checked; ++k)
-    if (is_before((*times_)[k], (*times_)[k - 1]))
+    if (is_before_last(k))
       throw DomainError("integrate: sample times must run from start " + number_text(start) +
                         " to stop " + number_text(stop) + ": " + number_text((*times_)[k]) +
                         " comes after " + number_text((*times_)[k - 1]));

@@ -30,10 +30,9 @@ std::unique_ptr<Stepper> damper_stepper(const Problem& problem) {
   const auto* const method = std::get_if<Collocation>(&problem.method);
   if (method == nullptr)
     return term_stepper<DamperField>(problem, std::get<Adaptive>(problem.method));
-  return std::make_unique<CollocationStepper<DamperStages>>(
-      std::make_shared<const SweptDamper>(problem.system), SwitchingSteps(problem.system),
-      problem.start, SweptDamper::start(problem.initial), *method,
-      collocation_control(problem.system, problem.start, *method));
+  return collocation_stepper<DamperStages>(std::make_shared<const SweptDamper>(problem.system),
+                                           problem.start, SweptDamper::start(problem.initial),
+                                           *method);
 }
 
 }  // namespace

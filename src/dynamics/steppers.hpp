@@ -13,10 +13,10 @@ namespace detail {
 
 using Stepper = BasicStepper<SystemState>;
 
-// By the method of a checked problem; where the system has a damper, it moves with the rotor.
+// The stepper of a checked problem; it also moves the damper, if the system has one.
 std::unique_ptr<Stepper> make_stepper(const Problem& problem);
 
-// Of a rotor without a damper.
+// For systems without a damper.
 std::unique_ptr<Stepper> make_stepper(const Problem& problem, const Adaptive& method);
 std::unique_ptr<Stepper> make_stepper(const Problem& problem, const Collocation& method);
 std::unique_ptr<Stepper> make_stepper(const Problem& problem, const Splitting& method);

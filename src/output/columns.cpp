@@ -17,6 +17,8 @@ inline namespace v0 {
 
 namespace {
 
+constexpr std::size_t times_at_once = 1024;  // so that memory does not grow with the rows
+
 std::size_t group_index(const ColumnKinds& kinds, const std::string& name) {
   const ColumnKind* const found = kinds.group(name);
   if (found != nullptr) return static_cast<std::size_t>(found - kinds.all().data());
@@ -124,11 +126,16 @@ void RowLayout::write_rows(const FreeRotation& motion, std::span<const Sample> s
 
 void RowLayout::write_rows(const FreeRotation& motion, std::span<const double> times,
                            std::span<double> out) const {
-  std::vector<RotorState> states(times.size());
-  motion.at(times, states);
+  std::vector<RotorState> states;
   std::vector<Sample> samples;
-  for (std::size_t k = 0; k < times.size(); ++k) samples.push_back({times[k], states[k]});
-  write_rows(motion, samples, out);
+  for (std::size_t first = 0; first < times.size(); first += times_at_once) {
+    const auto some = times.subspan(first, std::min(times_at_once, times.size() - first));
+    states.resize(some.size());
+    motion.at(some, states);
+    samples.clear();
+    for (std::size_t k = 0; k < some.size(); ++k) samples.push_back({some[k], states[k]});
+    write_rows(motion, samples, out.subspan(first * width_, some.size() * width_));
+  }
 }
 
 void RowLayout::write_rows(const RowOrigin& origin, std::span<const Sample> samples,

@@ -12,7 +12,7 @@ inline namespace v0 {
 double seconds_left(std::span<const double> ends, std::int64_t done, double left) {
   const auto workers = static_cast<std::int64_t>(ends.size());
   const auto cells = static_cast<std::int64_t>(std::ceil(left));
-  if (cells <= 0) return 0.0;
+  if (cells <= 0 || done <= 0 || workers == 0) return 0.0;
   const double mean = std::accumulate(ends.begin(), ends.end(), 0.0) / static_cast<double>(done);
   const auto duration = [&](std::int64_t cell) {
     return cell + 1 < cells ? mean : mean * (left - static_cast<double>(cell));

@@ -145,7 +145,7 @@ def test_cells_that_fail_are_named(run, scenario, tmp_path):
     path = scenario()
     path.write_text(path.read_text() + COLUMN.replace("from = 1.4", "from = 0.4"))
     done = run.ok("map", path, "--out", tmp_path / "m.csv")
-    assert ("failed            4, which hold nan; polhode map FILE --cell K runs one:\n  cell 0: "
+    assert ("failed            4, filled with nan; to run one: polhode map FILE --cell K:\n  cell 0: "
             in done.stdout)
     assert "body.moments" in run.rejected("map", path, "--cell", 0, "--out", tmp_path / "c.csv")
 

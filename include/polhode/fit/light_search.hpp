@@ -22,11 +22,11 @@
 //             body are other states. Of the images only the half turn about the bisector of Sun and
 //             observer leaves the light of every body as it is, where the directions stay: it
 //             exchanges both, and facets that are lit and seen do not mind.
-//             Convex bodies and a mesh follow the ellipsoids (SurfaceSearch): they are fitted from
-//             the best ellipsoid of every pair of periods, whatever it came to, and from what came
-//             within the limit; then, of bodies within the limit, again from their images. A mesh
-//             is also searched for by its periods; from an ellipsoid it takes mode, periods, pole
-//             and phases, in each of four half turns.
+//             Convex bodies and a mesh follow the ellipsoids (SurfaceSearch). They are fitted from
+//             the best ellipsoid of every pair of periods, also beyond the limit, from the
+//             ellipsoids within the limit, and then from the images of bodies within the limit. A
+//             mesh is also searched for by its periods. From an ellipsoid it takes mode, periods,
+//             pole and phases, in each of four half turns.
 // Units       as fit_light.
 // Domain      periods as the labels of a scan list them (`labelled_periods`). An ellipsoid fits an
 //             alias as well as the truth at times: solutions are all that there are, the lowest
@@ -80,16 +80,16 @@ struct LabelChoice {
 std::vector<TumblerPeriods> labelled_periods(std::span<const ScanMinimum> minima,
                                              const LabelChoice& choice = {});
 
-// What follows the ellipsoids of a search, and becomes its solutions: convex bodies, or a mesh.
+// The convex bodies or the mesh that are fitted after the ellipsoids and become the solutions.
 struct SurfaceSearch {
-  // Whose shape, law and inertia are known; attitude, rate and epoch are ignored. nullopt: convex
-  // bodies.
+  // A mesh of known shape, law and inertia; its attitude, rate and epoch are ignored. nullopt:
+  // convex bodies.
   std::optional<LightModel> mesh = std::nullopt;
   int degree = 6, rows = 8;     // of convex bodies, as GaussianImage has them
-  LightUnknowns unknowns = {};  // of a mesh the shape is none of them
+  LightUnknowns unknowns = {};  // the shape of a mesh is known
   Regularisation regularisation = {};
   int most_iterations = 100;  // of a fit
-  // Pairs of periods that go on, the best ones of the ellipsoid.
+  // So many pairs of periods are continued, those with the best ellipsoids first.
   std::size_t pairs = std::numeric_limits<std::size_t>::max();
 
   // The facets of an ellipsoid, with which the fit of a convex body begins.
@@ -130,7 +130,7 @@ struct LightSearch {
   // Whose shape, law and inertia are known; attitude, rate and epoch are ignored. nullopt: an
   // ellipsoid.
   std::optional<LightModel> body = std::nullopt;
-  // Follows the ellipsoids; there is none with a known body.
+  // Fitted after the ellipsoids; not allowed with a known body.
   std::optional<SurfaceSearch> surface = std::nullopt;
 };
 
@@ -166,8 +166,8 @@ struct LightSearchResult {
   // The best of them, also beyond the limit. Where fits with unknown law or moments did not
   // converge, it is the one without them.
   std::vector<std::optional<LightSolution>> best_of_periods;
-  // Of a search with a surface, what that came to from each of these: the best that converged, or
-  // else the best.
+  // With a surface: the best fit of the surface from each of these, converged ones before
+  // others.
   std::vector<std::optional<LightSolution>> surface_of_periods;
   std::size_t starts = 0;     // that had a body
   std::size_t finalists = 0;  // fitted to the end, images included

@@ -63,14 +63,14 @@ struct FitProblem {
 };
 FitProblem fit_problem(const Scenario& scenario);
 
-// Of fits of all kinds.
+// Options of every kind of fit.
 struct FitOptions {
   int threads = 1;          // the result does not depend on it
   bool scans_only = false;  // light curves: ends after the scan, without a solution
   // Light curves: called when a stage begins, "scan", "search", "surfaces" or "sessions", with how
   // much work it is: "44521 pairs of frequencies".
   std::function<void(const std::string& stage, const std::string& work)> begins = {};
-  // Starts that are done, or the part of a stage; one call after the other.
+  // Called with the starts done or the part of a stage, one call after the other.
   std::function<void(const RunProgress&)> progress = {};
   std::function<bool()> stop = {};  // asked before each start or fit, in any of the threads
   CellJournal* journal = nullptr;   // keeps the results of a fit that may be interrupted

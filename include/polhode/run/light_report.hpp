@@ -81,7 +81,7 @@ struct PairFound {
   // The best ellipsoid that its starts came to, be its cost what it may; its periods may be
   // others. None where nothing converged.
   std::optional<LightSolution> ellipsoid;
-  // What the convex body or the mesh came to from it, converged or not.
+  // The convex body or the mesh that was fitted from it, converged or not.
   std::optional<LightSolution> surface;
 };
 
@@ -115,8 +115,8 @@ bool observes_light(const Scenario& scenario);
 
 LightReport fit_light_scenario(const Scenario& scenario, const FitOptions& options = {});
 
-// As those of a FitReport (fit.hpp). Errors are scaled by error_factor; the start of coefficients
-// is that of their ellipsoid.
+// The same for a LightReport (fit.hpp). Errors are scaled by error_factor; coefficients start at
+// those of their ellipsoid.
 std::vector<FitNumber> fit_numbers(const Scenario& scenario, const LightReport& report,
                                    std::size_t solution);
 

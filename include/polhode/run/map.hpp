@@ -12,8 +12,8 @@
 //             each of its points.
 // Accuracy    axes are rounded once; the rest is that of the method.
 // Errors      ScenarioError for what is no map. A cell that cannot be (a chart refuses its numbers)
-//             or cannot go on has one row of NaN, and says why. DomainError of cell_text for an
-//             index outside.
+//             or cannot go on has one row of NaN, and says why. cell_text throws DomainError for
+//             an index that is out of range.
 // Cost        its run, and some 20 us to make the experiment again: text is not read twice, and
 //             tables, meshes and files are those of the scenario unless a number below them (or,
 //             for positions of planets, the time of the run) is an axis.

@@ -46,7 +46,7 @@ struct BeginWords {
 
 struct RunProgress {
   double reached;  // t in core units; or the number of cells, members or starts so far
-  double part;     // fraction of the time since it began or was resumed, as far as it is known
+  double part;     // estimated fraction of the time since it began or was resumed; 0: unknown
 };
 
 struct RunOptions {

@@ -56,7 +56,7 @@ class BasicDenseStep {
   BasicDenseStep(double t0, double t1) : t0_(t0), t1_(t1) {}
   virtual ~BasicDenseStep() = default;
   virtual S at(double t) const = 0;
-  // As many times as cost least together.
+  // The number of times at which one call of samples() is cheapest per sample.
   virtual std::size_t samples_at_once() const { return 1; }
   // At several times; both have the same size.
   virtual void samples(std::span<const double> t, std::span<BasicSample<S>> to) const {

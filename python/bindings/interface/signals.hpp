@@ -35,7 +35,7 @@ bool handles_signals();
 // signals: runs in other threads never wait for the GIL. With the GIL.
 Progress signal_check();
 
-// True for some ten calls a second of those after every step.
+// True for about ten calls a second of those after every step.
 class Seldom {
  public:
   bool operator()();
@@ -48,7 +48,7 @@ class Seldom {
 // A listener that calls a function of Python with the time; empty for None. The function outlives
 // the run.
 Progress time_listener(nb::handle function);
-// The same some ten times a second.
+// The same about ten times a second.
 Progress progress_to(nb::handle function);
 
 }  // namespace polhode::python

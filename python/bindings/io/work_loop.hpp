@@ -23,14 +23,14 @@ namespace polhode::python {
 
 class WorkLoop {
  public:
-  // Called with how far the work is, with the GIL; empty: nobody listens.
+  // Called with the progress of the work, holding the GIL; empty if nobody listens.
   using Tell = std::function<void(double reached)>;
   explicit WorkLoop(std::string said_when_stopped, Tell tell = {});
 
   // With the GIL, which it gives up: `work` from beginning to end. What Python raises meanwhile
   // stops it, and is thrown; then what `work` has thrown.
   void do_work(const std::function<void()>& work);
-  // The same in this thread, which alone asks is_stopped().
+  // The same in this thread, the only one that asks is_stopped().
   void do_work_here(const std::function<void()>& work);
 
   // Options by which the work can be stopped and reports its progress.
@@ -61,7 +61,7 @@ class WorkLoop {
   std::exception_ptr asked(bool tell, double done);
   void ask_signals();
   void finish() const;
-  // f(), which may raise what stops the work.
+  // Calls f(); an exception from it stops the work.
   template <class F>
   void call_here(const F& f);
 

@@ -51,7 +51,7 @@ class RotorJacobian {
   RotorField<Tangent> momentum_;  // the same by momenta
 };
 
-// The rates of the rotor alone, by which the first step is chosen.
+// Only the rates of the rotor, by which the first step is chosen.
 template <class F>
 struct RotorAlone : SmoothField<F> {
   typename F::Values operator()(const DoubleDouble& t, const typename F::Values& y) const {
@@ -112,7 +112,7 @@ class VariationalStages : public AugmentedStages<F, 7 * columns + following> {
     }
     return most;
   }
-  // Of column k, its dg over the momentum.
+  // The size of column k, with dg relative to the momentum.
   double size(const double* of, std::size_t k) const {
     double dq = 0.0, dg = 0.0;
     for (std::size_t n = 0; n < 4; ++n) dq = larger(dq, std::abs(of[n * columns + k]));

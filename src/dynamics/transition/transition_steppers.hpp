@@ -25,14 +25,14 @@ using TransitionState = Augmented<Matrix6>;
 
 namespace detail {
 
-// What carries derivatives of a motion, in double: the method of a problem, or one that makes the
-// same motion to the same tolerance; Adaptive, Collocation or Splitting. `what` is carried.
-// DomainError of `function` for a tolerance that double does not reach, and for a method from
-// outside, which knows states alone.
+// The method that carries derivatives, in double: that of a problem, or one with the same motion
+// to the same tolerance (Adaptive, Collocation or Splitting). `what` names the derivatives.
+// DomainError of `function` for a tolerance that double does not reach, and for a custom method,
+// which knows only states.
 Method derivative_method(const std::string& function, const std::string& what,
                          const Method& method);
 
-// For a problem with such a method.
+// For a problem whose method is one of these.
 std::unique_ptr<BasicStepper<TransitionState>> transition_stepper(const Problem& problem);
 
 }  // namespace detail

@@ -15,7 +15,7 @@ inline namespace v0 {
 namespace detail {
 namespace {
 
-// Of the moments of a sphere, to bodies that have one more of them.
+// Relative increase of one moment of the sphere.
 constexpr double growth = 0.5;
 
 Body grown(double moment, int k) {
@@ -24,7 +24,7 @@ Body grown(double moment, int k) {
   return {I.x, I.y, I.z};
 }
 
-// Of numbers that are `apart`.
+// The largest of `count` numbers, at intervals of `apart`.
 double largest(const ColumnValues& y, std::size_t from, std::size_t count, std::size_t apart = 1) {
   double r = 0.0;
   for (std::size_t i = 0; i < count; ++i) r = larger(r, std::abs(y[from + i * apart]));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether two machines compute alike to the last bit. Kernels of polhode do; sines and logarithms
+// Checks that two machines compute the same bits. Kernels of polhode do; sines and logarithms
 // are those of the C library, which has several of each and takes one that the processor can run.
 #pragma once
 

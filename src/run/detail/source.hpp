@@ -23,7 +23,7 @@ namespace detail {
 
 class SourceWork;
 
-// Members first to end - 1, so many in a cell; the last one may have fewer.
+// Members first to end - 1 in cells of `each`; the last cell may have fewer.
 struct CellRange {
   std::int64_t first = 0, end = 0, each = 1;
 

@@ -67,7 +67,7 @@ class Sweep {
   template <class Result, class Reduce>
   void compute(const Source<Result>& source, const Reduce& reduce, Stage stage = Stage::cells);
 
-  // DomainError for more processes than cells: some would wait for nothing. `cells` are called
+  // DomainError for more processes than cells: some would be idle. `cells` are called
   // "chunks of members", one of them "chunk".
   void require_cells_for_all(std::int64_t cells, const std::string& kind, const std::string& called,
                              const std::string& one, const std::string& advice = "") const;
@@ -94,7 +94,7 @@ class Sweep {
   int threads() const;
   // Cells that are computed at a time.
   int workers() const;
-  // Called after a cell; so many are left, where the last may have fewer members.
+  // Called after a cell, with the number of cells left; a short last cell is a fraction.
   void took(double left, Stage stage);
 
   double reached_before_ = 0.0;

@@ -326,6 +326,10 @@ TEST_P(EventsOf, NaNBetweenTwoLooksEndsTheRun) {
   EXPECT_THAT(run.outcome().advice, HasSubstr("event \"gap\" is NaN after t = "));
   EXPECT_LE(run.outcome().t, 5.0);
   EXPECT_TRUE(run.events().empty());
+  const Sample& last = run.samples().back();
+  EXPECT_EQ(last.t, run.stop());
+  EXPECT_GT(last.t, 4.0);
+  EXPECT_NEAR(run.at(last.t).q.z, last.s.q.z, budget::free_attitude);
 }
 
 // What is NaN beyond the event that stops the run does not matter, whichever is named first.

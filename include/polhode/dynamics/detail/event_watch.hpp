@@ -35,6 +35,7 @@ std::string too_many_looks_text(const std::string& event, double interval, doubl
 //   static State near(const State& to, State s)
 //     the same state in that of its forms which is nearer: q and -q are one attitude;
 //   serialize, evaluations: of the terms, so far.
+// The time between two looks from a state on.
 template <class Motion, MotionState S = typename Motion::State>
 double time_between_looks(const Motion& motion, const std::vector<BasicEvent<S>>& events,
                           const BasicSample<S>& from, bool forward) {

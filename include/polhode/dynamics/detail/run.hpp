@@ -128,7 +128,9 @@ class Run {
     }
     const std::shared_ptr<const Dense> dense = inside_step_ ? stepper_->dense(false) : nullptr;
     if (inside_step_ && !samples_of_step(dense.get())) return false;
-    return !at_stop();
+    if (!at_stop()) return true;
+    if (samples_.is_unordered()) samples_of_step(stepper_->dense(false).get());  // no step is made
+    return false;
   }
   // where to, at the farthest,
   double next_stop() {
@@ -173,7 +175,7 @@ class Run {
       const auto found = watch_.search(*stepper_->inside(), *dense, end, stepper_->intervals());
       keep(found.records);
       stopped_ = found.stops;
-      if (!stopped_ && refused()) return ended_at_last_look(*dense);
+      if (!stopped_ && refused()) return ended_at_last_look(dense);
       if (stopped_) end = {found.records.back().t, found.records.back().s};
     }
     if (keep_dense_) parts_.dense.push_back(dense);
@@ -184,11 +186,12 @@ class Run {
   }
 
   // An event is not known beyond its last look: the run ends there.
-  bool ended_at_last_look(const Dense& step) {
+  bool ended_at_last_look(const std::shared_ptr<const Dense>& step) {
     const double t = watch_.reached();
-    if (t == step.t0()) return false;
-    end_ = step.sample(t);
-    samples_.step(&step, end_, {});
+    if (t == step->t0()) return false;
+    if (keep_dense_) parts_.dense.push_back(step);
+    end_ = step->sample(t);
+    samples_.step(step.get(), end_, {});
     parts_.outcome.t = t;
     return false;
   }

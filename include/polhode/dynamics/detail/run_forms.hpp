@@ -45,8 +45,9 @@ BasicTrajectory<S> streamed_run(const BasicProblem<M>& problem, const SaveAt& ti
                                 const BasicStreams<typename M::State>& streams, Features features,
                                 const Make& make) {
   const BasicSampleSink<S> nowhere = [](std::span<const BasicSample<S>>) {};
-  SampleQueue<S> samples(problem.start, problem.stop, times,
-                         streams.samples ? streams.samples : nowhere);
+  SampleQueue<S> samples(
+      problem.start, problem.stop, times, streams.samples ? streams.samples : nowhere,
+      requires { M::allows_any_order; });
   const auto run = make(false, samples);
   run->connect(streams, std::move(features));
   if (from != nullptr) run->restore(*from);
