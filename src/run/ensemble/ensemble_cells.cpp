@@ -16,8 +16,11 @@ inline namespace v0 {
 namespace detail {
 namespace {
 
-void serialize(Archive& bytes, Pilots& pilots) {
+void serialize_cell(Archive& bytes, Pilots& pilots, const StatisticsFrame*) {
   bytes.list(pilots, [&](EnsembleMember& one) { bytes.all(one.drawn, one.rows, one.failure); });
+}
+void serialize_cell(Archive& bytes, EnsembleChunk& chunk, const StatisticsFrame* frame) {
+  chunk.serialize(bytes, frame);
 }
 
 constexpr std::size_t longest_reason = 1000;
@@ -76,13 +79,8 @@ Source<Result> EnsembleCells::source(const CellRange& range,
                 bytes.all(pilots, chunk_files_);
                 if (!pilots && frame_) frame_->serialize(bytes);
               },
-          .serialize =
-              [this](Archive& bytes, Result& result) {
-                if constexpr (are_pilots)
-                  detail::serialize(bytes, result);
-                else
-                  result.serialize(bytes, frame_.get());
-              }};
+          .serialize = [this](Archive& bytes,
+                              Result& result) { serialize_cell(bytes, result, frame_.get()); }};
 }
 
 Source<Pilots> EnsembleCells::pilots() {
