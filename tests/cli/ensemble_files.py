@@ -2,6 +2,8 @@
 """Parts of scenarios with [ensemble], and what their outputs hold."""
 
 import hashlib
+import pathlib
+import subprocess
 import time
 
 import h5py
@@ -67,6 +69,23 @@ def mark(path):
         file.visititems(lambda name, item: digest.update(name.encode() + item[()].tobytes())
                         if isinstance(item, h5py.Dataset) and item.dtype.kind == "f" else None)
     return digest.hexdigest()
+
+
+def expect_other_sines_rejected(polhode, elsewhere, words, out):
+    """Killed work goes on by `elsewhere`, a machine with other sines, only if it is told to.
+
+    The first of the words is the command, which is also the name of the work."""
+    process = subprocess.Popen([polhode, *words], stdout=subprocess.DEVNULL,
+                               stderr=subprocess.DEVNULL)
+    wait_for_another(pathlib.Path(f"{out}.checkpoint"), b"", process)
+    process.kill()
+    process.wait()
+    done = elsewhere(*words, "--resume")
+    assert done.returncode == 2
+    assert f"is of another {words[0]}: elementary functions of the machine was " in done.stderr
+    assert "; --any-machine goes on with other last digits; " in done.stderr
+    done = elsewhere(*words, "--resume", "--any-machine")
+    assert done.returncode == 0 and "continues after " in done.stderr
 
 
 def wait_for_another(checkpoint, before, process):

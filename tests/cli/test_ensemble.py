@@ -2,7 +2,6 @@
 """`polhode ensemble`: the same bytes for any number of threads and after kills, members that can be
 run alone, and statistics that are those of their rows."""
 
-import pathlib
 import signal
 import subprocess
 import time
@@ -16,9 +15,9 @@ from ensemble_files import (
     TORQUE,
     VARY,
     dimensions,
+    expect_other_sines_rejected,
     mark,
     rows_of,
-    wait_for_another,
 )
 from slowdown import SLOWDOWN
 
@@ -107,17 +106,7 @@ def test_a_machine_with_other_sines_does_not_go_on_unless_told(polhode, elsewher
     out = tmp_path / "out.csv"
     words = ["ensemble", "examples/apophis-ensemble.toml", "--set", "ensemble.size=6000", "--set",
              "ensemble.chunk=100", "--checkpoint", "0", "--out", out]
-    process = subprocess.Popen([polhode, *words], stdout=subprocess.DEVNULL,
-                               stderr=subprocess.DEVNULL)
-    wait_for_another(pathlib.Path(f"{out}.checkpoint"), b"", process)
-    process.kill()
-    process.wait()
-    done = elsewhere(*words, "--resume")
-    assert done.returncode == 2
-    assert "is of another ensemble: elementary functions of the machine was " in done.stderr
-    assert "; --any-machine goes on with other last digits; " in done.stderr
-    done = elsewhere(*words, "--resume", "--any-machine")
-    assert done.returncode == 0 and "continues after " in done.stderr
+    expect_other_sines_rejected(polhode, elsewhere, words, out)
 
 
 @pytest.mark.parametrize("extra", ["", TORQUE, COLLOCATION])

@@ -2,7 +2,6 @@
 """`polhode map`: the same bytes for any number of threads, and after any number of kills."""
 
 import os
-import pathlib
 import signal
 import subprocess
 import time
@@ -11,7 +10,7 @@ import budgets
 import h5py
 import numpy
 import pytest
-from ensemble_files import dimensions, wait_for_another
+from ensemble_files import dimensions, expect_other_sines_rejected
 from slowdown import SLOWDOWN
 
 SECONDS = 60 * SLOWDOWN
@@ -87,17 +86,7 @@ def test_a_machine_with_other_sines_does_not_go_on_unless_told(polhode, elsewher
     path, out = map_file, tmp_path / "out.csv"
     path.write_text(path.read_text().replace("stop = 2000", "stop = 10000"))
     words = ["map", path, "--checkpoint", "0", "--out", out]
-    process = subprocess.Popen([polhode, *words], stdout=subprocess.DEVNULL,
-                               stderr=subprocess.DEVNULL)
-    wait_for_another(pathlib.Path(f"{out}.checkpoint"), b"", process)
-    process.kill()
-    process.wait()
-    done = elsewhere(*words, "--resume")
-    assert done.returncode == 2
-    assert "is of another map: elementary functions of the machine was " in done.stderr
-    assert "; --any-machine goes on with other last digits; " in done.stderr
-    done = elsewhere(*words, "--resume", "--any-machine")
-    assert done.returncode == 0 and "continues after " in done.stderr
+    expect_other_sines_rejected(polhode, elsewhere, words, out)
 
 
 COLUMN = """
@@ -145,8 +134,8 @@ def test_cells_that_fail_are_named(run, scenario, tmp_path):
     path = scenario()
     path.write_text(path.read_text() + COLUMN.replace("from = 1.4", "from = 0.4"))
     done = run.ok("map", path, "--out", tmp_path / "m.csv")
-    assert ("failed            4, filled with nan; to run one: polhode map FILE --cell K:\n  cell 0: "
-            in done.stdout)
+    assert ("failed            4, filled with nan; to run one: polhode map FILE --cell K:\n"
+            "  cell 0: " in done.stdout)
     assert "body.moments" in run.rejected("map", path, "--cell", 0, "--out", tmp_path / "c.csv")
 
 
