@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "analysis/detail/deviated_state.hpp"
 #include "dynamics/checked_problem.hpp"

@@ -5,11 +5,8 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <span>
 #include <string>
-#include <utility>
 #include <variant>
-#include <vector>
 
 #include "dynamics/checked_problem.hpp"
 #include "dynamics/events/event_search.hpp"

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <utility>
 
 #include "dynamics/checked_problem.hpp"
 #include "dynamics/sampled_run.hpp"

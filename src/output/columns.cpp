@@ -3,7 +3,6 @@
 #include "polhode/output/columns.hpp"
 
 #include <algorithm>
-#include <array>
 #include <span>
 #include <string_view>
 #include <utility>

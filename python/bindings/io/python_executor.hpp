@@ -30,7 +30,7 @@ class PythonExecutor : public Executor {
   void run(ExecutorWork& work, const ExecutorStage& stage, const Take& take,
            const std::function<void()>& look) override;
 
-  // Whether the function has raised; from any thread. The work is then to stop, as at Ctrl-C.
+  // True if the function has raised: the work must stop, as at Ctrl-C. Asked from any thread.
   bool has_failed() const { return failed_.load(std::memory_order_relaxed); }
   // Throws what it has raised, if it has.
   void raise() const {

@@ -4,7 +4,6 @@
 // what the moments do to them at a fixed w comes in addition, and what a parameter does.
 #include "fit/driven/sensitivity_field.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 

@@ -24,11 +24,11 @@ inline namespace v0 {
 namespace detail {
 namespace {
 
-// Of the attitudes of a mesh with the periods of an ellipsoid: iterations of each, and how many are
+// Attitudes of a mesh with the periods of an ellipsoid: the iterations of each, and how many are
 // fitted to the end.
 constexpr int short_iterations = 4;
 constexpr std::size_t mesh_finalists = 3;
-// Of the most that psi has in short-axis mode, what a mesh takes of an ellipsoid that has more.
+// The largest psi that a mesh takes from an ellipsoid, as a part of the maximum of the mesh.
 constexpr double most_psi = 0.95;
 // States from which one start is enough: in rad, and of the rate.
 constexpr double near_turn = 0.05, near_rate = 0.01;

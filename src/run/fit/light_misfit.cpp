@@ -111,8 +111,8 @@ bool begins_like_magnitude(std::string name) {
   return name.starts_with("mag") || name == "m" || name == "v" || name.ends_with("mag");
 }
 
-// Whether numbers of a table look like magnitudes: all of them between those of bright asteroids
-// and the faintest, and near each other.
+// A note if the numbers of a table look like magnitudes: all of them between those of bright and
+// of the faintest asteroids, and near each other.
 std::string magnitude_note(const Observation& table, double least, double most) {
   const LightObservation& of = *table.light;
   constexpr double brightest = 5.0, faintest = 30.0, range = 4.0;
