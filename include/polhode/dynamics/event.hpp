@@ -22,7 +22,7 @@
 //             there, error of g over |dg/dt|. The time of a touch: the square root of that.
 // Errors      what the function throws passes through. NaN, or a step in which more than 1e8 looks
 //             would be needed, ends the run with an outcome that says so.
-// Cost        two calls per look, some ten per event. docs/accuracy/events.md.
+// Cost        two calls per look, about 25 per event. docs/accuracy/events.md.
 #pragma once
 
 #include <concepts>

@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "dynamics/events/edge_search.hpp"
 #include "math/finite.hpp"
 #include "polhode/system/rotor_equations.hpp"
 #include "polhode/trajectory/archive.hpp"
@@ -92,51 +93,6 @@ class SwitchWatch {
   int crossed_at_once_ = 0;
   std::vector<double> largest_;  // of each function, so far
 };
-
-// f is taken for positive at a; it is negative at b. x is the first try, `slope` that of f there or
-// NaN. Secants, and a bisection where they leave the bracket and at every fourth trip: at most 200,
-// and three as a rule.
-template <class F>
-double bracketed_root(const F& f, double a, double b, double x, double slope, double close) {
-  if (!(a < x && x < b)) x = 0.5 * (a + b);
-  double last = x, f_last = 0.0;
-  for (int trip = 0; trip < 200; ++trip) {
-    const double y = f(x);
-    if (y == 0.0) return x;
-    (y < 0.0 ? b : a) = x;
-    if (trip > 0) slope = (y - f_last) / (x - last);
-    double next = x - y / slope;
-    if (trip % 4 == 3 || !(a < next && next < b)) next = 0.5 * (a + b);
-    if (std::fabs(next - x) <= close || b - a <= close) return next;
-    last = std::exchange(x, next);
-    f_last = y;
-  }
-  return x;
-}
-
-// Switching functions times their sides along a step, x from 0 to 1: negative beyond an edge.
-class SwitchCurve {
- public:
-  virtual ~SwitchCurve() = default;
-  virtual std::vector<double> along(double x) const = 0;  // of an interpolation
-  virtual double truly(std::size_t which, double x) const = 0;
-  virtual double rounding(std::size_t which) const = 0;
-};
-
-struct Edge {
-  std::size_t which;
-  double x;
-  bool is_nan = false;  // no edge: the function is NaN there, and no edge was found before
-};
-
-struct EdgeSearch {
-  std::optional<Edge> first;
-  std::vector<double> at_end;  // the functions at x = 1
-};
-
-// At x = 0 a function may be zero, of either sign. A dip below zero is found where it is a parabola
-// or a V, or longer than a quarter of the step.
-EdgeSearch search_edges(const SwitchCurve& curve);
 
 // Of a method: its tolerance, and what a step of 1 next to an edge errs, of the bend of the torque.
 struct EdgeRule {

@@ -163,28 +163,72 @@ class LowestValue {
   double power_ = 1.0;  // of v, whose parabolas are looked at
 };
 
+// How sign * f falls from a and rises to b, per interval; and the power of the time since its
+// lowest place that it would be like if it touched zero.
+struct Dip {
+  double falls, rises;
+  double order;
+};
+// Nothing where it comes not near zero, if it turns around at all.
+std::optional<Dip> dip_of(int sign, const Look& a, const Look& b) {
+  const double h = b.t - a.t, va = sign * a.value, vb = sign * b.value;
+  const double falls = sign * a.slope * h, rises = sign * b.slope * h;
+  if (!(falls < 0.0 && rises > 0.0)) return std::nullopt;
+  if (va + 2.0 * falls > 0.0 && vb - 2.0 * rises > 0.0)
+    return std::nullopt;  // twice as steep, it comes not near
+  // Of |t - t0|^n: value over slope is the distance from t0 over n.
+  const double order = std::round(std::fmin(1.0 / (vb / rises - va / falls), 64.0));
+  return Dip{falls, rises, std::fmax(order, 1.0)};
+}
+
 }  // namespace
 
-// Illinois' regula falsi with a bisection at every third trip: at most 128 trips, usually 10.
-std::optional<ZeroSpan> crossing_between(const TimeFunction& f, Look a, Look b, double period) {
-  if (period > 0.0 && jumps(f, a, b, period)) return std::nullopt;
+// Regula falsi by the rule of Anderson and Bjorck, with a bisection where three trips have not
+// halved the bracket: at most 128 trips, usually 7.
+std::optional<Root> root_between(const TimeFunction& f, Look a, Look b, double close) {
   if (std::isnan(a.value) || std::isnan(b.value)) return std::nullopt;
   const bool rises = b.value > 0.0;
-  const double from = a.t, to = b.t;
   int last_moved = -1;
+  double last = std::numeric_limits<double>::quiet_NaN(), width = std::fabs(b.t - a.t);
   for (int trip = 0; trip < 128; ++trip) {
     double t = b.t - b.value * ((b.t - a.t) / (b.value - a.value));
-    if (trip % 3 == 2 || !((t - a.t) * (b.t - t) > 0.0)) t = a.t + 0.5 * (b.t - a.t);
+    bool bisects = !((t - a.t) * (b.t - t) > 0.0);
+    if (trip % 3 == 2) {
+      const double now = std::fabs(b.t - a.t);
+      bisects = bisects || now > 0.5 * width;
+      width = now;
+    }
+    if (bisects) t = a.t + 0.5 * (b.t - a.t);
     if (t == a.t || t == b.t) break;  // neighbours
+    if (std::fabs(t - last) <= close) return Root{t, false};
+    last = t;
     const double value = f(t);
     if (std::isnan(value)) return std::nullopt;
-    if (value == 0.0) return zeros_around(f, t, from, to);
+    if (value == 0.0) return Root{t, true};
     const int moved = (value > 0.0) == rises ? 1 : 0;
-    (moved == 1 ? b : a) = {t, value, 0.0};
-    if (moved == last_moved) (moved == 1 ? a : b).value *= 0.5;  // else the far end never moves
+    Look& near = moved == 1 ? b : a;
+    if (moved == last_moved) {  // else the far end never moves
+      const double m = 1.0 - value / near.value;
+      (moved == 1 ? a : b).value *= m > 0.0 ? m : 0.5;
+    }
+    near = {t, value, 0.0};
     last_moved = moved;
   }
-  return ZeroSpan{b.t, b.t};
+  return Root{b.t, false};
+}
+
+std::optional<Look> dip_between(const TimeFunction& f, int sign, const Look& a, const Look& b,
+                                double enough) {
+  const std::optional<Dip> dip = dip_of(sign, a, b);
+  if (!dip) return std::nullopt;
+  return LowestValue(f, sign, a, b).found(enough, dip->order);
+}
+
+std::optional<ZeroSpan> crossing_between(const TimeFunction& f, Look a, Look b, double period) {
+  if (period > 0.0 && jumps(f, a, b, period)) return std::nullopt;
+  const std::optional<Root> root = root_between(f, a, b);
+  if (!root) return std::nullopt;
+  return root->is_exact ? zeros_around(f, root->t, a.t, b.t) : ZeroSpan{root->t, root->t};
 }
 
 void ZeroSearch::begin(double t, double value, bool reports) {
@@ -214,23 +258,19 @@ void ZeroSearch::cross(const TimeFunction& f, const Look& a, const Look& b,
 // Between values of one sign.
 void ZeroSearch::turn_around(const TimeFunction& f, const Look& a, const Look& b,
                              std::vector<Zero>& found) {
-  const double h = b.t - a.t, va = sign_ * a.value, vb = sign_ * b.value;
-  const double falls = sign_ * a.slope * h, rises = sign_ * b.slope * h;
-  if (!(falls < 0.0 && rises > 0.0)) return;
-  if (va + 2.0 * falls > 0.0 && vb - 2.0 * rises > 0.0)
-    return;  // twice as steep, it comes not near
-  // Of |t - t0|^n: value over slope is the distance from t0 over n.
-  const double order = std::round(std::fmin(1.0 / (vb / rises - va / falls), 64.0));
+  const std::optional<Dip> dip = dip_of(sign_, a, b);
+  if (!dip) return;
+  const double va = sign_ * a.value, vb = sign_ * b.value;
   // near its lowest value f is a parabola, or a V, asked for at times as coarse as doubles are
   // there
-  const double grain = time_grain * std::fabs(b.t / h);
-  const double enough =
-      touching * std::max(va, vb) + (rises - falls) * grain * (order > 1.0 ? 0.5 * grain : 1.0);
+  const double grain = time_grain * std::fabs(b.t / (b.t - a.t));
+  const double enough = touching * std::max(va, vb) +
+                        (dip->rises - dip->falls) * grain * (dip->order > 1.0 ? 0.5 * grain : 1.0);
   if (va <= enough || vb <= enough) {  // at a look: of this interval, by the slope there
     found.push_back({va <= enough ? std::nextafter(a.t, b.t) : b.t, 0});
     return;
   }
-  const Look m = LowestValue(f, sign_, a, b).found(enough, std::fmax(order, 1.0));
+  const Look m = LowestValue(f, sign_, a, b).found(enough, dip->order);
   const double lowest = sign_ * m.value;
   if (lowest < -enough) {
     cross(f, a, m, found);

@@ -11,6 +11,7 @@
 #include "dynamics/adaptive/switching_functions.hpp"
 #include "math/finite.hpp"
 #include "math/number_text.hpp"
+#include "polhode/dynamics/detail/time_zeros.hpp"
 #include "polhode/error.hpp"
 #include "polhode/free/free_rotation.hpp"
 
@@ -324,9 +325,9 @@ std::string StepJumps::seen(const SplittingMap& map, const SplittingState& from,
       const SplittingState s = map.stepped(from, x * h);
       return switches_.values(time(s), map.state(s))[i];
     };
-    const double x =
-        bracketed_root(value, 0.0, 1.0, 0.5, std::numeric_limits<double>::quiet_NaN(), close);
-    const SplittingState edge = map.stepped(from, x * h);
+    const auto root = root_between(value, {0.0, -values[i], 0.0}, {1.0, values[i], 0.0}, close);
+    if (!root) return switches_.nan_text(i, to.t.hi);
+    const SplittingState edge = map.stepped(from, root->t * h);
     std::string refused =
         switches_.refused_jump(i, time(edge), map.state(edge), {map.state(from), end});
     if (!refused.empty()) return refused;

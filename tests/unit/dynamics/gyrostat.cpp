@@ -15,6 +15,7 @@
 
 #include "budgets.hpp"
 #include "message_of.hpp"
+#include "unit/dynamics/resume_support.hpp"
 #include "worst.hpp"
 
 namespace {

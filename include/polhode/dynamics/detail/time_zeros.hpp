@@ -93,6 +93,21 @@ class ZeroSearch {
   double floor_ = 0.0;  // up to here the last look is zero but for roundings
 };
 
+// A zero between a and b, whose values have different signs: to rounding, or until two tries are no
+// farther apart than `close`.
+struct Root {
+  double t;       // the sign is that of b from here on, to rounding or to `close`
+  bool is_exact;  // f is 0.0 there
+};
+// Nothing where f is NaN.
+std::optional<Root> root_between(const TimeFunction& f, Look a, Look b, double close = 0.0);
+
+// The lowest place of sign * f between a and b, or one where it is not above `enough`; nothing if
+// the slopes at a and b show that it does not come near zero. At a and b it is above zero. Where it
+// is convex, slopes may also be steeper than those of f.
+std::optional<Look> dip_between(const TimeFunction& f, int sign, const Look& a, const Look& b,
+                                double enough);
+
 // A zero between a and b, whose values have different signs: the first time in the direction of b
 // at which the sign is that of b, to rounding, and the stretch of zeros around it. Nothing for the
 // jump of a folded angle, or where f is NaN.
