@@ -47,7 +47,7 @@ def million_calls() -> dict:
         "to_euler": lambda: polhode.to_euler(s),
         "to_rotor(EulerState)": lambda: polhode.to_rotor(euler),
         "to_sadov": lambda: polhode.to_sadov(body, s),
-        "nearest_poincare": lambda: polhode.nearest_poincare(s),
+        "nearest_poincare": lambda: polhode.charts.nearest_poincare(s),
         "kinetic_energy": lambda: polhode.kinetic_energy(body, s),
     }
 

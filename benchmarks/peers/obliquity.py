@@ -34,12 +34,14 @@ def rates(cos, sin, t, s):
 
 def polhode_contenders():
     import polhode as ph
-    series = ph.ElementSeries(ELLIPSE, PLANE)
-    speeds = ph.PrecessionRates(STAR, SATELLITES)
+    series = ph.secular.ElementSeries(ELLIPSE, PLANE)
+    speeds = ph.secular.PrecessionRates(STAR, SATELLITES)
 
     def run(method):
         def once():
-            return MYR, np.array(ph.spin_history(series, speeds, POLE, [SPAN], method).s[-1])
+            return MYR, np.array(
+                ph.secular.spin_history(series, speeds, POLE, [SPAN], method).s[-1]
+            )
         return once
 
     def together(step):
@@ -47,7 +49,9 @@ def polhode_contenders():
         rates = np.column_stack([star, np.full(BODIES, SATELLITES), np.zeros((BODIES, 2))])
 
         def once():
-            found = ph.spin_histories(series, rates, POLE, [SPAN], ph.Splitting(step, "order8"))
+            found = ph.secular.spin_histories(
+                series, rates, POLE, [SPAN], ph.Splitting(step, "order8")
+            )
             return BODIES * MYR, np.array(found.s[0, -1])
         return once
     many = [Contender(f"polhode spin_histories of {BODIES}, order8", f"{step:g}", together(step))

@@ -20,11 +20,11 @@ from polhode import (
     Problem,
     ResidualDipole,
     System,
-    andoyer_section,
     energy,
     figures,
     to_rotor,
 )
+from polhode.analysis import andoyer_section
 
 E, H = 1.0, 0.3
 satellite = Body(1.0, 1.6, 2.0)

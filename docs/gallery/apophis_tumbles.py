@@ -23,13 +23,15 @@ state = polhode.to_rotor(apophis, tumbler)
 motion = polhode.FreeRotation(apophis, state)
 moments = np.array(apophis.moments)
 axes = np.sqrt(moments.sum() / 2 - moments)  # of a uniform ellipsoid
-body = polhode.LightModel(polhode.SpinState(state.q, state.g / moments, moments), axes)
+body = polhode.light.LightModel(polhode.fit.SpinState(state.q, state.g / moments, moments), axes)
 
 toward = np.radians([120.0, 162.0])  # ecliptic longitudes of the Earth and the Sun from Apophis
 observer, sun = np.stack([np.cos(toward), np.sin(toward), [0.0, 0.0]], axis=1)
 hours = np.arange(0.0, 73.0, 9.0)
 fine = np.linspace(0.0, 72.0, 433)
-(flux,) = polhode.model_fluxes(body, polhode.LightCurve(fine, np.ones(433), 1.0, sun, observer))
+(flux,) = polhode.light.model_fluxes(
+    body, polhode.light.LightCurve(fine, np.ones(433), 1.0, sun, observer)
+)
 magnitude = -2.5 * np.log10(flux / flux.mean())
 
 with figures.style.style():
@@ -41,7 +43,7 @@ with figures.style.style():
     for view, t in zip(views, hours):
         view.texts[0].remove()  # the arrow to the Sun: the shading shows it
         view.set(title="", xlim=(-1.1, 1.1), ylim=(-1.1, 1.1))
-        tip = polhode.attitude_matrix(motion.at(t).q)[0]  # long axis
+        tip = polhode.charts.attitude_matrix(motion.at(t).q)[0]  # long axis
         if tip @ observer > 0:
             view.plot(tip @ right, tip[2], "o", color=figures.style.VERMILLION, markersize=4,
                       clip_on=False)  # fmt: skip

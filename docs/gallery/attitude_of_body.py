@@ -6,7 +6,8 @@ with the body axes and the directions of momentum and angular velocity. What the
 pale."""
 
 from matplotlib import pyplot as plt
-from polhode import Body, EulerAngles, attitude, figures, rotor_state
+from polhode import Body, figures, rotor_state
+from polhode.charts import EulerAngles, attitude
 
 body = Body(3.0, 5.0, 6.5)
 q = attitude(EulerAngles(phi=0.2, theta=0.5, psi=0.1))

@@ -8,7 +8,7 @@ arrows point to the Sun.
 import polhode
 from polhode import figures
 
-body = polhode.LightModel.homogeneous(
+body = polhode.light.LightModel.homogeneous(
     [0.6, 0.3, -0.5, 0.2], [0.12, 0.1, 0.2], [1.0, 0.7, 0.5]
 )
 axes = figures.body_as_seen(

@@ -8,7 +8,8 @@ until it loses the axis, and the obliquity stays.
 """
 
 import numpy as np
-from polhode import ElementTable, PrecessionRates, Splitting, figures, spin_history
+from polhode import Splitting, figures
+from polhode.secular import ElementTable, PrecessionRates, spin_history
 
 t = np.linspace(-5e3, 610e3, 12300)  # years
 rate = 8e-3 / 8 ** np.clip(t / 250e3, 0, 1)  # of the node, rad a year

@@ -13,17 +13,16 @@ import numpy as np
 from polhode import (
     Adaptive,
     Body,
-    EulerAngles,
     GravityGradient,
     KeplerElements,
     KeplerOrbit,
     Problem,
     System,
-    attitude,
-    chaos_indicator,
     figures,
     rotor_state,
 )
+from polhode.analysis import chaos_indicator
+from polhode.charts import EulerAngles, attitude
 
 a, b, c = 190.0, 145.0, 114.0
 moon = Body(*np.array([b**2 + c**2, a**2 + c**2, a**2 + b**2]) / (a**2 + b**2))

@@ -23,13 +23,9 @@ mode = "SAM"
 phi0 = 0
 psi0 = 0
 """)
-results = polhode.ensemble(
-    scenario,
-    {
+results = scenario.ensemble(vary={
         "state.tumbler.short_axis_period": vary.normal(sigma=0.07),
         "state.tumbler.rotation_period": vary.normal(sigma=6),
         "body.moments[0]": vary.uniform(0.60, 0.63),
-    },
-    size=2000, keep="final",
-)  # fmt: skip
+    }, size=2000, keep="final")  # fmt: skip
 figures.save(figures.corner_plot(results), "ensemble_corner.png")

@@ -22,8 +22,7 @@ output.columns = ["roll_pitch_yaw"]
 state.attitude-rate = { quaternion = [1, 0, 0, 0], omega_relative = [0, 0, 0] }
 """)
 rate = "state.attitude-rate.omega_relative[1]"
-results = polhode.ensemble(
-    scenario, {rate: vary.normal(mean=144, sigma=36)}, size=300,
-    quantiles=[0.01, 0.1, 0.25, 0.5, 0.75, 0.9, 0.99],
-)  # fmt: skip
+results = scenario.ensemble(vary={rate: vary.normal(mean=144, sigma=36)}, size=300, quantiles=[
+    0.01, 0.1, 0.25, 0.5, 0.75, 0.9, 0.99
+])  # fmt: skip
 figures.save(figures.quantile_fan(results, "pitch"), "ensemble_fan.png")

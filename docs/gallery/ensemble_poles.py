@@ -38,5 +38,5 @@ phases = {
     "state.tumbler.phi0": vary.uniform(0, 360),
     "state.tumbler.psi0": vary.uniform(-53, 53),
 }
-results = polhode.ensemble(scenario, phases, size=600, draws="sobol", keep="final")
+results = scenario.ensemble(vary=phases, size=600, draws="sobol", keep="final")
 figures.save(figures.pole_cloud(results, value="mode"), "ensemble_poles.png")

@@ -24,12 +24,8 @@ mode = "LAM"
 phi0 = 0
 psi0 = 0
 """)
-results = polhode.ensemble(
-    scenario,
-    {
+results = scenario.ensemble(vary={
         "perturbation[0].wobble_time": vary.log_uniform(500, 1500),
         "state.tumbler.rotation_period": vary.uniform(10, 12),
-    },
-    size=300,
-)
+    }, size=300)
 figures.save(figures.regime_fractions(results), "ensemble_regimes.png")

@@ -11,7 +11,8 @@ an ellipse: osculating, its mean over the turns of the body alone, and over the 
 
 import numpy as np
 import polhode
-from polhode import Adaptive, GravityGradient, GravityGradientTheory, figures
+from polhode import Adaptive, GravityGradient, figures
+from polhode.secular import GravityGradientTheory
 
 n = 0.0531  # mean motion; the bodies turn about once in 2 pi
 attitude = [0.6, 0.5, -0.3, 0.4]

@@ -10,7 +10,8 @@ mean angle l of a state, of slope order + 1.
 
 import numpy as np
 import polhode
-from polhode import LieTransform, Series, Symbols, Truncation, figures
+from polhode import figures
+from polhode.series import LieTransform, Series, Symbols, Truncation
 
 names = Symbols(["L", "G", "e"], ["l", "g"], [("l", "L"), ("g", "G")])
 h = Series(names, "-L^2/2 - e/2*(G^2 - L^2)*cos(2*l)")  # (H - a G^2/2) / b
@@ -31,7 +32,7 @@ def errors(order):
                 L = G * np.cos(J)
                 state = polhode.AndoyerState(l=angle, g=0.7, h=0.3, L=L, G=G, H=1.1)
                 motion = polhode.FreeRotation(body, polhode.to_rotor(state))
-                sadov, exact = polhode.to_sadov(motion, 0.0), polhode.sadov_frequencies(motion)
+                sadov, exact = polhode.to_sadov(motion, 0.0), polhode.free.sadov_frequencies(motion)
                 n_l = rate(L=sadov.I_l, G=G, e=e, l=0.0, g=0.0) / 4
                 of_rate = max(of_rate, abs(n_l / exact.n_l - 1))
                 mean = angle + back(L=L, G=G, e=e, l=angle, g=0.0)

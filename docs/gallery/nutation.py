@@ -12,7 +12,7 @@ import polhode
 from polhode import figures
 
 MAS = np.pi / 648000e3
-earth = polhode.nutation_theory()
+earth = polhode.secular.nutation_theory()
 days = np.arange(0, 6798.4, 0.5)
 figure = earth.at(days * 86400)
 year = np.arange(0, 365.3, 0.1) * 86400

@@ -8,14 +8,8 @@ node, 5.6, 6.8 and 17.8 arcsec a year. Near one of them the obliquity swings far
 """
 
 import numpy as np
-from polhode import (
-    PrecessionRates,
-    Splitting,
-    figures,
-    planet_pole,
-    shipped_orbit,
-    spin_history,
-)
+from polhode import Splitting, figures
+from polhode.secular import PrecessionRates, planet_pole, shipped_orbit, spin_history
 
 arcsec = np.pi / 180 / 3.6  # a year, in rad a kyr
 orbit, pole = shipped_orbit("mars", year=1e-3), planet_pole("mars")

@@ -7,7 +7,8 @@ makes its precession faster than all of them.
 """
 
 import numpy as np
-from polhode import Splitting, figures, planet_pole, planet_rates, shipped_orbit, spin_history
+from polhode import Splitting, figures
+from polhode.secular import planet_pole, planet_rates, shipped_orbit, spin_history
 
 times = np.arange(0, -5001, -2.0)  # kyr
 

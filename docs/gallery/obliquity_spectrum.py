@@ -10,15 +10,9 @@ precession and its nodes are: much lower, and near 0 where the two nearly meet.
 import warnings
 
 import numpy as np
-from polhode import (
-    Splitting,
-    figures,
-    planet_pole,
-    planet_rates,
-    shipped_orbit,
-    spectrum,
-    spin_history,
-)
+from polhode import Splitting, figures
+from polhode.analysis import spectrum
+from polhode.secular import planet_pole, planet_rates, shipped_orbit, spin_history
 
 times = np.arange(0, -20001, -1.0)  # kyr
 warnings.simplefilter("ignore", RuntimeWarning)  # of lines that lie close: the orbit is chaotic

@@ -16,7 +16,9 @@ pole = [
     np.cos(latitude) * np.sin(longitude),
     np.sin(latitude),
 ]
-tumbler = polhode.TumblerState(30.56, 263.0, pole, polhode.Regime.short_axis, phi0=0.0, psi0=0.0)
+tumbler = polhode.TumblerState(
+    30.56, 263.0, pole, polhode.free.Regime.short_axis, phi0=0.0, psi0=0.0
+)
 motion = polhode.FreeRotation(apophis, polhode.to_rotor(apophis, tumbler))
 axes = figures.polhode_and_herpolhode(motion, periods=1, unit="rad/h")
 figures.save(axes, "polhode_herpolhode.png")

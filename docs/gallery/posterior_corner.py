@@ -22,17 +22,17 @@ seen = """
 times = np.array(["1992-12-" + day for day in seen[::4]], "datetime64[s]")
 t = (times - np.datetime64("1992-12-10T14:25")) / np.timedelta64(1, "D")
 phi, theta, psi = np.radians([np.array(seen[k::4], float) for k in (1, 2, 3)])
-attitudes = polhode.attitude(polhode.EulerAngles(phi, theta, psi))
+attitudes = polhode.charts.attitude(polhode.charts.EulerAngles(phi, theta, psi))
 
-middle = polhode.attitude(polhode.EulerAngles(*np.radians([105.0, 83.0, -60.0])))
-start = polhode.SpinState(middle, np.radians([36.0, -12.0, -98.0]), [3.0, 3.2, 1.0])
-radar = polhode.Snapshots(attitudes=(t, attitudes, np.radians(15.0)))
+middle = polhode.charts.attitude(polhode.charts.EulerAngles(*np.radians([105.0, 83.0, -60.0])))
+start = polhode.fit.SpinState(middle, np.radians([36.0, -12.0, -98.0]), [3.0, 3.2, 1.0])
+radar = polhode.fit.Snapshots(attitudes=(t, attitudes, np.radians(15.0)))
 prior = {"Ixx/Izz": (3.091, 0.1), "Iyy/Izz": (3.2178, 0.1)}
-found = polhode.fit_spin(start, radar, priors=prior, scales_errors=True)
-residuals = polhode.SpinResiduals(
+found = polhode.fit.fit_spin(start, radar, priors=prior, scales_errors=True)
+residuals = polhode.fit.SpinResiduals(
     found.state, radar, priors=prior, error_factor=found.error_factor
 )
-draws = polhode.posterior(residuals, draws=500, warm_up=200, seed=1)
+draws = polhode.fit.posterior(residuals, draws=500, warm_up=200, seed=1)
 columns = ["w_x", "w_y", "w_z", "Ixx/Izz", "Iyy/Izz"]
 best = [dict(zip(found.names, found.values))[name] for name in columns]
 figures.save(figures.corner_plot(draws, columns, truths=best), "posterior_corner.png")

@@ -11,14 +11,16 @@ import polhode
 from polhode import figures
 
 sun, observer = [1.0, 0.2, 0.3], [0.8, 0.6, 0.1]
-body = polhode.LightModel.homogeneous(
+body = polhode.light.LightModel.homogeneous(
     [0.6, 0.3, -0.5, 0.2], [0.12, 0.1, 0.2], [1.0, 0.7, 0.5]
 )
 random = np.random.default_rng(1)
 t = np.sort(random.uniform(0.0, 270.0, 220))
-(flux,) = polhode.model_fluxes(body, polhode.LightCurve(t, np.ones(220), 1.0, sun, observer))
+(flux,) = polhode.light.model_fluxes(
+    body, polhode.light.LightCurve(t, np.ones(220), 1.0, sun, observer)
+)
 seen = flux * (1.0 + 0.02 * random.normal(size=t.size))
-curve = polhode.LightCurve(t, seen, 0.02 * flux, sun, observer)
+curve = polhode.light.LightCurve(t, seen, 0.02 * flux, sun, observer)
 
-scan = polhode.fourier_scan(curve, (0.01, 0.12), order=2, threads=2)
+scan = polhode.light.fourier_scan(curve, (0.01, 0.12), order=2, threads=2)
 figures.save(figures.scan_landscape(scan, unit="min"), "scan_landscape.png")

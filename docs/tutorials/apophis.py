@@ -61,7 +61,8 @@ published_ratio = 1.024  # to 0.013
 def tumbling(long_axis_period):
     """The motion with this period of the long axis (h); phases 0 at t = 0."""
     state = polhode.TumblerState(
-        long_axis_period, P_psi, pole, polhode.Regime.short_axis, phi0=0.0, psi0=0.0
+        long_axis_period, P_psi, pole, polhode.free.Regime.short_axis,
+        phi0=0.0, psi0=0.0,
     )
     return polhode.FreeRotation(apophis, polhode.to_rotor(apophis, state))
 
@@ -114,7 +115,7 @@ t = np.arange(0.0, 60 * P_psi, 0.5)
 
 def magnitudes(motion):
     """Magnitudes at the times t, the mean of all set to 0."""
-    e = polhode.attitude_matrix(motion.at(t).q) @ observer
+    e = polhode.charts.attitude_matrix(motion.at(t).q) @ observer
     area = np.sqrt(np.prod(axes2) * (e**2 / axes2).sum(axis=-1))
     mag = -2.5 * np.log10(area)
     return mag - mag.mean()
@@ -191,7 +192,7 @@ g = motion.at(np.linspace(0, P_psi, 2001)).g / motion.momentum  # body axes
 long_axis = np.degrees(np.arccos(g[:, 0]))
 print(f"mode            {motion.regime.name}")
 print(f"polhode period  {motion.polhode_period:.6f} h")
-print(f"psi_max         {np.degrees(polhode.psi_max(motion)):.2f} deg")
+print(f"psi_max         {np.degrees(polhode.free.psi_max(motion)):.2f} deg")
 print(f"long axis       {long_axis.min():.1f} to {long_axis.max():.1f} deg", end="")
 print(" from the momentum")
 m = motion.modulus
@@ -222,7 +223,7 @@ dates = np.array(
 )
 hours = (dates - epoch) / np.timedelta64(1, "h")
 states = motion.at(hours)
-for date, x in zip(dates, polhode.attitude_matrix(states.q)[:, 0]):
+for date, x in zip(dates, polhode.charts.attitude_matrix(states.q)[:, 0]):
     lon, lat = np.degrees([np.arctan2(x[1], x[0]), np.arcsin(x[2])])
     print(f"{date}  long axis at longitude {lon:7.2f}, latitude {lat:6.2f} deg")
 
@@ -250,7 +251,8 @@ print("stopped halfway and begun again: the same to 1e-11:", gap < 1e-11)
 sigma = np.array([NormalDist().inv_cdf((k + 0.5) / 64) for k in range(64)])
 periods_long, periods_psi = P_1 + 0.01 / 3 * sigma[:, None], P_psi + 6 / 3 * sigma
 published = polhode.TumblerState(
-    periods_long, periods_psi, pole, polhode.Regime.short_axis, phi0=0.0, psi0=0.0
+    periods_long, periods_psi, pole, polhode.free.Regime.short_axis,
+    phi0=0.0, psi0=0.0,
 )
 ensemble = polhode.to_rotor(apophis, published)
 elements = polhode.to_serret(apophis, ensemble)
@@ -271,15 +273,15 @@ def errors(t):
     """Of the ensemble at time t: of the attitudes, of the long axes (rad)."""
     now, there = polhode.to_rotor(apophis, elements, t), motion.at(t)
     attitude = 2 * np.arccos(np.minimum(1, np.abs(now.q @ there.q)))
-    x, x0 = (polhode.attitude_matrix(s.q)[..., 0, :] for s in (now, there))
+    x, x0 = (polhode.charts.attitude_matrix(s.q)[..., 0, :] for s in (now, there))
     return attitude, np.arccos(np.clip(x @ x0, -1, 1))
 
 
 # The covariance at the epoch, about the nominal state. When the body turns by a
 # small angle, components in its axes turn the other way.
 turned = (
-    polhode.attitude_matrix(ensemble.q)
-    @ polhode.attitude_matrix(motion.initial_state.q).T
+    polhode.charts.attitude_matrix(ensemble.q)
+    @ polhode.charts.attitude_matrix(motion.initial_state.q).T
 )
 turned = (turned - turned.swapaxes(-1, -2)) / 2
 delta = np.stack([turned[..., 1, 2], turned[..., 2, 0], turned[..., 0, 1]], axis=-1)

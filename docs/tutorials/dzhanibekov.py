@@ -94,7 +94,7 @@ figures.save(figure, "dzhanibekov_flips.png")
 # $\phi_l$ is a multiple of $\pi$. So each flip is a division, the millionth like
 # the first, and flips are half a polhode period apart.
 # %%
-n = polhode.sadov_frequencies(motion).n_l  # rad/s
+n = polhode.free.sadov_frequencies(motion).n_l  # rad/s
 phi = polhode.to_sadov(motion, 0.0).phi_l
 phi *= np.sign(n)  # counted along the motion
 number = np.array([1, 2, 3, 4, 1_000_000])

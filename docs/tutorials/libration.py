@@ -53,7 +53,7 @@ rates = polhode.angular_velocity(system, 0.0, pointing_down)
 print("in units of n:")
 print("  gyro:   relative to the stars  ", rates.inertial / n)
 print("  camera: relative to the orbit  ", rates.relative / n)
-print("torque:", polhode.effect(system, 0.0, pointing_down).u)
+print("torque:", polhode.rates.effect(system, 0.0, pointing_down).u)
 # Prints:
 #   in units of n:
 #     gyro:   relative to the stars   [0. 0. 1.]
@@ -198,7 +198,7 @@ step = 60
 columns = ["q", "omega", "euler", "energy"]
 """)
 results = scenario.with_columns(["q", "g", "energy"]).run()
-relative = polhode.reference_state(system, results.t, results.states)
+relative = polhode.charts.reference_state(system, results.t, results.states)
 swing = np.degrees(2 * np.arctan2(relative.q[:, 3], relative.q[:, 0]))
 print(
     f"{len(results.t)} rows, pitch from {swing.min():.4f} to {swing.max():.4f} deg"
@@ -213,7 +213,7 @@ print(
 # [`Event`][polhode.Event] finds every passage through the vertical to rounding, so
 # that this can be tried to many digits.
 # %%
-start = polhode.reference_state(system, 0.0, scenario.initial_state)
+start = polhode.charts.reference_state(system, 0.0, scenario.initial_state)
 level = polhode.Event("level", lambda t, s: s.q[3], crossing="rising")
 problem = polhode.Problem(system, start, 0.0, 10 * 86400.0, events=[level])
 passages = np.array([event.t for event in polhode.integrate(problem).events])
@@ -285,7 +285,7 @@ def followed(rate, orbits, per_orbit):
 def off_vertical(run):
     """The angle of the long axis from the vertical (rad), of a run."""
     up = ellipse.position(run.t)
-    long_axis = polhode.attitude_matrix(run.q)[:, 0]
+    long_axis = polhode.charts.attitude_matrix(run.q)[:, 0]
     return np.arctan2(np.cross(up, long_axis)[:, 2], (up * long_axis).sum(axis=1))
 
 

@@ -45,7 +45,7 @@ from polhode import figures
 t, k, h, q, p = np.loadtxt("earth-nbody.txt").T[:, ::-1]  # rising times, years
 eccentricity, inclination = np.hypot(k, h), 2 * np.arcsin(np.hypot(q, p))
 node, pericentre = np.arctan2(p, q), np.arctan2(h, k)
-orbit = polhode.ElementTable(
+orbit = polhode.secular.ElementTable(
     t, eccentricity, inclination, node, pericentre - node)
 largest = eccentricity.max()
 print(f"{len(t)} rows from {t[0]:.0f} to {t[-1]:.0f}, e up to {largest:.3f}")
@@ -59,9 +59,9 @@ print(f"{len(t)} rows from {t[0]:.0f} to {t[-1]:.0f}, e up to {largest:.3f}")
 # years, so that a step is a thousand years.
 # %%
 ages = np.arange(0.0, -400001.0, -1000.0)
-axis = polhode.spin_history(
-    orbit, polhode.planet_rates("earth"), polhode.planet_pole("earth"), ages,
-    polhode.Splitting(1000, "order8"))
+axis = polhode.secular.spin_history(
+    orbit, polhode.secular.planet_rates("earth"),
+    polhode.secular.planet_pole("earth"), ages, polhode.Splitting(1000, "order8"))
 tilt = np.degrees(axis.obliquity)
 print(f"obliquity now {tilt[0]:.3f} deg")
 high = np.argmax(tilt[ages > -20e3])
@@ -78,7 +78,7 @@ print(f"over all: {tilt.min():.2f} to {tilt.max():.2f} deg")
 # and on how far the Sun is then, which is what climatic precession tells: e times
 # the sine of the longitude of the pericentre from the equinox.
 # %%
-june = polhode.daily_insolation(
+june = polhode.secular.daily_insolation(
     axis.obliquity, axis.pericentre, axis.eccentricity,
     latitude=np.radians(65), longitude=np.pi / 2, flux=1361.0)
 print(f"65 degrees north, midsummer: now {june[0]:.0f} W/m2")
@@ -119,7 +119,7 @@ warnings.simplefilter("ignore", RuntimeWarning)  # of lines that are too close
 
 
 def periods(x, lines):
-    of = polhode.spectrum(x, 1.0, lines=lines)
+    of = polhode.analysis.spectrum(x, 1.0, lines=lines)
     return [f"{2 * np.pi / abs(nu):.1f}" for nu in of.frequency]
 
 
@@ -137,11 +137,11 @@ print("climatic precession:", *periods(axis.climatic_precession, 3), "kyr")
 # degree](../guide/obliquity.md#the-orbits-that-come-along) over a million years.
 # The difference is what gravity alone leaves out:
 # %%
-better = polhode.spin_history(
-    polhode.shipped_orbit("earth"), polhode.planet_rates("earth"),
-    polhode.planet_pole("earth"), ages, polhode.Splitting(1000, "order8"))
+better = polhode.secular.spin_history(
+    polhode.secular.shipped_orbit("earth"), polhode.secular.planet_rates("earth"),
+    polhode.secular.planet_pole("earth"), ages, polhode.Splitting(1000, "order8"))
 apart = np.abs(np.degrees(better.obliquity - axis.obliquity))
-light = polhode.daily_insolation(
+light = polhode.secular.daily_insolation(
     better.obliquity, better.pericentre, better.eccentricity,
     np.radians(65), np.pi / 2, 1361.0)
 for age in (100, 200, 400):

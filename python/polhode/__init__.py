@@ -1,154 +1,208 @@
 # SPDX-License-Identifier: MIT
 """Rotation of rigid bodies, exact, in Serret-Andoyer and every related variable set.
 
-Same names as in C++; NumPy in, NumPy out. polhode.figures draws (it needs matplotlib).
+The names of everyday work are here, the rest in modules: analysis, charts, elliptic, ensemble,
+ephemeris, figures, fit, free, kinds, light, rates, satellites, secular, series, shape, spice, types
+and vary. Same names as in C++; NumPy in, NumPy out. polhode.figures draws (it needs matplotlib).
 """
 
-from polhode import _core, elliptic, kinds, vary
-from polhode._core import *  # noqa: F403
-from polhode._core import __version__  # noqa: F401
-from polhode._ensemble_histograms import EnsembleHistogram, FirstTimes
-from polhode._notebook import show_tables
-from polhode._signatures import (
-    ClassSignature,
-    explain_constructor,
-    sign_methods,
-    with_signature,
-)
-from polhode._summary import Summary
-from polhode.ensembles import ensemble
-from polhode.fits import (
-    FitNumber,
-    FitPredictions,
-    FitResiduals,
-    FitResults,
-    LightScenarioSolution,
-    ScenarioSolution,
+import importlib as _importlib
+from types import ModuleType as _Module
+from typing import TYPE_CHECKING as _TYPE_CHECKING
+from typing import Any as _Any
+
+from polhode import (
+    analysis,
+    charts,
+    elliptic,
+    ensemble,
+    ephemeris,
     fit,
-    simulate,
+    free,
+    kinds,
+    light,
+    rates,
+    secular,
+    series,
+    shape,
+    types,
+    vary,
 )
-from polhode.free_wobble import FreeWobble, without_free_wobble
-from polhode.harmonics import ArgumentFit, HarmonicFit, argument_fit, harmonic_fit
-from polhode.interchange import to_scipy
-from polhode.light_bodies import ConvexShape, LightCurve, LightModel, model_fluxes
-from polhode.light_fits import (
-    FoundLight,
-    JoinedSession,
-    LightExtensionResult,
-    LightResiduals,
-    LightSearchResult,
-    LightSolution,
-    extend_light,
-    fit_light,
-    search_light,
+from polhode._core import (
+    Adaptive,
+    AndoyerState,
+    AnelasticDamping,
+    AtmosphericDrag,
+    Body,
+    Collocation,
+    ConstantTorque,
+    DipoleField,
+    DomainError,
+    EddyCurrents,
+    EulerState,
+    Event,
+    Frame,
+    FreeRotation,
+    FukushimaIshizakiState,
+    GravityGradient,
+    HamiltonianTerm,
+    InternalDamping,
+    KaneDamper,
+    KeplerElements,
+    KeplerOrbit,
+    KinoshitaState,
+    LinearDamping,
+    MomentumTerm,
+    OrbitalPerturbation,
+    OutputError,
+    PoincareState,
+    PrecessingKeplerOrbit,
+    Problem,
+    ResidualDipole,
+    RotorState,
+    SadovState,
+    SaveAt,
+    ScenarioError,
+    SerretState,
+    SolarPressure,
+    Splitting,
+    Surface,
+    System,
+    TableOrbit,
+    TidalTorque,
+    TorqueTable,
+    TorqueTerm,
+    Trajectory,
+    TumblerState,
+    TurnedKeplerOrbit,
+    Units,
+    VariationOfConstants,
+    __version__,  # noqa: F401
+    angular_velocity,
+    energy,
+    integrate,
+    integrate_many,
+    kinetic_energy,
+    propagate,
+    resume,
+    rotor_state,
+    to_andoyer,
+    to_euler,
+    to_fukushima_ishizaki,
+    to_kinoshita,
+    to_poincare,
+    to_rotor,
+    to_sadov,
+    to_serret,
+    to_tumbler,
 )
-from polhode.posterior import Posterior, posterior
-from polhode.residual_functions import ResidualFunction
-from polhode.scans import (
-    FourierScan,
-    LikelyPeriods,
-    PeriodLabel,
-    ScanAdvice,
-    ScanMinimum,
-    fourier_scan,
-    likely_periods,
-    period_labels,
-    scan_advice,
-)
-from polhode.scenarios import (
-    Citation,
-    EnsembleResults,
-    MapResults,
-    Results,
-    Scenario,
-    load,
-)
-from polhode.spin_fits import (
-    FitSolution,
-    Snapshots,
-    SpinResiduals,
-    SpinSolution,
-    SpinState,
-    fit_spin,
-)
+from polhode._notebook import show_tables as _show_tables
+from polhode._scenarios import MapResults, Results, Scenario, load
+from polhode._signatures import publish as _publish
+
+if _TYPE_CHECKING:
+    from polhode import satellites
 
 __all__ = [
-    "ArgumentFit",
-    "Citation",
-    "ConvexShape",
-    "EnsembleHistogram",
-    "EnsembleResults",
-    "FirstTimes",
-    "FitNumber",
-    "FitPredictions",
-    "FitResiduals",
-    "FitResults",
-    "FitSolution",
-    "FoundLight",
-    "FourierScan",
-    "FreeWobble",
-    "HarmonicFit",
-    "JoinedSession",
-    "LightCurve",
-    "LightExtensionResult",
-    "LightModel",
-    "LightResiduals",
-    "LightScenarioSolution",
-    "LightSearchResult",
-    "LightSolution",
-    "LikelyPeriods",
+    "Adaptive",
+    "AndoyerState",
+    "AnelasticDamping",
+    "AtmosphericDrag",
+    "Body",
+    "Collocation",
+    "ConstantTorque",
+    "DipoleField",
+    "DomainError",
+    "EddyCurrents",
+    "EulerState",
+    "Event",
+    "Frame",
+    "FreeRotation",
+    "FukushimaIshizakiState",
+    "GravityGradient",
+    "HamiltonianTerm",
+    "InternalDamping",
+    "KaneDamper",
+    "KeplerElements",
+    "KeplerOrbit",
+    "KinoshitaState",
+    "LinearDamping",
     "MapResults",
-    "PeriodLabel",
-    "Posterior",
-    "ResidualFunction",
+    "MomentumTerm",
+    "OrbitalPerturbation",
+    "OutputError",
+    "PoincareState",
+    "PrecessingKeplerOrbit",
+    "Problem",
+    "ResidualDipole",
     "Results",
-    "ScanAdvice",
-    "ScanMinimum",
+    "RotorState",
+    "SadovState",
+    "SaveAt",
     "Scenario",
-    "ScenarioSolution",
-    "Snapshots",
-    "SpinResiduals",
-    "SpinSolution",
-    "SpinState",
-    "Summary",
-    "argument_fit",
+    "ScenarioError",
+    "SerretState",
+    "SolarPressure",
+    "Splitting",
+    "Surface",
+    "System",
+    "TableOrbit",
+    "TidalTorque",
+    "TorqueTable",
+    "TorqueTerm",
+    "Trajectory",
+    "TumblerState",
+    "TurnedKeplerOrbit",
+    "Units",
+    "VariationOfConstants",
+    "analysis",
+    "angular_velocity",
+    "charts",
     "elliptic",
+    "energy",
     "ensemble",
-    "extend_light",
+    "ephemeris",
     "fit",
-    "fit_light",
-    "fit_spin",
-    "fourier_scan",
-    "harmonic_fit",
+    "free",
+    "integrate",
+    "integrate_many",
     "kinds",
-    "likely_periods",
+    "kinetic_energy",
+    "light",
     "load",
-    "model_fluxes",
-    "period_labels",
-    "posterior",
-    "scan_advice",
-    "search_light",
-    "simulate",
-    "to_scipy",
+    "propagate",
+    "rates",
+    "resume",
+    "rotor_state",
+    "satellites",
+    "secular",
+    "series",
+    "shape",
+    "to_andoyer",
+    "to_euler",
+    "to_fukushima_ishizaki",
+    "to_kinoshita",
+    "to_poincare",
+    "to_rotor",
+    "to_sadov",
+    "to_serret",
+    "to_tumbler",
+    "types",
     "vary",
-    "without_free_wobble",
-    *(name for name in dir(_core) if not name.startswith("_") and name not in kinds.__all__),
 ]
-del KindTable  # noqa: F821  a name of polhode.kinds
+_publish(globals())
+_show_tables()
 
-# Users, pickles and the reference know these things by where they are imported from, and inspect by
-# their signatures.
-for _name in __all__:
-    _thing = globals()[_name]
-    if isinstance(_thing, type):
-        _thing.__module__ = __name__
-        if type(_thing).__name__ == "nb_type" or issubclass(_thing, Exception):
-            _thing.__signature__ = ClassSignature(_thing, vars(_core))
-            sign_methods(_thing, vars(_core))
-            if type(_thing).__name__ == "nb_type":
-                explain_constructor(_thing, vars(_core))
-    elif hasattr(_thing, "__nb_signature__"):
-        globals()[_name] = with_signature(_thing, vars(_core))
-        globals()[_name].__module__ = __name__
-show_tables()
-del _name, _thing, ClassSignature, explain_constructor, show_tables, sign_methods, with_signature
+
+def __getattr__(name: str) -> _Any:
+    satellites = _importlib.import_module("polhode.satellites")  # when it is needed: it takes long
+    if name == "satellites":
+        return satellites
+    for module in [*globals().values(), satellites]:
+        if isinstance(module, _Module) and name in getattr(module, "__all__", ()):
+            raise AttributeError(f"polhode.{name} is now {module.__name__}.{name}")
+    raise AttributeError(f"module 'polhode' has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    return [*__all__, "__version__", "__doc__"]

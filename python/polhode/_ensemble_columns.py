@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """What an ensemble leaves, in memory and in files, and the text that asks for one.
 
-Results know the compiled file that was run; `.scenario` is added in polhode.scenarios."""
+Results know the compiled file that was run; `.scenario` is added in polhode._scenarios."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ MARK = "{chunk}"
 
 
 class EnsembleColumns(Columns):
-    """What an ensemble keeps: see polhode.EnsembleResults."""
+    """What an ensemble keeps: see polhode.ensemble.EnsembleResults."""
 
     def __init__(self, given: Mapping[str, Any]) -> None:
         super().__init__(given["groups"], given["table"])

@@ -11,6 +11,8 @@ import ast
 import functools
 import inspect
 import re
+import sys
+import types
 from collections.abc import Callable
 from typing import Any, NoReturn
 
@@ -47,7 +49,7 @@ def _parsed(text: str, defaults: Any, names: dict[str, Any]) -> inspect.Signatur
     for i in re.findall(r"\\=(\d+)", text):  # a default with a text of its own
         given[f"_default_{i}"] = _Shown(given[f"_default_{i}"])
     text = re.sub(r"\\=?(\d+)", r"_default_\1", text)
-    text = re.sub(r"\bpolhode\.(?=[A-Z])", "", text)
+    text = re.sub(r"\bpolhode\.(?:[a-z_]+\.)?(?=[A-Z])", "", text)
     (function,) = ast.parse(text + ": ...").body
     assert isinstance(function, ast.FunctionDef)
     arguments = function.args
@@ -230,3 +232,34 @@ def sign_methods(owner: type, names: dict[str, Any]) -> None:
             setattr(owner, name, _core._signed_method(method, make, explain))
         elif type(method).__name__ == "nb_func":
             setattr(owner, name, staticmethod(with_signature(method, names, f"{owner.__name__}.")))
+
+
+def publish(module: dict[str, Any]) -> None:
+    """Makes a module the home of the names in its __all__: users, pickles and the reference know
+    them by it, and inspect by their signatures."""
+    home, names = module["__name__"], vars(_core)
+    for name in module["__all__"]:
+        thing = module.get(name)
+        if isinstance(thing, type):
+            thing.__module__ = home
+            is_compiled = type(thing).__name__ == "nb_type"
+            if is_compiled or issubclass(thing, Exception):
+                thing.__signature__ = ClassSignature(thing, names)
+                sign_methods(thing, names)
+            if is_compiled:
+                explain_constructor(thing, names)
+        elif hasattr(thing, "__nb_signature__"):
+            module[name] = with_signature(thing, names)
+            module[name].__module__ = home
+        elif inspect.isfunction(thing):
+            thing.__module__ = home
+
+
+def explain_call(module: str, new: str) -> None:
+    """A call of a module that was a function says what to call instead."""
+
+    class Renamed(types.ModuleType):
+        def __call__(self, *args: Any, **kwargs: Any) -> NoReturn:
+            raise TypeError(f"{module} is a module; call {new}")
+
+    sys.modules[module].__class__ = Renamed

@@ -10,13 +10,15 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from polhode._core import _elliptic  # type: ignore[attr-defined]
+from polhode._core import Modulus, _elliptic  # type: ignore[attr-defined]
+from polhode._signatures import publish
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
 __all__ = [
     "JacobiFunctions",
+    "Modulus",
     "agm",
     "amplitude",
     "carlson_rc",
@@ -215,3 +217,6 @@ def cel(kc: ArrayLike, p: ArrayLike, a: ArrayLike, b: ArrayLike) -> Any:
 
     kc >= 0 and p > 0, otherwise NaN; kc = 0: inf with the sign of b, finite for b = 0."""
     return _elliptic.cel(kc, p, a, b)
+
+
+publish(globals())

@@ -20,19 +20,19 @@ from typing import Any
 import numpy
 
 from polhode import _core, _signatures, _toml
+from polhode._core import Dimension, KindTable, known_units
 from polhode._mistakes import sentence
-
-KindTable = _core.KindTable
-KindTable.__module__ = __name__
 
 __all__ = [
     "ColumnKind",
+    "Dimension",
     "ExperimentKind",
     "Key",
     "KindTable",
     "ObservationKind",
     "OrbitKind",
     "PerturbationKind",
+    "known_units",
     "register",
     "registered",
     "schema",
@@ -56,13 +56,13 @@ def _require_text(where: str, what: str, value: Any, expected: str) -> None:
 
 
 def _dimension(where: str, value: Any) -> Any:
-    names = ", ".join(one.name for one in _core.Dimension)
+    names = ", ".join(one.name for one in Dimension)
     _require(value is not None, f"{where}: got no dimension; expected one of {names}")
     if isinstance(value, str):
-        _require(hasattr(_core.Dimension, value),
+        _require(hasattr(Dimension, value),
                  f"{where}: dimension: got {value!r}; expected one of {names}")
-        return getattr(_core.Dimension, value)
-    if not isinstance(value, _core.Dimension):
+        return getattr(Dimension, value)
+    if not isinstance(value, Dimension):
         raise TypeError(f"{where}: dimension: got {value!r}; expected a Dimension or its name")
     return value
 
@@ -128,7 +128,7 @@ class Key:
                      f"{where}: dimension: got {self.dimension!r}; expected none for a {self.form}")
             _require(self.range == "any",
                      f"{where}: range: got {self.range!r}; expected \"any\" for a {self.form}")
-            object.__setattr__(self, "dimension", _core.Dimension.number)
+            object.__setattr__(self, "dimension", Dimension.number)
         _require(isinstance(self.length, int) and self.length >= 0
                  and (self.length == 0 or self.form == "numbers"),
                  f"{where}: length: got {self.length!r}; expected a whole number for the form "
@@ -455,5 +455,9 @@ def template(word: str) -> str:
     ValueError
         For a name that nothing has.
     """
+    _require_text("template", "word", word, "the name of a kind")
     text: str = _toml.known_kinds().template(word)
     return text
+
+
+_signatures.publish(globals())

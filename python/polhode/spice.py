@@ -99,7 +99,7 @@ def ephemeris_time(epoch: str, seconds: ArrayLike) -> Any:
         epoch = epoch[:-1] + " UTC"
     date, _, scale = epoch.rpartition(" ")
     if scale in (*_SCALES, "UTC", "TDB"):
-        polhode.Date(epoch)  # refuses what is no date
+        polhode.ephemeris.Date(epoch)  # refuses what is no date
     after = polhode._core._numbers(seconds, "seconds")
     if scale == "TDB":
         return _past_J2000(date) + after
@@ -127,7 +127,7 @@ def _has_leap_seconds() -> bool:
 
 def _utc_in_tt(epoch: str) -> float:
     """Seconds of TT past J2000 (12:00 TT) of a date in UTC."""
-    utc = polhode.Date(epoch)
+    utc = polhode.ephemeris.Date(epoch)
     if _has_leap_seconds():
         import spiceypy
 
@@ -141,7 +141,7 @@ def _utc_in_tt(epoch: str) -> float:
             UserWarning,
             stacklevel=4,
         )
-    return polhode.seconds_between(polhode.Date("TT", 2451545.0), utc)
+    return polhode.ephemeris.seconds_between(polhode.ephemeris.Date("TT", 2451545.0), utc)
 
 
 def _tdb_tt(tt: Any) -> Any:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """What numbers of an ensemble are drawn from: the kinds of `[[ensemble.vary]]`, a function each.
 
-`polhode.ensemble(scenario, {"body.moments[0]": vary.uniform(0.60, 0.63)})`. Names, arguments and
+`scenario.ensemble(vary={"body.moments[0]": vary.uniform(0.60, 0.63)})`. Names, arguments and
 what is said of them are those of the scenario file; a word with a hyphen has an underscore here."""
 
 from __future__ import annotations

@@ -8,33 +8,34 @@ import re
 import numpy as np
 import polhode
 from polhode import _core
+from public_names import PUBLIC
 
 NUMBERS = re.compile(r"\b(ArrayLike|float|int|NDArray)\b")
 BODY = polhode.Body(1.0, 1.7, 2.1)
 STATE = polhode.rotor_state(BODY, [1, 0, 0, 0], [0.1, 0.2, 1.0])
 ELEMENTS = polhode.KeplerElements(gm=1.0, pericentre=2.0, eccentricity=0.1, inclination=0.3)
 ORBIT = polhode.KeplerOrbit(ELEMENTS)
-PRECESSING = polhode.PrecessingKeplerOrbit(ELEMENTS, polhode.SecularRates(0.0, 0.0, 0.0))
+PRECESSING = polhode.PrecessingKeplerOrbit(ELEMENTS, polhode.satellites.SecularRates(0.0, 0.0, 0.0))
 SYSTEM = polhode.System(BODY)
-SATELLITES = polhode.SatelliteSystem(1.0)
-SATELLITE = polhode.SatelliteState([1.0, 0.1, 0.2], [0.1, 0.9, 0.3])
+SATELLITES = polhode.satellites.SatelliteSystem(1.0)
+SATELLITE = polhode.satellites.SatelliteState([1.0, 0.1, 0.2], [0.1, 0.9, 0.3])
 DAMPER = polhode.KaneDamper(0.1, 0.2)
 DAMPED = polhode.System(BODY, damper=DAMPER)
 PROBLEM = polhode.Problem(SYSTEM, STATE, 0.0, 0.1)
 CORNERS = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
-SHAPE = polhode.FacetShape(CORNERS, [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+SHAPE = polhode.shape.FacetShape(CORNERS, [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
 SURFACE = polhode.Surface.of_plate([0.1, 0, 0], [1, 0, 0], 1.0)
-DATE = polhode.calendar_date("UTC", 2020, 1, 1)
+DATE = polhode.ephemeris.calendar_date("UTC", 2020, 1, 1)
 TIMES = np.linspace(0.0, 10.0, 20)
 CIRCLE = np.stack([np.cos(TIMES), np.sin(TIMES), 0 * TIMES], axis=-1)
 CHECKPOINTS = []
 polhode.integrate(polhode.Problem(SYSTEM, STATE, 0.0, 300.0, polhode.Splitting(0.1)),
                   np.linspace(0, 300, 6001), sink=lambda *block: None,
                   keep_checkpoint=CHECKPOINTS.append, checkpoint_seconds=0.0)
-NAMES_OF_SERIES = polhode.Symbols(["G", "k"], ["g"], [("g", "G")])
-KEEP = polhode.Truncation({"k": 1}, 2)
-SERIES = polhode.Series(NAMES_OF_SERIES, "k*cos(g)")
-THEORY = polhode.GravityGradientTheory(BODY, ORBIT, STATE, gm=1e-5, order=1)
+NAMES_OF_SERIES = polhode.series.Symbols(["G", "k"], ["g"], [("g", "G")])
+KEEP = polhode.series.Truncation({"k": 1}, 2)
+SERIES = polhode.series.Series(NAMES_OF_SERIES, "k*cos(g)")
+THEORY = polhode.secular.GravityGradientTheory(BODY, ORBIT, STATE, gm=1e-5, order=1)
 
 
 def variables(z):
@@ -44,24 +45,24 @@ def variables(z):
 # Objects by the class that a parameter is annotated with.
 OF_CLASS = {
     "EulerState": polhode.to_euler(STATE),
-    "PoincareState": polhode.nearest_poincare(STATE),
-    "EulerRates": polhode.to_euler_rates(BODY, STATE),
+    "PoincareState": polhode.charts.nearest_poincare(STATE),
+    "EulerRates": polhode.charts.to_euler_rates(BODY, STATE),
     "SadovState": polhode.to_sadov(BODY, STATE),
     "KinoshitaState": polhode.to_kinoshita(BODY, STATE),
-    "SadovParameters": polhode.SadovParameters(1.0, 0.5),
+    "SadovParameters": polhode.free.SadovParameters(1.0, 0.5),
     # where the motion of STATE is at t = 0.5
-    "EulerAngles": polhode.euler_angles(polhode.FreeRotation(BODY, STATE).at(0.5).q),
+    "EulerAngles": polhode.charts.euler_angles(polhode.FreeRotation(BODY, STATE).at(0.5).q),
     "FukushimaIshizakiState": polhode.to_fukushima_ishizaki(
         polhode.FreeRotation(BODY, STATE), 0.0
     ),
     "TumblerState": polhode.to_tumbler(polhode.FreeRotation(BODY, STATE), 0.0),
-    "Pole": polhode.Pole.zero,
+    "Pole": polhode.charts.Pole.zero,
     "Body": BODY,
     "RotorState": STATE,
     "System": SYSTEM,
     "SatelliteSystem": SATELLITES,
     "SatelliteState": SATELLITE,
-    "SatellitePath": polhode.satellite_path(SATELLITES, SATELLITE, 0.0, 2.0),
+    "SatellitePath": polhode.satellites.satellite_path(SATELLITES, SATELLITE, 0.0, 2.0),
     "FreeRotation": polhode.FreeRotation(BODY, STATE),
     "AndoyerState": polhode.to_andoyer(STATE),
     "SerretState": polhode.to_serret(BODY, STATE),
@@ -71,14 +72,14 @@ OF_CLASS = {
     "Surface": SURFACE,
     "Date": DATE,
     "Problem": PROBLEM,
-    "MassMoments": polhode.MassMoments.of_points([1.0, 2.0], [[1, 0, 0], [0, 1, 0]]),
-    "ElementTable": polhode.ElementSeries([[0.1, 0.2, 0.3]], [[0.1, 0.2, 0.3]]),
-    "PrecessionRates": polhode.PrecessionRates(1.0),
+    "MassMoments": polhode.shape.MassMoments.of_points([1.0, 2.0], [[1, 0, 0], [0, 1, 0]]),
+    "ElementTable": polhode.secular.ElementSeries([[0.1, 0.2, 0.3]], [[0.1, 0.2, 0.3]]),
+    "PrecessionRates": polhode.secular.PrecessionRates(1.0),
     "Symbols": NAMES_OF_SERIES,
     "Truncation": KEEP,
     "Series": SERIES,
     "MeanRotation": THEORY.reference,
-    "DampedMaterial": polhode.DampedMaterial(1e9, 100.0, 2000.0, 100.0, 0.02),
+    "DampedMaterial": polhode.types.DampedMaterial(1e9, 100.0, 2000.0, 100.0, 0.02),
 }
 
 # Numbers and words by the name of a parameter; all other numbers are 1.
@@ -239,7 +240,7 @@ OF_CALL = {
     "Series.transform_size": {"keep": KEEP},
     "TransformSize.__init__": {"terms": [1.0], "bytes": [2.0]},
     "LieTransform.__init__": {"angles": ["g"],
-                              "hamiltonian": SERIES + polhode.Series(NAMES_OF_SERIES, "G")},
+                              "hamiltonian": SERIES + polhode.series.Series(NAMES_OF_SERIES, "G")},
     "GravityGradientTheory.__init__": {"gm": 1e-5, "order": 1, "least": 1e-9},
     **{f"GravityGradientTheory.{name}": {"tolerance": 1e-9} for name in ("means", "states")},
     "satellite_precession": {"eccentricity": 0.1},
@@ -311,8 +312,8 @@ class Call:
     def function(self):
         *path, last = self.name.split(".")
         if not path:
-            return getattr(polhode, last)
-        owner = getattr(polhode, path[0])
+            return PUBLIC[last]
+        owner = PUBLIC[path[0]]
         if not self.is_method:
             return owner if last == "__init__" else getattr(owner, last)
         return getattr(OF_SELF[path[0]], last)
@@ -344,13 +345,15 @@ OF_SELF = {
     "FreeRotation": OF_CLASS["FreeRotation"],
     "SatellitePath": OF_CLASS["SatellitePath"],
     "KeplerOrbit": ORBIT,
-    "Dual": polhode.Dual(1.0),
+    "Dual": polhode.types.Dual(1.0),
     "PrecessingKeplerOrbit": PRECESSING,
     "TurnedKeplerOrbit": polhode.TurnedKeplerOrbit(PRECESSING, 0.4),
     "TableOrbit": polhode.TableOrbit(TIMES, CIRCLE),
-    "HistoryOrbit": polhode.HistoryOrbit(polhode.shipped_orbit("mars"), 39.47, 1.52),
+    "HistoryOrbit": polhode.secular.HistoryOrbit(
+        polhode.secular.shipped_orbit("mars"), 39.47, 1.52
+    ),
     "Frame": polhode.Frame.inertial(),
-    "NutationTheory": polhode.nutation_theory("mars", order=1),
+    "NutationTheory": polhode.secular.nutation_theory("mars", order=1),
     "Date": DATE,
     "FacetShape": SHAPE,
     "Surface": SURFACE,
@@ -360,7 +363,7 @@ OF_SELF = {
     "Units": polhode.Units(),
     "Series": SERIES,
     "GravityGradientTheory": THEORY,
-    "CompiledSeries": polhode.CompiledSeries(SERIES),
-    "TriaxialNormalForm": polhode.TriaxialNormalForm(BODY, 2),
+    "CompiledSeries": polhode.series.CompiledSeries(SERIES),
+    "TriaxialNormalForm": polhode.series.TriaxialNormalForm(BODY, 2),
     "Trajectory": polhode.integrate(polhode.Problem(DAMPED, STATE, 0.0, 1.0)),
 }

@@ -121,7 +121,7 @@ def test_it_still_turns_about_its_short_axis_most_of_the_time(scenario):
                                   polhode.Adaptive(1e-12))
         motions.append(polhode.FreeRotation(scenario.body,
                                             polhode.integrate(problem).states[-1]))
-    assert all(motion.regime == polhode.Regime.short_axis for motion in motions)
+    assert all(motion.regime == polhode.free.Regime.short_axis for motion in motions)
     assert_allclose(motions[0].polhode_period, motions[1].polhode_period,
                     rtol=budgets.apophis_after)
     assert_allclose(motions[0].precession_rate_long, motions[1].precession_rate_long,

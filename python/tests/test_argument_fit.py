@@ -8,10 +8,10 @@ import numpy as np
 import polhode
 import pytest
 from closeness import assert_allclose
-from polhode import argument_fit
+from polhode.analysis import argument_fit
 
 # The Earth: l, lp, F, D, Om in rad and rad per day, and four terms.
-EARTH = polhode.nutation_theory(order=1, least=1e-6)
+EARTH = polhode.secular.nutation_theory(order=1, least=1e-6)
 EPOCH, RATES = EARTH.at_epoch, EARTH.rates * 86400.0
 M = np.array([[0, 0, 0, 0, 1], [0, 0, 0, 0, 2], [0, 1, 0, 0, 0], [0, 0, 2, -2, 2]])
 T = -5000.0 + 14000.0 * np.sort(np.random.default_rng(5).random(3000))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""polhode.read_aem: attitudes and angular velocities of every form, several segments."""
+"""ephemeris.read_aem: attitudes and angular velocities of every form, several segments."""
 
 import pathlib
 
@@ -8,6 +8,7 @@ import numpy as np
 import polhode
 import pytest
 from closeness import assert_allclose
+from polhode import ephemeris
 from rejections import rejected
 from scenario_texts import ROOT
 from scipy.spatial.transform import Rotation
@@ -26,7 +27,7 @@ def test_a_run_comes_back(tmp_path):
     results = polhode.Scenario.from_text(few).run()
     with pytest.warns(UserWarning, match="between rows a reader that interpolates as"):
         results.write(path)  # 60 h apart
-    read = polhode.read_aem(path)
+    read = ephemeris.read_aem(path)
     [segment] = read.segments
     assert read.version == "2.0" and read.originator == "POLHODE"
     assert segment.frame_a == "EME2000" and segment.time_system == "UTC"
@@ -39,7 +40,7 @@ def test_a_run_comes_back(tmp_path):
 
 
 def test_two_segments_of_other_forms():
-    first, second = polhode.read_aem(CORPUS / "derivative.aem").segments
+    first, second = ephemeris.read_aem(CORPUS / "derivative.aem").segments
     # scalar first, B2A: the inverse; w = 2 q* dq/dt of A2B
     assert np.array_equal(first.q, [[1, 0, 0, 0], [0, -1, 0, 0]])
     assert_allclose(first.omega[0], [-0.2, 0, -1], atol=budgets.numpy_rounding)
@@ -55,22 +56,24 @@ def test_two_segments_of_other_forms():
 
 def test_angular_velocity_is_that_of_the_attitudes():
     """Differences of the attitudes of a file give its rates: their frame and their sign."""
-    [segment] = polhode.read_aem(CORPUS / "quaternion-rate-1.aem").segments
+    [segment] = ephemeris.read_aem(CORPUS / "quaternion-rate-1.aem").segments
     step = segment.t[1]
     between = rotation(segment.q[0]).inv() * rotation(segment.q[2])
     assert_allclose(between.as_rotvec() / (2 * step), segment.omega[1], rtol=budgets.aem_difference)
 
 
 def test_the_rate_of_a_spin_is_kept():
-    [segment] = polhode.read_aem(CORPUS / "spin-2.aem").segments
+    [segment] = ephemeris.read_aem(CORPUS / "spin-2.aem").segments
     assert segment.omega is None
     assert segment.spin_rate[0] == np.radians(0.0031686874209190777) and len(segment) == 4
-    [other] = polhode.read_aem(CORPUS / "quaternion-2.aem").segments
+    [other] = ephemeris.read_aem(CORPUS / "quaternion-2.aem").segments
     assert other.spin_rate is None and other.omega is None
 
 
 def test_errors_name_the_file_and_the_line(tmp_path):
     path = tmp_path / "bad.aem"
     path.write_text("CCSDS_AEM_VERS = 1.0\nORIGINATOR =\n", encoding="ascii")
-    rejected(polhode.DomainError, "bad.aem:2: ORIGINATOR: got nothing", polhode.read_aem, path)
-    rejected(ValueError, "cannot be read", polhode.read_aem, pathlib.Path(tmp_path) / "none.aem")
+    rejected(
+        polhode.DomainError, "bad.aem:2: ORIGINATOR: got nothing", ephemeris.read_aem, path
+    )
+    rejected(ValueError, "cannot be read", ephemeris.read_aem, pathlib.Path(tmp_path) / "none.aem")

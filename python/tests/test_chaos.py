@@ -15,7 +15,6 @@ from interrupts import LATEST, seconds_from_signal
 from numpy.testing import assert_array_equal
 from polhode import (
     Adaptive,
-    DeviationBy,
     DomainError,
     HamiltonianTerm,
     Problem,
@@ -23,9 +22,9 @@ from polhode import (
     Splitting,
     System,
     TorqueTerm,
-    chaos_indicator,
     rotor_state,
 )
+from polhode.analysis import DeviationBy, chaos_indicator
 
 START = rotor_state(HYPERION, [math.cos(0.6), 0.1, 0.2, math.sin(0.6)], [0.1, 0.0, 1.3])
 STOP = 20 * 2 * math.pi

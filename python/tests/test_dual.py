@@ -9,16 +9,10 @@ import numpy as np
 import pytest
 from closeness import assert_allclose
 from differences import slope
-from polhode import (
-    Body,
-    Dual,
-    HamiltonianTerm,
-    RotorState,
-    System,
-    attitude,
-    attitude_matrix,
-    effect,
-)
+from polhode import Body, HamiltonianTerm, RotorState, System
+from polhode.charts import attitude, attitude_matrix
+from polhode.rates import effect
+from polhode.types import Dual
 from rejections import rejected
 
 EPS = np.finfo(float).eps

@@ -22,25 +22,24 @@ from polhode import (
     Body,
     Collocation,
     ConstantTorque,
-    Crossing,
     Event,
     FreeRotation,
     GravityGradient,
     HamiltonianTerm,
     KeplerElements,
     KeplerOrbit,
-    Precision,
     Problem,
     RotorState,
     SaveAt,
     Splitting,
-    SplittingScheme,
     System,
     TorqueTerm,
     VariationOfConstants,
     integrate,
-    state_transitions,
 )
+from polhode.analysis import state_transitions
+from polhode.types import Crossing, Precision, SplittingScheme
+from public_names import PUBLIC
 from slowdown import SLOWDOWN
 
 BODY = Body(1.0, 2.0, 2.7)
@@ -117,7 +116,7 @@ def test_methods_are_values():
         "Adaptive(tolerance=1e-20, precision=Precision.double_double, largest_step=2.0)"
     )
     for method in (*METHODS, Adaptive(1e-20, "double_double", 0.1, 2.0)):
-        assert eval(repr(method), vars(polhode)) == method
+        assert eval(repr(method), {**PUBLIC}) == method
         assert pickle.loads(pickle.dumps(method)) == method
     with pytest.raises(AttributeError):
         Adaptive().tolerance = 1e-3
@@ -215,7 +214,7 @@ def test_a_condition_is_no_event(condition):
 def test_an_event_may_stop_the_run():
     problem = Problem(System(BODY), START, 0.0, 40.0, events=[Event("g2", middle, stops=True)])
     run = integrate(problem, np.arange(0.0, 40.0, 0.1))
-    assert run.outcome.status == polhode.Outcome.Status.stopped_by_event and run.outcome.ok
+    assert run.outcome.status == polhode.types.Outcome.Status.stopped_by_event and run.outcome.ok
     assert run.stop == run.outcome.t == run.events[0].t == run.t[-1]
     assert len(run.events) == 1
     assert "stopped by an event" in repr(run)
@@ -298,7 +297,7 @@ def test_a_run_that_fails_warns_and_keeps_what_it_had():
     with pytest.warns(RuntimeWarning, match='integrate: .* event "root" is NaN') as warned:
         run = integrate(problem, np.arange(0.0, 10.0, 0.5))
     assert warned[0].filename == __file__
-    assert not run.outcome.ok and run.outcome.status == polhode.Outcome.Status.failed
+    assert not run.outcome.ok and run.outcome.status == polhode.types.Outcome.Status.failed
     assert run.outcome.advice in repr(run)
     assert 4.0 < run.stop <= 5.0
     assert 8 < len(run) <= 11
@@ -373,7 +372,7 @@ def test_state_transitions_are_views():
 
 
 def spring(t, s):
-    z = polhode.attitude_matrix(s.q)[2]
+    z = polhode.charts.attitude_matrix(s.q)[2]
     return 0.2 * z[0] * z[0]
 
 
@@ -487,7 +486,7 @@ def test_every_method_finds_the_zeros_of_qw(method):
 def test_free_events_are_found_after_a_billion_turns():
     exact = FreeRotation(WING_NUT, SPINNING)
     half = exact.polhode_period / 2
-    flips = polhode.free_events(exact, [Event("flip", middle)], 1e9, 1e9 + 100 * half)
+    flips = polhode.free.free_events(exact, [Event("flip", middle)], 1e9, 1e9 + 100 * half)
     assert len(flips) == 100
     for event in flips:
         assert event.name == "flip" and event.direction in (1, -1)
@@ -498,9 +497,9 @@ def test_free_events_are_found_after_a_billion_turns():
 def test_free_events_from_a_frame_are_those_of_a_run():
     frame = polhode.Frame.precessing([0, 0.6, 0.8], 1.3, 0.0)
     system = System(WING_NUT, frame)
-    motion = FreeRotation(WING_NUT, polhode.inertial_state(system, 0.0, SPINNING))
+    motion = FreeRotation(WING_NUT, polhode.charts.inertial_state(system, 0.0, SPINNING))
     events = [Event("flip", middle), Event("qw", lambda t, s: s.q[0], "rising")]
-    found = polhode.free_events(motion, events, 0.0, 20.0, frame)
+    found = polhode.free.free_events(motion, events, 0.0, 20.0, frame)
     run = integrate(Problem(system, SPINNING, 0.0, 20.0, Adaptive(1e-14), events))
     assert [e.name for e in found] == [e.name for e in run.events]
     times = np.array([e.t for e in found])
@@ -510,15 +509,15 @@ def test_free_events_from_a_frame_are_those_of_a_run():
 def test_free_events_that_cannot_be_say_why():
     exact = FreeRotation(WING_NUT, SPINNING)
     with pytest.raises(TypeError, match="free_events: events: got int; expected Event"):
-        polhode.free_events(exact, [1], 0.0, 1.0)
+        polhode.free.free_events(exact, [1], 0.0, 1.0)
     with pytest.raises(TypeError, match="free_events: frame: got int; expected a Frame"):
-        polhode.free_events(exact, [], 0.0, 1.0, 3)
+        polhode.free.free_events(exact, [], 0.0, 1.0, 3)
     with pytest.raises(ValueError, match="interval -1.0 must be positive, or 0 for none"):
         Event("a", middle, interval=-1.0)
     with pytest.warns(RuntimeWarning, match='event "a" is NaN after t = '):
-        polhode.free_events(exact, [Event("a", lambda t, s: np.sqrt(5.0 - t))], 0.0, 9.0)
+        polhode.free.free_events(exact, [Event("a", lambda t, s: np.sqrt(5.0 - t))], 0.0, 9.0)
     with pytest.raises(ZeroDivisionError):
-        polhode.free_events(exact, [Event("a", lambda t, s: 1 / 0)], 0.0, 9.0)
+        polhode.free.free_events(exact, [Event("a", lambda t, s: 1 / 0)], 0.0, 9.0)
 
 
 def test_a_run_that_continues_another_has_no_event_at_its_start():

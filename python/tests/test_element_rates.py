@@ -21,55 +21,55 @@ def general(C, t):
 @pytest.mark.parametrize("gauge", ["canonical", "osculating", general])
 @pytest.mark.parametrize("chosen", SETS)
 def test_elements_and_states_go_there_and_back(chosen, gauge):
-    elements = polhode.elements_of_state(chosen, SYSTEM, 0.4, STATE, gauge)
-    back = polhode.element_state(SYSTEM, 0.4, elements, gauge)
+    elements = polhode.charts.elements_of_state(chosen, SYSTEM, 0.4, STATE, gauge)
+    back = polhode.charts.element_state(SYSTEM, 0.4, elements, gauge)
     assert_allclose(back.g, STATE.g, atol=budgets.element_maps)
-    free = polhode.element_state(polhode.System(BODY), 0.4, elements)
+    free = polhode.charts.element_state(polhode.System(BODY), 0.4, elements)
     rate = polhode.angular_velocity(BODY, free)
-    phi = polhode.element_convective_term(SYSTEM, 0.4, elements, gauge)
+    phi = polhode.rates.element_convective_term(SYSTEM, 0.4, elements, gauge)
     assert_allclose(rate + phi, polhode.angular_velocity(SYSTEM, 0.4, STATE).relative,
                     atol=budgets.element_maps)
 
 
 def test_canonical_elements_have_the_canonical_rates():
-    expected = polhode.canonical_rates("andoyer", SYSTEM, 0.4, STATE)
-    assert_allclose(polhode.element_rates(SYSTEM, 0.4, polhode.to_andoyer(STATE)), expected,
+    expected = polhode.rates.canonical_rates("andoyer", SYSTEM, 0.4, STATE)
+    assert_allclose(polhode.rates.element_rates(SYSTEM, 0.4, polhode.to_andoyer(STATE)), expected,
                     atol=budgets.element_maps)
-    modified = polhode.elements_of_state("fukushima-ishizaki", SYSTEM, 0.4, STATE, t0=0.1)
-    known = polhode.modified_andoyer_rates(SYSTEM, 0.1, 0.4, STATE)
+    modified = polhode.charts.elements_of_state("fukushima-ishizaki", SYSTEM, 0.4, STATE, t0=0.1)
+    known = polhode.rates.modified_andoyer_rates(SYSTEM, 0.1, 0.4, STATE)
     expected = [getattr(known, name) for name in ("l", "g", "h", "L", "G", "H")]
-    assert_allclose(polhode.element_rates(SYSTEM, 0.4, modified), expected,
+    assert_allclose(polhode.rates.element_rates(SYSTEM, 0.4, modified), expected,
                     atol=budgets.element_maps)
 
 
 @pytest.mark.parametrize("chosen", SETS)
 def test_no_convective_term_is_the_osculating_gauge(chosen):
-    elements = polhode.elements_of_state(chosen, SYSTEM, 0.4, STATE, "osculating")
-    assert_allclose(polhode.element_rates(SYSTEM, 0.4, elements, lambda C, t: [0, 0, 0]),
-                    polhode.element_rates(SYSTEM, 0.4, elements, "osculating"),
+    elements = polhode.charts.elements_of_state(chosen, SYSTEM, 0.4, STATE, "osculating")
+    assert_allclose(polhode.rates.element_rates(SYSTEM, 0.4, elements, lambda C, t: [0, 0, 0]),
+                    polhode.rates.element_rates(SYSTEM, 0.4, elements, "osculating"),
                     atol=budgets.element_maps)
 
 
 def test_many_at_once():
     motion = polhode.FreeRotation(BODY, STATE)
     states = motion.at(np.linspace(0, 3, 6).reshape(2, 3))
-    elements = polhode.elements_of_state("andoyer", SYSTEM, 0.4, states, "osculating")
-    rates = polhode.element_rates(SYSTEM, 0.4, elements, "osculating")
+    elements = polhode.charts.elements_of_state("andoyer", SYSTEM, 0.4, states, "osculating")
+    rates = polhode.rates.element_rates(SYSTEM, 0.4, elements, "osculating")
     assert rates.shape == (2, 3, 6)
     np.testing.assert_array_equal(
-        rates[1, 2], polhode.element_rates(SYSTEM, 0.4, elements[1, 2], "osculating"))
+        rates[1, 2], polhode.rates.element_rates(SYSTEM, 0.4, elements[1, 2], "osculating"))
 
 
 def test_what_is_no_gauge_is_rejected():
     elements = polhode.to_andoyer(STATE)
     with pytest.raises(ValueError, match='got "tangent"; expected "canonical", "osculating" or'):
-        polhode.element_rates(SYSTEM, 0.0, elements, "tangent")
+        polhode.rates.element_rates(SYSTEM, 0.0, elements, "tangent")
     with pytest.raises(TypeError, match="gauge"):
-        polhode.element_rates(SYSTEM, 0.0, elements, 7)
+        polhode.rates.element_rates(SYSTEM, 0.0, elements, 7)
     with pytest.raises((TypeError, ValueError), match="3 numbers, the convective term"):
-        polhode.element_rates(SYSTEM, 0.0, elements, lambda C, t: [C[0], t])
+        polhode.rates.element_rates(SYSTEM, 0.0, elements, lambda C, t: [C[0], t])
     with pytest.raises(ValueError, match='expected "andoyer", "fukushima-ishizaki", '):
-        polhode.elements_of_state("euler", SYSTEM, 0.0, STATE)
+        polhode.charts.elements_of_state("euler", SYSTEM, 0.0, STATE)
     upright = polhode.RotorState([1, 0, 0, 0], [0, 0, 1])
     with pytest.raises(polhode.DomainError, match="a singularity of Andoyer's variables"):
-        polhode.element_rates(SYSTEM, 0.0, polhode.to_andoyer(upright))
+        polhode.rates.element_rates(SYSTEM, 0.0, polhode.to_andoyer(upright))

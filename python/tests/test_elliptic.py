@@ -36,7 +36,7 @@ SIGNATURES = {
 
 
 def test_all_names_are_tried():
-    assert set(SIGNATURES) | {"jacobi", "JacobiFunctions"} == set(elliptic.__all__)
+    assert set(SIGNATURES) | {"jacobi", "JacobiFunctions", "Modulus"} == set(elliptic.__all__)
 
 
 @pytest.mark.parametrize("name", SIGNATURES)

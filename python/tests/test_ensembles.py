@@ -15,7 +15,8 @@ import polhode
 import pytest
 from interrupts import LATEST, seconds_from_signal
 from numpy.testing import assert_array_equal
-from polhode import DomainError, EnsembleResults, Scenario, ScenarioError, vary
+from polhode import DomainError, Scenario, ScenarioError, vary
+from polhode.ensemble import EnsembleResults
 from rejections import rejected
 from scenario_texts import FREE, ROOT, command_line
 
@@ -34,7 +35,7 @@ stops = true
 def test_the_numbers_are_those_of_the_command_line(tmp_path):
     scenario = polhode.load(TUMBLER)
     ours, theirs = tmp_path / "ours.csv", tmp_path / "theirs.csv"
-    found = polhode.ensemble(scenario, size=40, outputs=[ours, tmp_path / "ours.h5"])
+    found = scenario.ensemble(size=40, outputs=[ours, tmp_path / "ours.h5"])
     set_ = ["--set", "ensemble.size=40"]
     command_line("ensemble", TUMBLER, *set_, "--out", theirs, "--out", tmp_path / "theirs.h5")
 
@@ -55,20 +56,20 @@ def test_the_numbers_are_those_of_the_command_line(tmp_path):
 
 @pytest.mark.parametrize("keep", ["statistics", "final", "rows"])
 def test_threads_and_files_change_nothing(keep, tmp_path):
-    found = polhode.ensemble(FEW, BOTH, size=50, keep=keep, threads=1)
-    other = polhode.ensemble(FEW, BOTH, tmp_path / "a.csv", size=50, keep=keep, threads=3)
+    found = FEW.ensemble(vary=BOTH, size=50, keep=keep, threads=1)
+    other = FEW.ensemble(tmp_path / "a.csv", vary=BOTH, size=50, keep=keep, threads=3)
     assert found == other == EnsembleResults.read(tmp_path / "a.csv")
     assert pickle.loads(pickle.dumps(found)) == found
-    assert found != polhode.ensemble(FEW, BOTH, size=50, keep=keep, seed=2)
+    assert found != FEW.ensemble(vary=BOTH, size=50, keep=keep, seed=2)
     assert not found["t"].flags.writeable
     with pytest.raises(ValueError):
         found["t"][0] = 1.0
 
 
 def test_statistics_are_those_of_the_rows():
-    rows = polhode.ensemble(FEW, BOTH, size=30, keep="rows")
+    rows = FEW.ensemble(vary=BOTH, size=30, keep="rows")
     q = [0.0, 0.25, 1.0]
-    found = polhode.ensemble(FEW, BOTH, size=30, quantiles=q)
+    found = FEW.ensemble(vary=BOTH, size=30, quantiles=q)
     E = rows["E"].reshape(30, -1)
     assert np.allclose(found["E_mean"], E.mean(0), rtol=budgets.ensemble_of_rows, atol=0.0)
     assert_array_equal(found["E_greatest"], E.max(0))
@@ -85,9 +86,9 @@ def test_statistics_are_those_of_the_rows():
 @pytest.mark.parametrize("keep", ["statistics", "final", "rows"])
 def test_what_was_drawn_and_each_member_alone(keep, tmp_path):
     path = tmp_path / "e.h5"
-    found = polhode.ensemble(FEW, BOTH, path, size=12, keep=keep)
-    rows = polhode.ensemble(FEW, BOTH, size=12, keep="rows")
-    final = polhode.ensemble(FEW, BOTH, size=12, keep="final")
+    found = FEW.ensemble(path, vary=BOTH, size=12, keep=keep)
+    rows = FEW.ensemble(vary=BOTH, size=12, keep="rows")
+    final = FEW.ensemble(vary=BOTH, size=12, keep="final")
     for results in (found, EnsembleResults.read(path)):
         assert list(results.drawn) == [SPIN, MOMENT]
         for key, numbers in results.drawn.items():
@@ -150,7 +151,7 @@ def test_distributions_are_those_of_the_schema():
 
 def test_a_member_that_fails_is_named_and_left_out(tmp_path):
     vary_ = {MOMENT: vary.uniform(1, 6)}  # beyond 4.5 there is no such body
-    found = polhode.ensemble(FEW, vary_, tmp_path / "e.csv", size=80, keep="final")
+    found = FEW.ensemble(tmp_path / "e.csv", vary=vary_, size=80, keep="final")
     wrong = np.flatnonzero(found.drawn[MOMENT] > 4.5)
     assert 0 < found.failed == len(wrong) < 80
     assert [member for member, _ in found.failures] == list(wrong)[:20]
@@ -158,9 +159,9 @@ def test_a_member_that_fails_is_named_and_left_out(tmp_path):
     assert f"{found.failed} members failed" in repr(found)
     read = EnsembleResults.read(tmp_path / "e.csv")
     assert read.failed == found.failed and read.failures == found.failures
-    assert polhode.ensemble(FEW, vary_, tmp_path / "e.h5", size=80).failures == found.failures
+    assert FEW.ensemble(tmp_path / "e.h5", vary=vary_, size=80).failures == found.failures
     assert EnsembleResults.read(tmp_path / "e.h5").failures == found.failures
-    done = polhode.ensemble(FEW, vary_, tmp_path / "e.h5", size=80, resume=True)
+    done = FEW.ensemble(tmp_path / "e.h5", vary=vary_, size=80, resume=True)
     assert (done.failed, done.failures) == (found.failed, found.failures)
     text = (tmp_path / "e.csv").read_text()
     (tmp_path / "e.csv").write_text(text.partition("# failed: ")[0])  # of an older version
@@ -168,14 +169,14 @@ def test_a_member_that_fails_is_named_and_left_out(tmp_path):
     assert older.failed == found.failed
     with pytest.raises(AttributeError, match="this file does not say why"):
         older.failures  # noqa: B018
-    statistics = polhode.ensemble(FEW, vary_, size=80)
+    statistics = FEW.ensemble(vary=vary_, size=80)
     assert (statistics["members"] == 80 - found.failed).all()
     assert statistics.failures == found.failures
 
 
 def test_an_ensemble_of_which_nobody_is_left_is_an_error(tmp_path):
     with pytest.raises(RuntimeError, match="all 7 members failed.*\n  member 0: .*moments"):
-        polhode.ensemble(FEW, {MOMENT: vary.uniform(5, 6)}, tmp_path / "e.csv", size=7)
+        FEW.ensemble(tmp_path / "e.csv", vary={MOMENT: vary.uniform(5, 6)}, size=7)
     assert not (tmp_path / "e.csv").exists()
 
 
@@ -183,7 +184,7 @@ def test_an_ensemble_of_which_nobody_is_left_is_an_error(tmp_path):
 def test_files_have_title_and_order_of_what_is_in_memory(tmp_path, keep):
     titled = FEW.replace({"title": 'A "body"'}).with_columns(["energy", "tumbler", "q"])
     outputs = [tmp_path / "a.csv", tmp_path / "a.h5"]
-    found = polhode.ensemble(titled, BOTH, outputs, size=6, keep=keep)
+    found = titled.ensemble(outputs, vary=BOTH, size=6, keep=keep)
     for path in outputs:
         read = EnsembleResults.read(path)
         assert read.columns == found.columns and 'A "body": 6 members' in repr(read)
@@ -197,33 +198,33 @@ def test_a_histogram_that_is_not_there_is_named():
     assert list(found.histograms) == ["spins"]
     with pytest.raises(KeyError, match="no histogram 'nope'; there are: spins"):
         found.histograms["nope"]
-    final = polhode.ensemble(with_one, keep="final")
+    final = with_one.ensemble(keep="final")
     with pytest.raises(KeyError, match='go with keep="statistics".*keep="final"'):
         final.histograms["spins"]
     # other keys vary, the rest of the table stays
-    other = polhode.ensemble(with_one, {SPIN: vary.normal(0.2)})
+    other = with_one.ensemble(vary={SPIN: vary.normal(0.2)})
     assert other.size == 5 and list(other.drawn) == [SPIN] and "spins" in other.histograms
 
 
 def test_messages_about_what_varies_have_no_place():
     said = r"^scenario\.toml: ensemble\.vary\[0\]\.sigma: got -1; "
     with pytest.raises(ScenarioError, match=said):
-        polhode.ensemble(FEW, {SPIN: vary.normal(-1.0)}, size=5)
+        FEW.ensemble(vary={SPIN: vary.normal(-1.0)}, size=5)
     with pytest.raises(ScenarioError, match=r":\d+:\d+: body\.moments"):  # has a place
         FEW.replace({"body.moments": [1, 2, 30]})
 
 
 def test_tables_of_xarray():
-    statistics = polhode.ensemble(FEW, BOTH, size=20).to_xarray()
+    statistics = FEW.ensemble(vary=BOTH, size=20).to_xarray()
     assert statistics["E_mean"].dims == ("t",) and statistics.sizes["t"] == 21
     assert statistics["E_p5"].attrs == {"units": "1/s2", "long_name": "quantile 0.05 of E"}
     assert statistics["q_cov_12"].attrs["units"] == "rad2" and statistics["t"].attrs["units"] == "s"
-    final = polhode.ensemble(FEW, BOTH, size=20, keep="final")
+    final = FEW.ensemble(vary=BOTH, size=20, keep="final")
     table = final.to_xarray()
     assert table["qw"].dims == ("member",) and table["member"].dtype == np.int64
     assert table[MOMENT].attrs["long_name"] == f"drawn: {MOMENT}"
     assert_array_equal(table["qw"], final["qw"])
-    rows = polhode.ensemble(FEW, BOTH, size=20, keep="rows")
+    rows = FEW.ensemble(vary=BOTH, size=20, keep="rows")
     table = rows.to_xarray()
     assert table["qw"].dims == ("member", "t")
     assert_array_equal(table["qw"].sel(member=3, t=5.0), rows["qw"][3 * 21 + 10])
@@ -232,7 +233,7 @@ def test_tables_of_xarray():
 
 def test_rows_of_members_that_events_stop_lie_side_by_side():
     apart = {SPIN: vary.uniform(0.5, 2.0)}
-    rows = polhode.ensemble(Scenario.from_text(STOPPED), apart, size=10, keep="rows")
+    rows = Scenario.from_text(STOPPED).ensemble(vary=apart, size=10, keep="rows")
     table = rows.to_xarray()
     assert table["qw"].dims == ("member", "row") == table["t"].dims
     for k in range(10):
@@ -355,7 +356,7 @@ class Enough(Exception):
 @pytest.mark.parametrize("keep", ["statistics", "final", "rows"])
 @pytest.mark.parametrize("extension", ["csv", "h5"])
 def test_an_ensemble_goes_on_where_it_was_stopped(keep, extension, tmp_path):
-    whole = polhode.ensemble(FEW, BOTH, size=200, keep=keep, chunk=16)
+    whole = FEW.ensemble(vary=BOTH, size=200, keep=keep, chunk=16)
     path = tmp_path / f"e.{extension}"
     scenario = whole.scenario
 
@@ -402,7 +403,7 @@ def test_python_runs_while_members_do():
 
     counter = threading.Thread(target=count)
     counter.start()
-    polhode.ensemble(polhode.load(TUMBLER), size=300, threads=1)
+    polhode.load(TUMBLER).ensemble(size=300, threads=1)
     done.set()
     counter.join()
     assert len(counted) > 20
@@ -410,7 +411,8 @@ def test_python_runs_while_members_do():
 
 def test_what_is_refused(tmp_path):
     def refused(error, match, *arguments, **keywords):
-        rejected(error, match, polhode.ensemble, *arguments, **keywords)
+        of, vary_, *outputs = [*arguments, None] if len(arguments) == 1 else arguments
+        rejected(error, match, of.ensemble, *outputs, vary=vary_, **keywords)
 
     refused(ScenarioError, "ensemble: got nothing; expected a table", FEW)
     refused(ScenarioError, "size", FEW, BOTH)
@@ -426,14 +428,13 @@ def test_what_is_refused(tmp_path):
     refused(ValueError, "threads: got 0", FEW, BOTH, size=3, threads=0)
     refused(TypeError, "outputs: got 3", FEW, BOTH, 3, size=3)
     refused(ValueError, "holds one motion", FEW, BOTH, tmp_path / "e.aem", size=3)
-    refused(OSError, "nothing.toml", tmp_path / "nothing.toml")
     refused(MemoryError, "rows of 100000000000 members", FEW, BOTH, size=10**11, keep="rows")
     rejected(TypeError, r"vary.normal\(sigma.*: missing a required argument", vary.normal)
     rejected(TypeError, "vary.uniform: low", vary.uniform, 1j, 2)
     with pytest.raises(ValueError, match="got kind 'cauchy'; expected one of normal"):
         vary.Distribution("cauchy", {})
     with pytest.raises(KeyError, match='no column "E_means"; did you mean E_mean'):
-        polhode.ensemble(FEW, BOTH, size=3)["E_means"]
+        FEW.ensemble(vary=BOTH, size=3)["E_means"]
     run = tmp_path / "run.csv"
     FEW.run(run)
     rejected(ValueError, "no file of an ensemble", EnsembleResults.read, run)
@@ -442,18 +443,18 @@ def test_what_is_refused(tmp_path):
 
 
 @pytest.mark.parametrize("package, call", [
-    ("h5py", "polhode.EnsembleResults.read(path)"),
+    ("h5py", "polhode.ensemble.EnsembleResults.read(path)"),
     ("xarray", "results.to_xarray()"),
 ])
 def test_a_package_that_is_missing_is_named(package, call, tmp_path):
     path = tmp_path / "e.h5"
-    polhode.ensemble(FEW, BOTH, path, size=3)
+    FEW.ensemble(path, vary=BOTH, size=3)
     code = f"""
 import sys
 sys.modules["{package}"] = None
 import polhode
 path = {str(path)!r}
-results = polhode.ensemble(polhode.load({str(TUMBLER)!r}), size=2)
+results = polhode.load({str(TUMBLER)!r}).ensemble(size=2)
 try:
     {call}
 except ImportError as error:

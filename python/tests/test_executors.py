@@ -116,7 +116,7 @@ def test_threads_of_an_executor_do_too():
     of = scenario(quantiles=[0.5], bins=8)
     with concurrent.futures.ThreadPoolExecutor(3) as executor:
         assert of.ensemble(executor=executor) == of.ensemble()
-        assert polhode.ensemble(of, executor=executor, size=40).size == 40
+        assert of.ensemble(executor=executor, size=40).size == 40
 
 
 class OnePerCall(concurrent.futures.Executor):

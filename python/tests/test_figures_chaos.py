@@ -8,16 +8,8 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 from numpy.testing import assert_array_equal
-from polhode import (
-    Adaptive,
-    Body,
-    Problem,
-    Scenario,
-    System,
-    chaos_indicator,
-    figures,
-    rotor_state,
-)
+from polhode import Adaptive, Body, Problem, Scenario, System, figures, rotor_state
+from polhode.analysis import chaos_indicator
 
 BODY = Body(1.0, 1.6, 2.0)
 PROBLEM = Problem(

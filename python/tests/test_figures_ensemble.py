@@ -31,12 +31,12 @@ QUANTILES = [0.05, 0.25, 0.4, 0.5, 0.75, 0.95]
 
 @pytest.fixture(scope="module")
 def statistics():
-    return polhode.ensemble(SCENARIO, BOTH, size=60, quantiles=QUANTILES)
+    return SCENARIO.ensemble(vary=BOTH, size=60, quantiles=QUANTILES)
 
 
 @pytest.fixture(scope="module")
 def final():
-    return polhode.ensemble(SCENARIO, BOTH, size=60, keep="final")
+    return SCENARIO.ensemble(vary=BOTH, size=60, keep="final")
 
 
 def edges(band):
@@ -53,7 +53,7 @@ def named(artists):
 
 def test_a_fan_has_its_quantiles(statistics, tmp_path):
     path = tmp_path / "e.h5"
-    polhode.ensemble(statistics.scenario, None, path)
+    statistics.scenario.ensemble(path, vary=None)
     for source in (statistics, path, dict(statistics)):
         ax = figures.quantile_fan(source, "P_phi")
         bands = named(ax.collections)

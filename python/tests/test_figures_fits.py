@@ -26,10 +26,10 @@ BODY = fit_calls.BODY
 def curve(count=60, seed=1, name="night"):
     random = np.random.default_rng(seed)
     t = np.sort(random.uniform(0.0, 40.0, count))
-    blank = polhode.LightCurve(t, np.ones(count), 1.0, SUN, OBSERVER)
-    (flux,) = polhode.model_fluxes(BODY, blank)
+    blank = polhode.light.LightCurve(t, np.ones(count), 1.0, SUN, OBSERVER)
+    (flux,) = polhode.light.model_fluxes(BODY, blank)
     flux *= 1.0 + 0.01 * random.normal(size=count)
-    return polhode.LightCurve(t, flux, 0.01 * flux.mean(), SUN, OBSERVER, name=name)
+    return polhode.light.LightCurve(t, flux, 0.01 * flux.mean(), SUN, OBSERVER, name=name)
 
 
 CURVE = curve()
@@ -37,7 +37,7 @@ CURVE = curve()
 
 @pytest.fixture(scope="module")
 def solution():
-    found = polhode.fit_light(BODY, CURVE)
+    found = polhode.light.fit_light(BODY, CURVE)
     assert found.converged
     return found
 
@@ -64,7 +64,7 @@ def test_residuals_are_below_the_light_curve(solution):
 
 
 def test_a_landscape_has_the_least_of_its_cells_and_its_minima():
-    scan = polhode.fourier_scan(CURVE, (0.05, 0.4, 0.0004), (0.1, 0.3, 0.005), order=1)
+    scan = polhode.light.fourier_scan(CURVE, (0.05, 0.4, 0.0004), (0.1, 0.3, 0.005), order=1)
     axis = figures.scan_landscape(scan, minima=2, unit="h")
     (mesh,) = axis.collections[:1]
     drawn = mesh.get_array()
@@ -92,7 +92,7 @@ def test_the_error_of_a_pole_is_that_of_draws(solution):
     """Unknowns drawn from the covariance have poles with the covariance that is drawn."""
     pole, covariance = pole_and_covariance(solution, scaled=False)
     assert_allclose(pole, solution.pole, atol=budgets.fit_motion)
-    f = polhode.LightResiduals(solution.body, CURVE)
+    f = polhode.light.LightResiduals(solution.body, CURVE)
     random = np.random.default_rng(1)
     step = 1e-3  # so small that the pole is linear
     x = np.append(np.zeros(3), solution.values[3:])
@@ -101,15 +101,15 @@ def test_the_error_of_a_pole_is_that_of_draws(solution):
     for one in drawn:
         body = f.state(one)
         motion = body.spin.free_rotation
-        momentum = polhode.inertial_momentum(motion.at(motion.epoch))
+        momentum = polhode.charts.inertial_momentum(motion.at(motion.epoch))
         poles.append(momentum / np.linalg.norm(momentum))
     spread = np.trace(np.cov(np.array(poles), rowvar=False)) / step**2
     assert_allclose(np.sqrt(np.trace(covariance) / spread), 1.0, atol=budgets.sampled_spread)
 
 
 def test_poles_of_all_solutions_are_on_the_sky(solution):
-    (toutatis,) = polhode.fit(fit_calls.TOUTATIS).solutions
-    spin = polhode.fit_spin(fit_calls.STATE, fit_calls.RATES, "rate")
+    (toutatis,) = polhode.fit.fit_scenario(fit_calls.TOUTATIS).solutions
+    spin = polhode.fit.fit_spin(fit_calls.STATE, fit_calls.RATES, "rate")
     axis = figures.pole_sky([solution, toutatis, spin], labels=["asteroid"])
     said = [text.get_text() for text in axis.get_legend().get_texts()]
     assert said[0] == "asteroid" and said[1].startswith("2: ")
@@ -121,7 +121,7 @@ def test_poles_of_all_solutions_are_on_the_sky(solution):
     assert "error-1" in marks and "error-2" in marks
     rejected(TypeError, "mollweide", figures.pole_sky, solution, plt.figure().add_subplot())
     rejected(TypeError, "expected a solution", figures.pole_sky, 3)
-    assert len(lines(figures.pole_sky(polhode.fit(fit_calls.TOUTATIS)))) == 2
+    assert len(lines(figures.pole_sky(polhode.fit.fit_scenario(fit_calls.TOUTATIS)))) == 2
     marks = lines(figures.pole_sky([solution] * 17))
     looks = {(marks[f"pole-{k}"].get_marker(), marks[f"pole-{k}"].get_color())
              for k in range(1, 18)}  # fmt: skip
@@ -141,7 +141,7 @@ def test_a_body_is_seen_where_its_ellipsoid_is():
         edge = axis.patches[0].get_xy()
         for angle in np.linspace(0.0, 3.0, 7):
             n = np.cos(angle) * right + np.sin(angle) * up
-            reach = np.linalg.norm(BODY.shape * (polhode.attitude_matrix(q) @ n))
+            reach = np.linalg.norm(BODY.shape * (polhode.charts.attitude_matrix(q) @ n))
             drawn = (edge @ [np.cos(angle), np.sin(angle)]).max()
             assert_allclose(drawn, reach, atol=budgets.drawn_edge)
     light = axes[0].images[0].get_array()
@@ -154,7 +154,7 @@ def test_a_body_is_seen_where_its_ellipsoid_is():
 
 def test_a_posterior_is_a_corner_plot():
     pytest.importorskip("mici")
-    f = polhode.SpinResiduals(fit_calls.STATE, fit_calls.RATES, "rate")
-    draws = fit_calls.quietly(polhode.posterior)(f, draws=30, chains=2, warm_up=20)
+    f = polhode.fit.SpinResiduals(fit_calls.STATE, fit_calls.RATES, "rate")
+    draws = fit_calls.quietly(polhode.fit.posterior)(f, draws=30, chains=2, warm_up=20)
     axes = figures.corner_plot(draws)
     assert axes.shape == (3, 3) and "rad/time" in axes[-1, 0].get_xlabel()

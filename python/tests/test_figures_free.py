@@ -14,10 +14,11 @@ import pytest
 from closeness import assert_allclose
 from differences import slope
 from matplotlib.text import Annotation
-from polhode import Regime, figures
+from polhode import figures
 from polhode.figures import arrows, polhode_curves, polhodes
 from polhode.figures.momentum_sphere import DEFAULT_VIEW
 from polhode.figures.view import Ellipsoid, View, parts, sphere
+from polhode.free import Regime
 
 BODIES = {"sorted": polhode.Body(3.0, 4.0, 6.0), "odd order": polhode.Body(4.0, 3.0, 6.0),
           "even order": polhode.Body(6.0, 3.0, 4.0), "Apophis": polhode.Body(0.61, 0.965, 1.0)}
@@ -162,7 +163,7 @@ def test_a_view_is_a_right_handed_frame():
 
 def test_a_surface_hides_what_is_behind_and_inside():
     view = View(20.0, 50.0)
-    turn = polhode.attitude_matrix([0.5, 0.5, -0.1, 0.7])
+    turn = polhode.charts.attitude_matrix([0.5, 0.5, -0.1, 0.7])
     for surface in (sphere(2.0), Ellipsoid((1.0, 2.0, 0.7), turn)):
         edge = surface.outline(view)
         assert_allclose(surface.facing(view, edge), 0.0, atol=budgets.round_trip_floor)
@@ -359,7 +360,7 @@ def test_herpolhode_starts_where_the_motion_is():
     axes = polhode_curves.invariable_axes(run)
     assert_allclose(axes @ axes.T, np.eye(3), atol=budgets.chart_rounding)
     assert_allclose(np.linalg.det(axes), 1.0)
-    omega = polhode.inertial_angular_velocity(run.body, run.initial_state)
+    omega = polhode.charts.inertial_angular_velocity(run.body, run.initial_state)
     assert_allclose(
         polhode_curves.herpolhode_points(run)[0] @ axes, omega, rtol=budgets.free_attitude
     )

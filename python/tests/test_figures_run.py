@@ -58,15 +58,15 @@ def test_the_picture_of_a_body_follows_its_state():
     for t in (0.0, 3.0):
         state = MOTION.at(t)
         picture.show(state)
-        rows = polhode.attitude_matrix(state.q)
+        rows = polhode.charts.attitude_matrix(state.q)
         for k, pointer in enumerate(picture.axes):
             assert_allclose(pointer.head.xy, view.paper((half_sizes(BODY)[k] + BEYOND) * rows[k]))
-        G = polhode.inertial_momentum(state)
+        G = polhode.charts.inertial_momentum(state)
         tip = np.array(picture.momentum.head.xy)
         assert_allclose(
             tip / np.linalg.norm(tip), unit(view.paper(G)), atol=budgets.round_trip_floor
         )
-        omega = polhode.inertial_angular_velocity(BODY, state)
+        omega = polhode.charts.inertial_angular_velocity(BODY, state)
         spin = np.array(picture.spin.head.xy)
         assert_allclose(unit(spin), unit(view.paper(omega)), atol=budgets.round_trip_floor)
         edge = picture.solid.border.get_xy()
@@ -100,7 +100,7 @@ def test_a_box_shows_its_near_faces_and_hides_what_is_behind():
     view = View(20.0, 30.0)
     sizes = half_sizes(BODY)
     box = BoxPicture(ax, view, sizes)
-    rows = polhode.attitude_matrix([0.8, 0.3, -0.4, 0.2])
+    rows = polhode.charts.attitude_matrix([0.8, 0.3, -0.4, 0.2])
     box.move(rows)
     shown = {key for key, face in box.faces.items() if face.get_facecolor()[3] > 0.0}
     assert shown == {

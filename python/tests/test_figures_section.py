@@ -27,15 +27,14 @@ from polhode import (
     Scenario,
     Splitting,
     System,
-    andoyer_section,
     energy,
     figures,
     integrate,
     rotor_state,
-    spin_orbit_section,
     to_andoyer,
     to_euler,
 )
+from polhode.analysis import andoyer_section, spin_orbit_section
 from polhode.figures.energy_error import FLOOR
 from polhode.figures.section import states_of
 from rejections import rejected

@@ -129,7 +129,7 @@ def test_fills_of_planes_differ_in_grey():
 
 def test_looks_go_round_and_are_found_by_regime():
     assert style.series(len(style.SERIES) + 1) == style.series(1)
-    assert style.regime_look(polhode.Regime.long_axis) is style.regime_look("long_axis")
+    assert style.regime_look(polhode.free.Regime.long_axis) is style.regime_look("long_axis")
     with pytest.raises(ValueError, match="got 'sideways'; expected one of short_axis, long_axis"):
         style.regime_look("sideways")
     look = style.series(0)

@@ -12,7 +12,8 @@ import numpy as np
 import polhode
 import pytest
 from closeness import assert_allclose, largest
-from polhode import Scenario, SpinState
+from polhode import Scenario
+from polhode.fit import SpinState
 from rejections import rejected
 from scipy.optimize import least_squares
 
@@ -55,7 +56,7 @@ def seen_of(state, noise=0.0, seed=3):
     a, b, c, d = small.T
     q = np.column_stack([w * a - x * b - y * c - z * d, w * b + x * a + y * d - z * c,
                          w * c - x * d + y * a + z * b, w * d + x * c - y * b + z * a])  # fmt: skip
-    return polhode.Snapshots(attitudes=(TIMES, q, noise or SIGMA))
+    return polhode.fit.Snapshots(attitudes=(TIMES, q, noise or SIGMA))
 
 
 DRIVEN = """
@@ -73,7 +74,7 @@ change = [0.5, -1, 2]
 
 @pytest.fixture(scope="module")
 def toutatis():
-    return polhode.fit(TOUTATIS)
+    return polhode.fit.fit_scenario(TOUTATIS)
 
 
 def test_toutatis_of_1992(toutatis):
@@ -141,15 +142,15 @@ def test_fits_pickle_as_what_they_are_made_of(toutatis):
     g = pickle.loads(pickle.dumps(f))
     assert np.array_equal(f.residuals(f.start), g.residuals(f.start)) and g.data == f.data
     seen = seen_of(TRUTH, SIGMA)
-    found = polhode.fit_spin(TRUTH, seen, priors={"Ixx/Izz": (0.4, 0.1)})
+    found = polhode.fit.fit_spin(TRUTH, seen, priors={"Ixx/Izz": (0.4, 0.1)})
     same = pickle.loads(pickle.dumps(found))
     assert np.array_equal(same.values, found.values)
     assert np.array_equal(same.covariance, found.covariance)
     assert all(map(np.array_equal, same.predicted([70.0]), found.predicted([70.0])))
-    h = polhode.SpinResiduals(TRUTH, seen, ["attitude", "rate"], loss=("huber", 2.0))
+    h = polhode.fit.SpinResiduals(TRUTH, seen, ["attitude", "rate"], loss=("huber", 2.0))
     k = pickle.loads(pickle.dumps(h))
     assert np.array_equal(h.jacobian(h.start), k.jacobian(h.start)) and k.names == h.names
-    bare = polhode.SpinResiduals._of(h._compiled)
+    bare = polhode.fit.SpinResiduals._of(h._compiled)
     rejected(TypeError, "not made of arrays or a scenario", pickle.dumps, bare)
     for whole in (toutatis, toutatis[0], found, f, h):
         assert copy.copy(whole) is whole and copy.deepcopy(whole) is whole
@@ -179,19 +180,19 @@ def test_results_are_shown(toutatis):
 def test_what_is_simulated_is_found_again(tmp_path):
     path = tmp_path / "fit.toml"
     path.write_text(TUMBLER, encoding="utf-8")
-    (written,) = polhode.simulate(path, tmp_path)
+    (written,) = polhode.fit.simulate(path, tmp_path)
     assert pathlib.Path(written) == tmp_path / "seen.csv"
-    rejected(ValueError, "seen.csv", polhode.simulate, path, tmp_path)
-    polhode.simulate(Scenario.from_text(TUMBLER), tmp_path, overwrite=True)
+    rejected(ValueError, "seen.csv", polhode.fit.simulate, path, tmp_path)
+    polhode.fit.simulate(Scenario.from_text(TUMBLER), tmp_path, overwrite=True)
     told = []
-    found = polhode.fit(path, progress=lambda done, of: told.append((done, of)))
+    found = polhode.fit.fit_scenario(path, progress=lambda done, of: told.append((done, of)))
     assert told == [(1, 1)]
     truth = np.array([1.0 / 2.6, 2.2 / 2.6, 3.0, 4.0, 12.0])
     names = ["Ixx/Izz", "Iyy/Izz", "w_x", "w_y", "w_z"]
     unknowns = found[0].unknowns
     off = np.array([(unknowns[n].value - x) / unknowns[n].error for n, x in zip(names, truth)])
     assert largest(np.abs(off)) < budgets.python_fit_off
-    again = polhode.fit(path, starts=2, seed=5)
+    again = polhode.fit.fit_scenario(path, starts=2, seed=5)
     assert again.starts == 2
     assert_allclose(again[0].chi_square, found[0].chi_square, rtol=budgets.fit_exact)
 
@@ -199,8 +200,8 @@ def test_what_is_simulated_is_found_again(tmp_path):
 def test_torques_and_jumps_are_unknowns(tmp_path):
     path = tmp_path / "driven.toml"
     path.write_text(TUMBLER + DRIVEN, encoding="utf-8")
-    polhode.simulate(path, tmp_path)
-    found = polhode.fit(path)
+    polhode.fit.simulate(path, tmp_path)
+    found = polhode.fit.fit_scenario(path)
     (one,) = found
     assert one.names[8:] == ("perturbation[0].torque[2]", *(f"jump[0].change[{k}]" for k in "012"))
     truth = [-0.05, 0.5, -1.0, 2.0]
@@ -240,18 +241,18 @@ def assert_driven_residuals(one):
 def test_what_progress_raises_ends_a_fit(tmp_path):
     path = tmp_path / "fit.toml"
     path.write_text(TUMBLER, encoding="utf-8")
-    polhode.simulate(path, tmp_path)
+    polhode.fit.simulate(path, tmp_path)
 
     def stop(done, of):
         raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
-        polhode.fit(path, starts=1000, progress=stop)
+        polhode.fit.fit_scenario(path, starts=1000, progress=stop)
 
 
 def test_exact_attitudes_give_the_state():
     start = SpinState(TRUTH.q, 1.002 * TRUTH.w, np.diag([1.02, 2.15, 2.6]))
-    found = polhode.fit_spin(start, seen_of(TRUTH))
+    found = polhode.fit.fit_spin(start, seen_of(TRUTH))
     assert found.converged and found.chi_square < budgets.fit_exact
     assert_allclose(found.state.w, TRUTH.w, atol=budgets.fit_exact)
     assert_allclose(found.state.inertia / found.state.inertia[2, 2], TRUTH.inertia / 2.6,
@@ -269,7 +270,7 @@ def test_a_body_and_its_axes_are_a_start():
     state = SpinState([1, 0, 0, 0], [0.1, 0.2, 0.3], body)
     assert_allclose(state.inertia, tensor, atol=budgets.fit_motion)
     motion = state.free_rotation
-    momentum = polhode.inertial_momentum(motion.at(0.0))
+    momentum = polhode.charts.inertial_momentum(motion.at(0.0))
     assert_allclose(momentum, np.array(tensor) @ [0.1, 0.2, 0.3], atol=budgets.fit_motion)
 
 
@@ -277,8 +278,8 @@ def test_another_optimiser_finds_the_same():
     seen = seen_of(TRUTH, SIGMA)
     start = SpinState(TRUTH.q, 1.001 * TRUTH.w, TRUTH.inertia)
     prior = {"Ixx/Izz": (0.4, 0.1), ("w_x", "w_y"): (TRUTH.w[:2], 1e-2 * np.eye(2))}
-    found = polhode.fit_spin(start, seen, priors=prior)
-    f = polhode.SpinResiduals(start, seen, priors=prior)
+    found = polhode.fit.fit_spin(start, seen, priors=prior)
+    f = polhode.fit.SpinResiduals(start, seen, priors=prior)
     assert f.names == found.names and f.data == seen.size == 75 and f.size == 78
     theirs = least_squares(f.residuals, f.start, f.jacobian, bounds=f.bounds, x_scale="jac")
     sizes = found.errors
@@ -306,7 +307,7 @@ def differences(function, x, h):
 @pytest.mark.parametrize("loss", ["squared", ("cauchy", 1.5)])
 def test_derivatives_are_those_of_the_residuals(loss):
     prior = {"Iyy/Izz": (0.8, 0.1)}
-    f = polhode.SpinResiduals(TRUTH, seen_of(TRUTH, SIGMA), priors=prior, loss=loss)
+    f = polhode.fit.SpinResiduals(TRUTH, seen_of(TRUTH, SIGMA), priors=prior, loss=loss)
     x = f.start + np.array([0.01, -0.02, 0.015, 1e-4, -2e-4, 1e-4, 0.01, -0.01])
     h = np.array([1e-3, 1e-3, 1e-3, 1e-5, 1e-5, 1e-5, 1e-4, 1e-4])
     J = f.jacobian(x)
@@ -322,8 +323,8 @@ def test_derivatives_are_those_of_the_residuals(loss):
 
 def test_all_rotations_are_alike_before_data():
     """Of the rotation vector v, |v| = a, the volume of rotations is (sin(a/2) / (a/2))^2 d3v."""
-    seen = polhode.Snapshots(rates=([0.0], [[0.1, 0.2, 0.3]], 1.0))
-    f = polhode.SpinResiduals(TRUTH, seen, ["attitude"],
+    seen = polhode.fit.Snapshots(rates=([0.0], [[0.1, 0.2, 0.3]], 1.0))
+    f = polhode.fit.SpinResiduals(TRUTH, seen, ["attitude"],
                               attitude_prior=(TRUTH.q, 1e3))  # fmt: skip
     for v in ([0.3, -0.2, 0.4], [1.5, 1.0, -2.0], [1e-5, 0.0, 2e-5]):
         a = np.linalg.norm(v)
@@ -337,7 +338,7 @@ def test_all_rotations_are_alike_before_data():
 
 
 def test_where_there_is_no_body_there_are_no_residuals():
-    f = polhode.SpinResiduals(TRUTH, seen_of(TRUTH, SIGMA))
+    f = polhode.fit.SpinResiduals(TRUTH, seen_of(TRUTH, SIGMA))
     x = f.start
     x[6:] = 3.0, 0.5
     assert np.isnan(f.residuals(x)).all() and np.isnan(f.jacobian(x)).all()
@@ -347,23 +348,27 @@ def test_where_there_is_no_body_there_are_no_residuals():
 @pytest.mark.parametrize(
     "call, said",
     [
-        (lambda: polhode.fit(TUMBLER.replace('kind = "fit"\n', "")), "No such file|too long"),
-        (lambda: polhode.fit(Scenario.from_text(TUMBLER.split("[[obs")[0].replace(
+        (lambda: polhode.fit.fit_scenario(TUMBLER.replace('kind = "fit"\n', "")),
+            "No such file|too long"),
+        (lambda: polhode.fit.fit_scenario(Scenario.from_text(TUMBLER.split("[[obs")[0].replace(
             'kind = "fit"\n', ""))), "kind"),
-        (lambda: polhode.fit(3), "got 3; expected a Scenario or a path"),
-        (lambda: polhode.fit(TOUTATIS, starts=0), "starts: got 0; expected a whole number from 1"),
-        (lambda: polhode.fit_spin(TRUTH, 3), "got 3; expected Snapshots"),
-        (lambda: polhode.fit_spin(TRUTH, polhode.Snapshots()), "as many|at least"),
-        (lambda: polhode.fit_spin(TRUTH, seen_of(TRUTH), "pole"), "unknowns: got 'pole'"),
-        (lambda: polhode.fit_spin(TRUTH, seen_of(TRUTH), loss="cube"), "loss: got 'cube'"),
-        (lambda: polhode.fit_spin(TRUTH, seen_of(TRUTH), priors={"b/a": (1, 1)}), "b/a"),
-        (lambda: polhode.Snapshots(attitudes=([0.0], [[1, 0, 0]], 1.0)), r"expected \(4,\)"),
-        (lambda: polhode.Snapshots(attitudes=([0.0], [1, 0, 0, 0])), "expected .times, quat"),
-        (lambda: polhode.Snapshots(rates=([0.0], [[1, 0, 0]], [1, 2])), "rates: sigma: got shape"),
+        (lambda: polhode.fit.fit_scenario(3), "got 3; expected a Scenario or a path"),
+        (lambda: polhode.fit.fit_scenario(TOUTATIS, starts=0),
+            "starts: got 0; expected a whole number from 1"),
+        (lambda: polhode.fit.fit_spin(TRUTH, 3), "got 3; expected Snapshots"),
+        (lambda: polhode.fit.fit_spin(TRUTH, polhode.fit.Snapshots()), "as many|at least"),
+        (lambda: polhode.fit.fit_spin(TRUTH, seen_of(TRUTH), "pole"), "unknowns: got 'pole'"),
+        (lambda: polhode.fit.fit_spin(TRUTH, seen_of(TRUTH), loss="cube"), "loss: got 'cube'"),
+        (lambda: polhode.fit.fit_spin(TRUTH, seen_of(TRUTH), priors={"b/a": (1, 1)}), "b/a"),
+        (lambda: polhode.fit.Snapshots(attitudes=([0.0], [[1, 0, 0]], 1.0)), r"expected \(4,\)"),
+        (lambda: polhode.fit.Snapshots(attitudes=([0.0], [1, 0, 0, 0])), "expected .times, quat"),
+        (lambda: polhode.fit.Snapshots(
+            rates=([0.0], [[1, 0, 0]], [1, 2])
+        ), "rates: sigma: got shape"),
         (lambda: SpinState([1, 0, 0], [0, 0, 1], [1, 1, 1]), r"q: got shape \(3,\)"),
-        (lambda: polhode.fit_spin(TRUTH, polhode.Snapshots(
+        (lambda: polhode.fit.fit_spin(TRUTH, polhode.fit.Snapshots(
             attitudes=(TIMES, [1, 0, 0, 0], 0.0))), "positive"),
-        (lambda: polhode.SpinResiduals(TRUTH, seen_of(TRUTH)).residuals([1.0]), r"x"),
+        (lambda: polhode.fit.SpinResiduals(TRUTH, seen_of(TRUTH)).residuals([1.0]), r"x"),
     ],
 )  # fmt: skip
 def test_what_is_no_fit_is_refused(call, said):

@@ -24,7 +24,9 @@ NEARBY = {"fit.from": "start", "fit.starts": None, "fit.scan": None}
 @pytest.fixture(scope="module")
 def night():
     told = []
-    found = polhode.fit(NIGHT, starts=60, progress=lambda done, of: told.append((done, of)))
+    found = polhode.fit.fit_scenario(
+        NIGHT, starts=60, progress=lambda done, of: told.append((done, of))
+    )
     return found, told
 
 
@@ -34,7 +36,7 @@ def test_a_night_has_four_poles(night):
     assert len(found) == 4 and found.starts == 160 and 0 < found.failed < 240
     assert [one.light.beside for one in found] == ["first", "image", "image", "image"]
     best = found[0]
-    assert isinstance(best, polhode.LightScenarioSolution)
+    assert isinstance(best, polhode.fit.LightScenarioSolution)
     for number, truth in ((best.precession_period, 12.0), (best.rotation_period, 20.0),
                           (best.unknowns["b/a"], 0.6), (best.unknowns["c/b"], 0.75)):  # fmt: skip
         assert abs(number.value - truth) < 4 * number.error
@@ -69,7 +71,7 @@ def test_the_scan_is_that_of_the_arrays(night):
     scan = found.scan
     step = scan.f1[1] - scan.f1[0]
     assert_allclose(1.0 / scan.f1[[0, -1]], [40.0, 5.0], rtol=step / scan.f1[0])
-    again = polhode.fourier_scan(
+    again = polhode.light.fourier_scan(
         found.curves, (scan.f1[0], scan.f1[-1] + 0.5 * step, found.report["scan"]["step"]),
         order=2, minima=8,
     )  # fmt: skip
@@ -87,7 +89,7 @@ def test_a_solution_is_a_scenario_that_runs(night):
     found, _ = night
     best = found[0]
     assert best.scenario.text == best.text and "light.semiaxes" in best.text
-    (again,) = polhode.fit(best.scenario.replace(NEARBY))
+    (again,) = polhode.fit.fit_scenario(best.scenario.replace(NEARBY))
     assert_allclose(again.chi_square, best.chi_square, rtol=budgets.fit_freedom)
     run = best.scenario.with_columns(["q"]).run()
     assert run.outcome.ok
@@ -114,9 +116,9 @@ def test_residual_functions_begin_at_the_solution(night):
 
 def test_a_start_nearby_and_any_number_of_threads():
     near = polhode.load(NIGHT).replace(NEARBY)
-    found = polhode.fit(near, threads=1)
+    found = polhode.fit.fit_scenario(near, threads=1)
     (one,) = found
-    robust = polhode.fit(near.replace({"fit.loss": "huber"}))
+    robust = polhode.fit.fit_scenario(near.replace({"fit.loss": "huber"}))
     (label,) = figures.pole_sky(robust).get_legend().get_texts()
     assert label.get_text() == f"1: loss {robust[0].light.cost:.4g}"
     assert found.scan is None and found.failed == 0 and one.converged
@@ -125,9 +127,9 @@ def test_a_start_nearby_and_any_number_of_threads():
     short = one.short_axis_period
     assert abs(short.value - 7.5) < 4 * short.error < 0.1 and one.describes_data
     assert list(one.predicted([0.0, 90.0])["t"]) == [0.0, 90.0]
-    assert polhode.fit(near, threads=2).text == found.text
+    assert polhode.fit.fit_scenario(near, threads=2).text == found.text
     with pytest.raises(ValueError, match="threads: got 0"):
-        polhode.fit(near, threads=0)
+        polhode.fit.fit_scenario(near, threads=0)
 
 
 def test_figures_take_them(night):
@@ -151,7 +153,9 @@ WIDE = {"fit.scan.order": 4, "fit.scan.shortest": 0.5}
 def test_an_interrupt_ends_a_scan():
     done = []
     wide = polhode.load(NIGHT).replace(WIDE)
-    call = functools.partial(polhode.fit, wide, progress=lambda part, of: done.append(part))
+    call = functools.partial(
+        polhode.fit.fit_scenario, wide, progress=lambda part, of: done.append(part)
+    )
     assert seconds_from_signal(call) < LATEST
     assert all(part < 500 for part in done)  # of thousandths, half are the scan's
 
@@ -159,7 +163,9 @@ def test_an_interrupt_ends_a_scan():
 def test_an_interrupt_ends_a_search():
     done = [0]
     long = polhode.load(NIGHT).replace({"fit.starts": 1_000_000})
-    call = functools.partial(polhode.fit, long, progress=lambda part, of: done.append(part))
+    call = functools.partial(
+        polhode.fit.fit_scenario, long, progress=lambda part, of: done.append(part)
+    )
     assert seconds_from_signal(call, lambda: done[-1] >= 500) < LATEST
     assert done[-1] < 1000
 
@@ -167,4 +173,4 @@ def test_an_interrupt_ends_a_search():
 def test_an_order_that_the_points_do_not_determine_is_refused_at_once():
     wide = polhode.load(NIGHT).replace({**WIDE, "fit.scan.order": 5})
     with pytest.raises(polhode.ScenarioError, match="121 points do not determine 121 coefficients"):
-        polhode.fit(wide)
+        polhode.fit.fit_scenario(wide)

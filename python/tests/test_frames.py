@@ -13,7 +13,9 @@ import polhode
 import pytest
 from closeness import assert_allclose
 from differences import slope
-from polhode import Frame, FrameMotion, KeplerElements, KeplerOrbit, attitude, attitude_matrix
+from polhode import Frame, KeplerElements, KeplerOrbit
+from polhode.charts import attitude, attitude_matrix
+from polhode.types import FrameMotion
 from rejections import rejected
 from scipy.spatial.transform import Rotation
 
@@ -208,13 +210,13 @@ def test_the_local_vertical_is_that_of_position_and_velocity():
         assert_allclose(axes, [np.cross(y, z), y, z], atol=budgets.numpy_formula)
         assert_allclose(frame.at(t).mu_S, [0, -np.sqrt(h @ h) / (r @ r), 0],
                         atol=budgets.numpy_formula)
-    precessing = polhode.PrecessingKeplerOrbit(elements, polhode.SecularRates())
+    precessing = polhode.PrecessingKeplerOrbit(elements, polhode.satellites.SecularRates())
     assert_allclose(Frame.local_vertical(precessing).at(1.0).q_IS, frame.at(1.0).q_IS,
                     atol=budgets.numpy_formula)
 
 
-EPOCH = polhode.Date("2026-05-01 TT")
-MOON = polhode.planetary_orbit("moon", "earth", EPOCH, -1e5, 40 * 86400.0)
+EPOCH = polhode.ephemeris.Date("2026-05-01 TT")
+MOON = polhode.ephemeris.planetary_orbit("moon", "earth", EPOCH, -1e5, 40 * 86400.0)
 
 
 @pytest.mark.parametrize("frame", [
@@ -270,7 +272,7 @@ def product(p, q):
 def test_a_scenario_is_built_in_the_plane_of_an_orbit():
     orbit = polhode.PrecessingKeplerOrbit(
         polhode.KeplerElements(398600.4418, 7000.0, 0.1, inclination=0.5),
-        polhode.SecularRates(1e-6, 2e-6, 0.0, 3e-7, -1e-9),
+        polhode.satellites.SecularRates(1e-6, 2e-6, 0.0, 3e-7, -1e-9),
     )
     system = polhode.System(polhode.Body(100.0, 110.0, 20.0), Frame.plane_of(orbit))
     start = polhode.rotor_state(system.body, [1, 0, 0, 0], [0, -1e-3, 0])

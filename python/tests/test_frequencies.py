@@ -20,7 +20,7 @@ def signal(t):
 
 @pytest.mark.parametrize("part", [np.real, lambda x: x])
 def test_lines_of_real_and_complex_values(part):
-    found = polhode.spectrum(part(signal(TIMES)), 0.5, TIMES[0])
+    found = polhode.analysis.spectrum(part(signal(TIMES)), 0.5, TIMES[0])
     assert len(found) == 3 and found.frequency.shape == (3,)
     assert_allclose(found.frequency, LINES[:, 0], atol=budgets.spectrum_python)
     assert_allclose(found.amplitude, LINES[:, 1], atol=budgets.spectrum_amplitude)
@@ -35,7 +35,7 @@ def test_lines_of_real_and_complex_values(part):
 def test_close_lines_warn():
     close = np.cos(0.3 * TIMES) + np.cos(0.31 * TIMES)
     with pytest.warns(RuntimeWarning, match="10 turns over the samples"):
-        found = polhode.spectrum(close, 0.5, lines=2)
+        found = polhode.analysis.spectrum(close, 0.5, lines=2)
     assert (found.isolation < found.resolution).all()
 
 
@@ -46,21 +46,25 @@ def test_close_lines_warn():
     ({"values": np.zeros(50), "interval": 1.0, "window": 7, "lines": 2}, "got window 7"),
 ])
 def test_what_is_wrong_is_named(arguments, message):
-    rejected(ValueError, message, polhode.spectrum, **arguments)
+    rejected(ValueError, message, polhode.analysis.spectrum, **arguments)
 
 
 def test_planets_and_what_shines_on_them():
-    orbit = polhode.shipped_orbit("earth", year=1e-3)
+    orbit = polhode.secular.shipped_orbit("earth", year=1e-3)
     assert (orbit.first_time, orbit.last_time) == (-20e3, 20e3)
-    rates = polhode.planet_rates("earth", year=1e-3)
-    pole = polhode.planet_pole("earth")
+    rates = polhode.secular.planet_rates("earth", year=1e-3)
+    pole = polhode.secular.planet_pole("earth")
     assert pole.shape == (3,)
-    found = polhode.spin_history(orbit, rates, pole, [0.0, -100.0], polhode.Splitting(2, "order8"))
+    found = polhode.secular.spin_history(
+        orbit, rates, pole, [0.0, -100.0], polhode.Splitting(2, "order8")
+    )
     # La2004 at -100 kyr
     assert abs(np.degrees(found.obliquity[1] - 0.4130265591582125)) < budgets.shipped_orbit_100_kyr
-    light = polhode.daily_insolation(found.obliquity, found.pericentre, found.eccentricity,
+    light = polhode.secular.daily_insolation(found.obliquity, found.pericentre, found.eccentricity,
                                      np.radians(65), np.pi / 2, 1361.0)
     assert light.shape == (2,) and abs(light[0] - 479) < 2.5  # Berger & Loutre (1991)
-    assert np.isnan(polhode.daily_insolation(0.4, 0.0, 0.0, 2.0, 0.0))
-    for call in (polhode.shipped_orbit, polhode.planet_rates, polhode.planet_pole):
+    assert np.isnan(polhode.secular.daily_insolation(0.4, 0.0, 0.0, 2.0, 0.0))
+    for call in (
+        polhode.secular.shipped_orbit, polhode.secular.planet_rates, polhode.secular.planet_pole
+    ):
         rejected(ValueError, 'got "pluto"; expected earth or mars', call, "pluto")

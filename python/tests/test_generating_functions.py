@@ -10,7 +10,9 @@ import numpy as np
 import polhode
 import pytest
 from closeness import assert_allclose, smallest
-from polhode import Body, EulerAngles, FreeRotation, RotorState, SadovParameters, SadovState
+from polhode import Body, FreeRotation, RotorState, SadovState
+from polhode.charts import EulerAngles
+from polhode.free import SadovParameters
 
 BODY = Body(3.0, 4.0, 6.0)
 STATE = RotorState([0.6, -0.3, 0.7, 0.2], [0.3, 0.2, 1.0])
@@ -33,12 +35,12 @@ def slope(f, h):
 def test_S_along_a_motion_is_continuous():
     """[SA (51)-(62)]: the momenta and constants of the motion, dS/dt = 2T - T along it."""
     c = polhode.to_serret(MOTION, 0.0)
-    f = polhode.generating_function(BODY, angles(MOTION.at(TIMES)), c, TIMES)
+    f = polhode.free.generating_function(BODY, angles(MOTION.at(TIMES)), c, TIMES)
     assert f.shape == TIMES.shape
     S = (TIMES - 2 * c.t0) * c.T + c.H * c.h + c.G * c.g0
     assert_allclose(f.S, S, atol=budgets.generating_motion)
     states = MOTION.at(TIMES)
-    w, s3 = polhode.angular_velocity(BODY, states), polhode.attitude_matrix(states.q)[..., 2]
+    w, s3 = polhode.angular_velocity(BODY, states), polhode.charts.attitude_matrix(states.q)[..., 2]
     away = np.abs(np.sum(s3 * np.cross(states.g, w), axis=-1)) > 0.015  # from caustics
     assert away.sum() > 12
     euler, near = polhode.to_euler(states)[away], f[away]
@@ -54,7 +56,7 @@ def test_gradients_of_S_and_the_jacobi_equation():
 
     def at(z):
         near = polhode.SerretState(c.g0, c.h, c.t0, z[3], z[4], z[5], c.sign_g1, c.sign_g3)
-        return polhode.generating_function(BODY, EulerAngles(*z[:3]), near, z[6])
+        return polhode.free.generating_function(BODY, EulerAngles(*z[:3]), near, z[6])
 
     f = at(x)
     exact = [f.Phi, f.Theta, f.Psi, f.g0, f.h, f.minus_t0, f.minus_T]
@@ -69,11 +71,11 @@ def test_gradients_of_S_and_the_jacobi_equation():
 def test_branches_are_motions_through_the_attitude():
     q = angles(MOTION.at(0.9))
     c = polhode.to_serret(MOTION, 0.9)
-    all_branches = polhode.serret_branches(BODY, q, c.G, c.H, c.T, 0.9)
+    all_branches = polhode.free.serret_branches(BODY, q, c.G, c.H, c.T, 0.9)
     assert len(all_branches) in (2, 4)
-    expected = polhode.attitude_matrix(MOTION.at(0.9).q)
+    expected = polhode.charts.attitude_matrix(MOTION.at(0.9).q)
     for branch in all_branches:
-        there = polhode.attitude_matrix(polhode.to_rotor(BODY, branch, 0.9).q)
+        there = polhode.charts.attitude_matrix(polhode.to_rotor(BODY, branch, 0.9).q)
         assert_allclose(there, expected, atol=budgets.generating_branches)
     assert smallest(abs(branch.t0 - c.t0) for branch in all_branches) < budgets.generating_motion
 
@@ -84,7 +86,7 @@ def test_W_gives_the_transformation(state):
     motion = FreeRotation(BODY, state)
     a, s = polhode.to_andoyer(motion.at(1.3)), polhode.to_sadov(motion, 1.3)
     assert a.L > 0.1
-    f = polhode.sadov_generating_function(BODY, a.l, a.g, a.h, s)
+    f = polhode.free.sadov_generating_function(BODY, a.l, a.g, a.h, s)
     exact = [f.L, f.G, f.H, f.phi_l, f.phi_g, f.phi_h]
     known = [a.L, a.G, a.H, s.phi_l, s.phi_g, s.phi_h]
     assert_allclose(exact, known, atol=budgets.generating_motion)
@@ -92,18 +94,18 @@ def test_W_gives_the_transformation(state):
 
     def at(z):
         near = SadovState(s.phi_l, s.phi_g, s.phi_h, *z[3:], s.region, s.lobe)
-        return polhode.sadov_generating_function(BODY, *z[:3], near)
+        return polhode.free.sadov_generating_function(BODY, *z[:3], near)
 
     for i, expected in enumerate(exact):
         direction = np.eye(6)[i]
         found = slope(lambda d, along=direction: at(x + d * along).W, 2e-4)
         assert_allclose(found, expected, atol=budgets.generating_gradient)
-    p = polhode.sadov_parameters(BODY, motion.momentum, motion.energy)
+    p = polhode.free.sadov_parameters(BODY, motion.momentum, motion.energy)
     assert (p.lambda_ > 1) == motion.circulates_long_axis
-    q = polhode.sadov_quadratures(p, s.I_g, a.l)
+    q = polhode.free.sadov_quadratures(p, s.I_g, a.l)
     assert_allclose([q.I_l, q.L_dl], [s.I_l, f.V], atol=budgets.generating_quadrature)
     assert_allclose(np.cos(q.phi_l - f.phi_l), 1.0, atol=budgets.generating_quadrature)
-    many = polhode.sadov_generating_function(BODY, [a.l] * 3, a.g, a.h, s)
+    many = polhode.free.sadov_generating_function(BODY, [a.l] * 3, a.g, a.h, s)
     assert many.shape == (3,) and many[1] == f
 
 
@@ -125,23 +127,25 @@ def test_sets_of_kinoshita_and_of_fukushima_and_ishizaki(state):
     assert_allclose(
         polhode.to_rotor(BODY, elements, TIMES).g, hub.g, atol=budgets.named_sets_round_trip
     )
-    assert polhode.free_rotation(BODY, elements).epoch == 2.0
+    assert polhode.free.free_rotation(BODY, elements).epoch == 2.0
     for B, s in [
-        (polhode.chart_jacobian(BODY, kinoshita[0, 0]), hub[0, 0]),
-        (polhode.chart_jacobian(BODY, elements, TIMES[0, 0]), hub[0, 0]),
+        (polhode.charts.chart_jacobian(BODY, kinoshita[0, 0]), hub[0, 0]),
+        (polhode.charts.chart_jacobian(BODY, elements, TIMES[0, 0]), hub[0, 0]),
     ]:
-        inverse = polhode.inverse_chart_jacobian(B, s.g)
+        inverse = polhode.charts.inverse_chart_jacobian(B, s.g)
         assert_allclose(inverse @ B, np.eye(6), atol=budgets.named_sets_canonical)
 
 
 def test_values_are_kept():
-    f = polhode.generating_function(
+    f = polhode.free.generating_function(
         BODY, angles(MOTION.at(0.4)), polhode.to_serret(MOTION, 0.0), 0.4
     )
-    w = polhode.sadov_generating_function(BODY, 2.0, 0.1, 0.2, SadovState(0, 0, 0, 0.9, 1.0, 0.4))
+    w = polhode.free.sadov_generating_function(
+        BODY, 2.0, 0.1, 0.2, SadovState(0, 0, 0, 0.9, 1.0, 0.4)
+    )
     p = SadovParameters(1.0, 0.5)
     values = [
-        *(f, w, p, polhode.sadov_quadratures(p, 1.0, [1.0, 2.0])),
+        *(f, w, p, polhode.free.sadov_quadratures(p, 1.0, [1.0, 2.0])),
         polhode.to_kinoshita(MOTION, TIMES),
         polhode.to_fukushima_ishizaki(MOTION, 0.3),
     ]
@@ -165,12 +169,12 @@ def test_what_has_no_motion_is_rejected():
         (EulerAngles(0.3, 0.05, 0.2), changed(H=0.999), r"T = 0\.11 must be in \[0\.08"),
     ]:
         with pytest.raises(ValueError, match=message):
-            polhode.generating_function(BODY, angles_, elements, 0.0)
+            polhode.free.generating_function(BODY, angles_, elements, 0.0)
     with pytest.raises(ValueError, match="expected one EulerAngles"):
-        polhode.serret_branches(BODY, EulerAngles([0.3, 0.4], 1.0, 0.2), 1.0, 0.4, 0.11)
+        polhode.free.serret_branches(BODY, EulerAngles([0.3, 0.4], 1.0, 0.2), 1.0, 0.4, 0.11)
     with pytest.raises(ValueError, match=r"l = 0\.1 must be within"):
-        polhode.sadov_generating_function(
+        polhode.free.sadov_generating_function(
             BODY, 0.1, 0, 0, SadovState(0, 0, 0, 0.1, 1.0, 0.4, "long_axis")
         )
     with pytest.raises(ValueError, match="lambda not 1"):
-        polhode.sadov_quadratures(SadovParameters(1.0, 1.0), 1.0, 1.0)
+        polhode.free.sadov_quadratures(SadovParameters(1.0, 1.0), 1.0, 1.0)

@@ -10,7 +10,9 @@ import budgets
 import numpy as np
 import polhode
 import pytest
-from polhode import Body, Dimension, FreeRotation, Regime, Units, golden_cases, rotor_state
+from polhode import Body, FreeRotation, Units, rotor_state
+from polhode.free import Regime, golden_cases
+from polhode.kinds import Dimension
 from scenario_texts import command_line
 
 CASES = golden_cases()
@@ -43,7 +45,7 @@ def test_samples_are_views_that_keep_their_case():
 
 def test_the_files_are_those_of_the_command_line(tmp_path):
     command_line("golden", tmp_path / "there")
-    polhode.write_golden(tmp_path / "here")
+    polhode.free.write_golden(tmp_path / "here")
     for name in ("golden.json", "golden.csv"):
         here, there = (tmp_path / folder / name for folder in ("here", "there"))
         assert here.read_bytes() == there.read_bytes()
@@ -51,11 +53,11 @@ def test_the_files_are_those_of_the_command_line(tmp_path):
     assert [c["name"] for c in read["cases"]] == [c.name for c in CASES]
     (tmp_path / "file").write_text("")
     with pytest.raises(polhode.DomainError):
-        polhode.write_golden(tmp_path / "file")
+        polhode.free.write_golden(tmp_path / "file")
 
 
 def test_names_of_regimes():
-    assert [polhode.regime_name(r) for r in Regime] == [r.name for r in Regime]
+    assert [polhode.free.regime_name(r) for r in Regime] == [r.name for r in Regime]
 
 
 # Units.
@@ -71,7 +73,7 @@ def test_units_convert_as_in_files():
     assert units.from_core(np.pi, "angle") == 180.0
     assert units.from_core(np.array([1.0, 2.0]), "moment").tolist() == [1.0, 2.0]
     assert units.label("rate") == "deg/h" and units.label("momentum") == "kg m2/h"
-    assert polhode.known_units()["h"] == "hour"
+    assert polhode.kinds.known_units()["h"] == "hour"
 
 
 def test_units_are_values():

@@ -7,7 +7,7 @@ import budgets
 import numpy as np
 import pytest
 from closeness import assert_allclose
-from polhode import harmonic_fit
+from polhode.analysis import harmonic_fit
 from rejections import rejected
 
 # A drift and the four terms of the Earth's nutation, far from t = 0, at uneven times.

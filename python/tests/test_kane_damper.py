@@ -6,7 +6,6 @@ import pickle
 
 import budgets
 import numpy as np
-import polhode
 import pytest
 from closeness import assert_allclose
 from polhode import (
@@ -23,11 +22,12 @@ from polhode import (
     Splitting,
     System,
     Units,
+    analysis,
     angular_velocity,
-    at_damper_rate,
     energy,
     integrate,
 )
+from polhode.rates import at_damper_rate
 from rejections import rejected
 from scipy.integrate import solve_ivp
 
@@ -144,7 +144,7 @@ def test_sinks_get_its_rate():
      "without a damper"),
     (lambda: integrate(Problem(SYSTEM, START, 0.0, 1.0, Splitting(0.1))),
      "method must be Adaptive or Collocation"),
-    (lambda: polhode.chaos_indicator(problem(1.0), [1.0]), "which integrate alone carries"),
+    (lambda: analysis.chaos_indicator(problem(1.0), [1.0]), "which integrate alone carries"),
 ])  # fmt: skip
 def test_refusals(call, message):
     rejected(ValueError, message, call)

@@ -143,7 +143,7 @@ polhode.kinds.register(ColumnKind(
 polhode.kinds.register(ColumnKind(
     "py_parts", "The time, twice an energy, the momentum and a column of another kind.",
     [("py_time", "time"), ("py_energy", "energy"), ("py_momentum", "momentum"),
-     ("py_degrees", polhode.Dimension.number)],
+     ("py_degrees", polhode.kinds.Dimension.number)],
     lambda t, E, state, py_angle, scale=2.0: (t, scale * E, np.linalg.norm(state.g),
                                               np.degrees(py_angle))))
 GRAVITY = ('[orbit.o]\ngm = "398600.4418 km3/s2"\npericentre = 7000\n[[perturbation]]\n'
@@ -181,7 +181,7 @@ def same(a, b):
 
 
 def torque_of(loaded):
-    return polhode.effect(loaded.system, 0.0, loaded.initial_state).u
+    return polhode.rates.effect(loaded.system, 0.0, loaded.initial_state).u
 
 
 def test_a_registered_torque_runs_as_the_built_in_one():
@@ -204,7 +204,7 @@ def test_a_torque_written_in_python_runs_as_in_integrate():
 
 def test_members_on_threads_are_the_same():
     vary = {"perturbation[0].torque[1]": polhode.vary.normal(0.002, 0.0005)}
-    results = [polhode.ensemble(scenario(part), vary, size=20, threads=threads, keep="final")
+    results = [scenario(part).ensemble(vary=vary, size=20, threads=threads, keep="final")
                for part, threads in ((PUSH, 1), (PUSH, 2), (CONSTANT, 1))]
     for other in results[1:]:
         for name in ("qw", "w3"):
@@ -216,9 +216,10 @@ def test_worker_processes_know_what_was_registered():
     vary = {"perturbation[0].torque[1]": polhode.vary.normal(0.002, 0.0005)}
     fork = multiprocessing.get_context("fork")
     with concurrent.futures.ProcessPoolExecutor(1, mp_context=fork) as pool:
-        ours = polhode.ensemble(scenario(PUSH), vary, size=4, executor=pool, keep="final")
-    assert np.array_equal(ours["w3"], polhode.ensemble(scenario(CONSTANT), vary, size=4,
-                                                       keep="final")["w3"])
+        ours = scenario(PUSH).ensemble(vary=vary, size=4, executor=pool, keep="final")
+    assert np.array_equal(
+        ours["w3"], scenario(CONSTANT).ensemble(vary=vary, size=4, keep="final")["w3"]
+    )
 
 
 def test_a_map_varies_its_numbers():
@@ -238,8 +239,8 @@ def test_a_fit_finds_its_torque(tmp_path):
     for name, part in (("ours", PUSH), ("theirs", CONSTANT)):
         paths.append(tmp_path / f"{name}.toml")
         paths[-1].write_text(fitted + part + free)
-    polhode.simulate(paths[1], tmp_path)
-    ours, theirs = (polhode.fit(path) for path in paths)
+    polhode.fit.simulate(paths[1], tmp_path)
+    ours, theirs = (polhode.fit.fit_scenario(path) for path in paths)
     found, other = (fit[0].unknowns["perturbation[0].torque[1]"] for fit in (ours, theirs))
     assert found.value == other.value
     assert abs(found.value - 0.002) < 5 * found.error < 0.002
@@ -301,10 +302,10 @@ def sun_fit(folder, *suns, text=FITTED):
 @pytest.mark.parametrize("part", ["", PUSH])
 def test_a_registered_observation_is_simulated_and_fitted(tmp_path, part):
     path = sun_fit(tmp_path, [1, 0, 0], [0, 1, 0.2], [0.3, 0.2, 1], text=FITTED + part)
-    polhode.simulate(path, tmp_path)
+    polhode.fit.simulate(path, tmp_path)
     lines = (tmp_path / "seen1.csv").read_text().splitlines()
     assert "t,angle,spin" in lines and len([x for x in lines if x[0] != "#"]) == 14
-    found = polhode.fit(path)
+    found = polhode.fit.fit_scenario(path)
     solution = found[0]
     true = dict(w_x=1.0, w_y=2.0, w_z=30.0)
     for name, value in true.items():
@@ -332,8 +333,8 @@ def test_derivatives_of_a_registered_observation_are_those_of_the_built_in_one(t
         path.write_text(FITTED + attitude + f'[[observation]]\nkind = "{kind}"\nfile = "w.csv"\n'
                         'times = "at-body"\nsigma = 0.02\n')
         if kind == "rate":
-            polhode.simulate(path, tmp_path)
-        fits.append(polhode.fit(path)[0])
+            polhode.fit.simulate(path, tmp_path)
+        fits.append(polhode.fit.fit_scenario(path)[0])
     for name in ("w_x", "w_y", "w_z", "turn_x"):
         ours, theirs = (fit.unknowns[name] for fit in fits)
         assert_allclose(ours.value, theirs.value, rtol=0, atol=budgets.measured_fit * theirs.error)
@@ -421,7 +422,7 @@ def test_events_and_maps_have_registered_columns(method):
 def test_members_on_threads_have_registered_columns(part):
     vary = {"state.attitude-rate.omega_body[2]": polhode.vary.normal(30.0, 3.0)}
     made = scenario(COLUMNS, part)
-    one, two = (polhode.ensemble(made, vary, size=20, threads=n, keep="final") for n in (1, 2))
+    one, two = (made.ensemble(vary=vary, size=20, threads=n, keep="final") for n in (1, 2))
     for name in ("py_rate", "py_angle", "py_energy"):
         assert np.array_equal(one[name], two[name])
     rates = np.linalg.norm([one["w1"], one["w2"], one["w3"]], axis=0)
@@ -607,7 +608,7 @@ def test_a_registered_kind_has_a_class_like_those_of_the_library():
     assert list(inspect.signature(PyBrake).parameters) == ["limit", "axis", "damping", "body"]
     assert "A brake about one axis" in PyBrake.__doc__ and "positive" in PyBrake.__doc__
     term = PyPush([0, 0.002, 0])
-    assert isinstance(term, polhode.AnyPerturbation) and term.kind == "py-push"
+    assert isinstance(term, polhode.types.AnyPerturbation) and term.kind == "py-push"
     assert repr(term) == "PyPush(torque=(0.0, 0.002, 0.0))"
     assert_array_equal(term.torque, [0, 0.002, 0])
     again = pickle.loads(pickle.dumps(term))

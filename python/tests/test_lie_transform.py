@@ -11,7 +11,7 @@ import numpy as np
 import polhode
 import pytest
 from closeness import assert_allclose
-from polhode import LieTransform, Series, Symbols, Truncation
+from polhode.series import LieTransform, Series, Symbols, Truncation
 from rejections import rejected
 
 METHODS = ["deprit", "hori"]
@@ -150,7 +150,7 @@ def test_it_is_a_value():
     t = pendulum(3, "deprit", clocks={"t": 1}, least_divisor=1e-3)
     same = pickle.loads(pickle.dumps(t))
     assert same == t and same.mean_hamiltonian == t.mean_hamiltonian
-    assert (t.angles, t.keep, t.method) == (("g",), up_to(3), polhode.LieMethod.deprit)
+    assert (t.angles, t.keep, t.method) == (("g",), up_to(3), polhode.series.LieMethod.deprit)
     assert t.least_divisor == 1e-3 and list(t.clocks) == ["t"]
     assert "least_divisor=0.001" in repr(t)
     assert t != pendulum(3)

@@ -208,7 +208,7 @@ def test_a_run_answers_when_all_it_was_made_of_is_gone():
 
 def raises(system):
     with pytest.raises(ZeroDivisionError):
-        p.effect(system, 0.0, START)
+        p.rates.effect(system, 0.0, START)
 
 
 def blocks():
@@ -235,7 +235,7 @@ def test_memory_does_not_grow():
         lambda: (run.t, run.q, run.states.g, run.at(times), run.at(0.05), run.events, repr(run)),
         lambda: free.at(times),
         lambda: p.System(BODY, system.frame, [p.TorqueTerm(lambda t, s: s.g)]),
-        lambda: p.effect(system, times, many),
+        lambda: p.rates.effect(system, times, many),
         lambda: p.integrate(p.Problem(system, START, 0.0, 0.01)),
         lambda: raises(broken),
     ]

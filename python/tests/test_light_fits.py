@@ -4,11 +4,11 @@ residuals, threads change no bit."""
 
 import budgets
 import numpy as np
-import polhode
 import pytest
 from closeness import assert_allclose, largest
 from interrupts import LATEST, seconds_from_signal
-from polhode import LightCurve, LightModel
+from polhode import light
+from polhode.light import LightCurve, LightModel
 
 # that of tests/unit/fit/light_fit.cpp
 BODY = LightModel.homogeneous([0.6, 0.3, -0.5, 0.2], [0.6, 0.5, 1.0], [1.0, 0.85, 0.5])
@@ -22,7 +22,7 @@ def night(body=BODY, count=90, turns=5.0, name="night", seed=4, noise=NOISE):
     span = turns * 2.0 * np.pi / motion.precession_rate_long
     t = np.sort(random.uniform(0.0, span, count))
     blank = LightCurve(t, np.ones(count), 1.0, SUN, OBSERVER)
-    (flux,) = polhode.model_fluxes(body, blank)
+    (flux,) = light.model_fluxes(body, blank)
     flux *= 1.0 + noise * random.normal(size=count)
     return LightCurve(t, 3.0 * flux, 3.0 * noise * flux.mean(), SUN, OBSERVER, name=name)
 
@@ -39,7 +39,7 @@ CURVE = night()
 def test_one_start_finds_the_body_near_it():
     spin = BODY.spin
     start = LightModel.homogeneous(spin.q, 1.001 * spin.w, [1.0, 0.83, 0.52])
-    found = polhode.fit_light(start, CURVE)
+    found = light.fit_light(start, CURVE)
     assert found.converged and found.names[:3] == ("turn_x", "turn_y", "turn_z")
     truth = [*spin.w, 0.85, 0.5 / 0.85]
     off = (found.values[3:] - truth) / found.errors[3:]
@@ -59,7 +59,7 @@ def test_a_robust_fit_has_the_factors_of_its_loss():
     flux[[7, 30, 55]] *= 3.0
     bad = LightCurve(CURVE.t, flux, CURVE.sigma, CURVE.to_sun, CURVE.to_observer)
     loss = ("cauchy", 3.0)
-    clean, found = polhode.fit_light(BODY, CURVE), polhode.fit_light(BODY, bad, loss=loss)
+    clean, found = light.fit_light(BODY, CURVE), light.fit_light(BODY, bad, loss=loss)
     assert found.converged and found.loss == loss and clean.loss == ("squared", 1.0)
     assert_allclose(clean.cost, clean.chi_square, rtol=budgets.python_optimum)
     # the bad points are all of chi-square, and do not scale errors
@@ -67,15 +67,17 @@ def test_a_robust_fit_has_the_factors_of_its_loss():
     (model,) = found.model(bad)
     r2 = ((bad.flux - model) / bad.sigma) ** 2
     assert_allclose(np.sum(9.0 * np.log1p(r2 / 9.0)), found.cost, rtol=budgets.python_optimum)
-    (same,) = polhode.model_fluxes(found.body, bad, loss)
+    (same,) = light.model_fluxes(found.body, bad, loss)
     assert same.tobytes() == model.tobytes()
     # the factor of the true body, over that of the clean curve, in its error
-    (true,) = polhode.model_fluxes(BODY, CURVE)
-    (robust,), (squares,) = (polhode.model_fluxes(BODY, bad, kind) for kind in (loss, "squared"))
+    (true,) = light.model_fluxes(BODY, CURVE)
+    (robust,), (squares,) = (
+        light.model_fluxes(BODY, bad, kind) for kind in (loss, "squared")
+    )
     error = 1.0 / np.sqrt(np.sum((true / CURVE.sigma) ** 2))
     assert abs(robust[0] / true[0] - 1.0) < error
     assert squares[0] / true[0] - 1.0 > 30.0 * error
-    search = polhode.search_light(bad, [periods_of(BODY)], starts=6, finalists=1, loss=loss)
+    search = light.search_light(bad, [periods_of(BODY)], starts=6, finalists=1, loss=loss)
     assert f"0: loss {search.solutions[0].cost:.5g}, " in repr(search)
 
 
@@ -87,7 +89,7 @@ def test_a_robust_fit_has_the_factors_of_its_loss():
     ({"moments": "fit", "multiple": True}, budgets.python_lambert),
 ])
 def test_derivatives_are_those_of_the_residuals(keys, budget):
-    f = polhode.LightResiduals(BODY, [CURVE, night(count=40, seed=5)], **keys)
+    f = light.LightResiduals(BODY, [CURVE, night(count=40, seed=5)], **keys)
     x = f.start
     J = f.jacobian(x)
     assert J.shape == (130, len(f.names))
@@ -106,7 +108,7 @@ def test_derivatives_are_those_of_the_residuals(keys, budget):
 def test_a_search_finds_the_body_on_any_threads():
     periods = [periods_of(BODY)]
     found = [
-        polhode.search_light(CURVE, periods, starts=20, finalists=2, threads=n, seed=1)
+        light.search_light(CURVE, periods, starts=20, finalists=2, threads=n, seed=1)
         for n in (1, 3)
     ]
     best, same = (one.solutions[0] for one in found)
@@ -121,12 +123,12 @@ def test_a_search_finds_the_body_on_any_threads():
 def test_a_scan_has_a_minimum_at_lines_of_the_motion():
     mode, precession, rotation = periods_of(BODY)
     curve = night(count=150, turns=8.0)
-    advice = polhode.scan_advice(curve, 2)
+    advice = light.scan_advice(curve, 2)
     step = advice.step
     # in short-axis mode lines are at j f_phi + k f_psi with j + k even
     f1, f2 = 1.0 / precession + 1.0 / rotation, 2.0 / precession
     grids = [(f - 6.0 * step, f + 6.0 * step, step) for f in (f1, f2)]
-    scans = [polhode.fourier_scan(curve, *grids, order=2, threads=n) for n in (1, 2)]
+    scans = [light.fourier_scan(curve, *grids, order=2, threads=n) for n in (1, 2)]
     assert scans[0].chi_square.tobytes() == scans[1].chi_square.tobytes()
     scan = scans[0]
     assert scan.chi_square.shape == (len(scan.f1), len(scan.f2))
@@ -135,7 +137,7 @@ def test_a_scan_has_a_minimum_at_lines_of_the_motion():
         scale = np.sqrt(best.chi_square / best.degrees_of_freedom)
         assert abs(found - true) < budgets.scanned_frequency * sigma * largest(1.0, scale)
     assert scan.to_xarray().sizes == {"f1": len(scan.f1), "f2": len(scan.f2)}
-    labels = polhode.period_labels(best.f1, best.f2)
+    labels = light.period_labels(best.f1, best.f2)
     near = [
         label for label in labels if label.mode == mode
         and abs(label.precession_period / precession - 1.0) < budgets.labelled_period
@@ -153,18 +155,20 @@ def test_a_scan_has_a_minimum_at_lines_of_the_motion():
     [
         (lambda: LightCurve([0.0, 1.0], [1.0], 0.1), r"flux: got shape \(1,\)"),
         (lambda: LightCurve([0.0, 1.0], [1.0, 2.0], [0.1, 0.1, 0.1]), "sigma: got shape"),
-        (lambda: polhode.fit_light(BODY, 3), "not iterable"),
-        (lambda: polhode.fit_light(BODY, [3]), "got 3; expected LightCurve"),
-        (lambda: polhode.fit_light(3, CURVE), "got 3; expected LightModel"),
-        (lambda: polhode.fit_light(BODY, CURVE, moments="own"), "moments: got 'own'"),
-        (lambda: polhode.search_light(CURVE, []), "periods"),
-        (lambda: polhode.search_light(CURVE, [("SAM", 1.0, -2.0)]), "-2"),
-        (lambda: polhode.search_light(CURVE, [("XAM", 1.0, 2.0)]), "periods: got 'XAM'"),
-        (lambda: polhode.fourier_scan(CURVE, (1.0, 0.5, 0.1)), "must rise"),
-        (lambda: polhode.fourier_scan(CURVE, (1.0,)), r"f1: got \(1.0,\)"),
-        (lambda: polhode.fourier_scan(CURVE, threads=0), "threads: got 0"),
-        (lambda: polhode.period_labels(0.0, 1.0), "positive"),
-        (lambda: polhode.fit_light(BODY, LightCurve([0, 1], [1, 1], 0.1)), "vector|to_sun|Sun"),
+        (lambda: light.fit_light(BODY, 3), "not iterable"),
+        (lambda: light.fit_light(BODY, [3]), "got 3; expected LightCurve"),
+        (lambda: light.fit_light(3, CURVE), "got 3; expected LightModel"),
+        (lambda: light.fit_light(BODY, CURVE, moments="own"), "moments: got 'own'"),
+        (lambda: light.search_light(CURVE, []), "periods"),
+        (lambda: light.search_light(CURVE, [("SAM", 1.0, -2.0)]), "-2"),
+        (lambda: light.search_light(CURVE, [("XAM", 1.0, 2.0)]), "periods: got 'XAM'"),
+        (lambda: light.fourier_scan(CURVE, (1.0, 0.5, 0.1)), "must rise"),
+        (lambda: light.fourier_scan(CURVE, (1.0,)), r"f1: got \(1.0,\)"),
+        (lambda: light.fourier_scan(CURVE, threads=0), "threads: got 0"),
+        (lambda: light.period_labels(0.0, 1.0), "positive"),
+        (lambda: light.fit_light(
+            BODY, LightCurve([0, 1], [1, 1], 0.1)
+        ), "vector|to_sun|Sun"),
     ],
 )  # fmt: skip
 def test_what_is_no_fit_is_refused(call, said):
@@ -173,7 +177,7 @@ def test_what_is_no_fit_is_refused(call, said):
 
 
 def test_ctrl_c_ends_a_search_and_a_scan():
-    calls = (lambda: polhode.search_light(CURVE, [periods_of(BODY)], starts=1_000_000),
-             lambda: polhode.fourier_scan(CURVE, (0.01, 9.0, 4e-3), order=3, threads=2))
+    calls = (lambda: light.search_light(CURVE, [periods_of(BODY)], starts=1_000_000),
+             lambda: light.fourier_scan(CURVE, (0.01, 9.0, 4e-3), order=3, threads=2))
     for call in calls:
         assert seconds_from_signal(call) < LATEST

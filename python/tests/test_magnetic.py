@@ -22,10 +22,10 @@ from polhode import (
     SaveAt,
     Splitting,
     System,
-    attitude_matrix,
-    effect,
     integrate,
 )
+from polhode.charts import attitude_matrix
+from polhode.rates import effect
 from rejections import rejected
 
 ROUNDED = budgets.numpy_formula
@@ -169,7 +169,7 @@ def test_from_a_scenario_in_its_units():
     eddy, magnet = scenario.system.terms
     assert isinstance(eddy, EddyCurrents)
     assert isinstance(magnet, ResidualDipole)
-    R = polhode.attitude_matrix(scenario.body.q_FB).T
+    R = polhode.charts.attitude_matrix(scenario.body.q_FB).T
     # core units: kg m2, km, s, A
     assert_allclose(eddy.tensor, R.T @ np.diag([1e5, 2e5, 3e5]) @ R * 1e-12, rtol=ROUNDED)
     assert_allclose(magnet.moment, R.T @ [1e-6, -2e-6, 3e-6], rtol=ROUNDED)

@@ -10,7 +10,8 @@ import numpy as np
 import polhode
 import pytest
 from closeness import assert_allclose
-from polhode import Adaptive, GravityGradient, GravityGradientTheory, MeanRotation
+from polhode import Adaptive, GravityGradient
+from polhode.secular import GravityGradientTheory, MeanRotation
 
 n = 0.0531  # mean motion; bodies turn about once in 2 pi
 BODY = polhode.Body(1.0, 1.3, 1.7)
@@ -81,7 +82,7 @@ def test_mean_and_osculating_undo_each_other():
     assert angle(THEORY.state_of(elements).q, states.q).max() < budgets.gravity_theory_python_back
     # another chart of the same: in the axes of the orbit
     e = ORBIT.elements
-    axes = polhode.attitude_matrix(states[1].q)
+    axes = polhode.charts.attitude_matrix(states[1].q)
     normal = [np.sin(e.node) * np.sin(e.inclination), -np.cos(e.node) * np.sin(e.inclination),
               np.cos(e.inclination)]  # fmt: skip
     along = (states[1].g @ axes) @ normal
@@ -150,7 +151,7 @@ def test_threads_share_a_theory():
 
 
 UPRIGHT = polhode.rotor_state(BODY, [1, 0, 0, 0], [0, 0, 1.0])
-ONCE_A_TURN = polhode.sadov_frequencies(polhode.FreeRotation(BODY, START)).n_g
+ONCE_A_TURN = polhode.free.sadov_frequencies(polhode.FreeRotation(BODY, START)).n_g
 LONG = polhode.rotor_state(BODY, [1, 0, 0, 0], [1, 0.1, 0.1])
 
 

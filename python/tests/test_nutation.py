@@ -6,6 +6,7 @@ import numpy as np
 import polhode
 import pytest
 from closeness import assert_allclose
+from polhode import secular
 from scenario_texts import ROOT
 
 MAS = np.pi / 648000e3
@@ -14,7 +15,7 @@ DAY = 86400.0
 
 @pytest.fixture(scope="module")
 def earth():
-    return polhode.nutation_theory()
+    return secular.nutation_theory()
 
 
 def row(columns, multipliers):
@@ -124,7 +125,7 @@ def test_the_real_earth_differs_as_published(earth):
     assert len(apart) > 50
     keys = np.column_stack([columns[name] for name in earth.arguments])
     theta = [keys[i] @ earth.at_epoch + rates[i] * t for i in apart]
-    rest = (polhode.iau_nutation(t / (36525 * DAY)) - earth.at(t)) / MAS
+    rest = (secular.iau_nutation(t / (36525 * DAY)) - earth.at(t)) / MAS
     assert 50 < np.sqrt((rest[:, 0] ** 2).mean()) < 70
     found = fitted(rest, theta)
     for multipliers, published in IAU_2000A.items():
@@ -161,7 +162,7 @@ VENUS = {(0, 2): (-6937480, -690090), (1, 0): (-5244238, -260831), (1, 2): (-816
 
 @pytest.mark.parametrize("multipliers", VENUS)
 def test_venus_is_that_of_cottereau(multipliers):
-    venus = polhode.nutation_theory("venus", triaxiality=0.0, order=1)
+    venus = secular.nutation_theory("venus", triaxiality=0.0, order=1)
     assert venus.arguments == ["M", "Ls"]
     longitude, obliquity = (1e-4 * x for x in VENUS[multipliers])
     got = coefficient(venus, "figure", multipliers, "longitude_sine")
@@ -173,7 +174,7 @@ def test_venus_is_that_of_cottereau(multipliers):
 @pytest.mark.parametrize("planet", ["mars", "venus"])
 def test_epochs_a_century_apart_agree(planet):
     """Arguments of date: a theory of another epoch has the same nutation then."""
-    now, later = (polhode.nutation_theory(planet, T=T, triaxiality=0.0) for T in (0.0, 1.0))
+    now, later = (secular.nutation_theory(planet, T=T, triaxiality=0.0) for T in (0.0, 1.0))
     century = 36525 * DAY
     turns = (now.at_epoch + century * now.rates - later.at_epoch) / (2 * np.pi)
     assert np.abs(turns - np.round(turns)).max() < budgets.nutation_epochs
@@ -183,7 +184,7 @@ def test_epochs_a_century_apart_agree(planet):
 
 def test_precession_of_venus():
     """Cottereau & Souchay (2009): 4474.35 arcsec a century, backward on a backward planet."""
-    rate = polhode.nutation_theory("venus").precession[0] * 36525 * DAY / (1e3 * MAS)
+    rate = secular.nutation_theory("venus").precession[0] * 36525 * DAY / (1e3 * MAS)
     assert_allclose(rate, -4474.35, rtol=budgets.nutation_venus)
 
 
@@ -249,7 +250,7 @@ def test_nineteen_years_of_every_turn(earth):
 ])
 def test_theory_and_integration_change_alike(earth, changed, text):
     run = earth_run(stop=("stop = 13594", "stop = 1100"), changed=text)
-    rest = np.abs(left_over(run, polhode.nutation_theory(**changed), "momentum")).max()
+    rest = np.abs(left_over(run, secular.nutation_theory(**changed), "momentum")).max()
     assert rest < budgets.nutation_integrated
     assert np.abs(left_over(run, earth, "momentum")).max() > 20 * rest
 
@@ -275,16 +276,16 @@ def test_the_moving_ecliptic_turns_the_axis_of_the_relative_rate(earth):
 
 
 @pytest.mark.parametrize(("call", "message"), [
-    (lambda: polhode.nutation_theory("pluto"), "expected earth, venus or mars"),
-    (lambda: polhode.nutation_theory(T=12), "T 12 must be within"),
-    (lambda: polhode.nutation_theory("venus", satellite_mass=0.01), "venus has no satellite here"),
-    (lambda: polhode.nutation_theory("mars", order=3), "order 3 must be 1 or 2"),
-    (lambda: polhode.nutation_theory(ellipticity=-1), "ellipticity -1 must be in"),
-    (lambda: polhode.nutation_theory("mars").terms("pole"),
+    (lambda: secular.nutation_theory("pluto"), "expected earth, venus or mars"),
+    (lambda: secular.nutation_theory(T=12), "T 12 must be within"),
+    (lambda: secular.nutation_theory("venus", satellite_mass=0.01), "venus has no satellite here"),
+    (lambda: secular.nutation_theory("mars", order=3), "order 3 must be 1 or 2"),
+    (lambda: secular.nutation_theory(ellipticity=-1), "ellipticity -1 must be in"),
+    (lambda: secular.nutation_theory("mars").terms("pole"),
      "axis: got 'pole'; expected one of momentum figure"),
-    (lambda: polhode.nutation_theory("mars", obliquity=0.0), "obliquity .rad. 0 must be in"),
-    (lambda: polhode.nutation_theory("mars", spin_rate=np.nan), "spin_rate .rad/s. nan must be in"),
-    (lambda: polhode.nutation_theory("mars", least=np.inf), "least .rad. inf must be in"),
+    (lambda: secular.nutation_theory("mars", obliquity=0.0), "obliquity .rad. 0 must be in"),
+    (lambda: secular.nutation_theory("mars", spin_rate=np.nan), "spin_rate .rad/s. nan must be in"),
+    (lambda: secular.nutation_theory("mars", least=np.inf), "least .rad. inf must be in"),
 ])  # fmt: skip
 def test_what_is_refused(call, message):
     with pytest.raises(ValueError, match=message):
@@ -294,7 +295,7 @@ def test_what_is_refused(call, message):
 @pytest.mark.parametrize("changed", [{"ellipticity": 2 * 0.0032737548}, {"satellite_mass": 0.0246},
                                      {"obliquity": 1.2}])  # fmt: skip
 def test_the_node_is_counted_from_the_equinox_that_these_numbers_make(earth, changed):
-    theory = polhode.nutation_theory(order=1, least=1e-9, **changed)
+    theory = secular.nutation_theory(order=1, least=1e-9, **changed)
     precession = theory.precession[0] - earth.precession[0]
     assert abs(precession) > 1e-3 * abs(earth.precession[0])
     moved = theory.rates - earth.rates
@@ -304,5 +305,5 @@ def test_the_node_is_counted_from_the_equinox_that_these_numbers_make(earth, cha
 
 def test_the_year_of_mars_is_the_anomalistic_one():
     """686.9957 d (Allison & McEwen 2000: 686.9957); the perihelion moves 16 arcsec a year."""
-    mars = polhode.nutation_theory("mars", order=1)
+    mars = secular.nutation_theory("mars", order=1)
     assert abs(2 * np.pi / mars.rates[0] / DAY - 686.9957) < budgets.nutation_year

@@ -9,6 +9,7 @@ import oem
 import polhode
 import pytest
 from closeness import assert_allclose
+from polhode import ephemeris
 from rejections import rejected
 
 HEAD = "CCSDS_OEM_VERS = 2.0\nCREATION_DATE = 2029-01-01T00:00:00\nORIGINATOR = NOBODY\n"
@@ -65,7 +66,7 @@ def path(tmp_path):
 def test_a_packed_message_with_a_byte_order_mark_is_the_same(path, tmp_path):
     packed = tmp_path / "sat.oem.gz"
     packed.write_bytes(gzip.compress(b"\xef\xbb\xbf" + path.read_bytes()))
-    for one, other in zip(polhode.read_oem(path).segments, polhode.read_oem(packed).segments,
+    for one, other in zip(ephemeris.read_oem(path).segments, ephemeris.read_oem(packed).segments,
                           strict=True):
         assert np.array_equal(one.position, other.position)
     there, here = (polhode.load(scenario(tmp_path, file.name)).orbits["earth"].position(50.0)
@@ -74,7 +75,7 @@ def test_a_packed_message_with_a_byte_order_mark_is_the_same(path, tmp_path):
 
 
 def test_the_package_oem_reads_the_same(path):
-    ours = polhode.read_oem(path)
+    ours = ephemeris.read_oem(path)
     theirs = oem.OrbitEphemerisMessage.open(path)
     assert ours.version == theirs.header["CCSDS_OEM_VERS"] == "2.0"
     segments = list(theirs.segments)
@@ -232,7 +233,7 @@ def test_what_is_wrong_in_a_file_is_told_with_its_line(path, old, new, line, mes
     assert old in TWO
     path.write_text(TWO.replace(old, new, 1), encoding="ascii")
     with pytest.raises(polhode.DomainError) as error:
-        polhode.read_oem(path)
+        ephemeris.read_oem(path)
     assert f"sat.oem:{line}: " in str(error.value) and message in str(error.value)
 
 

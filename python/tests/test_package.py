@@ -6,10 +6,12 @@ import pathlib
 import pprint
 import subprocess
 import sys
+import types
 
 import budgets
 import polhode
 import pytest
+from public_names import MODULES, PUBLIC
 
 
 def imported(statement):
@@ -34,7 +36,7 @@ def test_importing_it_costs_few_modules_beside_numpys():
 
 def test_what_is_not_imported_at_first_is_found_when_it_is_needed():
     times, values = [0.0, 1, 2, 3, 4, 5, 6, 7], [0.0, 1, 0, -1, 0, 1, 0, -1]
-    statement = f"import polhode; polhode.harmonic_fit({times}, {values}, [4.0])"
+    statement = f"import polhode; polhode.analysis.harmonic_fit({times}, {values}, [4.0])"
     assert "numpy.polynomial" in imported(statement)
 
 
@@ -42,15 +44,41 @@ def test_every_public_name_has_a_docstring():
     def has_doc(thing):
         return bool((getattr(thing, "__doc__", None) or "").strip())
 
-    things = {name: getattr(polhode, name) for name in polhode.__all__}
-    assert not [name for name, thing in things.items()
+    assert not [name for name, thing in PUBLIC.items()
                 if (isinstance(thing, type) or callable(thing)) and not has_doc(thing)]
 
 
-def test_classes_say_that_they_are_of_polhode():
-    classes = [thing for name in polhode.__all__
-               if isinstance(thing := getattr(polhode, name), type)]
-    assert {thing.__module__ for thing in classes} == {"polhode"}
+def test_every_name_has_one_home_and_says_so():
+    for module in MODULES:
+        for name in module.__all__:
+            thing = getattr(module, name)
+            if not isinstance(thing, types.ModuleType):
+                assert thing.__module__ == module.__name__, name
+    modules = len(MODULES) - 1 + 1  # all but polhode, and vary
+    assert len(PUBLIC) == sum(len(m.__all__) for m in MODULES) - modules
+
+
+def test_every_name_of_the_extension_is_public_once():
+    compiled = {name for name in dir(polhode._core) if not name.startswith("_")}
+    assert compiled <= set(PUBLIC)
+
+
+def test_an_old_name_says_the_new_one():
+    with pytest.raises(AttributeError, match=r"^polhode\.spectrum is now polhode\.analysis\.spec"):
+        polhode.spectrum  # noqa: B018
+    with pytest.raises(AttributeError, match="polhode.simulate is now polhode.fit.simulate"):
+        polhode.simulate  # noqa: B018
+    with pytest.raises(AttributeError, match="no attribute 'spectra'"):
+        polhode.spectra  # noqa: B018
+    with pytest.raises(TypeError, match="polhode.fit is a module; call polhode.fit.fit_scen"):
+        polhode.fit("night.toml")
+    with pytest.raises(TypeError, match="polhode.ensemble is a module; call Scenario.ensemble"):
+        polhode.ensemble("night.toml")
+
+
+def test_completion_lists_what_is_public():
+    assert set(dir(polhode)) == {*polhode.__all__, "__version__", "__doc__"}
+    assert len(polhode.__all__) - len(MODULES) < 75
 
 
 def test_values_are_dataclasses_to_those_who_ask():
@@ -60,7 +88,7 @@ def test_values_are_dataclasses_to_those_who_ask():
     assert dataclasses.replace(given, eccentricity=0.2).eccentricity == 0.2
     with pytest.raises(ValueError, match="eccentricity"):
         dataclasses.replace(given, eccentricity=-1.0)
-    assert dataclasses.asdict(polhode.SecularRates(0.3, 0.01, 1.0)) == {
+    assert dataclasses.asdict(polhode.satellites.SecularRates(0.3, 0.01, 1.0)) == {
         "node": 0.3, "argument": 0.01, "mean_anomaly": 1.0, "inclination": 0.0,
         "eccentricity": 0.0}
     assert polhode.Splitting.__match_args__ == ("step", "scheme")

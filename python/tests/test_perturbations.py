@@ -26,17 +26,15 @@ from polhode import (
     PrecessingKeplerOrbit,
     Problem,
     RotorState,
-    SecularRates,
     System,
     TorqueTerm,
-    attitude_matrix,
-    canonical_state,
-    effect,
     energy,
     integrate,
-    osculating_state,
-    state_transitions,
 )
+from polhode.analysis import state_transitions
+from polhode.charts import attitude_matrix, canonical_state, osculating_state
+from polhode.rates import effect
+from polhode.satellites import SecularRates
 from rejections import rejected
 
 EPS = np.finfo(float).eps
@@ -300,7 +298,7 @@ def test_a_term_said_to_be_a_kick_can_be_split():
     (lambda: LinearDamping(-1.0), ValueError, "LinearDamping"),
     (lambda: LinearDamping(FULL, 1.0), TypeError, "body: got 1.0, a float; expected a Body"),
     (lambda: TorqueTerm([1, 2, 3]), TypeError, "expected a function|or a function of time"),
-    (lambda: polhode.AnyPerturbation(), TypeError, None),
+    (lambda: polhode.types.AnyPerturbation(), TypeError, None),
 ])  # fmt: skip
 def test_wrong_arguments(call, error, message):
     rejected(error, message, call)
@@ -323,7 +321,7 @@ TERMS = [
 def test_terms_compare_copy_and_pickle(term):
     again = pickle.loads(pickle.dumps(term))
     assert type(again) is type(term) and again == term and hash(again) == hash(term)
-    assert again.name == term.name and isinstance(term, polhode.AnyPerturbation)
+    assert again.name == term.name and isinstance(term, polhode.types.AnyPerturbation)
     assert about(again, FRAME) == about(term, FRAME)
     assert copy.copy(term) == term
     assert term != ConstantTorque([3, 2, 1]) and term != 1

@@ -12,8 +12,8 @@ import numpy as np
 import polhode
 import pytest
 from closeness import assert_allclose, largest
-from polhode import Snapshots, SpinResiduals, SpinState
-from polhode.posterior import Unbounded
+from polhode._posterior import Unbounded
+from polhode.fit import Snapshots, SpinResiduals, SpinState
 from rejections import rejected
 
 pytest.importorskip("mici")
@@ -35,7 +35,7 @@ def test_normal_numbers_have_the_covariance_that_they_have():
     """Two rates at the epoch: the posterior is the mean of both, its errors sigma / sqrt 2."""
     f = SpinResiduals(STATE, RATES, "rate")
     n = 1000 if FULL else 300
-    draws = quietly(polhode.posterior, f, draws=n, warm_up=100, chains=2, seed=1)
+    draws = quietly(polhode.fit.posterior, f, draws=n, warm_up=100, chains=2, seed=1)
     sigma = np.array([0.01, 0.02, 0.03]) / np.sqrt(2.0)
     assert_allclose(draws.laplace_covariance, np.diag(sigma**2), atol=budgets.fit_line)
     # of 600 draws, errors of a mean and of a standard deviation are 4 and 3 % of sigma
@@ -56,18 +56,18 @@ def test_normal_numbers_have_the_covariance_that_they_have():
 def test_draws_do_not_depend_on_threads():
     f = SpinResiduals(STATE, RATES, "rate")
     found = [
-        quietly(polhode.posterior, f, draws=20, warm_up=20, chains=3, seed=2, threads=n)
+        quietly(polhode.fit.posterior, f, draws=20, warm_up=20, chains=3, seed=2, threads=n)
         for n in (1, 3)
     ]
     assert found[0] == found[1]
-    other = quietly(polhode.posterior, f, draws=20, warm_up=20, chains=3, seed=3)
+    other = quietly(polhode.fit.posterior, f, draws=20, warm_up=20, chains=3, seed=3)
     assert not np.array_equal(other["w_x"], found[0]["w_x"])
 
 
 def test_toutatis_of_1992():
     """With errors that fit the residuals the posterior is nearly normal; moments keep to the
     triangle."""
-    (one,) = polhode.fit(ROOT / "examples/toutatis-1992.toml").solutions
+    (one,) = polhode.fit.fit_scenario(ROOT / "examples/toutatis-1992.toml").solutions
     n = 1000 if FULL else 150
     draws = quietly(one.sample, scaled=True, draws=n, warm_up=150, chains=2, seed=4, accept=0.95)
     x, y = draws["Ixx/Izz"], draws["Iyy/Izz"]
@@ -83,7 +83,7 @@ def test_toutatis_of_1992():
 def test_too_few_draws_are_said():
     f = SpinResiduals(STATE, RATES, "rate")
     with pytest.warns(RuntimeWarning, match="effective sample size"):
-        draws = polhode.posterior(f, draws=20, warm_up=20, chains=2)
+        draws = polhode.fit.posterior(f, draws=20, warm_up=20, chains=2)
     assert not draws.converged and "more draws" in " ".join(draws.diagnosis)
 
 
@@ -117,9 +117,9 @@ def test_what_the_data_do_not_say_is_refused():
     """One attitude tells nothing of the rate and the moments."""
     seen = Snapshots(attitudes=([0.0, 0.0, 0.0], [1, 0, 0, 0], 0.1))
     f = SpinResiduals(STATE, seen)
-    rejected(ValueError, "do not determine all unknowns", polhode.posterior, f)
-    rejected(TypeError, "got 3; expected SpinResiduals", polhode.posterior, 3)
-    rejected(ValueError, "accept: got 2", polhode.posterior, f, accept=2.0)
+    rejected(ValueError, "do not determine all unknowns", polhode.fit.posterior, f)
+    rejected(TypeError, "got 3; expected SpinResiduals", polhode.fit.posterior, 3)
+    rejected(ValueError, "accept: got 2", polhode.fit.posterior, f, accept=2.0)
 
 
 @pytest.mark.parametrize("package", ["mici", "arviz_stats"])
@@ -128,7 +128,7 @@ def test_without_the_sampler_it_says_how_to_get_it(package, monkeypatch):
         monkeypatch.delitem(sys.modules, name)
     monkeypatch.setattr(sys, "meta_path", [_Without(package), *sys.meta_path])
     with pytest.raises(ImportError, match=r"pip install polhode\[sample\]"):
-        polhode.posterior(SpinResiduals(STATE, RATES, "rate"))
+        polhode.fit.posterior(SpinResiduals(STATE, RATES, "rate"))
 
 
 class _Without:
@@ -175,8 +175,8 @@ def test_a_torque_is_sampled(tmp_path):
     """With its bound, from a solution of a file; the posterior of a short arc is nearly normal."""
     path = tmp_path / "fit.toml"
     path.write_text(DRIVEN, encoding="utf-8")
-    polhode.simulate(path, tmp_path)
-    (one,) = polhode.fit(path)
+    polhode.fit.simulate(path, tmp_path)
+    (one,) = polhode.fit.fit_scenario(path)
     n = 600 if FULL else 100
     draws = quietly(one.sample, draws=n, warm_up=60, chains=1, seed=2)
     assert draws.draws.shape == (1, n, 7) and (draws["perturbation[0].torque[2]"] > -1.0).all()

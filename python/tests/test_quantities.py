@@ -17,7 +17,8 @@ import polhode
 import public_calls
 import pytest
 import xarray as xr
-from polhode import Scenario, elliptic, satellites, spice
+from polhode import Scenario, analysis, elliptic, satellites, spice
+from public_names import PUBLIC
 from scenario_texts import FREE
 
 matplotlib = pytest.importorskip("matplotlib")
@@ -173,24 +174,24 @@ def no_figures(tmp_path):
     ck = {"et": TIMES, "q": np.tile([1.0, 0, 0, 0], (60, 1)), "omega": np.zeros((60, 3))}
     names = {"path": tmp_path / "a.bc", "structure": -1234567, "frame": "F", "reference": "J2000"}
     return {
-        "harmonic_fit": (polhode.harmonic_fit,
+        "harmonic_fit": (analysis.harmonic_fit,
                          {"t": TIMES, "y": np.sin(TIMES), "periods": [3.0], "degree": 1}, {}),
-        "argument_fit": (polhode.argument_fit,
+        "argument_fit": (analysis.argument_fit,
                          {"t": TIMES, "y": np.sin(TIMES), "degree": 1, **ARGUMENTS}, {}),
-        "ArgumentFit.at": (polhode.argument_fit(TIMES, TIMES, **ARGUMENTS).at, {"t": TIMES}, {}),
-        "HarmonicFit.at": (polhode.harmonic_fit(TIMES, TIMES, [3.0]).at, {"t": TIMES}, {}),
-        "without_free_wobble": (polhode.without_free_wobble,
+        "ArgumentFit.at": (analysis.argument_fit(TIMES, TIMES, **ARGUMENTS).at, {"t": TIMES}, {}),
+        "HarmonicFit.at": (analysis.harmonic_fit(TIMES, TIMES, [3.0]).at, {"t": TIMES}, {}),
+        "without_free_wobble": (analysis.without_free_wobble,
                                 {"start": 0.0, "periods": 6, "damper_rate": [0.0, 0.0, 0.0]},
                                 {"system": polhode.System(public_calls.BODY), "initial": SPINNING}),
-        "to_scipy": (polhode.to_scipy, {"attitude": [1.0, 0.0, 0.0, 0.0]}, {}),
+        "to_scipy": (polhode.charts.to_scipy, {"attitude": [1.0, 0.0, 0.0, 0.0]}, {}),
         "Satellite.states": (SATELLITE.states, {"times": [0.0, 60.0]}, {"epoch": EPOCH}),
         "Satellite.orbit": (SATELLITE.orbit, first_last, {"epoch": EPOCH}),
         "Satellite.write": (SATELLITE.write, first_last,
                             {"path": tmp_path / "a.csv", "epoch": EPOCH}),
         "Scenario.build": (Scenario.build, {"time": TIMES, "damper_rate": [0.0, 0.0, 0.0]},
                            {"system": public_calls.BODY, "state": public_calls.STATE}),
-        "ensemble": (polhode.ensemble, {"size": 3, "seed": 1, "quantiles": [0.5]},
-                     {"scenario": Scenario.from_text(FREE), "vary": VARY}),
+        "Scenario.ensemble": (Scenario.from_text(FREE).ensemble,
+                              {"size": 3, "seed": 1, "quantiles": [0.5]}, {"vary": VARY}),
         "vary.normal": (polhode.vary.normal, {"sigma": 1.0, "mean": 0.0, "low": 0.0}, {}),
         "vary.joint_normal": (polhode.vary.joint_normal,
                               {"covariance": [[1.0, 0.0], [0.0, 1.0]], "means": [0.0, 0.0]}, {}),
@@ -216,7 +217,7 @@ def of_figures(tmp_path):
     """The same of figures."""
     map_ = {"a": [0.0, 0.0, 1.0, 1.0], "b": [0.0, 1.0, 0.0, 1.0],
             "mean_megno": [2.0, 2.0, 3.0, 4.0]}
-    chaos = polhode.chaos_indicator(public_calls.PROBLEM, [0.0, 0.1])
+    chaos = analysis.chaos_indicator(public_calls.PROBLEM, [0.0, 0.1])
     run = polhode.integrate(public_calls.PROBLEM)
     film = {"motion": MOTION, "path": tmp_path / "film.gif"}
     return {
@@ -275,7 +276,9 @@ def numbers_in_sources():
         for node in ast.parse(path.read_text(encoding="utf-8")).body:
             inside = [node] if isinstance(node, ast.FunctionDef) else getattr(node, "body", [])
             owner = node.name + "." if isinstance(node, ast.ClassDef) else ""
-            if not hasattr(node, "name") or node.name.startswith("_") or path.name.startswith("_"):
+            if not hasattr(node, "name") or node.name.startswith("_"):
+                continue
+            if path.name.startswith("_") and node.name not in PUBLIC:
                 continue
             if path.parent.name == "figures" and node.name not in figures.__all__:
                 continue
@@ -341,7 +344,7 @@ def test_one_converts_a_quantity_and_passes_it():
 def test_what_a_function_of_the_user_returns_has_no_unit_either():
     term = polhode.TorqueTerm(lambda t, s: [0.0, 0.0, 1.0] * u.N * u.m)
     with pytest.raises((TypeError, ValueError), match="the function returned .* N m"):
-        polhode.effect(polhode.System(public_calls.BODY, terms=term), 0.0, public_calls.STATE)
+        polhode.rates.effect(polhode.System(public_calls.BODY, terms=term), 0.0, public_calls.STATE)
     hub, body = public_calls.STATE, public_calls.BODY
     for kg in (u.kg, PINT.kg):
         for term in (
@@ -351,7 +354,7 @@ def test_what_a_function_of_the_user_returns_has_no_unit_either():
             polhode.ResidualDipole([0, 0, 1], field=lambda t, kg=kg: [1.0 * kg, 0.0, 0.0]),
         ):
             with pytest.raises((TypeError, ValueError), match="the function returned .* ?'?k"):
-                polhode.effect(polhode.System(body, terms=term), 0.0, hub)
+                polhode.rates.effect(polhode.System(body, terms=term), 0.0, hub)
         for frame in (
             polhode.Frame.orbit_plane(lambda t, kg=kg: 0.1 * kg, 0.2),
             polhode.Frame.from_attitude(lambda t, kg=kg: np.array([1.0, 0.0, 0.0, 0.0]) * kg),

@@ -7,7 +7,7 @@ import numpy as np
 import polhode
 import pytest
 from closeness import assert_allclose
-from polhode import harmonic_fit
+from polhode.analysis import harmonic_fit
 from scenario_texts import ROOT
 from scipy.integrate import solve_ivp
 
@@ -188,7 +188,7 @@ def test_hyperion_has_a_lyapunov_time_of_tens_of_days(omega, low, high):
     text = tumbling.text.replace("[0, 0, 22.0]", f"[0, 0, {omega}]")
     start = polhode.Scenario.from_text(text).initial_state
     problem = polhode.Problem(tumbling.system, start, 0.0, 1e4, polhode.Adaptive(1e-10))
-    assert low < polhode.chaos_indicator(problem).lyapunov_time < high
+    assert low < polhode.analysis.chaos_indicator(problem).lyapunov_time < high
 
 
 def test_envisat_is_led_around_its_orbit_normal():
@@ -218,11 +218,11 @@ def test_envisat_is_regular():
 
     def indicator(method):
         problem = polhode.Problem(envisat.system, envisat.initial_state, 0, 3 * 86400, method)
-        return polhode.chaos_indicator(problem)
+        return polhode.analysis.chaos_indicator(problem)
 
     exact, near = indicator(polhode.Adaptive(1e-12)), indicator(polhode.Splitting(20.0, "ABA1064"))
-    assert exact.by == polhode.DeviationBy.variational
-    assert near.by == polhode.DeviationBy.neighbour
+    assert exact.by == polhode.analysis.DeviationBy.variational
+    assert near.by == polhode.analysis.DeviationBy.neighbour
     assert_allclose(near.growth, exact.growth, atol=budgets.chaos_trapezoid)
     for found in (exact, near):
         assert_allclose(found.mean_megno, 2.0, atol=budgets.chaos_megno_regular)

@@ -150,7 +150,7 @@ def test_resume_goes_on_to_the_same_bits(method):
     assert len(straight.checkpoints) > 5
     for k in range(0, len(straight.checkpoints), 1 + len(straight.checkpoints) // 5):
         rest = Blocks()
-        now = polhode.Checkpoint(straight.checkpoints[k].bytes)
+        now = polhode.types.Checkpoint(straight.checkpoints[k].bytes)
         assert now == straight.checkpoints[k] and 0 < now.t < 300
         end = polhode.resume(p, times, now, rest, events=rest.events.append)
         blocks, events = straight.kept[k]
@@ -160,7 +160,9 @@ def test_resume_goes_on_to_the_same_bits(method):
         assert end.statistics.steps == whole.statistics.steps
     with pytest.raises(ValueError, match="method differs"):
         polhode.resume(problem(polhode.Splitting(0.2)), times, now, Blocks())
-    rejected(ValueError, "damaged|no checkpoint|too early", polhode.Checkpoint, now.bytes[:-1])
+    rejected(
+        ValueError, "damaged|no checkpoint|too early", polhode.types.Checkpoint, now.bytes[:-1]
+    )
 
 
 def test_progress_of_integrate():

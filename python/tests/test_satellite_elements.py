@@ -11,7 +11,7 @@ import pytest
 from closeness import assert_allclose
 
 GM, J2, RADIUS = 1.3, 2e-3, 0.8
-START = polhode.SatelliteState([1.1, -0.2, 0.4], [0.1, 0.9, 0.35])
+START = polhode.satellites.SatelliteState([1.1, -0.2, 0.4], [0.1, 0.9, 0.35])
 
 
 def bent(t, r, p):
@@ -23,7 +23,7 @@ def general(C, t):
     return [0.002 * np.sin(C[0] + 0.3 * t) * C[4], 0.001 * C[3], 0.0015 * np.sin(C[2]) * C[5]]
 
 
-SYSTEM = polhode.SatelliteSystem(
+SYSTEM = polhode.satellites.SatelliteSystem(
     GM, polhode.Frame.precessing([0.36, 0.48, 0.8], 0.03),
     [polhode.OrbitalPerturbation.oblateness(GM, J2, RADIUS), polhode.OrbitalPerturbation(bent)])
 SETS = ("delaunay", "keplerian")
@@ -32,43 +32,45 @@ SETS = ("delaunay", "keplerian")
 @pytest.mark.parametrize("gauge", ["canonical", "osculating", general])
 @pytest.mark.parametrize("chosen", SETS)
 def test_elements_and_states_go_there_and_back(chosen, gauge):
-    C = polhode.elements_of_state(chosen, SYSTEM, 0.4, START, gauge)
-    back = polhode.element_state(SYSTEM, 0.4, C, gauge, chosen)
+    C = polhode.charts.elements_of_state(chosen, SYSTEM, 0.4, START, gauge)
+    back = polhode.charts.element_state(SYSTEM, 0.4, C, gauge, chosen)
     assert_allclose(back.r, START.r, atol=budgets.element_maps)
     assert_allclose(back.p, START.p, atol=budgets.element_maps)
-    velocity = polhode.satellite_rates(SYSTEM, 0.4, START)[:3]
-    free = polhode.element_state(polhode.SatelliteSystem(GM), 0.4, C, chart=chosen).p
-    phi = polhode.element_convective_term(SYSTEM, 0.4, C, gauge, chosen)
+    velocity = polhode.satellites.satellite_rates(SYSTEM, 0.4, START)[:3]
+    free = polhode.charts.element_state(
+        polhode.satellites.SatelliteSystem(GM), 0.4, C, chart=chosen
+    ).p
+    phi = polhode.rates.element_convective_term(SYSTEM, 0.4, C, gauge, chosen)
     assert_allclose(free + phi, velocity, atol=budgets.element_maps)
 
 
 @pytest.mark.parametrize("gauge", ["canonical", "osculating"])
 def test_rates_are_those_along_a_path(gauge):
     h = 1e-3
-    path = polhode.satellite_path(SYSTEM, START, 0.0, 1.0)
-    elements = polhode.elements_of_state("keplerian", SYSTEM, [0.5 - h, 0.5 + h],
+    path = polhode.satellites.satellite_path(SYSTEM, START, 0.0, 1.0)
+    elements = polhode.charts.elements_of_state("keplerian", SYSTEM, [0.5 - h, 0.5 + h],
                                          path.at([0.5 - h, 0.5 + h]), gauge)
-    here = polhode.elements_of_state("keplerian", SYSTEM, 0.5, path.at(0.5), gauge)
-    rates = polhode.element_rates(SYSTEM, 0.5, here, gauge, "keplerian")
+    here = polhode.charts.elements_of_state("keplerian", SYSTEM, 0.5, path.at(0.5), gauge)
+    rates = polhode.rates.element_rates(SYSTEM, 0.5, here, gauge, "keplerian")
     assert_allclose(rates, (elements[1] - elements[0]) / (2 * h), atol=budgets.orbital_differences)
 
 
 def test_energy_is_constant_and_arrays_broadcast():
-    system = polhode.SatelliteSystem(GM, SYSTEM.frame, SYSTEM.terms[:1])
-    path = polhode.satellite_path(system, START, 0.0, 20.0)
+    system = polhode.satellites.SatelliteSystem(GM, SYSTEM.frame, SYSTEM.terms[:1])
+    path = polhode.satellites.satellite_path(system, START, 0.0, 20.0)
     assert path.outcome.ok and (path.start, path.stop) == (0.0, 20.0)
     states = path.at(np.linspace(0, 20, 6).reshape(2, 3))
     assert_allclose(polhode.energy(system, 0.0, states), polhode.energy(system, 0.0, START),
                     atol=budgets.element_maps)
-    C = polhode.elements_of_state("delaunay", system, 0.0, states)
+    C = polhode.charts.elements_of_state("delaunay", system, 0.0, states)
     assert C.shape == (2, 3, 6)
-    rates = polhode.element_rates(system, 0.0, C)
-    np.testing.assert_array_equal(rates[1, 2], polhode.element_rates(system, 0.0, C[1, 2]))
+    rates = polhode.rates.element_rates(system, 0.0, C)
+    np.testing.assert_array_equal(rates[1, 2], polhode.rates.element_rates(system, 0.0, C[1, 2]))
 
 
 def test_systems_are_values():
     oblate = polhode.OrbitalPerturbation.oblateness(GM, J2, RADIUS)
-    system = polhode.SatelliteSystem(GM, polhode.Frame.inertial(), [oblate])
+    system = polhode.satellites.SatelliteSystem(GM, polhode.Frame.inertial(), [oblate])
     for again in (pickle.loads(pickle.dumps(system)), copy.deepcopy(system)):
         assert again == system and hash(again) == hash(system)
     assert system.gm == GM and system.terms == (oblate,) and system.frame.is_inertial
@@ -76,15 +78,17 @@ def test_systems_are_values():
 
 
 @pytest.mark.parametrize(("call", "message"), [
-    (lambda: polhode.SatelliteSystem(-1.0), "got gm = -1"),
+    (lambda: polhode.satellites.SatelliteSystem(-1.0), "got gm = -1"),
     (lambda: polhode.OrbitalPerturbation.oblateness(1.0, 1e-3, -2.0), "radius > 0"),
-    (lambda: polhode.element_rates(SYSTEM, 0.0, [0.1, 0.2, 0.3, 1, 1, 0.5]),
+    (lambda: polhode.rates.element_rates(SYSTEM, 0.0, [0.1, 0.2, 0.3, 1, 1, 0.5]),
      "a singularity of Delaunay's elements"),
-    (lambda: polhode.element_rates(SYSTEM, 0.0, [1, 1.5, 0.3, 1, 1, 0.5], chart="keplerian"),
+    (lambda: polhode.rates.element_rates(SYSTEM, 0.0, [1, 1.5, 0.3, 1, 1, 0.5], chart="keplerian"),
      "not a bound orbit"),
-    (lambda: polhode.elements_of_state("andoyer", SYSTEM, 0.0, START),
+    (lambda: polhode.charts.elements_of_state("andoyer", SYSTEM, 0.0, START),
      'expected "delaunay" or "keplerian"'),
-    (lambda: polhode.SatelliteState([1, 2, np.nan], [0, 0, 1]), "expected finite numbers"),
+    (lambda: polhode.satellites.SatelliteState(
+        [1, 2, np.nan], [0, 0, 1]
+    ), "expected finite numbers"),
 ])
 def test_bad_input_is_rejected(call, message):
     with pytest.raises(ValueError, match=message):
@@ -92,8 +96,10 @@ def test_bad_input_is_rejected(call, message):
 
 
 def test_a_perturbation_returns_a_number():
-    bad = polhode.SatelliteSystem(GM, terms=[polhode.OrbitalPerturbation(lambda t, r, p: "much")])
+    bad = polhode.satellites.SatelliteSystem(
+        GM, terms=[polhode.OrbitalPerturbation(lambda t, r, p: "much")]
+    )
     with pytest.raises(ValueError, match="a number, the energy"):
-        polhode.satellite_rates(bad, 0.0, START)
+        polhode.satellites.satellite_rates(bad, 0.0, START)
     with pytest.raises(TypeError, match="expected OrbitalPerturbation"):
-        polhode.SatelliteSystem(GM, terms=[bent])
+        polhode.satellites.SatelliteSystem(GM, terms=[bent])

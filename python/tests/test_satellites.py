@@ -60,7 +60,9 @@ def test_positions_are_those_of_the_verification_run():
     assert len(rows) > 10
     x, v = satellite.states(satellite.epoch, 60 * rows[:, 0])
     for k, row in enumerate(rows):
-        turn = polhode.j2000_from_teme(polhode.date_after(satellite.epoch, 60 * row[0]))
+        turn = polhode.ephemeris.j2000_from_teme(
+            polhode.ephemeris.date_after(satellite.epoch, 60 * row[0])
+        )
         assert_allclose(turn.T @ x[k], row[1:4], atol=budgets.sgp4_km)
         assert_allclose(turn.T @ v[k], row[4:7], atol=budgets.sgp4_km_s)
 
@@ -68,13 +70,13 @@ def test_positions_are_those_of_the_verification_run():
 def test_axes_are_those_of_the_published_example():
     """Vallado et al. (2006), example of 2004-04-06: the same position along TEME and the GCRS. The
     difference are the corrections of the pole that were observed then, 0.02 arcsec."""
-    date = polhode.calendar_date("UTC", 2004, 4, 6, 7, 51, 28.386009)
+    date = polhode.ephemeris.calendar_date("UTC", 2004, 4, 6, 7, 51, 28.386009)
     teme = np.array([5094.18016210, 6127.64465950, 6380.34453270])
     gcrs = np.array([5102.50895790, 6123.01140070, 6378.13692820])
-    there = polhode.j2000_from_teme(date) @ teme
+    there = polhode.ephemeris.j2000_from_teme(date) @ teme
     assert np.linalg.norm(there - gcrs) < budgets.teme_km
     assert np.linalg.norm(teme - gcrs) > 1000 * budgets.teme_km
-    turn = polhode.j2000_from_teme(date)
+    turn = polhode.ephemeris.j2000_from_teme(date)
     assert_allclose(turn @ turn.T, np.eye(3), atol=budgets.numpy_rounding)
 
 
@@ -85,7 +87,7 @@ def test_an_omm_is_its_elements():
     for source in (OMM, csv, xml):
         omm = satellites.satellite_from_omm(source)
         assert omm.name == "VANGUARD 1"
-        assert abs(polhode.seconds_between(tle.epoch, omm.epoch)) < budgets.tle_epoch
+        assert abs(polhode.ephemeris.seconds_between(tle.epoch, omm.epoch)) < budgets.tle_epoch
         x, _ = omm.states(tle.epoch, [0.0, 86400.0])
         y, _ = tle.states(tle.epoch, [0.0, 86400.0])
         assert_allclose(x, y, atol=budgets.omm_km)
@@ -93,7 +95,7 @@ def test_an_omm_is_its_elements():
 
 def test_a_scenario_reads_the_table(tmp_path):
     satellite = satellites.satellite_from_tle(*VANGUARD)
-    epoch = polhode.calendar_date("UTC", 2000, 6, 28)
+    epoch = polhode.ephemeris.calendar_date("UTC", 2000, 6, 28)
     orbit = satellite.orbit(epoch, 0, 7200)
     satellite.write(tmp_path / "vanguard.csv.gz", "2000-06-28T00:00:00 UTC", 0, 7200)
     head = gzip.decompress((tmp_path / "vanguard.csv.gz").read_bytes()).decode()
@@ -167,7 +169,7 @@ def test_the_epoch_of_a_table_is_a_date(tmp_path):
     satellite = satellites.satellite_from_tle(*VANGUARD)
     cases = {59.9996: "00:01:00.000", 59.9994: "00:00:59.999", 30.0: "00:00:30.000"}
     for second, time in cases.items():
-        epoch = polhode.calendar_date("UTC", 2000, 6, 28, 0, 0, second)
+        epoch = polhode.ephemeris.calendar_date("UTC", 2000, 6, 28, 0, 0, second)
         satellite.write(tmp_path / "a.csv", epoch, 0, 600)
         assert f"from 2000-06-28T{time} UTC" in (tmp_path / "a.csv").read_text()
 
@@ -270,14 +272,14 @@ def test_a_file_gives_every_message_and_each_its_own_fields(written, tmp_path):
 
 def test_epochs_of_messages_and_days_with_a_leap_second():
     """The day of 2016-12-31 has 86,401 s: noon is 43,200 s after midnight."""
-    noon = polhode.Date("2016-12-31T12:00:00 UTC")
+    noon = polhode.ephemeris.Date("2016-12-31T12:00:00 UTC")
     line1 = "1 04859U 21001A   16366.50000000  .00000000  00000+0  00000+0 0  9995"
     line2 = "2 04859  51.6000 123.4000 0001234  10.0000  20.0000 15.50000000    15"
     read = [satellites.satellite_from_tle(line1, line2)]
     for epoch in ("2016-12-31T12:00:00", "2016-366T12:00:00.000Z"):
         read.append(satellites.satellite_from_omm({**OMM, "EPOCH": epoch}))
     for one in read:
-        assert abs(polhode.seconds_between(noon, one.epoch)) < budgets.tle_epoch
+        assert abs(polhode.ephemeris.seconds_between(noon, one.epoch)) < budgets.tle_epoch
 
 
 @pytest.mark.parametrize(("fields", "what"), [
@@ -356,7 +358,7 @@ def test_the_command_writes_the_positions_of_sgp4_and_their_slopes(command):
     )
     rows = np.loadtxt("a.csv", delimiter=",", skiprows=4)
     satellite = satellites.satellite_from_tle(*VANGUARD)
-    epoch = polhode.Date("2000-06-28T00:00:00Z")
+    epoch = polhode.ephemeris.Date("2000-06-28T00:00:00Z")
     x, v = satellite.states(epoch, rows[:, 0])
     assert_allclose(rows[:, 1:4], x, atol=budgets.sgp4_km)
     assert_allclose(rows[:, 4:], v, atol=budgets.sgp4_slope)

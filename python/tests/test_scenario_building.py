@@ -21,7 +21,6 @@ from polhode import (
     RotorState,
     SaveAt,
     Scenario,
-    SecularRates,
     Splitting,
     System,
     TorqueTable,
@@ -29,6 +28,7 @@ from polhode import (
     VariationOfConstants,
     integrate,
 )
+from polhode.satellites import SecularRates
 
 BODY = Body(1.0, 1.9, 2.3)
 ELEMENTS = KeplerElements(0.7, 1.1, 0.01, 1.1, 0.2, 0.3, 0.4, 5.0)
@@ -50,7 +50,7 @@ CHARTS = {
     "poincare-pi-0": lambda s: polhode.to_poincare(s, "pi", "zero"),
     "poincare-pi-pi": lambda s: polhode.to_poincare(s, "pi", "pi"),
 }
-TO_HUB = {"rotor": lambda s: s, "euler_rates": lambda s: polhode.to_euler_rates(BODY, s),
+TO_HUB = {"rotor": lambda s: s, "euler_rates": lambda s: polhode.charts.to_euler_rates(BODY, s),
           "free_rotation": lambda s: FreeRotation(BODY, s)}
 HUB = {"rotor": lambda x: x, "euler_rates": lambda x: polhode.to_rotor(BODY, x),
        "free_rotation": lambda x: x.initial_state}
@@ -68,7 +68,7 @@ def test_a_chart_of_files_keeps_its_bits(chart, units):
 @pytest.mark.parametrize("units", UNITS, ids=["core", "deg", "arcsec"])
 def test_a_poincare_state_starts_where_it_is(units):
     for s in STATES:
-        state = polhode.nearest_poincare(s)
+        state = polhode.charts.nearest_poincare(s)
         made = Scenario.build(BODY, state, units=units)
         assert made.state == state
         # in Python a state goes the way of many

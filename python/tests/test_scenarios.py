@@ -340,7 +340,7 @@ def test_from_dict_takes_what_toml_has():
 
 @pytest.mark.parametrize(("value", "message"), [
     (None, "body.moments: got None"),
-    (polhode.Regime.rest, "body.moments: got "),
+    (polhode.free.Regime.rest, "body.moments: got "),
     ([1, object(), 2], "body.moments: got <object"),
     (1j, "body.moments: got 1j"),
 ])

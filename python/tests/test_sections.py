@@ -17,7 +17,6 @@ from interrupts import LATEST, seconds_from_signal
 from numpy.testing import assert_array_equal
 from polhode import (
     Adaptive,
-    AndoyerAngle,
     Body,
     DomainError,
     KeplerElements,
@@ -26,14 +25,13 @@ from polhode import (
     Problem,
     Scenario,
     ScenarioError,
-    SecularRates,
     System,
     TorqueTerm,
-    andoyer_section,
     rotor_state,
-    spin_orbit_section,
     to_andoyer,
 )
+from polhode.analysis import AndoyerAngle, andoyer_section, spin_orbit_section
+from polhode.satellites import SecularRates
 from rejections import rejected
 
 FREE = System(Body(1.0, 1.7, 2.2))

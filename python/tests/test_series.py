@@ -13,7 +13,7 @@ import numpy as np
 import polhode
 import pytest
 from closeness import assert_allclose
-from polhode import CompiledSeries, Series, SeriesTerm, Symbols, Truncation
+from polhode.series import CompiledSeries, Series, SeriesTerm, Symbols, Truncation
 
 SYMBOLS = Symbols(["L", "G", "k"], ["l", "g"], [("l", "L"), ("g", "G")])
 
@@ -259,4 +259,4 @@ def test_coefficients_of_any_length():
     (term,) = big
     assert term.coefficient == Fraction(2, 3)**400 and term.powers == {"G": 400}
     assert big * Fraction(3, 2)**400 == series("G^400")
-    assert polhode.Series.of_terms(SYMBOLS, [term]) == big
+    assert polhode.series.Series.of_terms(SYMBOLS, [term]) == big

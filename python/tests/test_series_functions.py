@@ -10,7 +10,7 @@ import numpy as np
 import polhode
 import pytest
 from closeness import assert_allclose, largest
-from polhode import CompiledSeries, LieTransform, Series, SeriesTerm, Symbols, Truncation
+from polhode.series import CompiledSeries, LieTransform, Series, SeriesTerm, Symbols, Truncation
 
 VALUES = {"L": 0.8, "G": 1.0, "H": 0.5}
 PAIRS = [("l", "L"), ("g", "G"), ("h", "H")]
@@ -187,7 +187,7 @@ def test_rates_of_elements_are_those_of_the_series(theory, frame):
     h, _, term = theory(eps)
     body = polhode.Body(A, A, C)
     system = polhode.System(body, frame) if frame else polhode.System(body, terms=[term])
-    found = polhode.element_rates(system, 0.0, polhode.AndoyerState(**START), "canonical")
+    found = polhode.rates.element_rates(system, 0.0, polhode.AndoyerState(**START), "canonical")
     at = {**START, "eps": eps, "s": 0.0}
     expected = [h.derivative(p)(**at) for p in "LGH"] + [-h.derivative(q)(**at) for q in "lgh"]
     assert_allclose(found, expected, rtol=budgets.series_values, atol=budgets.series_values)

@@ -9,12 +9,12 @@ import numpy as np
 import polhode
 import pytest
 from closeness import assert_allclose
-from polhode import (
+from polhode import Splitting, secular
+from polhode.secular import (
     ElementSeries,
     ElementTable,
     HistoryOrbit,
     PrecessionRates,
-    Splitting,
     TidalRates,
     spin_history,
 )
@@ -107,7 +107,7 @@ def test_a_rate_that_was_observed_is_that_of_the_motion():
     """Of the equinox, over a moment; geodetic precession apart."""
     e, tilt = 0.3, 0.4
     still = ElementSeries([[0.0, e, 0.0]], [[0.0, 0.0, 0.0]])
-    rates = polhode.rates_of_precession(2.0, tilt, e, 1.5)
+    rates = secular.rates_of_precession(2.0, tilt, e, 1.5)
     assert rates.satellites == 1.5 * rates.star
     found = spin_history(still, rates, [0, np.sin(tilt), np.cos(tilt)], [0.0, 0.5])
     assert_allclose(found.precession[1], 1.0, rtol=0, atol=budgets.spin_methods)
@@ -133,7 +133,7 @@ def test_it_is_pickled_and_shown():
 
 
 def round_the_star():
-    return HistoryOrbit(polhode.shipped_orbit("mars"), 4 * np.pi**2, 1.5237, 0.3)
+    return HistoryOrbit(secular.shipped_orbit("mars"), 4 * np.pi**2, 1.5237, 0.3)
 
 
 def test_a_table_that_ends_ends_the_run():
@@ -163,8 +163,8 @@ def test_a_table_that_ends_ends_the_run():
      "epoch: got 4.0; expected one that the table covers, 0.0 to 3.0"),
     (lambda: spin_history(earth(), PrecessionRates(1.0, drift=-0.1), POLE, [20.0]),
      "a drift of -0.1 turns the torques round before t = 20"),
-    (lambda: polhode.rates_of_precession(1.0, np.pi / 2), "at an obliquity of 90 deg no rate"),
-    (lambda: polhode.rates_of_precession(1.0, 0.4, 1.0), r"e\^2 from 0 to below 1"),
+    (lambda: secular.rates_of_precession(1.0, np.pi / 2), "at an obliquity of 90 deg no rate"),
+    (lambda: secular.rates_of_precession(1.0, 0.4, 1.0), r"e\^2 from 0 to below 1"),
     (lambda: spin_history(earth(), RATES, POLE, [0.0, 2.0, 1.0]), "1 comes after 2"),
     (lambda: spin_history(earth(), RATES, POLE, [1.0], tides=TidalRates(0.0, 1.0)),
      "TidalRates: spin 0 must be positive"),
@@ -190,12 +190,12 @@ def test_no_method_is_named_with_who_wants_one():
 
 
 def test_orbits_have_copies_and_pickles():
-    table = polhode.shipped_orbit("mars")
+    table = secular.shipped_orbit("mars")
     for orbit in (earth(), table):
         for other in (copy.copy(orbit), copy.deepcopy(orbit), pickle.loads(pickle.dumps(orbit))):
             assert other == orbit and not other != orbit
     assert earth() != ElementSeries([[0.0, 0.1, 0.0]], [[0.0, 0.1, 0.0]])
-    assert table != polhode.shipped_orbit("earth") and table != 1
+    assert table != secular.shipped_orbit("earth") and table != 1
     with pytest.raises(ValueError, match="its bytes are damaged"):
         ElementSeries.__new__(ElementSeries).__setstate__((b"1", b"2"))
 
@@ -204,7 +204,7 @@ def test_a_planet_on_an_orbit_that_changes():
     orbit = round_the_star()
     assert orbit.mean_motion == pytest.approx(2 * np.pi / 1.5237**1.5, rel=budgets.numpy_rounding)
     assert (orbit.gm, orbit.semi_major_axis, orbit.longitude) == (4 * np.pi**2, 1.5237, 0.3)
-    assert orbit.elements == polhode.shipped_orbit("mars")
+    assert orbit.elements == secular.shipped_orbit("mars")
     assert orbit.position([[0.0, 1.0]]).shape == (1, 2, 3) and orbit(0.5).shape == (3,)
     assert np.isnan(orbit.position(3e7)).all()
     again = pickle.loads(pickle.dumps(orbit))
@@ -226,5 +226,5 @@ def test_tides_slow_the_spin_and_lift_the_moon():
     split = spin_history(earth(), RATES, POLE, times, Splitting(1.0, "order8"), tides=tides)
     assert_allclose(split.s, found.s, atol=budgets.tidal_methods)
     assert_allclose(split.spin, found.spin, atol=budgets.tidal_methods)
-    assert polhode.tidal_rate(0.3, 2.0, 5.0, 0.1, 0.5, 0.4, 2.0) == pytest.approx(
+    assert secular.tidal_rate(0.3, 2.0, 5.0, 0.1, 0.5, 0.4, 2.0) == pytest.approx(
         3 * 0.3 * 2.0 * 5.0 / 8 * 0.1 * (0.5 / 2) ** 3 / 0.4, rel=budgets.numpy_rounding)

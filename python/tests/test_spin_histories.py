@@ -10,7 +10,8 @@ import numpy as np
 import polhode
 import pytest
 from closeness import assert_allclose
-from polhode import ElementSeries, PrecessionRates, Splitting, spin_histories, spin_history
+from polhode import Splitting
+from polhode.secular import ElementSeries, PrecessionRates, spin_histories, spin_history
 
 ARCSEC = np.pi / 648000
 ELLIPSE = [[4.249e3 * ARCSEC, 0.019, 0.53], [7.455e3 * ARCSEC, 0.0163, 3.49]]
@@ -28,7 +29,7 @@ def many(count):
 
 def test_each_is_that_of_one_body_to_the_last_bit():
     rates, poles = many(70)
-    for orbit in (SERIES, polhode.shipped_orbit("mars", year=1e-3)):
+    for orbit in (SERIES, polhode.secular.shipped_orbit("mars", year=1e-3)):
         for sign in (1, -1):
             times = sign * np.array(TIMES)
             found = spin_histories(orbit, rates, poles, times, METHOD)
@@ -105,7 +106,7 @@ def test_a_body_that_fails_fails_alone():
 
 
 def test_a_table_that_ends_ends_all():
-    orbit = polhode.shipped_orbit("mars", year=1e-3)
+    orbit = polhode.secular.shipped_orbit("mars", year=1e-3)
     rates, poles = many(3)
     with pytest.warns(RuntimeWarning, match="does what it depends on end there"):
         found = spin_histories(orbit, rates, poles, [-10.0, -30.0], Splitting(5.0), epoch=0.0)
@@ -152,7 +153,7 @@ def test_it_is_pickled_and_shown():
     (lambda r, p: spin_histories(SERIES, [*r, 1.0], p, TIMES, METHOD), TypeError, "at index 3"),
     (lambda r, p: spin_histories(SERIES, r, p, TIMES, polhode.Adaptive()), TypeError,
      "expected Splitting"),
-    (lambda r, p: spin_histories(polhode.shipped_orbit("mars"), r, p, TIMES, METHOD, 3e7),
+    (lambda r, p: spin_histories(polhode.secular.shipped_orbit("mars"), r, p, TIMES, METHOD, 3e7),
      ValueError, "epoch: got 30000000.0; expected one that the table covers"),
 ])  # fmt: skip
 def test_what_cannot_be_says_why(call, kind, what):

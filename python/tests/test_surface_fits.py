@@ -13,7 +13,7 @@ from closeness import assert_allclose, largest, smallest
 
 matplotlib.use("Agg")
 import fit_calls  # noqa: E402
-from polhode import figures  # noqa: E402
+from polhode import figures, light  # noqa: E402
 
 NIGHT = pathlib.Path(__file__).resolve().parents[2] / "examples/tumbling-night.toml"
 NEARBY = {"fit.from": "start", "fit.starts": None, "fit.scan": None}
@@ -25,23 +25,23 @@ SMALL = {"degree": 3, "rows": 4}
 def convex():
     """A convex body that is no ellipsoid, from one of its fits; and its light with errors."""
     rng = np.random.default_rng(4)
-    found = polhode.fit_light(fit_calls.BODY.convex(**SMALL), fit_calls.CURVE)
+    found = light.fit_light(fit_calls.BODY.convex(**SMALL), fit_calls.CURVE)
     coefficients = found.body.shape.coefficients.copy()
     coefficients[[4, 8, 9, 12]] += [0.1, -0.15, 0.08, 0.1]
-    body = polhode.LightModel(found.body.spin, polhode.ConvexShape(3, 4, coefficients))
+    body = light.LightModel(found.body.spin, light.ConvexShape(3, 4, coefficients))
     t = np.linspace(0.0, 40.0, 90)
-    blank = polhode.LightCurve(t, np.ones(90), 1.0, SUN, OBSERVER)
-    (flux,) = polhode.model_fluxes(body, blank)
+    blank = light.LightCurve(t, np.ones(90), 1.0, SUN, OBSERVER)
+    (flux,) = light.model_fluxes(body, blank)
     seen = flux * (1.0 + 0.005 * rng.standard_normal(90))
-    return body, polhode.LightCurve(t, seen, 0.005 * flux, SUN, OBSERVER)
+    return body, light.LightCurve(t, seen, 0.005 * flux, SUN, OBSERVER)
 
 
 def test_facets_fit_what_no_ellipsoid_does(convex):
     body, curve = convex
-    first = polhode.fit_light(fit_calls.BODY, curve)
+    first = light.fit_light(fit_calls.BODY, curve)
     assert first.converged
-    found = polhode.fit_light(first.body.convex(**SMALL), curve)
-    assert found.converged and isinstance(found.body.shape, polhode.ConvexShape)
+    found = light.fit_light(first.body.convex(**SMALL), curve)
+    assert found.converged and isinstance(found.body.shape, light.ConvexShape)
     assert found.chi_square < 0.7 * first.chi_square
     assert found.names[:6] == first.names[:6] and found.names[6:8] == ("Ixx/Izz", "Iyy/Izz")
     assert len(found.names) == 8 + 15 and found.covariance.shape == (23, 23)
@@ -57,22 +57,24 @@ def test_facets_fit_what_no_ellipsoid_does(convex):
     areas = np.bincount(places, np.asarray(mesh.areas), 128)
     assert_allclose(areas.sum(), of.areas.sum(), rtol=budgets.python_convex_closure)
     assert np.abs(areas - of.areas).max() < budgets.python_convex_closure * of.areas.sum()
-    again = polhode.LightModel(found.body.spin, mesh, found.body.law)
-    (of_mesh,) = polhode.model_fluxes(again, curve)
+    again = light.LightModel(found.body.spin, mesh, found.body.law)
+    (of_mesh,) = light.model_fluxes(again, curve)
     assert_allclose(of_mesh, model, rtol=budgets.python_convex_light)
 
 
 def test_a_given_mesh_is_fitted_from_a_start_nearby():
     rng = np.random.default_rng(5)
     shape = fit_calls.TETRAHEDRON
-    truth = polhode.LightModel.homogeneous([0.9, 0.1, 0.3, 0.2], [0.4, 0.5, 1.0], shape)
+    truth = light.LightModel.homogeneous([0.9, 0.1, 0.3, 0.2], [0.4, 0.5, 1.0], shape)
     t = np.linspace(0.0, 30.0, 80)
-    blank = polhode.LightCurve(t, np.ones(80), 1.0, SUN, OBSERVER)
-    (flux,) = polhode.model_fluxes(truth, blank)
+    blank = light.LightCurve(t, np.ones(80), 1.0, SUN, OBSERVER)
+    (flux,) = light.model_fluxes(truth, blank)
     sigma = 0.01 * flux.mean()
-    curve = polhode.LightCurve(t, flux + sigma * rng.standard_normal(80), sigma, SUN, OBSERVER)
-    start = polhode.LightModel.homogeneous([0.9, 0.11, 0.29, 0.21], [0.401, 0.5, 1.0], shape)
-    found = polhode.fit_light(start, curve)
+    curve = light.LightCurve(
+        t, flux + sigma * rng.standard_normal(80), sigma, SUN, OBSERVER
+    )
+    start = light.LightModel.homogeneous([0.9, 0.11, 0.29, 0.21], [0.401, 0.5, 1.0], shape)
+    found = light.fit_light(start, curve)
     assert found.converged and found.names == (
         "turn_x", "turn_y", "turn_z", "w_x", "w_y", "w_z")  # fmt: skip
     off = (found.body.spin.w - truth.spin.w) @ np.linalg.inv(found.covariance[3:, 3:])
@@ -82,21 +84,23 @@ def test_a_given_mesh_is_fitted_from_a_start_nearby():
 
 
 @pytest.mark.parametrize(("call", "error", "message"), [
-    (lambda: polhode.fit_light(3, fit_calls.CURVE), TypeError, "got 3; expected LightModel"),
+    (lambda: light.fit_light(3, fit_calls.CURVE), TypeError, "got 3; expected LightModel"),
     (lambda: fit_calls.MESH.convex(), TypeError, "kind mesh; expected an ellipsoid"),
     (lambda: fit_calls.BODY.convex(degree=20), ValueError, "rows"),
-    (lambda: polhode.ConvexShape.of([1.0, 0.0, 1.0]), ValueError, "semi-axis 0 must be above 0"),
-    (lambda: polhode.fit_light(fit_calls.BODY.convex(), fit_calls.CURVE, roughness_error=0.0),
+    (lambda: light.ConvexShape.of([1.0, 0.0, 1.0]), ValueError, "semi-axis 0 must be above 0"),
+    (lambda: light.fit_light(fit_calls.BODY.convex(), fit_calls.CURVE, roughness_error=0.0),
      ValueError, "roughness_error = 0 must be above 0"),
-    (lambda: polhode.fit_light(fit_calls.BODY, fit_calls.CURVE, moments="even"), ValueError,
+    (lambda: light.fit_light(fit_calls.BODY, fit_calls.CURVE, moments="even"), ValueError,
      "moments"),
-    (lambda: polhode.fit_light(fit_calls.BODY.convex(), fit_calls.CURVE, about=fit_calls.MESH),
+    (lambda: light.fit_light(
+        fit_calls.BODY.convex(), fit_calls.CURVE, about=fit_calls.MESH
+    ),
      ValueError, "usual body"),
-    (lambda: polhode.LightModel(fit_calls.STATE, 3), ValueError, "shape"),
-    (lambda: polhode.LightModel(3, [1.0, 0.8, 0.5]), TypeError, "expected SpinState"),
+    (lambda: light.LightModel(fit_calls.STATE, 3), ValueError, "shape"),
+    (lambda: light.LightModel(3, [1.0, 0.8, 0.5]), TypeError, "expected SpinState"),
     (lambda: fit_calls.BODY.mesh, TypeError, "expected a convex body or a mesh"),
-    (lambda: polhode.model_fluxes(3, fit_calls.CURVE), TypeError, "expected LightModel"),
-    (lambda: polhode.likely_periods(fit_calls.CURVE, -1.0, 0.1, order=1), ValueError,
+    (lambda: light.model_fluxes(3, fit_calls.CURVE), TypeError, "expected LightModel"),
+    (lambda: light.likely_periods(fit_calls.CURVE, -1.0, 0.1, order=1), ValueError,
      "f1: got -1.0; expected a frequency above 0"),
 ])  # fmt: skip
 def test_what_is_no_surface_is_refused(call, error, message):
@@ -107,8 +111,8 @@ def test_what_is_no_surface_is_refused(call, error, message):
 def test_likely_periods_are_those_of_the_whole_series():
     """The truth, 12 and 20 min, is high among the readings of the lines 1/12 and 1/10."""
     near = polhode.load(NIGHT).replace(NEARBY)
-    (curve,) = polhode.fit(near).curves
-    found = polhode.likely_periods(curve, 1 / 12.0022, 1 / 9.9957, order=2)
+    (curve,) = polhode.fit.fit_scenario(near).curves
+    found = light.likely_periods(curve, 1 / 12.0022, 1 / 9.9957, order=2)
     assert all(a.score >= b.score for a, b in zip(found, found[1:]))
     place = [k for k, one in enumerate(found) if one.mode == "LAM"
              and abs(one.precession_period - 12) < 0.05 and abs(one.rotation_period - 20) < 0.1]
@@ -120,13 +124,15 @@ def test_a_scenario_with_a_convex_body(tmp_path):
     """
     changes = {"light.shape": "convex", "light.convex.degree": 3, "light.convex.rows": 4}
     told = []
-    found = polhode.fit(polhode.load(NIGHT).replace({**NEARBY, **changes}),
-                        progress=lambda done, of: told.append(done))  # fmt: skip
+    found = polhode.fit.fit_scenario(
+        polhode.load(NIGHT).replace({**NEARBY, **changes}),
+        progress=lambda done, of: told.append(done),
+    )
     (one,) = found
     assert one.body.kind == "convex" and one.report["convex"]["facets"] == 128
     assert told == sorted(told)
-    ellipsoid = polhode.fit(polhode.load(NIGHT).replace(NEARBY))[0]
-    again = polhode.fit_light(ellipsoid.body.convex(**SMALL), found.curves)
+    ellipsoid = polhode.fit.fit_scenario(polhode.load(NIGHT).replace(NEARBY))[0]
+    again = light.fit_light(ellipsoid.body.convex(**SMALL), found.curves)
     assert_allclose(again.chi_square, one.chi_square, rtol=budgets.fit_freedom)
     assert_allclose(again.body.shape.coefficients, one.body.shape.coefficients,
                     rtol=budgets.fit_exact)  # fmt: skip
@@ -137,9 +143,9 @@ def test_a_scenario_with_a_convex_body(tmp_path):
     assert 'kind = "fit"' in one.text and 'mesh = "seen.obj"' in one.text
     one.write(tmp_path / "body.toml")
     assert sorted(path.name for path in tmp_path.iterdir()) == ["body-seen.obj", "body.toml"]
-    assert polhode.read_obj(str(tmp_path / "body-seen.obj")).open_edge == ""
+    assert polhode.shape.read_obj(str(tmp_path / "body-seen.obj")).open_edge == ""
     assert 'mesh = "body-seen.obj"' in (tmp_path / "body.toml").read_text()
-    (path,) = polhode.simulate(tmp_path / "body.toml", tmp_path / "seen")
+    (path,) = polhode.fit.simulate(tmp_path / "body.toml", tmp_path / "seen")
     assert pathlib.Path(path).exists()
     assert figures.light_curve_fit(found.curves, one).shape == (1, 2)
     assert len(figures.pole_sky(found).get_legend().get_texts()) == 1
@@ -154,7 +160,7 @@ def test_halves_of_a_night_join_to_a_convex_body():
     changes = {"fit.sessions": "one-by-one", "light.shape": "convex", "light.convex.degree": 3,
                "light.convex.rows": 4}  # fmt: skip
     scenario = polhode.Scenario.from_text(text.replace(table, "\n".join(halves)), str(NIGHT))
-    found = polhode.fit(scenario.replace({**NEARBY, **changes}))
+    found = polhode.fit.fit_scenario(scenario.replace({**NEARBY, **changes}))
     first, second = found.report["joined_sessions"]
     assert first["counts"] == 1 < second["counts"] and len(found.curves) == 2
     for one in found:
@@ -189,12 +195,13 @@ def test_a_search_of_arrays_is_that_of_a_scenario(kind, tmp_path):
         changes |= {"light.convex.degree": 3, "light.convex.rows": 4}
     else:
         changes |= {"light.mesh": str(tmp_path / "seen.obj")}
-    of_file = polhode.fit(polhode.Scenario.from_text(text, str(NIGHT)).replace(changes))
-    surface = (3, 4) if kind == "convex" else polhode.LightModel(
-        polhode.SpinState([1.0, 0, 0, 0], [0.0, 0.0, 1.0], np.diag([0.5625, 1.2025, 1.36])),
+    scenario = polhode.Scenario.from_text(text, str(NIGHT)).replace(changes)
+    of_file = polhode.fit.fit_scenario(scenario)
+    surface = (3, 4) if kind == "convex" else light.LightModel(
+        polhode.fit.SpinState([1.0, 0, 0, 0], [0.0, 0.0, 1.0], np.diag([0.5625, 1.2025, 1.36])),
         mesh)  # fmt: skip
     for threads in (1, 2):
-        found = polhode.search_light(of_file.curves, SEARCHED, surface=surface, starts=24, seed=1,
+        found = light.search_light(of_file.curves, SEARCHED, surface=surface, starts=24, seed=1,
                                      within=2.0, most_iterations=30, threads=threads)
         assert bits_of(found.solutions) == bits_of(one.light for one in of_file)
         assert found.surfaces == of_file.report["surfaces"]
@@ -212,20 +219,20 @@ def test_a_search_of_arrays_is_that_of_a_scenario(kind, tmp_path):
 ])  # fmt: skip
 def test_what_no_surface_can_follow_is_refused(change, error, said):
     with pytest.raises(error, match=said):
-        polhode.search_light(fit_calls.CURVE, [("SAM", 10.0, 25.0)], **change)
+        light.search_light(fit_calls.CURVE, [("SAM", 10.0, 25.0)], **change)
 
 
 def test_facets_are_drawn_where_they_are():
     """Corners on paper are those of the mesh; what is lit and faces the observer is bright."""
     shape = fit_calls.TETRAHEDRON
-    body = polhode.LightModel.homogeneous([1.0, 0.2, 0.0, 0.1], [0.4, 0.5, 1.0], shape)
+    body = light.LightModel.homogeneous([1.0, 0.2, 0.0, 0.1], [0.4, 0.5, 1.0], shape)
     eye = np.array(OBSERVER) / np.linalg.norm(OBSERVER)
     (axis,) = figures.body_as_seen(body, [0.0], SUN, OBSERVER)
     (drawn,) = axis.collections
     paths = drawn.get_paths()
     motion = body.spin.free_rotation
-    R = (np.asarray(polhode.attitude_matrix(motion.at(0.0).q)).T
-         @ np.asarray(polhode.attitude_matrix(motion.body.q_FB)))
+    R = (np.asarray(polhode.charts.attitude_matrix(motion.at(0.0).q)).T
+         @ np.asarray(polhode.charts.attitude_matrix(motion.body.q_FB)))
     normals = np.asarray(shape.normals) @ R.T
     assert len(paths) == np.sum(normals @ eye > 0.0)
     up = np.array([0.0, 0.0, 1.0]) - eye[2] * eye
@@ -238,5 +245,5 @@ def test_facets_are_drawn_where_they_are():
             nearest = smallest(*np.linalg.norm(onto - corner, axis=1))
             assert nearest < budgets.drawn_edge
     assert largest(*drawn.get_array()) <= 1.0
-    convex = polhode.fit_light(fit_calls.BODY.convex(**SMALL), fit_calls.CURVE)
+    convex = light.fit_light(fit_calls.BODY.convex(**SMALL), fit_calls.CURVE)
     assert len(figures.body_as_seen(convex, [0.0, 1.0], SUN, OBSERVER)) == 2

@@ -11,7 +11,7 @@ import numpy as np
 import polhode
 import pytest
 from closeness import assert_allclose, largest, smallest
-from polhode import LightResiduals
+from polhode.light import LightResiduals
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 NIGHT = ROOT / "examples/tumbling-night.toml"
@@ -29,9 +29,13 @@ def quietly(function, *arguments, **keywords):
 def seen(body, count=70, noise=0.01, seed=6):
     random = np.random.default_rng(seed)
     t = np.linspace(0.0, 40.0, count)
-    (flux,) = polhode.model_fluxes(body, polhode.LightCurve(t, np.ones(count), 1.0, SUN, OBSERVER))
+    (flux,) = polhode.light.model_fluxes(
+        body, polhode.light.LightCurve(t, np.ones(count), 1.0, SUN, OBSERVER)
+    )
     sigma = noise * flux.mean()
-    return polhode.LightCurve(t, flux + sigma * random.normal(size=count), sigma, SUN, OBSERVER)
+    return polhode.light.LightCurve(
+        t, flux + sigma * random.normal(size=count), sigma, SUN, OBSERVER
+    )
 
 
 def slopes(f, x, k, step):
@@ -44,16 +48,16 @@ def slopes(f, x, k, step):
 @pytest.fixture(scope="module")
 def convex():
     curve = seen(fit_calls.BODY)
-    return polhode.fit_light(fit_calls.BODY.convex(**SMALL), curve), curve
+    return polhode.light.fit_light(fit_calls.BODY.convex(**SMALL), curve), curve
 
 
 @pytest.fixture(scope="module")
 def mesh():
-    truth = polhode.LightModel.homogeneous(
+    truth = polhode.light.LightModel.homogeneous(
         [0.9, 0.1, 0.3, 0.2], [0.4, 0.5, 1.0], fit_calls.TETRAHEDRON
     )
     curve = seen(truth)
-    found = polhode.fit_light(truth, curve)
+    found = polhode.light.fit_light(truth, curve)
     assert found.converged
     return found, curve
 
@@ -80,9 +84,9 @@ def test_a_convex_body_begins_at_what_was_found(convex):
     assert_allclose(g.residuals(g.start)[76:], 0.0, atol=budgets.fit_line)
     x = g.start
     x[3:] = f.start[3:]
-    state = polhode.SpinState(found.body.spin.q, fit_calls.BODY.spin.w,
+    state = polhode.fit.SpinState(found.body.spin.q, fit_calls.BODY.spin.w,
                               fit_calls.BODY.spin.inertia)  # fmt: skip
-    there = polhode.LightModel(state, fit_calls.BODY.shape).convex(**SMALL)
+    there = polhode.light.LightModel(state, fit_calls.BODY.shape).convex(**SMALL)
     turned = LightResiduals(there, curve)
     assert_allclose(turned.residuals(x), f.residuals(f.start), atol=budgets.fit_line)
 
@@ -105,9 +109,9 @@ def test_convex_derivatives_are_those_of_the_residuals(convex, keys):
 def test_a_fit_of_a_convex_body_goes_on(convex):
     """One iteration and then the rest are as good as all at once."""
     found, curve = convex
-    first = polhode.fit_light(fit_calls.BODY.convex(**SMALL), curve, most_iterations=1)
+    first = polhode.light.fit_light(fit_calls.BODY.convex(**SMALL), curve, most_iterations=1)
     assert not first.converged
-    then = polhode.fit_light(first.body, curve, about=fit_calls.BODY)
+    then = polhode.light.fit_light(first.body, curve, about=fit_calls.BODY)
     assert then.converged and len(then.body.shape.coefficients) == 9
     assert_allclose(then.chi_square, found.chi_square, rtol=budgets.python_optimum)
 
@@ -139,7 +143,7 @@ def test_posteriors_are_sampled(kind, convex, mesh):
     found, curve = convex if kind == "convex" else mesh
     f = (LightResiduals(found.body, curve, about=fit_calls.BODY) if kind == "convex"
          else LightResiduals(found.body, curve))  # fmt: skip
-    draws = quietly(polhode.posterior, f, draws=250, warm_up=60, chains=1, seed=2)
+    draws = quietly(polhode.fit.posterior, f, draws=250, warm_up=60, chains=1, seed=2)
     assert draws.draws.shape == (1, 250, len(f.names))
     spread = np.sqrt(np.diag(draws.covariance) / np.diag(draws.laplace_covariance))
     assert_allclose(spread, np.ones(len(f.names)), atol=budgets.sampled_surface)
@@ -147,7 +151,7 @@ def test_posteriors_are_sampled(kind, convex, mesh):
     assert largest(np.abs(off)) < budgets.sampled_surface
     assert draws.divergences <= budgets.sampled_diverged * 250
     body = f.state(draws.draws[0, -1])
-    (model,) = polhode.model_fluxes(body, curve)
+    (model,) = polhode.light.model_fluxes(body, curve)
     assert np.sum(((model - curve.flux) / curve.sigma) ** 2) < budgets.sampled_misfit * 70
 
 
@@ -157,7 +161,7 @@ def test_posteriors_are_sampled(kind, convex, mesh):
      "light.convex.roughness_error": 1.0},
 ])  # fmt: skip
 def test_solutions_of_a_scenario_are_functions(changes):
-    (one,) = polhode.fit(polhode.load(NIGHT).replace({**NEARBY, **changes}))
+    (one,) = polhode.fit.fit_scenario(polhode.load(NIGHT).replace({**NEARBY, **changes}))
     f = one.residual_function()
     assert isinstance(f, LightResiduals) and f.names == one.names
     assert_allclose(-2.0 * f.log_likelihood(f.start), one.chi_square, rtol=budgets.fit_freedom)
@@ -172,9 +176,9 @@ def test_solutions_of_a_scenario_are_functions(changes):
 
 def test_a_mesh_of_a_scenario_is_a_function(tmp_path):
     changes = {"light.shape": "convex", "light.convex.degree": 2, "light.convex.rows": 3}
-    (one,) = polhode.fit(polhode.load(NIGHT).replace({**NEARBY, **changes}))
+    (one,) = polhode.fit.fit_scenario(polhode.load(NIGHT).replace({**NEARBY, **changes}))
     one.write(tmp_path / "body.toml")
-    (again,) = polhode.fit(tmp_path / "body.toml")
+    (again,) = polhode.fit.fit_scenario(tmp_path / "body.toml")
     f = again.residual_function()
     assert isinstance(f, LightResiduals) and f.names == again.names
     assert_allclose(-2.0 * f.log_likelihood(f.start), again.chi_square, rtol=budgets.fit_freedom)

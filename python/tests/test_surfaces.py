@@ -27,7 +27,7 @@ def outward(vertices, faces):
 
 
 def shape():
-    return polhode.FacetShape(TETRAHEDRON, outward(TETRAHEDRON, FACES))
+    return polhode.shape.FacetShape(TETRAHEDRON, outward(TETRAHEDRON, FACES))
 
 
 def facets_of(surface):
@@ -47,7 +47,7 @@ def light_torque(surface, e):
 
 
 def test_mass_by_random_points():
-    mass = polhode.mass_properties(shape(), 2.0)
+    mass = polhode.shape.mass_properties(shape(), 2.0)
     a = TETRAHEDRON[1:] - TETRAHEDRON[0]
     assert_allclose(mass.volume, abs(np.linalg.det(a)) / 6, rtol=budgets.chart_rounding)
     assert_allclose(mass.centre, TETRAHEDRON.mean(0), atol=budgets.chart_rounding)
@@ -61,7 +61,7 @@ def test_mass_by_random_points():
     )
     assert mass.third.shape == (10,)
     assert mass.fourth.shape == (15,)
-    assert isinstance(mass.principal_moments, polhode.MassMoments)
+    assert isinstance(mass.principal_moments, polhode.shape.MassMoments)
 
 
 def test_shapes_tell_what_they_are(tmp_path):
@@ -73,18 +73,20 @@ def test_shapes_tell_what_they_are(tmp_path):
     assert (again.vertices == body.vertices).all()
     assert (again.triangles == body.triangles).all()
     with pytest.raises(ValueError, match="not closed: edge"):
-        polhode.mass_properties(polhode.FacetShape(body.vertices, body.triangles[:3]), 1.0)
+        polhode.shape.mass_properties(
+            polhode.shape.FacetShape(body.vertices, body.triangles[:3]), 1.0
+        )
     with pytest.raises(ValueError, match="facet 1.*has no area"):
-        polhode.FacetShape([[0, 0, 0], [1, 0, 0], [2, 0, 0]], [[0, 1, 2]])
+        polhode.shape.FacetShape([[0, 0, 0], [1, 0, 0], [2, 0, 0]], [[0, 1, 2]])
     with pytest.raises(ValueError, match="places"):
-        polhode.FacetShape([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, -2]])
+        polhode.shape.FacetShape([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, -2]])
     path = tmp_path / "t.obj"
     lines = [f"v {x!r} {y!r} {z!r}" for x, y, z in body.vertices.tolist()]
     lines += ["f " + " ".join(str(i + 1) for i in t) for t in body.triangles.tolist()]
     path.write_text("\n".join(lines))
-    assert (polhode.read_obj(str(path)).vertices == body.vertices).all()
+    assert (polhode.shape.read_obj(str(path)).vertices == body.vertices).all()
     path.write_text("f 1 2\n")
-    rejected(ValueError, ":1: got a facet of 2 corners", polhode.read_obj, str(path))
+    rejected(ValueError, ":1: got a facet of 2 corners", polhode.shape.read_obj, str(path))
 
 
 def test_sunlight_and_air():
@@ -100,15 +102,15 @@ def test_sunlight_and_air():
     term = polhode.SolarPressure(surface, orbit, 3.0, 10.0, sun=lambda t: sun)
     to_sun = sun - orbit.position(0.4)
     r = np.linalg.norm(to_sun)
-    e = polhode.attitude_matrix(q) @ (to_sun / r)
+    e = polhode.charts.attitude_matrix(q) @ (to_sun / r)
     system = polhode.System(body, None, term)
-    assert_allclose(polhode.effect(system, 0.4, state).u,
+    assert_allclose(polhode.rates.effect(system, 0.4, state).u,
                     3 * (10 / r) ** 2 * light_torque(surface, e), atol=budgets.figure_orbit)
     assert term.is_kick
     drag = polhode.AtmosphericDrag(surface, orbit, 0.2, 0.1, scale_height=0.5, density_radius=2.0)
     x = orbit.position(0.4)
     v = orbit.velocity(0.4) - np.cross([0, 0, 0.1], x)
-    e = polhode.attitude_matrix(q) @ v / np.linalg.norm(v)
+    e = polhode.charts.attitude_matrix(q) @ v / np.linalg.norm(v)
     centre, n, area, _ = facets_of(surface)
     c = np.clip(n @ e, 0, None)
     want = -(
@@ -117,7 +119,7 @@ def test_sunlight_and_air():
         * (v @ v)
         * np.cross((area * c)[:, None] * centre, e).sum(0)
     )
-    assert_allclose(polhode.effect(polhode.System(body, None, drag), 0.4, state).u, want,
+    assert_allclose(polhode.rates.effect(polhode.System(body, None, drag), 0.4, state).u, want,
                     atol=budgets.figure_orbit)
     for made in (term.surface, drag):
         assert copy.copy(made) == made
@@ -142,12 +144,14 @@ def test_yorp_by_direct_quadrature():
         total = sum(turn @ light_torque(surface, suns @ turn).sum(0) for turn in R)
         want = (total / len(turns) ** 2)[[2, 1, 0]]
         assert_allclose(
-            polhode.yorp_torque(surface, obliquity), want, atol=budgets.yorp_brute_force
+            polhode.shape.yorp_torque(surface, obliquity), want, atol=budgets.yorp_brute_force
         )
-    many = polhode.yorp_torque(surface, np.linspace(0, 3, 7))
+    many = polhode.shape.yorp_torque(surface, np.linspace(0, 3, 7))
     assert many.shape == (7, 3)
     assert_allclose(
-        polhode.mean_pressure(2.0, 1.0, 2.0, 0.6), 2.0 / 4.0 / 0.8, rtol=budgets.chart_rounding
+        polhode.shape.mean_pressure(2.0, 1.0, 2.0, 0.6),
+        2.0 / 4.0 / 0.8,
+        rtol=budgets.chart_rounding,
     )
 
 
@@ -164,7 +168,9 @@ def test_the_page_says_what_discs_in_a_plane_cost():
             surface, lambda t, x=place: x, 1.0, 1.496e8,
             sun=lambda t, x=place: x + np.array([1.496e8, 0, 0]), shadow="cone",
             shadow_radius=6378.0, sun_radius=695700.0)
-        visible = np.linalg.norm(polhode.effect(polhode.System(body, None, light), 0, state).u)
+        visible = np.linalg.norm(
+            polhode.rates.effect(polhode.System(body, None, light), 0, state).u
+        )
         edge = (np.cos(earth) - np.cos(r) * np.cos(c)) / (np.sin(r) * np.sin(c))
         covered = np.arccos(np.clip(edge, -1, 1))
         rings = 1 - np.sum(np.sin(r) * covered) / np.pi / np.sum(np.sin(r))

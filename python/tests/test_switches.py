@@ -20,9 +20,9 @@ from polhode import (
     Surface,
     System,
     TorqueTerm,
-    effect,
     integrate,
 )
+from polhode.rates import effect
 from rejections import rejected
 
 BODY = Body(1.0, 1.5, 2.0)
@@ -77,7 +77,7 @@ def test_what_holds_its_own_zero_is_refused():
     brake = TorqueTerm(lambda t, s, sides: [0, 0, -0.25 * sides[0]], "brake",
                        switches=lambda t, s: s.g[2])
     outcome = run(brake).outcome
-    assert outcome.status == polhode.Outcome.Status.failed and outcome.t == pytest.approx(4.0)
+    assert outcome.status == polhode.types.Outcome.Status.failed and outcome.t == pytest.approx(4.0)
     assert 'switching function 1 of term "brake" stays at zero after t = 4' in outcome.advice
 
 

@@ -24,9 +24,9 @@ CALLS = {
     "at_grid": lambda n: MOTION.at_grid(0.5, 0.01, 400_000, threads=n),
     "to_andoyer": lambda n: polhode.to_andoyer(STATES, threads=n),
     "to_euler": lambda n: polhode.to_euler(STATES, threads=n),
-    "to_euler_rates": lambda n: polhode.to_euler_rates(BODY, STATES, threads=n),
+    "to_euler_rates": lambda n: polhode.charts.to_euler_rates(BODY, STATES, threads=n),
     "to_poincare": lambda n: polhode.to_poincare(STATES, "zero", "pi", threads=n),
-    "nearest_poincare": lambda n: polhode.nearest_poincare(STATES, threads=n),
+    "nearest_poincare": lambda n: polhode.charts.nearest_poincare(STATES, threads=n),
     "to_sadov": lambda n: polhode.to_sadov(BODY, STATES, threads=n),
     "to_sadov of a motion": lambda n: polhode.to_sadov(MOTION, TIMES[:3000], threads=n),
     "to_serret": lambda n: polhode.to_serret(BODY, STATES, TIMES, threads=n),
@@ -49,7 +49,7 @@ def test_no_bit_depends_on_the_threads(name):
 
 @pytest.mark.parametrize("of", [
     lambda s: (polhode.to_andoyer(s),), lambda s: (polhode.to_euler(s),),
-    lambda s: (polhode.nearest_poincare(s),), lambda s: (BODY, polhode.to_sadov(BODY, s)),
+    lambda s: (polhode.charts.nearest_poincare(s),), lambda s: (BODY, polhode.to_sadov(BODY, s)),
     lambda s: (BODY, polhode.to_serret(BODY, s), 0.0)])
 def test_the_way_back_neither(of):
     chart = of(FEW)

@@ -12,22 +12,21 @@ from closeness import assert_allclose
 from polhode import (
     AnelasticDamping,
     Body,
-    DampedMaterial,
     GravityGradient,
     InternalDamping,
     KeplerElements,
     KeplerOrbit,
-    MassMoments,
     Problem,
     RotorState,
     System,
     TidalTorque,
     TorqueTable,
-    attitude_matrix,
-    effect,
     integrate,
-    wobble_time,
 )
+from polhode.charts import attitude_matrix
+from polhode.rates import effect, wobble_time
+from polhode.shape import MassMoments
+from polhode.types import DampedMaterial
 from rejections import rejected
 from scipy.integrate import solve_ivp
 from scipy.interpolate import PchipInterpolator

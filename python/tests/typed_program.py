@@ -27,7 +27,7 @@ assert_type(motion.at([0.0, 1.0]), polhode.RotorState[Array])
 assert_type(polhode.rotor_state(body, [1, 0, 0, 0], [0.1, 0.2, 1.0]), polhode.RotorState[float])
 assert_type(polhode.to_andoyer(polhode.RotorState([1, 0, 0, 0], [0.1, 0.2, 1.0])).l, float)
 assert_type(polhode.to_andoyer(polhode.RotorState([1, 0, 0, 0], np.ones((5, 3)))).l, Either)
-assert_type(polhode.euler_angles([0.5, 0.5, 0.5, 0.5]).phi, float)
+assert_type(polhode.charts.euler_angles([0.5, 0.5, 0.5, 0.5]).phi, float)
 assert_type(polhode.TumblerState(3.0, 2.0, [0, 0, 1], "short_axis", 0.1, 0.2).phi0, float)
 
 # conversions keep what they were given
@@ -93,15 +93,17 @@ of_either(many)
 assert_type(dataclasses.replace(polhode.Adaptive(), tolerance=1e-9), polhode.Adaptive)
 
 # a number may stand for a series; coefficients are fractions or floats
-symbols = polhode.Symbols(["G", "k"], ["g"], [("g", "G")])
-h = 2 * polhode.Series(symbols, "G^2/2 + k*cos(g)") - 1.5
-assert_type(h, polhode.Series)
-assert_type(h.bracket(h / 2, polhode.Truncation({"k": 1}, 2)), polhode.Series)
+symbols = polhode.series.Symbols(["G", "k"], ["g"], [("g", "G")])
+h = 2 * polhode.series.Series(symbols, "G^2/2 + k*cos(g)") - 1.5
+assert_type(h, polhode.series.Series)
+assert_type(h.bracket(h / 2, polhode.series.Truncation({"k": 1}, 2)), polhode.series.Series)
 assert_type([term.coefficient for term in h], list[Union[fractions.Fraction, float]])
-assert_type(polhode.CompiledSeries(h).at([[1.0, 0.1, 0.2]]), Union[float, Array])
+assert_type(polhode.series.CompiledSeries(h).at([[1.0, 0.1, 0.2]]), Union[float, Array])
 assert_type(h(G=1.0, k=0.1, g=times), Union[float, Array])
-transform = polhode.LieTransform(h, polhode.Truncation({"k": 1}, 2), ["g"], resonances=[{"g": 2}])
-assert_type(transform.in_mean(h), polhode.Series)
+transform = polhode.series.LieTransform(
+    h, polhode.series.Truncation({"k": 1}, 2), ["g"], resonances=[{"g": 2}]
+)
+assert_type(transform.in_mean(h), polhode.series.Series)
 
 # an ensemble has arrays by name, and scenarios of its members
 scenario = polhode.Scenario.from_text("""
@@ -112,8 +114,8 @@ time = { stop = 1, step = 1 }
 """)
 uniform = polhode.vary.uniform(0.9, 1.1)
 assert_type(uniform, polhode.vary.Distribution)
-ensemble = polhode.ensemble(scenario, {"body.moments[0]": uniform}, size=3)
-assert_type(ensemble, polhode.EnsembleResults)
+ensemble = scenario.ensemble(vary={"body.moments[0]": uniform}, size=3)
+assert_type(ensemble, polhode.ensemble.EnsembleResults)
 assert_type(ensemble["t"], Array)
 assert_type(ensemble.drawn["body.moments[0]"], Array)
 assert_type(ensemble.member(1), polhode.Scenario)

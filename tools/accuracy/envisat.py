@@ -149,7 +149,7 @@ def indicators():
     for method in (polhode.Collocation(), polhode.Splitting(20.0, "ABA1064")):
         problem = polhode.Problem(
             example.system, example.initial_state, 0.0, 86400.0 * YEAR, method)
-        found = polhode.chaos_indicator(problem, [86400.0 * day for day in days])
+        found = polhode.analysis.chaos_indicator(problem, [86400.0 * day for day in days])
         print(found, flush=True)
         for day, growth, megno in zip(days, found.growth, found.mean_megno):
             name = f"{type(method).__name__}, {found.by.name}"
@@ -192,10 +192,10 @@ currents, a ten-millionth, do not show. The example itself runs with ABA1064 at 
 Two runs that start 1e-6 rad apart are {apart[SPAN]:.1e} rad apart after {SPAN:g} d and
 {apart[YEAR]:.1e} rad after the year: growth with the power {power:.1f} of the time.
 
-The attitude alone was turned there. [`chaos_indicator`](#polhode.chaos_indicator) follows a
-deviation of attitude and momentum in all directions ([chaos](../guide/chaos.md)), which the size of
-the momentum makes run away at once, with the first power of the time. Of a regular motion the mean
-MEGNO tends to 2; of a chaotic one it grows as half the time over the Lyapunov time.
+The attitude alone was turned there. [`chaos_indicator`](#polhode.analysis.chaos_indicator) follows
+a deviation of attitude and momentum in all directions ([chaos](../guide/chaos.md)), which the size
+of the momentum makes run away at once, with the first power of the time. Of a regular motion the
+mean MEGNO tends to 2; of a chaotic one it grows as half the time over the Lyapunov time.
 
 | method | days | growth | mean MEGNO |
 |---|---|---|---|

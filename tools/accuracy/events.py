@@ -135,7 +135,9 @@ def events():
 
 def reference(system, start, stop):
     if not system.terms and system.frame.is_inertial:
-        return polhode.free_events(polhode.FreeRotation(system.body, start), events(), 0.0, stop)
+        return polhode.free.free_events(
+            polhode.FreeRotation(system.body, start), events(), 0.0, stop
+        )
     problem = Problem(system, start, 0.0, stop, Adaptive(1e-15), events())
     return polhode.integrate(problem, []).events
 
@@ -158,7 +160,7 @@ def free_rows():
     turn = 2 * np.pi / motion.precession_rate_short
     for start in (0.0, 1e3, 1e6, 1e9, 1e12):
         begun = time.process_time()
-        flips = polhode.free_events(motion, [Event("flip", lambda t, s: s.g[1])], start,
+        flips = polhode.free.free_events(motion, [Event("flip", lambda t, s: s.g[1])], start,
                                     start + 100 * half)
         spent = time.process_time() - begun
         gaps = np.diff([e.t for e in flips])

@@ -21,6 +21,7 @@ import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
 import polhode  # noqa: E402
 import public_calls  # noqa: E402
+import public_names  # noqa: E402
 import test_quantities  # noqa: E402
 
 DEEPEST = 4
@@ -161,24 +162,24 @@ def of_scenarios():
     members = HERE / "tools/bitwise/scenarios/ensemble.toml"
     for keep in ("statistics", "final", "rows"):
         for threads in (1, 2):
-            called(f"ensemble {keep}, {threads} threads", polhode.ensemble, members, size=24,
+            called(f"ensemble {keep}, {threads} threads", polhode.load(members).ensemble, size=24,
                    keep=keep, threads=threads)
     called("fit of light, searched", searched_light)
 
 
 def searched_light():
     nights = HERE / "tools/bitwise/scenarios/fit-light.toml"
-    polhode.simulate(nights, "night")
+    polhode.fit.simulate(nights, "night")
     pathlib.Path("night/fit.toml").write_bytes(nights.read_bytes())
-    return polhode.fit(polhode.load("night/fit.toml").replace({"fit.from": "search"}), starts=4,
-                       threads=2)
+    searched = polhode.load("night/fit.toml").replace({"fit.from": "search"})
+    return polhode.fit.fit_scenario(searched, starts=4, threads=2)
 
 
 if __name__ == "__main__":
     with tempfile.TemporaryDirectory() as folder:
         os.chdir(folder)
-        for name in sorted(polhode.__all__):
-            said("names", name, type(getattr(polhode, name)).__name__)
+        for name, thing in sorted(public_names.PUBLIC.items()):
+            said("names", name, type(thing).__name__)
         of_tests()
         of_figures()
         refusals()

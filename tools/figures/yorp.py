@@ -30,16 +30,16 @@ def stone(draw, corners=24):
     a, b, c = x[hull.simplices.T]
     outward = np.sum(np.cross(b - a, c - a) * hull.equations[:, :3], axis=1) > 0
     faces = np.where(outward[:, None], hull.simplices, hull.simplices[:, ::-1])
-    return polhode.FacetShape(x, faces)
+    return polhode.shape.FacetShape(x, faces)
 
 
 def torques(shape):
     """Along the spin axis and towards larger obliquity, over the cube of the size."""
-    mass = polhode.mass_properties(shape, 1.0)
+    mass = polhode.shape.mass_properties(shape, 1.0)
     shortest = np.linalg.eigh(mass.inertia)[1][:, 2]
     surface = polhode.Surface.of_shape(shape, mass.centre, emitted=1.0)
     size = np.cbrt(3 * mass.volume / (4 * np.pi))
-    return polhode.yorp_torque(surface, np.radians(DEGREES), axis=shortest)[:, :2] / size**3
+    return polhode.shape.yorp_torque(surface, np.radians(DEGREES), axis=shortest)[:, :2] / size**3
 
 
 def main():

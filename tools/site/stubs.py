@@ -4,6 +4,7 @@ annotation, no place in the source and, of several signatures, none."""
 
 import __future__
 
+import ast
 import collections
 import importlib.util
 import inspect
@@ -51,12 +52,18 @@ def executed(path: pathlib.Path, name: str) -> types.ModuleType:
 
 
 def declare(package: str, compiled: str) -> None:
-    """Puts what the stubs declare in the place of what the compiled module brought."""
-    module = importlib.import_module(package)
-    path = pathlib.Path(module.__file__).with_name(f"{compiled}.pyi")
-    declared = executed(path, package)
-    for name in module.__all__:
-        if name in vars(declared):
-            setattr(module, name, getattr(declared, name))
-    analyzer = ModuleAnalyzer.for_string(text_of(path), package, str(path))
-    ModuleAnalyzer.cache["module", package] = analyzer
+    """Puts what the stubs declare in the place of what the compiled module brought, in the package
+    and in its modules."""
+    root = importlib.import_module(package)
+    path = pathlib.Path(root.__file__).with_name(f"{compiled}.pyi")
+    parts = [getattr(root, name) for name in root.__all__]
+    for module in [root, *filter(inspect.ismodule, parts)]:
+        declared = executed(path, module.__name__)
+        for name in module.__all__:
+            if name in vars(declared):
+                setattr(module, name, getattr(declared, name))
+        source = ast.parse(pathlib.Path(module.__file__).read_text(encoding="utf-8"))
+        # one with classes of its own is documented by its source
+        if not any(isinstance(node, ast.ClassDef) for node in source.body):
+            analyzer = ModuleAnalyzer.for_string(text_of(path), module.__name__, str(path))
+            ModuleAnalyzer.cache["module", module.__name__] = analyzer

@@ -15,7 +15,7 @@ CLOSEST = 48.0  # h
 
 scenario = polhode.load(EXAMPLES / "apophis-2029.toml")
 motion = scenario.free_rotation
-momentum = polhode.inertial_momentum(scenario.initial_state)
+momentum = polhode.charts.inertial_momentum(scenario.initial_state)
 pole = momentum / np.linalg.norm(momentum)
 
 
@@ -35,7 +35,7 @@ def after(precession, rotation):
     start = polhode.RotorState(product(turn, np.array(state.q)), state.g)
     problem = polhode.Problem(scenario.system, start, 0.0, 2 * CLOSEST, polhode.Adaptive(1e-9))
     end = polhode.integrate(problem).states[-1]
-    return polhode.FreeRotation(scenario.body, end), polhode.inertial_momentum(end)
+    return polhode.FreeRotation(scenario.body, end), polhode.charts.inertial_momentum(end)
 
 
 phases = np.arange(N) / N
@@ -46,7 +46,7 @@ for i, precession in enumerate(phases):
     for j, rotation in enumerate(phases):
         end, G = after(precession, rotation)
         rate[j, i] = end.energy / end.momentum * motion.momentum / motion.energy
-        long_axis[j, i] = end.regime == polhode.Regime.long_axis
+        long_axis[j, i] = end.regime == polhode.free.Regime.long_axis
         poles.append([math.degrees(math.atan2(G[1], G[0])) % 360,
                       math.degrees(math.asin(G[2] / np.linalg.norm(G)))])
 

@@ -30,7 +30,7 @@ def theory(day):
 
 def nutation(day, curves):
     """What is left of node and inclination without their drift."""
-    fit = polhode.harmonic_fit(day / 365.25, curves, YEARS)
+    fit = polhode.analysis.harmonic_fit(day / 365.25, curves, YEARS)
     return curves - fit.polynomial[0] - fit.polynomial[1] * (day / 365.25)[:, None]
 
 

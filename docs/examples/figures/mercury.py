@@ -14,7 +14,7 @@ REVOLUTION = 87.9693496  # d
 run = polhode.load(EXAMPLES / "mercury.toml").run()
 libration = 3600 * np.degrees(np.unwrap(np.radians(run["phi"] + run["psi"])))
 periods = [5800, *(REVOLUTION / k for k in range(1, 5))]
-fit = polhode.harmonic_fit(
+fit = polhode.analysis.harmonic_fit(
     run.t, libration, periods, degree=0, adjust=[True, False, False, False, False]
 )
 angle = 2 * np.pi * run.t / fit.periods[0]

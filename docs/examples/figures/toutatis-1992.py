@@ -34,7 +34,7 @@ def attitude(alpha, beta, gamma):
 
 def misses(state, t, q):
     """In deg, of a state in free rotation."""
-    turns = polhode.SpinResiduals(state, polhode.Snapshots(attitudes=(t, q, 1.0)))
+    turns = polhode.fit.SpinResiduals(state, polhode.fit.Snapshots(attitudes=(t, q, 1.0)))
     return np.degrees(np.linalg.norm(turns.residuals(turns.start).reshape(-1, 3), axis=1))
 
 
@@ -44,7 +44,7 @@ days = (np.array([row["utc"] for row in rows], dtype="datetime64[s]") - EPOCH) /
     1, "D"
 )
 seen = np.array([attitude(*(float(row[k]) for k in ("alpha", "beta", "gamma"))) for row in rows])
-published = polhode.SpinState(
+published = polhode.fit.SpinState(
     attitude(145.498, 65.865, 241.524), np.radians([14.510, 33.529, -98.709]),
     [[3.0836, -7.1082e-4, 1.3252e-3], [-7.1082e-4, 3.235, 1.1707e-3],
      [1.3252e-3, 1.1707e-3, 1.0]],
@@ -57,7 +57,7 @@ for label, scenario in (
     ("1992 alone", polhode.load(EXAMPLES / "toutatis-1992.toml")),
     ("1992 and the prior", polhode.Scenario.from_text(text + PRIOR, EXAMPLES / "x.toml")),
 ):
-    (best,) = polhode.fit(scenario)
+    (best,) = polhode.fit.fit_scenario(scenario)
     ahead = best.predicted(grid)
     lines.append((label, np.sqrt(np.trace(ahead.scaled_covariance, axis1=1, axis2=2))))
 

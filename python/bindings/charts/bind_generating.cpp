@@ -186,8 +186,8 @@ Examples
 --------
 >>> body = polhode.Body(3, 4, 6)
 >>> c = polhode.SerretState(g0=0.1, h=0.2, t0=0.3, G=1.0, H=0.4, T=0.11)
->>> q = polhode.EulerAngles(0.3, 1.0, 0.2)
->>> f = polhode.generating_function(body, q, c, 0.0)
+>>> q = polhode.charts.EulerAngles(0.3, 1.0, 0.2)
+>>> f = polhode.free.generating_function(body, q, c, 0.0)
 >>> s = polhode.to_rotor(polhode.EulerState(q.phi, q.theta, q.psi, f.Phi, f.Theta, f.Psi))
 >>> bool(abs(polhode.kinetic_energy(body, s) + f.minus_T) < 1e-15)
 True
@@ -231,8 +231,8 @@ ValueError
 
 Examples
 --------
->>> q = polhode.EulerAngles(0.3, 1.0, 0.2)
->>> len(polhode.serret_branches(polhode.Body(3, 4, 6), q, G=1.0, H=0.4, T=0.11))
+>>> q = polhode.charts.EulerAngles(0.3, 1.0, 0.2)
+>>> len(polhode.charts.serret_branches(polhode.Body(3, 4, 6), q, G=1.0, H=0.4, T=0.11))
 2
 
 [SA (51)])");
@@ -289,7 +289,7 @@ Examples
 --------
 >>> body = polhode.Body(3, 4, 6)
 >>> near = polhode.SadovState(0, 0, 0, I_l=0.9, I_g=1.0, I_h=0.4)
->>> f = polhode.sadov_generating_function(body, 2.0, 0.1, 0.2, near)
+>>> f = polhode.free.sadov_generating_function(body, 2.0, 0.1, 0.2, near)
 >>> bool(abs(f.W - (0.9 * f.phi_l + f.phi_g + 0.4 * f.phi_h)) < 1e-15)
 True
 
@@ -315,7 +315,7 @@ ValueError
 
 Examples
 --------
->>> polhode.sadov_parameters(polhode.Body(3, 4, 6), G=1.0, T=0.125).lambda_
+>>> polhode.free.sadov_parameters(polhode.Body(3, 4, 6), G=1.0, T=0.125).lambda_
 1.0
 
 [SA "SadovPar"])");
@@ -348,7 +348,7 @@ ValueError
 
 Examples
 --------
->>> q = polhode.sadov_quadratures(polhode.SadovParameters(1.0, 0.5), 1.0, [1.0, 2.0])
+>>> q = polhode.free.sadov_quadratures(polhode.free.SadovParameters(1.0, 0.5), 1.0, [1.0, 2.0])
 >>> q.phi_l.shape
 (2,)
 

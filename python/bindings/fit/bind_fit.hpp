@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The layer fit, for the modules of Python that show it (python/polhode/fits.py, spin_fits.py,
-// light_fits.py, scans.py): what they are given and give back is plain, tables of numbers and
+// The layer fit, for the modules of Python that show it (python/polhode/fit.py, _spin_fits.py,
+// _light_fits.py, _scans.py): what they are given and give back is plain, tables of numbers and
 // dicts.
 #pragma once
 

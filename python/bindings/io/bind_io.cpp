@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Scenarios and what belongs to them. The classes Scenario and Results are Python's
-// (python/polhode/scenarios.py, results.py); _Scenario is the value behind them.
+// (python/polhode/_scenarios.py, _results.py); _Scenario is the value behind them.
 #include "charts/states.hpp"
 #include "interface/arrays.hpp"
 #include "io/io_parts.hpp"

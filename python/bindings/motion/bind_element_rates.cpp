@@ -91,8 +91,8 @@ Examples
 >>> body = polhode.Body(3, 4, 6)
 >>> state = polhode.rotor_state(body, [1, 0, 0, 0], [0.4, 0.2, 0.3])
 >>> system = polhode.System(body, polhode.Frame.precessing([0, 0.6, 0.8], 0.01))
->>> C = polhode.elements_of_state("andoyer", system, 0.0, state, "osculating")
->>> polhode.element_rates(system, 0.0, C, "osculating").shape
+>>> C = polhode.charts.elements_of_state("andoyer", system, 0.0, state, "osculating")
+>>> polhode.rates.element_rates(system, 0.0, C, "osculating").shape
 (6,)
 )";
 

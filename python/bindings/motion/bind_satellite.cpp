@@ -161,7 +161,7 @@ terms : sequence of OrbitalPerturbation.
 Examples
 --------
 >>> gm, J2, radius = 4.28284e13, 1.96e-3, 3.396e6
->>> system = polhode.SatelliteSystem(
+>>> system = polhode.satellites.SatelliteSystem(
 ...     gm, polhode.Frame.precessing([0, 0.43, 0.9], 1e-10),
 ...     [polhode.OrbitalPerturbation.oblateness(gm, J2, radius)])
 )",

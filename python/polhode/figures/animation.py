@@ -14,9 +14,10 @@ from matplotlib.animation import AbstractMovieWriter, FFMpegWriter, PillowWriter
 from matplotlib.axes import Axes
 from numpy.typing import ArrayLike, NDArray
 
-from polhode import Body, FreeRotation, RotorState, attitude_matrix
+from polhode import Body, FreeRotation, RotorState
 from polhode._arguments import require_positive
 from polhode._core import _numbers
+from polhode.charts import attitude_matrix
 from polhode.figures import style
 from polhode.figures.attitude import DEFAULT_VIEW, REACH, BodyPicture
 from polhode.figures.run_data import RunData, run_data

@@ -11,13 +11,8 @@ from matplotlib.axes import Axes
 from matplotlib.patches import Polygon
 from numpy.typing import ArrayLike, NDArray
 
-from polhode import (
-    Body,
-    RotorState,
-    attitude_matrix,
-    inertial_angular_velocity,
-    inertial_momentum,
-)
+from polhode import Body, RotorState
+from polhode.charts import attitude_matrix, inertial_angular_velocity, inertial_momentum
 from polhode.figures import arrows, style
 from polhode.figures.labels import HALO
 from polhode.figures.view import Ellipsoid, View, parts

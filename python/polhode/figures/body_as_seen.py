@@ -10,13 +10,10 @@ from matplotlib.collections import PolyCollection
 from matplotlib.patches import Polygon
 from numpy.typing import ArrayLike, NDArray
 
-from polhode import (
-    LightModel,
-    LightScenarioSolution,
-    LightSolution,
-)
 from polhode._core import _number, _numbers
 from polhode.figures.style import BLACK, DOUBLE_COLUMN, GREY, new_figure, panels, styled
+from polhode.fit import LightScenarioSolution
+from polhode.light import LightModel, LightSolution
 
 ACROSS = 6
 """Most pictures side by side in a new figure."""
@@ -44,7 +41,7 @@ def body_as_seen(
 
     Parameters
     ----------
-    body : a solution of fit_light, search_light or polhode.fit, or its
+    body : a solution of fit_light, search_light or fit_scenario, or its
         body; it moves freely. Facets are drawn one by one, those of a convex body on its mesh;
         shadows that they throw on each other are not.
     times : (N,).
@@ -165,7 +162,7 @@ def _ellipsoid(body: LightModel, t: float, sun: Any, eye: Any) -> tuple[Any, Any
 
 def _matrix(q: Any) -> NDArray[np.float64]:
     """Body axes to space."""
-    from polhode import attitude_matrix
+    from polhode.charts import attitude_matrix
 
     return np.asarray(attitude_matrix(np.asarray(q))).T
 

@@ -19,7 +19,7 @@ from polhode._core import _number, _numbers
 from polhode.figures.columns import symbol, unit_text
 from polhode.figures.style import legend_above, regime_look, series
 
-Source = Union[str, os.PathLike[str], polhode.EnsembleResults, Mapping[str, ArrayLike]]
+Source = Union[str, os.PathLike[str], polhode.ensemble.EnsembleResults, Mapping[str, ArrayLike]]
 MODES = {1.0: ("SAM", "short_axis"), -1.0: ("LAM", "long_axis"), 0.0: ("others", "separatrix")}
 """Numbers of the column mode: what they are called, and the regime whose look they have."""
 MANY = 5000
@@ -67,8 +67,8 @@ class EnsembleData:
 def read_ensemble(source: Source, function: str) -> EnsembleData:
     """The columns of results, of a file of `polhode ensemble`, or of a mapping of arrays."""
     if isinstance(source, (str, os.PathLike)):
-        source = polhode.EnsembleResults.read(source)
-    if isinstance(source, polhode.EnsembleResults):
+        source = polhode.ensemble.EnsembleResults.read(source)
+    if isinstance(source, polhode.ensemble.EnsembleResults):
         numbers = {name: x for name, x in source.items() if x.dtype.kind == "f"}
         keys = [key for key in numbers if key in source.drawn] if source.keep == "final" else []
         return EnsembleData(numbers, source.units, keys, function, source.keep)

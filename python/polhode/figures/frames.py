@@ -10,7 +10,8 @@ from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 from numpy.typing import NDArray
 
-from polhode import RotorState, attitude_matrix, to_andoyer, to_euler
+from polhode import RotorState, to_andoyer, to_euler
+from polhode.charts import attitude_matrix
 from polhode.figures import arrows, style
 from polhode.figures.arrows import turned
 from polhode.figures.labels import Label, write

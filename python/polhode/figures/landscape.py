@@ -7,10 +7,10 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.colors import LogNorm
 
-from polhode import FourierScan
 from polhode._core import _number
 from polhode.figures.labels import HALO
 from polhode.figures.style import SINGLE_COLUMN, VERMILLION, axes_or_new, styled
+from polhode.light import FourierScan
 
 ZOOM = 15
 """Steps of the grid to each side of a minimum."""
@@ -31,7 +31,7 @@ def scan_landscape(
 
     Parameters
     ----------
-    scan : what fourier_scan returned, or `.scan` of what polhode.fit returned.
+    scan : what fourier_scan returned, or `.scan` of what fit_scenario returned.
     minima : how many of the lowest are marked, with their place in the list from 1; a cross stands
         for one that is not resolved or lies at the edge.
     unit : of time, for the labels; by default that of the scan, which scans of scenarios have.

@@ -8,15 +8,10 @@ from typing import Any
 
 import numpy as np
 
-from polhode import (
-    LightCurve,
-    LightModel,
-    LightScenarioSolution,
-    LightSolution,
-    model_fluxes,
-)
 from polhode._core import _number
 from polhode.figures.style import BLACK, DOUBLE_COLUMN, GREY, panels, series, styled
+from polhode.fit import LightScenarioSolution
+from polhode.light import LightCurve, LightModel, LightSolution, model_fluxes
 
 COLUMNS = 2
 """Most sessions side by side in a new figure."""
@@ -40,7 +35,7 @@ def light_curve_fit(
     Parameters
     ----------
     curves : LightCurve, one or several: what was fitted.
-    model : a solution of fit_light, search_light or polhode.fit, or its body.
+    model : a solution of fit_light, search_light or fit_scenario, or its body.
     ax : two Axes for each session, that of fluxes first, or None for a new figure.
     unit : of time, for the labels; by default that of the scenario of the solution, if it has one.
     scale : how many of it are a unit of time of the curves.

@@ -11,12 +11,13 @@ from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 from numpy.typing import ArrayLike, NDArray
 
-from polhode import Body, Regime, RotorState
+from polhode import Body, RotorState
 from polhode._arguments import require_positive
 from polhode._core import _numbers
 from polhode.figures import arrows, polhodes, style
 from polhode.figures.labels import HALO
 from polhode.figures.view import Ellipsoid, View, parts, sphere
+from polhode.free import Regime
 
 LABELS = {
     Regime.short_axis: "short-axis mode",

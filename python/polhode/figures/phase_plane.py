@@ -10,10 +10,11 @@ from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 from numpy.typing import ArrayLike, NDArray
 
-from polhode import AndoyerState, Body, Regime, RotorState, kinetic_energy, to_andoyer, to_rotor
+from polhode import AndoyerState, Body, RotorState, kinetic_energy, to_andoyer, to_rotor
 from polhode._arguments import require_positive
 from polhode.figures import arrows, polhodes, style
 from polhode.figures.momentum_sphere import as_marked, legend, momenta, trace_look
+from polhode.free import Regime
 
 QUARTER = 0.5 * np.pi
 LONG_AXIS_FILL = "#FBE9DB"

@@ -8,7 +8,7 @@ from matplotlib.axes import Axes
 from matplotlib.ticker import FixedLocator, FuncFormatter
 from numpy.typing import NDArray
 
-from polhode import attitude_matrix
+from polhode.charts import attitude_matrix
 from polhode.figures.columns import radians_in
 from polhode.figures.ensemble_data import EnsembleData, Source, draw_points, read_ensemble
 from polhode.figures.style import SINGLE_COLUMN, axes_or_new, styled

@@ -9,7 +9,6 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 
-from polhode import FitResults, LightSolution, SpinSolution, SpinState
 from polhode.figures.pole_cloud import set_sky_ticks
 from polhode.figures.style import (
     SERIES,
@@ -19,6 +18,8 @@ from polhode.figures.style import (
     series,
     styled,
 )
+from polhode.fit import FitResults, SpinSolution, SpinState
+from polhode.light import LightSolution
 
 CIRCLE = 181
 SMALLEST = 1e-12
@@ -35,7 +36,7 @@ def pole_sky(
 
     Parameters
     ----------
-    solutions : what search_light or polhode.fit returned, or solutions of fit_light, fit_spin and
+    solutions : what search_light or fit_scenario returned, or solutions of fit_light, fit_spin and
         the others, one or several.
     ax : Axes with the projection "mollweide", or None for a new figure.
     scaled : errors as large as the residuals say, where they say it; else as those of the data were

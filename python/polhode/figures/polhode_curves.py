@@ -11,16 +11,9 @@ from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 from numpy.typing import NDArray
 
-from polhode import (
-    Body,
-    FreeRotation,
-    Regime,
-    inertial_angular_velocity,
-    inertial_momentum,
-    kinetic_energy,
-    to_andoyer,
-)
+from polhode import Body, FreeRotation, kinetic_energy, to_andoyer
 from polhode._core import _number
+from polhode.charts import inertial_angular_velocity, inertial_momentum
 from polhode.figures import arrows, polhodes, style
 from polhode.figures.momentum_sphere import (
     DEFAULT_VIEW,
@@ -31,6 +24,7 @@ from polhode.figures.momentum_sphere import (
     frame_picture,
 )
 from polhode.figures.view import Ellipsoid, View
+from polhode.free import Regime
 
 CONTEXT = style.Look("#9A9A9A", "-", 0.5)
 BORDER = style.Look(style.BLACK, "-", 0.9)

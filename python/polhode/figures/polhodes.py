@@ -12,7 +12,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from polhode import Body, FreeRotation, Regime, RotorState, System, rotor_rates
+from polhode import Body, FreeRotation, RotorState, System
+from polhode.free import Regime
+from polhode.rates import rotor_rates
 
 IDENTITY = (1.0, 0.0, 0.0, 0.0)
 PARTS = 16

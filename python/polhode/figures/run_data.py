@@ -13,8 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 import polhode
-from polhode import Body, RotorState, attitude, attitude_matrix
+from polhode import Body, RotorState
 from polhode._core import _numbers
+from polhode.charts import attitude, attitude_matrix
 from polhode.figures.columns import radians_in
 
 

@@ -86,7 +86,9 @@ def poincare_section(
 
 def _listed(runs: Any) -> Iterable[Any]:
     """The runs: a list of runs as it is, one run as a list of one; of a map those of its cells."""
-    if not isinstance(runs, (list, tuple)) or (runs and isinstance(runs[0], polhode.EventRecord)):
+    if not isinstance(runs, (list, tuple)) or (
+        runs and isinstance(runs[0], polhode.types.EventRecord)
+    ):
         runs = [runs]
     listed: list[Any] = []
     for run in runs:
@@ -98,13 +100,13 @@ def _listed(runs: Any) -> Iterable[Any]:
 def _is_spin_orbit(points: Any) -> bool:
     if isinstance(points, MapData):
         return "spin" in points.columns
-    return isinstance(points, polhode.SpinOrbitSection)
+    return isinstance(points, polhode.analysis.SpinOrbitSection)
 
 
 def _points_of(run: Any, event: str | None, direction: int | None) -> Any:
-    if isinstance(run, (MapData, polhode.SpinOrbitSection)):
+    if isinstance(run, (MapData, polhode.analysis.SpinOrbitSection)):
         return run if _length(run) else None
-    if isinstance(run, polhode.AndoyerSection):
+    if isinstance(run, polhode.analysis.AndoyerSection):
         return run.states if len(run) else None
     # Results are a mapping too: of their rows, which are no section.
     if isinstance(run, Mapping) and not hasattr(run, "events"):
@@ -136,7 +138,7 @@ def _coordinate(states: Any, of: Any, elements: Callable[[Any], Any] | None) -> 
     if isinstance(states, MapData):
         states = states.columns
     if callable(of):
-        states = states.states if isinstance(states, polhode.SpinOrbitSection) else states
+        states = states.states if isinstance(states, polhode.analysis.SpinOrbitSection) else states
         return np.ravel(_numbers(of(states), "coordinate"))
     if isinstance(states, Mapping) and of in states:
         return np.ravel(_numbers(states[of], of))
@@ -150,7 +152,7 @@ def _field(states: Any, name: str, elements: Callable[[Any], Any] | None) -> NDA
         if name not in states:
             raise ValueError(f'no column "{name}"; there are: {", ".join(map(str, states))}')
         return _numbers(states[name], name)
-    if isinstance(states, polhode.SpinOrbitSection):
+    if isinstance(states, polhode.analysis.SpinOrbitSection):
         if name in SPIN_ORBIT:
             return np.asarray(getattr(states, name))
         states = states.states

@@ -82,7 +82,7 @@ REGIMES: Mapping[str, Look] = MappingProxyType(
         "rest": Look(GREY, DOTTED, 1.0, "x"),
     }
 )
-"""The look of each regime of free rotation, by the name of polhode.Regime."""
+"""The look of each regime of free rotation, by the name of polhode.free.Regime."""
 
 SERIES: tuple[Look, ...] = (
     Look(BLUE, "-", 1.0, "o"),
@@ -163,7 +163,7 @@ def styled(draw: F) -> F:
 
 
 def regime_look(regime: Any) -> Look:
-    """The look of a polhode.Regime (or of its name)."""
+    """The look of a polhode.free.Regime (or of its name)."""
     name = getattr(regime, "name", regime)
     if name not in REGIMES:
         raise ValueError(f"regime_look: got {regime!r}; expected one of {', '.join(REGIMES)}")

@@ -24,28 +24,53 @@ import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from os import PathLike
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
 
 from polhode._core import (
     Date,
+    SatellitePath,
+    SatelliteState,
+    SatelliteSystem,
+    SecularRates,
     TableOrbit,
     _number,
     _numbers,
     date_after,
+    j2_rates,
     j2000_from_teme,
+    mean_elements,
+    mean_motion,
+    pericentre_distance,
+    satellite_path,
+    satellite_rates,
     seconds_between,
+    semi_major_axis,
 )
+from polhode._signatures import publish
 from polhode.satellites import _omm
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
 
 __all__ = [
     "Satellite",
+    "SatellitePath",
+    "SatelliteState",
+    "SatelliteSystem",
+    "SecularRates",
+    "j2_rates",
+    "mean_elements",
+    "mean_motion",
+    "pericentre_distance",
     "satellite_from_omm",
     "satellite_from_tle",
+    "satellite_path",
+    "satellite_rates",
     "satellites_from_file",
     "satellites_from_text",
+    "semi_major_axis",
 ]
 
 # s. The spacing is the longest of these that leaves so many rows in a turn at the rate of the
@@ -453,3 +478,6 @@ def _times(first: float, last: float, spacing: float) -> NDArray[np.float64]:
         raise ValueError("expected first < last and a positive spacing")
     count = max(math.ceil((last - first) / spacing) + 1, _LEAST_ROWS)
     return np.linspace(first, last, count)
+
+
+publish(globals())

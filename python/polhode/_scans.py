@@ -12,7 +12,7 @@ import numpy as np
 from polhode import _core
 from polhode._arguments import one_of, whole
 from polhode._core import _number
-from polhode.light_bodies import LightCurve, curve_parts
+from polhode._light_bodies import LightCurve, curve_parts
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -53,7 +53,7 @@ class PeriodLabel(NamedTuple):
 class FourierScan:
     """Chi-square of two-dimensional Fourier series by two frequencies, and its minima.
 
-    Made by fourier_scan, and by polhode.fit of light curves; figures.scan_landscape draws it.
+    Made by fourier_scan, and by fit_scenario of light curves; figures.scan_landscape draws it.
 
     Attributes
     ----------

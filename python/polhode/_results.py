@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """What a run and a map leave: columns by name, as views onto one table, with their units.
 
-They know the compiled file that was run; `.scenario` is added in polhode.scenarios."""
+They know the compiled file that was run; `.scenario` is added in polhode._scenarios."""
 
 from __future__ import annotations
 

@@ -14,8 +14,8 @@ from polhode._arguments import whole
 from polhode._columns import Columns
 from polhode._core import _number
 from polhode._notebook import html_rows
+from polhode._residual_functions import ResidualFunction
 from polhode._tables import imported
-from polhode.residual_functions import ResidualFunction
 
 if TYPE_CHECKING:
     import xarray
@@ -36,7 +36,7 @@ INSIDE = 1e-3
 class Posterior(Columns):
     """Draws of the unknowns: `draws["w_x"]` is a column (chains * draws,).
 
-    Made by polhode.posterior and the method sample of solutions; figures.corner_plot draws it.
+    Made by polhode.fit.posterior and the method sample of solutions; figures.corner_plot draws it.
 
     In the order of the chains; units are those of the residual function: radians, rad per unit of
     time.

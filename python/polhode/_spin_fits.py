@@ -12,7 +12,7 @@ import numpy as np
 from polhode import _core
 from polhode._arguments import column, loss_of, of_shape, prior_rows, rows, some_of, whole
 from polhode._core import _number, _numbers
-from polhode.residual_functions import ResidualFunction
+from polhode._residual_functions import ResidualFunction
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -384,7 +384,7 @@ class SpinResiduals(ResidualFunction):
     Turns are rotation vectors about the attitude of the start, along the body axes.
 
     scipy.optimize.least_squares(f.residuals, f.start, f.jacobian) minimises what fit_spin does;
-    polhode.posterior(f) samples. DomainError as fit_spin.
+    polhode.fit.posterior(f) samples. DomainError as fit_spin.
     """
 
     def __init__(

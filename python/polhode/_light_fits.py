@@ -12,9 +12,9 @@ import numpy as np
 from polhode import _core
 from polhode._arguments import loss_of, one_of, whole
 from polhode._core import _number
-from polhode.light_bodies import LightCurve, LightModel, curve_parts, model_fluxes, model_of
-from polhode.residual_functions import ResidualFunction
-from polhode.spin_fits import FitSolution, common_parts
+from polhode._light_bodies import LightCurve, LightModel, curve_parts, model_fluxes, model_of
+from polhode._residual_functions import ResidualFunction
+from polhode._spin_fits import FitSolution, common_parts
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray

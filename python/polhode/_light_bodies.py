@@ -12,7 +12,7 @@ import numpy as np
 from polhode import _core
 from polhode._arguments import column, loss_of, of_shape, rows, whole
 from polhode._core import FacetShape, _number
-from polhode.spin_fits import SpinState
+from polhode._spin_fits import SpinState
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Union
 
 from polhode import _building, _core, _toml
 from polhode._ensemble_columns import EnsembleColumns, ensemble_tables, read_ensemble, run_ensemble
+from polhode._results import MapColumns, RunColumns, run_map
 from polhode._summary import Summary
-from polhode.results import MapColumns, RunColumns, run_map
 
 if TYPE_CHECKING:
     from concurrent.futures import Executor
@@ -328,16 +328,23 @@ class Scenario:
         self,
         outputs: Path | Iterable[Path] = (),
         *,
+        vary: Mapping[Any, vary.Distribution] | None = None,
+        size: int | None = None,
+        seed: int | None = None,
+        keep: str | None = None,
+        quantiles: Sequence[float] | None = None,
         threads: int | None = None,
         executor: Executor | None = None,
         resume: bool = False,
         restart: bool = False,
         any_machine: bool = False,
         progress: Callable[[int, int], object] | None = None,
+        **others: Any,
     ) -> EnsembleResults:
-        """Every member of [ensemble]: runs of this scenario with some of its numbers drawn.
+        """A Monte Carlo ensemble: many runs of this scenario with some of its numbers drawn.
 
-        polhode.ensemble says what is drawn in the same call.
+        The same numbers as `polhode ensemble` gives of the same file, to the last bit, for any
+        number of threads and whoever computes them.
 
         Parameters
         ----------
@@ -346,6 +353,14 @@ class Scenario:
             checkpoint. With {chunk} in the name of the one output, each chunk of "final" or "rows"
             goes into a file of its own, written by whoever computes it, on a disk that all share;
             what comes back is their index.
+        vary : what is drawn, by key: {"body.moments[0]": polhode.vary.uniform(0.60, 0.63)}. Several
+            keys that are drawn together stand in a tuple, and an array by its name. It replaces all
+            tables [[ensemble.vary]]; the rest of [ensemble] stays. None: as [ensemble] says.
+        size : how many members.
+        seed : another one draws other members.
+        keep : "statistics" of the members at each time, memory not growing with them; "final", what
+            was drawn and the last row of each member; "rows", all rows of all.
+        quantiles : which ones statistics have, from 0 to 1.
         threads : how many members at a time; None: one on each processor. The result does not
             depend on it.
         executor : a concurrent.futures.Executor in place of these threads: ProcessPoolExecutor,
@@ -361,14 +376,18 @@ class Scenario:
             sines and logarithms differ in last digits: so does the result.
         progress : called with the number of members so far and that of all, after each chunk of
             them; what it raises ends the ensemble.
+        others : further keys of the table [ensemble], such as draws="sobol". What is None is as the
+            scenario says, or its default.
 
         Returns
         -------
         EnsembleResults
-            Statistics of the members, their last rows or all of their rows, as [ensemble] says.
-            Members that could not be, or could not go on, are left out; `.failures` says why.
+            A mapping of columns: statistics of the members, their last rows or all of their rows.
+            Members that could not be made, or could not go on, are left out; `.failures` has the
+            reasons. `.member(k)` is the scenario of one, `.scenario` that of the ensemble.
 
-        ScenarioError for a scenario without [ensemble]; ValueError for a path that cannot be an
+        ScenarioError for a scenario without [ensemble], for a key that does not exist or cannot
+        vary and for what is no distribution; ValueError for a path that cannot be an
         output or that another ensemble is writing, and for an unfinished ensemble without resume or
         restart; MemoryError for rows that do not fit; OutputError when writing fails; RuntimeError
         for a worker that dies or fails, after which what was done is in the checkpoint, and where
@@ -381,8 +400,12 @@ class Scenario:
             raise ValueError(f"ensemble: threads: got {threads!r}; expected a whole number from 1")
         if threads is not None and executor is not None:
             raise ValueError("ensemble: got threads and an executor; expected one of them")
+        keys = {"size": size, "seed": seed, "keep": keep, "quantiles": quantiles, **others}
+        of = self
+        if vary is not None or any(value is not None for value in keys.values()):
+            of = self.with_ensemble(vary, **keys)
         return run_ensemble(
-            EnsembleResults, self._file, paths, threads, executor, resume, restart, any_machine,
+            EnsembleResults, of._file, paths, threads, executor, resume, restart, any_machine,
             progress,
         )
 

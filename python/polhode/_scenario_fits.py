@@ -13,19 +13,19 @@ import numpy as np
 
 from polhode import _core
 from polhode._arguments import column, whole
+from polhode._fit_tables import FitPredictions, FitResiduals
+from polhode._light_bodies import LightCurve, LightModel
+from polhode._light_fits import FoundLight, LightResiduals, found_light
 from polhode._notebook import html_rows
-from polhode.fit_tables import FitPredictions, FitResiduals
-from polhode.light_bodies import LightCurve, LightModel
-from polhode.light_fits import FoundLight, LightResiduals, found_light
-from polhode.posterior import Posterior, posterior
-from polhode.scans import FourierScan, scan_of
-from polhode.scenarios import Scenario, load
-from polhode.spin_fits import SpinResiduals, SpinState
+from polhode._posterior import Posterior, posterior
+from polhode._scans import FourierScan, scan_of
+from polhode._scenarios import Scenario, load
+from polhode._spin_fits import SpinResiduals, SpinState
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
-    from polhode.scenarios import Path
+    from polhode._scenarios import Path
 
     Array = NDArray[np.float64]
 
@@ -200,7 +200,7 @@ class ScenarioSolution:
     def sample(
         self, scaled: bool = False, epoch: float | None = None, **keywords: Any
     ) -> Posterior:
-        """Draws from the posterior about this solution: polhode.posterior of residual_function(
+        """Draws from the posterior about this solution: polhode.fit.posterior of residual_function(
         scaled, epoch), with its keywords. Needs the packages of `pip install polhode[sample]`."""
         return posterior(self.residual_function(scaled, epoch), **keywords)
 
@@ -481,7 +481,7 @@ def _loaded(scenario: Scenario | Path, function: str) -> Scenario:
     return load(scenario)
 
 
-def fit(
+def fit_scenario(
     scenario: Scenario | Path,
     *,
     starts: int | None = None,
@@ -511,7 +511,7 @@ def fit(
     observations, with its line; OSError for a file that is not there. Ctrl-C ends it between two
     starts. Releases the GIL.
     """
-    of = _loaded(scenario, "fit")
+    of = _loaded(scenario, "fit_scenario")
     changes: Mapping[str, Any] = {
         key: whole(value, key, least)
         for key, value, least in (("starts", starts, 1), ("seed", seed, 0))

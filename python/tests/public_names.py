@@ -1,0 +1,17 @@
+# SPDX-License-Identifier: MIT
+"""The public names of the package, but for distributions (polhode.vary) and figures."""
+
+import types
+
+import polhode
+
+MODULES = [
+    polhode,
+    *(thing for name in polhode.__all__ if name != "vary"
+      and isinstance(thing := getattr(polhode, name), types.ModuleType)),
+]  # fmt: skip
+# a name has one home
+PUBLIC = {
+    name: getattr(module, name) for module in MODULES for name in module.__all__
+    if not isinstance(getattr(module, name), types.ModuleType)
+}  # fmt: skip
