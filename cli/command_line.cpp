@@ -134,6 +134,7 @@ int command_line(int argc, const char* const* argv, const Kinds& kinds, const Ma
   add_completion(app);
   add_golden(app);
   add_nutation(app);
+  add_plot(app);
   add_schema(app, kinds);
   add_shape(app);
   add_spectrum(app);

@@ -29,9 +29,13 @@ void add_ensemble(CLI::App& app, const Kinds& kinds, const std::string& typed,
 void add_fit(CLI::App& app, const Kinds& kinds, const std::string& typed);
 void add_simulate(CLI::App& app, const Kinds& kinds);
 void add_nutation(CLI::App& app);
+void add_plot(CLI::App& app);
 void add_schema(CLI::App& app, const Kinds& kinds);
 void add_shape(CLI::App& app);
 void add_spectrum(CLI::App& app);
+
+// The command that draws the first of these that can be drawn; empty if none can.
+std::string plot_hint(const std::vector<std::string>& outputs);
 
 // "polhode run": the name of the program, and that of its subcommand.
 std::string full_name(const CLI::App& command);

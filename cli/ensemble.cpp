@@ -166,6 +166,8 @@ void make_ensemble(EnsembleCommand& options, const Kinds& kinds) {
   if (to_standard_output) return;
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
   print(summary_of(ensemble, run.groups(), report));
+  if (const std::string hint = plot_hint(out); !hint.empty())
+    print(fmt::format("{:<17} {}\n", "to draw it", hint));
   say(fmt::format("{}: {:.3g} members a second", name,
                   (static_cast<double>(report.members) - run.reached()) / took.count()));
 }

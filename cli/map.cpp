@@ -73,7 +73,10 @@ void make_map(MapCommand& options, const Kinds& kinds) {
   work.announce(run, ResumableWork::after(run.reached(), map.size(), "cells"), "cells");
   work.line().emplace(run.reached(), map.size(), "cells");
   const MapReport report = work.run([&] { return run.run(); });
-  if (!to_standard_output) print(summary_of(map, report));
+  if (to_standard_output) return;
+  print(summary_of(map, report));
+  if (const std::string hint = plot_hint(out); !hint.empty())
+    print(fmt::format("{:<17} {}\n", "to draw it", hint));
 }
 
 }  // namespace

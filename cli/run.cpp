@@ -130,6 +130,8 @@ void run_scenario(const RunCommand& options, const Kinds& kinds) {
          report_lines(scenario, report,
                       options.events.empty() ? "--events PATH.csv" : "all in " + options.events))
       lines.push_back(std::move(line));
+  if (const std::string hint = plot_hint(out); !hint.empty())
+    lines.push_back({"plot", "to draw it", {}, hint, ""});
   print(summary_table(lines));
   if (table_only)
     print("(no rows written: --out " + output_paths(scenario.output.formats) +

@@ -11,23 +11,21 @@ from types import ModuleType as _Module
 from typing import TYPE_CHECKING as _TYPE_CHECKING
 from typing import Any as _Any
 
-from polhode import (
-    analysis,
-    charts,
-    elliptic,
-    ensemble,
-    ephemeris,
-    fit,
-    free,
-    kinds,
-    light,
-    rates,
-    secular,
-    series,
-    shape,
-    types,
-    vary,
-)
+from polhode import analysis as analysis
+from polhode import charts as charts
+from polhode import elliptic as elliptic
+from polhode import ensemble as ensemble
+from polhode import ephemeris as ephemeris
+from polhode import fit as fit
+from polhode import free as free
+from polhode import kinds as kinds
+from polhode import light as light
+from polhode import rates as rates
+from polhode import secular as secular
+from polhode import series as series
+from polhode import shape as shape
+from polhode import types as types
+from polhode import vary as vary
 from polhode._core import (
     Adaptive,
     AndoyerState,
@@ -101,7 +99,7 @@ from polhode._scenarios import MapResults, Results, Scenario, load
 from polhode._signatures import publish as _publish
 
 if _TYPE_CHECKING:
-    from polhode import satellites
+    from polhode import satellites as satellites
 
 __all__ = [
     "Adaptive",
@@ -155,29 +153,15 @@ __all__ = [
     "TurnedKeplerOrbit",
     "Units",
     "VariationOfConstants",
-    "analysis",
     "angular_velocity",
-    "charts",
-    "elliptic",
     "energy",
-    "ensemble",
-    "ephemeris",
-    "fit",
-    "free",
     "integrate",
     "integrate_many",
-    "kinds",
     "kinetic_energy",
-    "light",
     "load",
     "propagate",
-    "rates",
     "resume",
     "rotor_state",
-    "satellites",
-    "secular",
-    "series",
-    "shape",
     "to_andoyer",
     "to_euler",
     "to_fukushima_ishizaki",
@@ -187,8 +171,6 @@ __all__ = [
     "to_sadov",
     "to_serret",
     "to_tumbler",
-    "types",
-    "vary",
 ]
 _publish(globals())
 _show_tables()
@@ -205,4 +187,6 @@ def __getattr__(name: str) -> _Any:
 
 
 def __dir__() -> list[str]:
-    return [*__all__, "__version__", "__doc__"]
+    modules = [name for name, thing in globals().items() if isinstance(thing, _Module)]
+    public = (name for name in modules if not name.startswith("_"))
+    return sorted({*__all__, *public, "satellites", "__version__", "__doc__"})

@@ -9,6 +9,7 @@ from polhode._core import _command_line
 
 
 def main() -> int:
+    os.environ.setdefault("POLHODE_PYTHON", sys.executable)  # of `polhode plot`
     # A program of the shell ends at Ctrl-C and when nobody reads what it writes.
     if signal.getsignal(signal.SIGINT) is signal.default_int_handler:
         signal.signal(signal.SIGINT, signal.SIG_DFL)

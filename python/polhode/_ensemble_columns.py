@@ -10,7 +10,7 @@ import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from polhode import _ensemble_files, _ensemble_histograms, _toml, vary
+from polhode import _ensemble_histograms, _output_files, _toml, vary
 from polhode._columns import Columns, MissingColumn, restored
 
 if TYPE_CHECKING:
@@ -127,7 +127,7 @@ class EnsembleColumns(Columns):
         if self.keep != "chunks":
             return []
         ensemble = self._ensemble()
-        return _ensemble_files.chunk_files(
+        return _output_files.chunk_files(
             self._given["beside"], self["chunk"], (self.size - 1) // ensemble.chunk
         )
 
@@ -247,7 +247,7 @@ def _of_parts(kind: type[_Results], given: dict[str, Any], table: Any) -> _Resul
 
 def read_ensemble(kind: type[_Results], path: str | os.PathLike[str]) -> _Results:
     """The ensemble in a file; see EnsembleResults.read."""
-    file = _ensemble_files.read_file(path)
+    file = _output_files.read_ensemble_file(path)
     noted = "\n".join(file.notes)
     names = [name for _, columns in file.groups for name, _ in columns]
     if "part" in names:

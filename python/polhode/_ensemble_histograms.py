@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy
 
-from polhode import _ensemble_files
+from polhode import _output_files
 from polhode._columns import MissingColumn, same_bits
 from polhode._tables import imported
 
@@ -157,6 +157,6 @@ def histograms_beside(planned: Any, output: str) -> dict[str, EnsembleHistogram]
     stem, extension = os.path.splitext(output.removesuffix(".part"))
     found = {}
     for name, columns in planned:
-        file = _ensemble_files.read_file(f"{stem}.{name}{extension}")
+        file = _output_files.read_ensemble_file(f"{stem}.{name}{extension}")
         found[name] = histogram_of(name, columns, *_columns_of(file.groups, file.table))
     return found

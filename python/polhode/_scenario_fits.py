@@ -21,6 +21,7 @@ from polhode._posterior import Posterior, posterior
 from polhode._scans import FourierScan, scan_of
 from polhode._scenarios import Scenario, load
 from polhode._spin_fits import SpinResiduals, SpinState
+from polhode._tables import plotted
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -428,6 +429,20 @@ class FitResults:
     def text(self) -> str:
         """What `polhode fit` prints."""
         return self._compiled.text
+
+    def plot(self, columns: str | Sequence[str] = ()) -> Any:
+        """The residuals of the first solution, of light curves with the fluxes.
+
+        Parameters
+        ----------
+        columns : names of columns to draw; none: all residuals.
+
+        Returns
+        -------
+        Axes of Matplotlib, or an array of them, as of polhode.figures.plot. ImportError without
+        Matplotlib.
+        """
+        return plotted(self, columns)
 
     def __len__(self) -> int:
         return len(self._solutions)

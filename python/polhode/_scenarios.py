@@ -13,6 +13,7 @@ from polhode import _building, _core, _toml
 from polhode._ensemble_columns import EnsembleColumns, ensemble_tables, read_ensemble, run_ensemble
 from polhode._results import MapColumns, RunColumns, run_map
 from polhode._summary import Summary
+from polhode._tables import plotted
 
 if TYPE_CHECKING:
     from concurrent.futures import Executor
@@ -550,6 +551,20 @@ class Results(RunColumns):
         """What was run."""
         return Scenario._of(self._file)
 
+    def plot(self, columns: str | Sequence[str] = ()) -> Any:
+        """The run at a glance: momentum, Euler angles and angular velocity.
+
+        Parameters
+        ----------
+        columns : names of columns to draw; none: the overview.
+
+        Returns
+        -------
+        Axes of Matplotlib, or an array of them, as of polhode.figures.plot. ImportError without
+        Matplotlib.
+        """
+        return plotted(self, columns)
+
 
 class MapResults(MapColumns):
     """The rows of a map: `results["mean_megno"]` is a column, a read-only view without a copy.
@@ -567,6 +582,20 @@ class MapResults(MapColumns):
         """The scenario of one cell (the first is 0), as `polhode map --cell` prints it. ValueError
         for another index, or if the numbers of the cell are rejected."""
         return Scenario._of(self._file.map_cell(index))
+
+    def plot(self, columns: str | Sequence[str] = ()) -> Any:
+        """The map as colours, or the points of its sections.
+
+        Parameters
+        ----------
+        columns : names of columns to draw; none: what suits the map.
+
+        Returns
+        -------
+        Axes of Matplotlib, or an array of them, as of polhode.figures.plot. ImportError without
+        Matplotlib.
+        """
+        return plotted(self, columns)
 
 
 class EnsembleResults(EnsembleColumns):
@@ -597,6 +626,20 @@ class EnsembleResults(EnsembleColumns):
         """The scenario of one member, from 0 on: what `polhode ensemble --member` prints. Its run
         gives the numbers that the ensemble had, to the last bit. ValueError for another index."""
         return Scenario._of(self._ensemble().member(index))
+
+    def plot(self, columns: str | Sequence[str] = ()) -> Any:
+        """Quantiles against time, or members over the numbers drawn.
+
+        Parameters
+        ----------
+        columns : names of columns to draw; none: what suits its `keep`.
+
+        Returns
+        -------
+        Axes of Matplotlib, or an array of them, as of polhode.figures.plot. ImportError without
+        Matplotlib.
+        """
+        return plotted(self, columns)
 
 
 def _units_of(units: Units | Mapping[str, str] | None) -> Units:

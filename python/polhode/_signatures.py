@@ -239,7 +239,7 @@ def publish(module: dict[str, Any]) -> None:
     them by it, and inspect by their signatures."""
     home, names = module["__name__"], vars(_core)
     for name in module["__all__"]:
-        thing = module.get(name)
+        thing = module[name]
         if isinstance(thing, type):
             thing.__module__ = home
             is_compiled = type(thing).__name__ == "nb_type"

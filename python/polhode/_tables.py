@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import importlib
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
@@ -25,6 +25,17 @@ def imported(package: str, what: str = "") -> ModuleType:
             raise
         needs = what or f"to_{package}"
         raise ImportError(f"{needs} needs {package}: pip install {package}") from None
+
+
+def plotted(source: Any, columns: str | Sequence[str]) -> Any:
+    """What polhode.figures.plot draws."""
+    try:
+        figures = importlib.import_module("polhode.figures")
+    except ModuleNotFoundError as error:
+        if error.name != "matplotlib":
+            raise
+        raise ImportError("plot needs matplotlib: pip install 'polhode[figures]'") from None
+    return figures.plot(source, columns)
 
 
 def to_pandas(

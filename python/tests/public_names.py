@@ -7,11 +7,10 @@ import polhode
 
 MODULES = [
     polhode,
-    *(thing for name in polhode.__all__ if name != "vary"
+    *(thing for name in dir(polhode) if name != "vary"
       and isinstance(thing := getattr(polhode, name), types.ModuleType)),
 ]  # fmt: skip
 # a name has one home
 PUBLIC = {
     name: getattr(module, name) for module in MODULES for name in module.__all__
-    if not isinstance(getattr(module, name), types.ModuleType)
 }  # fmt: skip

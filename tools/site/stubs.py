@@ -56,7 +56,7 @@ def declare(package: str, compiled: str) -> None:
     and in its modules."""
     root = importlib.import_module(package)
     path = pathlib.Path(root.__file__).with_name(f"{compiled}.pyi")
-    parts = [getattr(root, name) for name in root.__all__]
+    parts = [getattr(root, name) for name in dir(root)]
     for module in [root, *filter(inspect.ismodule, parts)]:
         declared = executed(path, module.__name__)
         for name in module.__all__:

@@ -21,6 +21,7 @@ from polhode.figures.momentum_sphere import momentum_sphere
 from polhode.figures.oblate_planet import OblatePlanet
 from polhode.figures.overview import overview
 from polhode.figures.phase_plane import phase_plane
+from polhode.figures.plot import plot
 from polhode.figures.pole_cloud import pole_cloud
 from polhode.figures.pole_sky import pole_sky
 from polhode.figures.polhode_curves import (
@@ -57,6 +58,7 @@ __all__ = [
     "outcomes",
     "overview",
     "phase_plane",
+    "plot",
     "poincare_section",
     "pole_cloud",
     "pole_sky",

@@ -39,7 +39,7 @@ def chaos_map(
 
     Parameters
     ----------
-    source : MapResults, the CSV file that `polhode map` wrote, or its columns by name.
+    source : MapResults, the file that `polhode map` wrote, or its columns by name.
     value : the column to show. x, y : the axes, by the names of their columns; None takes the
         second axis of the map for x (it runs fastest) and the first for y.
     limits : the numbers of the two ends of the colour bar; what is beyond has the colour of the

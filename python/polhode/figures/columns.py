@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -69,8 +70,13 @@ def symbol(name: str) -> str:
 
 
 def axis_label(names: Iterable[str], unit: str) -> str:
-    """Symbols and unit, as in "theta, psi (rad)"; without a unit where there is none."""
-    text = ", ".join(symbol(name) for name in names)
+    """Symbols and unit, as in "theta, psi (rad)"; without a unit where there is none. Of long names
+    what they share: "turn (deg)" of turn_x, turn_y, turn_z."""
+    listed = list(names)
+    shared = os.path.commonprefix(listed).rstrip("_")
+    if len(listed) > 1 and len(shared) > 2:
+        listed = [shared]
+    text = ", ".join(symbol(name) for name in listed)
     return f"{text} ({unit_text(unit)})" if unit and unit != "1" else text
 
 

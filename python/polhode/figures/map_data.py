@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import os
-import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, Union
@@ -14,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 import polhode
 from polhode._core import _numbers
+from polhode._output_files import OutputFile, read_output
 
 Source = Union[str, os.PathLike[str], polhode.MapResults, Mapping[str, ArrayLike]]
 
@@ -27,18 +27,12 @@ class MapData:
 
 
 def read_map(source: Source) -> MapData:
-    """The columns of a CSV file, of MapResults, or of a mapping."""
+    """The columns of a file, of MapResults, or of a mapping."""
     if isinstance(source, Mapping):
         columns = {name: _numbers(x, name) for name, x in source.items()}
         return MapData(columns, getattr(source, "units", {}))
-    with open(source, encoding="utf-8-sig") as file:
-        lines = file.read().splitlines()
-    said = [line for line in lines if line.startswith("# units: ")]
-    units = dict(re.findall(r"(\S+) \[([^][]*)\](?:, |$)", said[-1][9:])) if said else {}
-    names, *rows = [line for line in lines if not line.startswith("#")]
-    names = names.split(",")
-    table = np.loadtxt(rows, delimiter=",", ndmin=2) if rows else np.empty((0, len(names)))
-    return MapData(dict(zip(names, table.T)), units)
+    file = source if isinstance(source, OutputFile) else read_output(source)
+    return MapData(file.columns, file.units)
 
 
 def motions_of(source: Any) -> list[MapData]:

@@ -112,7 +112,7 @@ def overview(
 ) -> NDArray[Any]:
     """A run at a glance: momentum on its sphere, Euler angles and angular velocity over time.
 
-    results: Results of a run, a Trajectory, the path of a CSV file that polhode wrote, or
+    results: Results of a run, a Trajectory, the path of a file that polhode wrote, or
     RunData(t, states, body, units). body: needed where the source has none.
 
     Left: the momentum g of the run (thick) among the polhodes of the body [SA Fig. 1, (12)]; where

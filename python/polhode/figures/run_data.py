@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import os
-import pathlib
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
@@ -15,6 +14,7 @@ from numpy.typing import NDArray
 import polhode
 from polhode import Body, RotorState
 from polhode._core import _numbers
+from polhode._output_files import OutputFile, read_output
 from polhode.charts import attitude, attitude_matrix
 from polhode.figures.columns import radians_in
 
@@ -47,7 +47,7 @@ class RunData:
 
 
 def run_data(source: Any, body: Body | None = None) -> RunData:
-    """RunData of any run: itself, the path of a CSV file that polhode wrote, a Trajectory, Results.
+    """RunData of any run: itself, the path of a file that polhode wrote, a Trajectory, Results.
 
     Or anything with .t, .units and .states, or with the columns of q and g, or of q and omega.
 
@@ -55,8 +55,10 @@ def run_data(source: Any, body: Body | None = None) -> RunData:
     the file)."""
     if isinstance(source, RunData):
         return source
+    if isinstance(source, OutputFile):
+        return data_of_file(source, body)
     if isinstance(source, (str, os.PathLike)):
-        return read_csv(pathlib.Path(source), body)
+        return data_of_file(read_output(source), body)
     of = getattr(source, "scenario", source)  # Results know the scenario that they are of
     body = body or getattr(of, "body", None)
     if body is None:
@@ -117,26 +119,13 @@ def states_of_columns(
     return polhode.rotor_state(body, principal_attitudes(q, body), radians * omega)
 
 
-def read_csv(path: pathlib.Path, body: Body | None = None) -> RunData:
-    """A CSV file of `polhode run`: its rows, its units, and the scenario inside it for the body."""
-    head, rows = [], []
-    for line in path.read_text(encoding="utf-8-sig").splitlines():
-        (head if line.startswith("#") else rows).append(line)
-    if len(rows) < 2:
-        raise ValueError(f"read_csv: got {path} without rows; expected a CSV file of polhode run")
-    names = rows[0].split(",")
-    table = np.array([row.split(",") for row in rows[1:]], dtype=float)
-    columns = {name: table[:, k] for k, name in enumerate(names)}
-    units = {}
-    for line in head:
-        if line.startswith("# units: "):
-            for entry in line.removeprefix("# units: ").split(", "):
-                name, _, unit = entry.partition(" [")
-                units[name] = unit.rstrip("]")
+def data_of_file(file: OutputFile, body: Body | None = None) -> RunData:
+    """A file of `polhode run`: its rows, its units, and the scenario inside it for the body."""
+    columns = file.columns
+    if not len(file.table) or "t" not in columns:
+        raise ValueError(f"run_data: got {file.path} without rows; expected what polhode run wrote")
     if body is None:
-        text = "\n".join(line[4:] for line in head if line.startswith("# | "))
-        body = polhode.Scenario.from_text(text, str(path)).body
-    title = head[1].removeprefix("# ") if len(head) > 1 else ""
-    states = states_of_columns(columns, body, units)
+        body = polhode.Scenario.from_text(file.scenario, file.path).body
+    states = states_of_columns(columns, body, file.units)
     omega = rates_of_columns(columns, body)
-    return RunData(columns["t"], states, body, units, title, omega)
+    return RunData(columns["t"], states, body, file.units, file.title, omega)

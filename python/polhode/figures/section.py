@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 import polhode
 from polhode._core import _number, _numbers
+from polhode._output_files import OutputFile
 from polhode.figures.columns import ANGLES, angle_axis, axis_label, symbol, turn_in
 from polhode.figures.map_data import MapData, motions_of
 from polhode.figures.style import SINGLE_COLUMN, axes_or_new, series, styled
@@ -47,7 +48,7 @@ def poincare_section(
     runs : one run or a list of runs, each with its own colour. A run is an AndoyerSection or a
         SpinOrbitSection, a Trajectory or Results (their events are the points), a list of
         EventRecord, an array of states, or a mapping with the arrays x and y. A map of sections,
-        MapResults or the CSV file that `polhode map` wrote, is a run for each of its cells.
+        MapResults or the file that `polhode map` wrote, is a run for each of its cells.
     x, y : the coordinates: fields of Andoyer's or Euler's variables ("l", "theta"), a ratio of two
         ("L/G" is cos J), or a function of the states that returns an array; of a section of spin
         and orbit also "angle", "spin" and "tilt". None: l and L, or angle and spin.
@@ -92,7 +93,7 @@ def _listed(runs: Any) -> Iterable[Any]:
         runs = [runs]
     listed: list[Any] = []
     for run in runs:
-        is_map = isinstance(run, (str, os.PathLike, polhode.MapResults))
+        is_map = isinstance(run, (str, os.PathLike, OutputFile, polhode.MapResults))
         listed += motions_of(run) if is_map else [run]
     return listed
 

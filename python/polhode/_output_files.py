@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What `polhode ensemble` wrote, read back: CSV by itself, HDF5 with h5py."""
+"""Tables that polhode wrote, read back: CSV by itself, HDF5 with h5py."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _FIRST = ("member", "t", "members")  # of files that do not say the order of the
 
 
 @dataclass(frozen=True)
-class EnsembleFile:
+class OutputFile:
     """The rows of a file, and what it says of where they are from."""
 
     path: str
@@ -34,20 +34,47 @@ class EnsembleFile:
     """What it says of members that failed: how many, then "member 7: why" of the first."""
 
     @property
+    def kind(self) -> str:
+        """The command that wrote it: "run", "map" or "ensemble"."""
+        if any(re.match(r"ensemble: \d+ members", note) for note in self.notes):
+            return "ensemble"
+        # the first columns of a map are keys of its scenario
+        return "map" if self.scenario and "." in self.groups[0][0] else "run"
+
+    @property
+    def columns(self) -> dict[str, Any]:
+        names = [name for _, columns in self.groups for name, _ in columns]
+        return {**dict(zip(names, self.table.T)), **self.texts}
+
+    @property
+    def units(self) -> dict[str, str]:
+        return {name: unit for _, columns in self.groups for name, unit in columns}
+
+    @property
     def failures(self) -> list[tuple[int, str]] | None:
         """(member, why); None where it does not say."""
         found = [re.fullmatch(r"member (\d+): (.*)", line, re.DOTALL) for line in self.failed]
         return [(int(match[1]), match[2]) for match in found if match] if found else None
 
 
-def read_file(path: str | os.PathLike[str]) -> EnsembleFile:
-    """OSError for what cannot be read, ValueError for what is no file of an ensemble."""
+def read_output(path: str | os.PathLike[str]) -> OutputFile:
+    """OSError for what cannot be read, ValueError for what is no table."""
     name = os.fsdecode(path)
     with open(name, "rb") as file:
         is_hdf5 = file.read(8) == b"\x89HDF\r\n\x1a\n"
     found = _read_hdf5(name) if is_hdf5 else _read_csv(name)
-    if not any(re.match(r"ensemble: \d+ members", note) for note in found.notes):
-        raise ValueError(f"{name}: no file of an ensemble; expected what polhode ensemble wrote")
+    if not found.groups:
+        raise ValueError(f"{name}: no columns; expected a table that polhode wrote")
+    return found
+
+
+def read_ensemble_file(path: str | os.PathLike[str]) -> OutputFile:
+    """ValueError for what is no file of an ensemble."""
+    found = read_output(path)
+    if found.kind != "ensemble":
+        raise ValueError(
+            f"{found.path}: no file of an ensemble; expected what polhode ensemble wrote"
+        )
     return found
 
 
@@ -62,8 +89,8 @@ def chunk_files(index: str, chunks: Any, last: int) -> list[str]:
     raise FileNotFoundError(f"{index}: the files of chunks are not beside it")
 
 
-def _read_hdf5(path: str) -> EnsembleFile:
-    h5py = imported("h5py", "EnsembleResults.read of an HDF5 file")
+def _read_hdf5(path: str) -> OutputFile:
+    h5py = imported("h5py", "reading an HDF5 file")
     with h5py.File(path) as file:
         said = {name: file.attrs[name] for name in file.attrs}
         groups, parts, texts = [], [], {}
@@ -80,14 +107,14 @@ def _read_hdf5(path: str) -> EnsembleFile:
             shown = data.asstr()[()].reshape(len(data), len(columns))
             texts.update((column, shown[:, k].astype("<U26")) for k, column in enumerate(columns))
             parts.append(numpy.full(shown.shape, numpy.nan))
-    return EnsembleFile(
+    return OutputFile(
         path, groups, numpy.hstack(parts), texts, str(said.get("title", "")),
         [str(note) for note in said.get("notes", ())], str(said.get("scenario", "")),
         str(said.get("scenario_name", "")), [str(line) for line in said.get("failed", ())],
     )
 
 
-def _read_csv(path: str) -> EnsembleFile:
+def _read_csv(path: str) -> OutputFile:
     with open(path, encoding="utf-8-sig") as file:
         lines = file.read().splitlines()
     head = [line[2:] for line in lines if line.startswith("#")]
@@ -98,7 +125,7 @@ def _read_csv(path: str) -> EnsembleFile:
     units = dict(re.findall(r"(\S+) \[([^][]*)\](?:, |$)", _said(said, "units: ")))
     table, texts = _numbers(rows[1:], names)
     text = "\n".join(scenario) + "\n" * bool(scenario)
-    return EnsembleFile(
+    return OutputFile(
         path, [(name, [(name, units.get(name, "1"))]) for name in names], table, texts,
         str(_toml.data_from(text).get("title", "")), said, text, _said(said, "scenario: "),
         [line[len("failed: ") :] for line in said if line.startswith("failed: ")],

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// Figures are drawn by the Python package.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "commands.hpp"
+#include "polhode/error.hpp"
+
+namespace polhode::cli {
+namespace {
+
+struct PlotCommand {
+  std::string file, out;
+  std::vector<std::string> columns;
+};
+
+constexpr const char* program = R"(import sys
+try:
+    from polhode.figures.__main__ import main
+except ImportError as error:
+    sys.exit("error: plot: it needs the Python package polhode and Matplotlib: "
+             f"pip install 'polhode[figures]' ({error})")
+sys.exit(main())
+)";
+
+// In place of this process. POLHODE_PYTHON: the interpreter, that of the package if this is its
+// command.
+[[noreturn]] void draw(const PlotCommand& of) {
+  const char* const chosen = std::getenv("POLHODE_PYTHON");
+  const std::string python = chosen != nullptr && *chosen != '\0' ? chosen : "python3";
+  std::vector<std::string> words{python, "-c", program, of.file};
+  for (const std::string& column : of.columns) words.push_back("--column=" + column);
+  if (!of.out.empty()) words.push_back("--out=" + of.out);
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  std::fflush(nullptr);
+  execvp(python.c_str(), arguments.data());
+  throw DomainError("plot: " + python +
+                    " is not there; it needs Python with the package polhode: pip install "
+                    "'polhode[figures]'");
+}
+
+}  // namespace
+
+std::string plot_hint(const std::vector<std::string>& outputs) {
+  for (const std::string& path : outputs) {
+    const bool is_one = path.find("{chunk}") == std::string::npos;
+    if (is_one && (path.ends_with(".csv") || path.ends_with(".h5"))) return "polhode plot " + path;
+  }
+  return {};
+}
+
+void add_plot(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("plot", "Draw what a run, map or ensemble wrote");
+  const auto of = std::make_shared<PlotCommand>();
+  command->add_option("FILE", of->file, "CSV or HDF5 output of polhode run, map or ensemble")
+      ->required();
+  command->add_option("--column", of->columns,
+                      "Column to draw, any number of them; the default is what suits the file");
+  command
+      ->add_option(
+          "--out,-o", of->out,
+          "PATH.png, PATH.pdf or PATH.svg; the default is FILE with .png, if there is none")
+      ->type_name("PATH");
+  command->footer(
+      "\nIt runs Python with the package polhode: pip install 'polhode[figures]'. "
+      "POLHODE_PYTHON names another interpreter than python3.\n"
+      "\nExample:\n  " +
+      full_name(*command) + " apophis.csv --out apophis.pdf");
+  command->callback([of] { draw(*of); });
+}
+
+}  // namespace polhode::cli
