@@ -20,21 +20,22 @@ struct PlotCommand {
   std::vector<std::string> columns;
 };
 
-constexpr const char* program = R"(import sys
+constexpr const char* script = R"py(import sys
 try:
     from polhode.figures.__main__ import main
 except ImportError as error:
-    sys.exit("error: plot: it needs the Python package polhode and Matplotlib: "
-             f"pip install 'polhode[figures]' ({error})")
+    print("plot: it needs the Python package polhode and Matplotlib: "
+          f"pip install 'polhode[figures]' ({error})", file=sys.stderr)
+    sys.exit(2)
 sys.exit(main())
-)";
+)py";
 
 // In place of this process. POLHODE_PYTHON: the interpreter, that of the package if this is its
 // command.
-[[noreturn]] void draw(const PlotCommand& of) {
+[[noreturn]] void run_python(const PlotCommand& of) {
   const char* const chosen = std::getenv("POLHODE_PYTHON");
   const std::string python = chosen != nullptr && *chosen != '\0' ? chosen : "python3";
-  std::vector<std::string> words{python, "-c", program, of.file};
+  std::vector<std::string> words{python, "-c", script, of.file};
   for (const std::string& column : of.columns) words.push_back("--column=" + column);
   if (!of.out.empty()) words.push_back("--out=" + of.out);
   std::vector<char*> arguments;
@@ -74,7 +75,7 @@ void add_plot(CLI::App& app) {
       "POLHODE_PYTHON names another interpreter than python3.\n"
       "\nExample:\n  " +
       full_name(*command) + " apophis.csv --out apophis.pdf");
-  command->callback([of] { draw(*of); });
+  command->callback([of] { run_python(*of); });
 }
 
 }  // namespace polhode::cli

@@ -25,8 +25,9 @@ def main(words: list[str] | None = None) -> int:
             raise ValueError(f"{out} exists; name it with --out to replace it")
         figures.save(figures.plot(options.FILE, options.column), out)
     except (ValueError, TypeError, OSError, ImportError) as error:
-        print(f"error: {error}", file=sys.stderr)
-        return 1
+        why = f"{error.filename}: {error.strerror}" if isinstance(error, OSError) else error
+        print(f"plot: {why}", file=sys.stderr)
+        return 2
     print(f"{out}: written")
     return 0
 
