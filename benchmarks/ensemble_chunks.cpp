@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "polhode/ensemble/number_moments.hpp"
+#include "ensemble/number_moments.hpp"
 #include "polhode/run/ensemble.hpp"
 #include "polhode/run/run.hpp"
 #include "polhode/trajectory/archive.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Tables of numbers as text: time per field that is asked for, of seven in a row, plain and packed.
 // The error counts the fields that do not come back to the bit.
-#include "polhode/tables/number_table.hpp"
+#include "tables/number_table.hpp"
 
 #include <benchmark/benchmark.h>
 #include <zlib.h>

@@ -16,9 +16,9 @@
 #include <numbers>
 #include <vector>
 
+#include "orbit/mean_ellipse.hpp"
 #include "polhode/dynamics/integrate.hpp"
 #include "polhode/free/sadov.hpp"
-#include "polhode/orbit/mean_ellipse.hpp"
 #include "polhode/perturb/gravity_gradient.hpp"
 #include "polhode/rotor/attitude.hpp"
 #include "polhode/secular/gravity_gradient_theory.hpp"
@@ -26,7 +26,7 @@
 #include "polhode/secular/nutation.hpp"
 #include "polhode/secular/transform_size.hpp"
 #include "polhode/secular/triaxial_normal_form.hpp"
-#include "polhode/series/series_text.hpp"
+#include "series/series_text.hpp"
 
 namespace {
 

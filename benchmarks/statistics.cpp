@@ -13,11 +13,11 @@
 #include <string>
 #include <vector>
 
-#include "polhode/ensemble/angle_moments.hpp"
-#include "polhode/ensemble/attitude_moments.hpp"
-#include "polhode/ensemble/attitude_spread.hpp"
-#include "polhode/ensemble/histogram.hpp"
-#include "polhode/ensemble/number_moments.hpp"
+#include "ensemble/angle_moments.hpp"
+#include "ensemble/attitude_moments.hpp"
+#include "ensemble/attitude_spread.hpp"
+#include "ensemble/histogram.hpp"
+#include "ensemble/number_moments.hpp"
 #include "polhode/ensemble/quantiles.hpp"
 #include "polhode/free/free_rotation.hpp"
 #include "worst.hpp"

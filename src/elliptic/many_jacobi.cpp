@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/elliptic/many_jacobi.hpp"
+#include "elliptic/many_jacobi.hpp"
 
 #include <cmath>
 #include <limits>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Mean attitudes and the spread about them, one member at a time or many on SIMD packs.
-#include "polhode/ensemble/attitude_moments.hpp"
+#include "ensemble/attitude_moments.hpp"
 
 #include <Eigen/Dense>
 #include <Eigen/Eigenvalues>
@@ -9,10 +9,10 @@
 #include <limits>
 #include <string>
 
+#include "ensemble/attitude_spread.hpp"
 #include "ensemble/detail/attitude_sums.hpp"
 #include "ensemble/detail/moment_sums.hpp"
 #include "ensemble/detail/number_list.hpp"
-#include "polhode/ensemble/attitude_spread.hpp"
 #include "polhode/error.hpp"
 #include "polhode/math/trigonometry.hpp"
 

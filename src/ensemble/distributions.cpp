@@ -13,8 +13,8 @@
 #include <utility>
 
 #include "math/number_text.hpp"
+#include "math/pack_functions.hpp"
 #include "polhode/error.hpp"
-#include "polhode/math/pack_functions.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Fractions of members by class, and the members that are left out.
-#include "polhode/ensemble/fractions.hpp"
+#include "ensemble/fractions.hpp"
 
 #include <algorithm>
 #include <cmath>

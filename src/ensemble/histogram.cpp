@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Histograms, and the bins that they count in.
-#include "polhode/ensemble/histogram.hpp"
+#include "ensemble/histogram.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Moments of numbers and of angles.
-#include "polhode/ensemble/number_moments.hpp"
+#include "ensemble/number_moments.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
 
+#include "ensemble/angle_moments.hpp"
 #include "ensemble/detail/moment_sums.hpp"
 #include "ensemble/detail/number_list.hpp"
-#include "polhode/ensemble/angle_moments.hpp"
-#include "polhode/math/pack_functions.hpp"
+#include "math/pack_functions.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "ensemble/detail/number_list.hpp"
+#include "ensemble/first_events.hpp"
 #include "math/number_text.hpp"
-#include "polhode/ensemble/first_events.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/ephemeris/delaunay.hpp"
+#include "ephemeris/delaunay.hpp"
 
 #include <array>
 #include <cmath>
@@ -9,8 +9,8 @@
 #include <numbers>
 #include <span>
 
+#include "orbit/mean_ellipse.hpp"
 #include "polhode/ephemeris/ephemeris.hpp"
-#include "polhode/orbit/mean_ellipse.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -8,9 +8,9 @@
 
 #include <cmath>
 
+#include "free/evaluate.hpp"
+#include "free/prepare.hpp"
 #include "polhode/error.hpp"
-#include "polhode/free/evaluate.hpp"
-#include "polhode/free/prepare.hpp"
 #include "polhode/math/dual.hpp"
 #include "polhode/rotor/body.hpp"
 

@@ -12,11 +12,11 @@
 #include <vector>
 
 #include "fit/result_bytes.hpp"
+#include "fit/session_scan.hpp"
 #include "polhode/ensemble/cell_journal.hpp"
 #include "polhode/error.hpp"
 #include "polhode/fit/fourier_scan.hpp"
 #include "polhode/fit/scan_advice.hpp"
-#include "polhode/fit/session_scan.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -3,7 +3,7 @@
 #include "polhode/free/free_kernel.hpp"
 
 #include "free/detail/evaluated_without_fma.hpp"
-#include "polhode/free/evaluate.hpp"
+#include "free/evaluate.hpp"
 #include "polhode/math/instruction_set.hpp"
 
 namespace polhode {

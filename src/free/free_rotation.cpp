@@ -8,11 +8,11 @@
 
 #include "free/detail/polhode_family.hpp"
 #include "free/detail/sorted_state.hpp"
+#include "free/prepare.hpp"
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
 #include "polhode/free/detail/precession.hpp"
 #include "polhode/free/detail/prepared_arc.hpp"
-#include "polhode/free/prepare.hpp"
 
 namespace polhode {
 inline namespace v0 {

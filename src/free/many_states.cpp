@@ -8,9 +8,9 @@
 #include <string>
 
 #include "free/detail/lanes_declared.hpp"
+#include "free/prepare.hpp"
 #include "polhode/error.hpp"
 #include "polhode/free/detail/normalized_arc.hpp"
-#include "polhode/free/prepare.hpp"
 #include "polhode/free/propagate.hpp"
 #include "polhode/free/states_at.hpp"
 #include "polhode/free/states_on_grid.hpp"

@@ -9,7 +9,7 @@
 #include "free/detail/sadov_actions.hpp"
 #include "free/detail/sorted_state.hpp"
 #include "free/hub_tangent.hpp"
-#include "polhode/free/prepare.hpp"
+#include "free/prepare.hpp"
 #include "polhode/math/dual.hpp"
 #include "polhode/rotor/andoyer.hpp"
 

@@ -10,11 +10,11 @@
 #include "free/detail/serret_elements.hpp"
 #include "free/detail/sorted_state.hpp"
 #include "free/hub_tangent.hpp"
+#include "free/prepare.hpp"
 #include "math/number_text.hpp"
 #include "polhode/elliptic/jacobi.hpp"
 #include "polhode/error.hpp"
 #include "polhode/free/detail/precession.hpp"
-#include "polhode/free/prepare.hpp"
 #include "polhode/math/dual.hpp"
 #include "polhode/rotor/andoyer.hpp"
 

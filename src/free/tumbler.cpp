@@ -11,11 +11,11 @@
 #include "free/detail/mean_frame.hpp"
 #include "free/detail/polhode_family.hpp"
 #include "free/detail/sorted_state.hpp"
+#include "free/prepare.hpp"
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
 #include "polhode/free/detail/normalized_arc.hpp"
 #include "polhode/free/detail/precession.hpp"
-#include "polhode/free/prepare.hpp"
 #include "polhode/rotor/euler.hpp"
 
 namespace polhode {

@@ -12,9 +12,9 @@
 #include "orbit/detail/orbit_lanes.hpp"
 #include "orbit/detail/sine_excess.hpp"
 #include "orbit/detail/tabulated_ellipse.hpp"
+#include "orbit/mean_ellipse.hpp"
 #include "polhode/error.hpp"
 #include "polhode/orbit/kepler_equation.hpp"
-#include "polhode/orbit/mean_ellipse.hpp"
 #include "polhode/orbit/turned_kepler_orbit.hpp"
 
 namespace polhode {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Time series: columns read from outputs, and files of light curves.
-#include "polhode/output/time_series.hpp"
+#include "output/time_series.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -10,12 +10,12 @@
 #include <utility>
 
 #include "output/detail/hdf5_handle.hpp"
+#include "output/light_curves.hpp"
 #include "output/part_file.hpp"
 #include "polhode/error.hpp"
-#include "polhode/output/light_curves.hpp"
-#include "polhode/tables/lc.hpp"
-#include "polhode/tables/light_columns.hpp"
-#include "polhode/tables/number_table.hpp"
+#include "tables/lc.hpp"
+#include "tables/light_columns.hpp"
+#include "tables/number_table.hpp"
 #include "tables/table_header.hpp"
 #include "text/words.hpp"
 

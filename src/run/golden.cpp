@@ -13,11 +13,11 @@
 #include <string>
 #include <string_view>
 
+#include "free/evaluate.hpp"
+#include "free/prepare.hpp"
 #include "output/part_file.hpp"
 #include "polhode/error.hpp"
-#include "polhode/free/evaluate.hpp"
 #include "polhode/free/free_rotation.hpp"
-#include "polhode/free/prepare.hpp"
 #include "polhode/math/quaternion.hpp"
 #include "polhode/math/vector.hpp"
 #include "polhode/version.hpp"

@@ -15,8 +15,8 @@
 #include <string_view>
 #include <vector>
 
+#include "output/time_series.hpp"
 #include "polhode/error.hpp"
-#include "polhode/output/time_series.hpp"
 #include "polhode/text/units.hpp"
 #include "text/number_text.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/time_left.hpp"
+#include "run/time_left.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -12,8 +12,8 @@
 
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
-#include "polhode/series/fourier.hpp"
 #include "secular/nutation_theory.hpp"
+#include "series/fourier.hpp"
 
 namespace polhode {
 inline namespace v0 {

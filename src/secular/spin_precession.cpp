@@ -4,8 +4,8 @@
 #include <string>
 
 #include "math/number_text.hpp"
+#include "math/pack_functions.hpp"
 #include "polhode/error.hpp"
-#include "polhode/math/pack_functions.hpp"
 #include "secular/detail/spin_axes.hpp"
 
 namespace polhode {

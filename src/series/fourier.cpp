@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/series/fourier.hpp"
+#include "series/fourier.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "perturb/damper_kernel.hpp"
-#include "polhode/system/rotor_equations.hpp"
+#include "system/rotor_equations.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Tables of numbers in text files, row by row.
-#include "polhode/tables/number_table.hpp"
+#include "tables/number_table.hpp"
 
 #include <algorithm>
 #include <array>

@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-#include "polhode/tables/number_table.hpp"
+#include "tables/number_table.hpp"
 
 namespace polhode {
 inline namespace v0 {

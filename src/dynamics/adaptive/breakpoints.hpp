@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "polhode/math/double_double.hpp"
-#include "polhode/system/rotor_equations.hpp"
+#include "system/rotor_equations.hpp"
 
 namespace polhode {
 inline namespace v0 {

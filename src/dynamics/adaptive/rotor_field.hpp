@@ -9,7 +9,7 @@
 #include "math/finite.hpp"
 #include "polhode/ode/runge_kutta.hpp"
 #include "polhode/rotor/rotor_state.hpp"
-#include "polhode/system/rotor_equations.hpp"
+#include "system/rotor_equations.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -17,8 +17,8 @@
 
 #include "dynamics/events/edge_search.hpp"
 #include "math/finite.hpp"
-#include "polhode/system/rotor_equations.hpp"
 #include "polhode/trajectory/archive.hpp"
+#include "system/rotor_equations.hpp"
 
 namespace polhode {
 inline namespace v0 {

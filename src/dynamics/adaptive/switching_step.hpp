@@ -16,7 +16,7 @@
 #include "math/number_text.hpp"
 #include "polhode/ode/adaptive_runge_kutta.hpp"
 #include "polhode/ode/verner98.hpp"
-#include "polhode/system/rotor_equations.hpp"
+#include "system/rotor_equations.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -10,7 +10,7 @@
 
 #include "dynamics/collocation/gauss_scheme.hpp"
 #include "polhode/dynamics/detail/number_steps.hpp"
-#include "polhode/system/rotor_equations.hpp"
+#include "system/rotor_equations.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -7,8 +7,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "math/pack_functions.hpp"
 #include "polhode/math/pack.hpp"
-#include "polhode/math/pack_functions.hpp"
 #include "polhode/math/trigonometry.hpp"
 
 namespace polhode {

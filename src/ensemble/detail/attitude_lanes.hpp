@@ -7,7 +7,7 @@
 #include <cstdint>
 
 #include "ensemble/detail/attitude_sums.hpp"
-#include "polhode/math/pack_rows.hpp"
+#include "math/pack_rows.hpp"
 
 namespace polhode {
 inline namespace v0 {

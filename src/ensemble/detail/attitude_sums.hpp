@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "polhode/ensemble/attitude_moments.hpp"
-#include "polhode/ensemble/attitude_spread.hpp"
-#include "polhode/math/pack_functions.hpp"
+#include "ensemble/attitude_moments.hpp"
+#include "ensemble/attitude_spread.hpp"
+#include "math/pack_functions.hpp"
 
 namespace polhode {
 inline namespace v0 {

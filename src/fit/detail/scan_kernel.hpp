@@ -9,8 +9,8 @@
 
 #include "fit/detail/cholesky_lanes.hpp"
 #include "fit/detail/scan_task.hpp"
+#include "math/pack_functions.hpp"
 #include "polhode/math/pack.hpp"
-#include "polhode/math/pack_functions.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -10,13 +10,13 @@
 
 #include "free/detail/lanes_declared.hpp"
 #include "free/detail/state_lanes.hpp"
+#include "math/line_stream.hpp"
+#include "math/pack_functions.hpp"
+#include "math/pack_rows.hpp"
 #include "polhode/free/detail/phase_arithmetic.hpp"
 #include "polhode/free/free_kernel.hpp"
 #include "polhode/free/states_on_grid.hpp"
-#include "polhode/math/line_stream.hpp"
 #include "polhode/math/pack.hpp"
-#include "polhode/math/pack_functions.hpp"
-#include "polhode/math/pack_rows.hpp"
 
 namespace polhode {
 inline namespace v0 {

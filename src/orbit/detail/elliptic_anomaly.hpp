@@ -4,8 +4,8 @@
 
 #include <numbers>
 
+#include "math/pack_functions.hpp"
 #include "polhode/math/pack.hpp"
-#include "polhode/math/pack_functions.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -11,8 +11,8 @@
 #include <cstring>
 #include <type_traits>
 
-#include "polhode/math/pack_functions.hpp"
-#include "polhode/math/pack_rows.hpp"
+#include "math/pack_functions.hpp"
+#include "math/pack_rows.hpp"
 #include "polhode/rotor/andoyer.hpp"
 #include "polhode/rotor/euler.hpp"
 #include "polhode/rotor/poincare.hpp"

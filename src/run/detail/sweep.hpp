@@ -17,9 +17,9 @@
 
 #include "polhode/ensemble/ordered_parallel_for.hpp"
 #include "polhode/run/resumable_run.hpp"
-#include "polhode/run/time_left.hpp"
 #include "run/detail/checkpointed_outputs.hpp"
 #include "run/detail/source.hpp"
+#include "run/time_left.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -8,9 +8,9 @@
 #include "polhode/ensemble/cell_journal.hpp"
 #include "polhode/ensemble/counter_random.hpp"
 #include "polhode/error.hpp"
-#include "polhode/run/time_left.hpp"
 #include "run/detail/fit_tables.hpp"
 #include "run/fit/fit_torques.hpp"
+#include "run/time_left.hpp"
 
 namespace polhode {
 inline namespace v0 {

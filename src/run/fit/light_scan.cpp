@@ -7,8 +7,8 @@
 #include <string>
 #include <utility>
 
+#include "fit/session_scan.hpp"
 #include "polhode/error.hpp"
-#include "polhode/fit/session_scan.hpp"
 #include "run/detail/fit_tables.hpp"
 #include "run/detail/light_fit.hpp"
 #include "run/detail/light_report.hpp"

@@ -10,8 +10,8 @@
 #include <string_view>
 #include <utility>
 
-#include "polhode/tables/number_table.hpp"
 #include "scenario/scenario_parts.hpp"
+#include "tables/number_table.hpp"
 #include "text/number_text.hpp"
 #include "text/words.hpp"
 

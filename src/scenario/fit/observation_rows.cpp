@@ -8,11 +8,11 @@
 
 #include "polhode/error.hpp"
 #include "polhode/scenario/scenario.hpp"
-#include "polhode/tables/number_table.hpp"
 #include "scenario/detail/clock.hpp"
 #include "scenario/detail/history_keys.hpp"
 #include "scenario/fit/observation_table.hpp"
 #include "scenario/values.hpp"
+#include "tables/number_table.hpp"
 #include "text/dates.hpp"
 #include "text/number_text.hpp"
 

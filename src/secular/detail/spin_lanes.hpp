@@ -3,7 +3,7 @@
 // of instructions.
 #pragma once
 
-#include "polhode/math/pack_functions.hpp"
+#include "math/pack_functions.hpp"
 #include "polhode/secular/spin_precession.hpp"
 #include "secular/detail/spin_axes.hpp"
 

@@ -10,16 +10,16 @@
 #include <string>
 #include <vector>
 
+#include "ensemble/accumulator.hpp"
+#include "ensemble/angle_moments.hpp"
+#include "ensemble/attitude_moments.hpp"
+#include "ensemble/attitude_spread.hpp"
+#include "ensemble/first_events.hpp"
+#include "ensemble/fractions.hpp"
+#include "ensemble/histogram.hpp"
+#include "ensemble/number_moments.hpp"
 #include "message_of.hpp"
 #include "oracle/random_draw.hpp"
-#include "polhode/ensemble/accumulator.hpp"
-#include "polhode/ensemble/angle_moments.hpp"
-#include "polhode/ensemble/attitude_moments.hpp"
-#include "polhode/ensemble/attitude_spread.hpp"
-#include "polhode/ensemble/first_events.hpp"
-#include "polhode/ensemble/fractions.hpp"
-#include "polhode/ensemble/histogram.hpp"
-#include "polhode/ensemble/number_moments.hpp"
 #include "polhode/ensemble/quantiles.hpp"
 
 namespace {

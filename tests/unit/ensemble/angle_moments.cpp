@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Circular moments: closed forms, angles all around, and the phases of free tumblers, whose spread
 // grows with the time as that of their rates says.
-#include "polhode/ensemble/angle_moments.hpp"
+#include "ensemble/angle_moments.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "budgets.hpp"
+#include "ensemble/number_moments.hpp"
 #include "oracle/random_draw.hpp"
-#include "polhode/ensemble/number_moments.hpp"
 #include "polhode/free/sadov.hpp"
 #include "polhode/math/trigonometry.hpp"
 #include "worst.hpp"

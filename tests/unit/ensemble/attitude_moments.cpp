@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Second moments of attitudes: closed forms, Haar's, clouds without a mean, and the same bits one
 // by one, in blocks and in rows of epochs by every set of instructions.
-#include "polhode/ensemble/attitude_moments.hpp"
+#include "ensemble/attitude_moments.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "budgets.hpp"
+#include "ensemble/attitude_spread.hpp"
 #include "message_of.hpp"
 #include "oracle/random_draw.hpp"
-#include "polhode/ensemble/attitude_spread.hpp"
 #include "polhode/math/trigonometry.hpp"
 #include "worst.hpp"
 

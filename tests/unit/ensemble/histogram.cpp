@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Bins and histograms: every number between its own edges, those beyond counted.
-#include "polhode/ensemble/histogram.hpp"
+#include "ensemble/histogram.hpp"
 
 #include <gtest/gtest.h>
 

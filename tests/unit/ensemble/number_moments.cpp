@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Means and covariances of numbers: against 50 digits, at means far from 0, in chunks; minima and
 // maxima with their members.
-#include "polhode/ensemble/number_moments.hpp"
+#include "ensemble/number_moments.hpp"
 
 #include <gtest/gtest.h>
 

@@ -14,10 +14,10 @@
 #include <vector>
 
 #include "budgets.hpp"
+#include "ensemble/first_events.hpp"
+#include "ensemble/fractions.hpp"
 #include "message_of.hpp"
 #include "oracle/random_draw.hpp"
-#include "polhode/ensemble/first_events.hpp"
-#include "polhode/ensemble/fractions.hpp"
 #include "polhode/math/trigonometry.hpp"
 #include "worst.hpp"
 

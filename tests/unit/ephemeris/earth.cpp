@@ -11,8 +11,8 @@
 #include <numbers>
 
 #include "budgets.hpp"
+#include "ephemeris/delaunay.hpp"
 #include "message_of.hpp"
-#include "polhode/ephemeris/delaunay.hpp"
 #include "polhode/ephemeris/ephemeris.hpp"
 #include "polhode/ephemeris/iau_nutation.hpp"
 #include "polhode/ephemeris/teme_axes.hpp"

@@ -11,10 +11,10 @@
 
 #include "bright_night.hpp"
 #include "budgets.hpp"
+#include "fit/session_scan.hpp"
 #include "message_of.hpp"
 #include "polhode/error.hpp"
 #include "polhode/fit/scan_advice.hpp"
-#include "polhode/fit/session_scan.hpp"
 #include "worst.hpp"
 
 namespace {

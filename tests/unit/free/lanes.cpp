@@ -17,11 +17,11 @@
 #include <vector>
 
 #include "budgets.hpp"
+#include "free/evaluate.hpp"
+#include "free/prepare.hpp"
 #include "oracle/free_accuracy.hpp"
 #include "oracle/free_edge_cases.hpp"
-#include "polhode/free/evaluate.hpp"
 #include "polhode/free/free_rotation.hpp"
-#include "polhode/free/prepare.hpp"
 #include "polhode/free/propagate.hpp"
 #include "polhode/free/sadov.hpp"
 #include "polhode/free/serret.hpp"

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "budgets.hpp"
+#include "free/evaluate.hpp"
+#include "free/prepare.hpp"
 #include "oracle/free_accuracy.hpp"
-#include "polhode/free/evaluate.hpp"
-#include "polhode/free/prepare.hpp"
 #include "polhode/math/dual.hpp"
 #include "unit/free/support.hpp"
 

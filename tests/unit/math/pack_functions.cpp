@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Sines, cosines and angles of packs against 40 digits of MPFR.
-#include "polhode/math/pack_functions.hpp"
+#include "math/pack_functions.hpp"
 
 #include <gtest/gtest.h>
 

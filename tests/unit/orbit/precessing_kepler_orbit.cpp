@@ -10,9 +10,9 @@
 #include "budgets.hpp"
 #include "oracle/kepler.hpp"
 #include "oracle/random_draw.hpp"
+#include "orbit/mean_ellipse.hpp"
 #include "polhode/error.hpp"
 #include "polhode/orbit/kepler_orbit.hpp"
-#include "polhode/orbit/mean_ellipse.hpp"
 #include "polhode/orbit/turned_kepler_orbit.hpp"
 #include "worst.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The time left of cells is right within a factor of two, up to the last ones.
-#include "polhode/run/time_left.hpp"
+#include "run/time_left.hpp"
 
 #include <gtest/gtest.h>
 

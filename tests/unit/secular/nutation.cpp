@@ -13,13 +13,13 @@
 
 #include "budgets.hpp"
 #include "message_of.hpp"
+#include "orbit/mean_ellipse.hpp"
 #include "polhode/dynamics/integrate.hpp"
 #include "polhode/dynamics/integrate_model.hpp"
 #include "polhode/orbit/kepler_orbit.hpp"
-#include "polhode/orbit/mean_ellipse.hpp"
 #include "polhode/perturb/gravity_gradient.hpp"
 #include "polhode/rotor/attitude.hpp"
-#include "polhode/secular/spin_on_orbit.hpp"
+#include "secular/spin_on_orbit.hpp"
 #include "worst.hpp"
 
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Fourier analysis over angles: series that are known, folding, and what is refused.
-#include "polhode/series/fourier.hpp"
+#include "series/fourier.hpp"
 
 #include <gmock/gmock.h>
 
@@ -12,7 +12,7 @@
 #include "message_of.hpp"
 #include "polhode/series/compiled_series.hpp"
 #include "polhode/series/linear_flow.hpp"
-#include "polhode/series/series_text.hpp"
+#include "series/series_text.hpp"
 #include "support.hpp"
 #include "unit/series/support.hpp"
 #include "worst.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Tables of numbers in text files: what is read, and what is refused where.
-#include "polhode/tables/number_table.hpp"
+#include "tables/number_table.hpp"
 
 #include <gmock/gmock.h>
 #include <zlib.h>

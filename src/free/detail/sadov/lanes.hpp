@@ -14,9 +14,9 @@
 #include <cstring>
 
 #include "free/detail/sadov/polhode.hpp"
+#include "math/pack_functions.hpp"
+#include "math/pack_rows.hpp"
 #include "polhode/free/sadov.hpp"
-#include "polhode/math/pack_functions.hpp"
-#include "polhode/math/pack_rows.hpp"
 
 namespace polhode {
 inline namespace v0 {

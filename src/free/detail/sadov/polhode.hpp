@@ -4,7 +4,7 @@
 #pragma once
 
 #include "free/detail/sadov/constants.hpp"
-#include "polhode/math/pack_functions.hpp"
+#include "math/pack_functions.hpp"
 #include "polhode/math/quaternion.hpp"
 #include "polhode/math/vector.hpp"
 

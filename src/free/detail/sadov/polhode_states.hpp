@@ -8,7 +8,7 @@
 
 #include "free/detail/sadov/constants.hpp"
 #include "free/detail/sadov/polhode.hpp"
-#include "polhode/math/pack_functions.hpp"
+#include "math/pack_functions.hpp"
 
 namespace polhode {
 inline namespace v0 {

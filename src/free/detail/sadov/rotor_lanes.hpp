@@ -11,8 +11,8 @@
 #include "free/detail/sadov/constants.hpp"
 #include "free/detail/sadov/polhode.hpp"
 #include "free/detail/sadov/polhode_states.hpp"
-#include "polhode/math/pack_functions.hpp"
-#include "polhode/math/pack_rows.hpp"
+#include "math/pack_functions.hpp"
+#include "math/pack_rows.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -12,12 +12,12 @@
 #include <variant>
 #include <vector>
 
-#include "polhode/ensemble/attitude_moments.hpp"
-#include "polhode/ensemble/attitude_spread.hpp"
-#include "polhode/ensemble/first_events.hpp"
-#include "polhode/ensemble/fractions.hpp"
-#include "polhode/ensemble/histogram.hpp"
-#include "polhode/ensemble/number_moments.hpp"
+#include "ensemble/attitude_moments.hpp"
+#include "ensemble/attitude_spread.hpp"
+#include "ensemble/first_events.hpp"
+#include "ensemble/fractions.hpp"
+#include "ensemble/histogram.hpp"
+#include "ensemble/number_moments.hpp"
 #include "polhode/ensemble/quantiles.hpp"
 #include "polhode/run/ensemble_run.hpp"
 #include "polhode/trajectory/archive.hpp"

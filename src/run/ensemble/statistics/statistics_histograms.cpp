@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "polhode/ensemble/accumulator.hpp"
+#include "ensemble/accumulator.hpp"
 #include "polhode/error.hpp"
 #include "run/ensemble/statistics/statistics.hpp"
 

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "ephemeris/delaunay.hpp"
 #include "math/number_text.hpp"
-#include "polhode/ephemeris/delaunay.hpp"
+#include "orbit/mean_ellipse.hpp"
 #include "polhode/ephemeris/ephemeris.hpp"
 #include "polhode/error.hpp"
-#include "polhode/orbit/mean_ellipse.hpp"
 #include "polhode/secular/planet.hpp"
 #include "polhode/text/separated.hpp"
 #include "text/words.hpp"

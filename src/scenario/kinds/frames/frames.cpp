@@ -13,11 +13,11 @@
 #include "polhode/frame/orbit_plane.hpp"
 #include "polhode/math/trigonometry.hpp"
 #include "polhode/orbit/kepler_orbit.hpp"
-#include "polhode/tables/number_table.hpp"
 #include "scenario/detail/built_in_kinds.hpp"
 #include "scenario/detail/table_check.hpp"
 #include "scenario/kinds/frames/rate_formula.hpp"
 #include "scenario/kinds/frames/rate_table.hpp"
+#include "tables/number_table.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -9,12 +9,12 @@
 #include <utility>
 
 #include "polhode/secular/history_orbit.hpp"
-#include "polhode/tables/number_table.hpp"
 #include "scenario/detail/built_in_kinds.hpp"
 #include "scenario/detail/clock.hpp"
 #include "scenario/detail/other_names.hpp"
 #include "scenario/detail/reference_axes.hpp"
 #include "scenario/kinds/orbits/shared_keys.hpp"
+#include "tables/number_table.hpp"
 #include "text/number_text.hpp"
 #include "text/words.hpp"
 

@@ -9,13 +9,13 @@
 #include <utility>
 #include <vector>
 
-#include "polhode/tables/number_table.hpp"
 #include "scenario/detail/built_in_kinds.hpp"
 #include "scenario/detail/clock.hpp"
 #include "scenario/detail/other_names.hpp"
 #include "scenario/detail/reference_axes.hpp"
 #include "scenario/detail/table_check.hpp"
 #include "scenario/kinds/orbits/shared_keys.hpp"
+#include "tables/number_table.hpp"
 #include "tables/table_header.hpp"
 #include "text/dates.hpp"
 #include "text/number_text.hpp"

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "polhode/tables/number_table.hpp"
 #include "scenario/detail/built_in_kinds.hpp"
 #include "scenario/detail/table_check.hpp"
 #include "scenario/kinds/torques/shared_keys.hpp"
+#include "tables/number_table.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -23,7 +23,7 @@
 #include <string>
 #include <vector>
 
-#include "polhode/tables/light_curve_file.hpp"
+#include "tables/light_curve_file.hpp"
 
 namespace polhode {
 inline namespace v0 {

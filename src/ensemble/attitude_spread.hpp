@@ -31,8 +31,8 @@
 #include <span>
 #include <vector>
 
+#include "ensemble/number_moments.hpp"
 #include "polhode/ensemble/left_out.hpp"
-#include "polhode/ensemble/number_moments.hpp"
 #include "polhode/math/instruction_set.hpp"
 #include "polhode/rotor/rotor_state.hpp"
 
