@@ -13,7 +13,7 @@ import inspect
 import re
 import sys
 import types
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import Any, NoReturn
 
 from polhode import _core
@@ -90,13 +90,56 @@ def _overloads(callable_: Any, names: dict[str, Any]) -> list[inspect.Signature]
 
 
 def _signature(callable_: Any, names: dict[str, Any]) -> inspect.Signature:
-    """Of its only overload; of several, arguments of any kind, which its text lists."""
+    """Of its only overload; of several their union, if each begins like the longest, else arguments
+    of any kind. Its text lists all overloads."""
     overloads = _overloads(callable_, names)
-    if len(overloads) == 1:
-        return overloads[0]
-    return inspect.Signature(
-        [_KINDS("args", _KINDS.VAR_POSITIONAL), _KINDS("kwargs", _KINDS.VAR_KEYWORD)]
-    )
+    longest = max(overloads, key=lambda made: len(made.parameters))
+    if not all(_is_part_of(made, longest) for made in overloads):
+        return inspect.Signature(
+            [_KINDS("args", _KINDS.VAR_POSITIONAL), _KINDS("kwargs", _KINDS.VAR_KEYWORD)]
+        )
+    merged = []
+    for name, parameter in longest.parameters.items():
+        those = [made.parameters[name] for made in overloads if name in made.parameters]
+        default = next((p.default for p in those if p.default is not _KINDS.empty), _KINDS.empty)
+        if len(those) < len(overloads) and default is _KINDS.empty:
+            default = _Shown("...")  # not of every overload
+        merged.append(
+            parameter.replace(default=default, annotation=_union(p.annotation for p in those))
+        )
+    returned = _union(made.return_annotation for made in overloads)
+    return inspect.Signature(merged, return_annotation=returned)
+
+
+def _is_part_of(made: inspect.Signature, longest: inspect.Signature) -> bool:
+    """Whether its positional parameters are the first of the longest."""
+    own, all_of = _positional(made), _positional(longest)
+    return own == all_of[: len(own)] and set(made.parameters) <= set(longest.parameters)
+
+
+def _positional(made: inspect.Signature) -> list[str]:
+    return [name for name, p in made.parameters.items() if p.kind is not _KINDS.KEYWORD_ONLY]
+
+
+def _union(annotations: Iterable[Any]) -> Any:
+    """ "Body | System" of texts, each once."""
+    found = dict.fromkeys(
+        part.strip() for one in annotations if one is not _KINDS.empty
+        for part in _alternatives(one)
+    )  # fmt: skip
+    return " | ".join(found) if found else _KINDS.empty
+
+
+def _alternatives(text: str) -> list[str]:
+    """The parts of a union, whose own brackets stay closed."""
+    parts, depth = [""], 0
+    for character in text:
+        depth += (character in "[(") - (character in "])")
+        if character == "|" and depth == 0:
+            parts.append("")
+        else:
+            parts[-1] += character
+    return parts
 
 
 class _LateSignature(inspect.Signature):

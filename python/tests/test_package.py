@@ -74,7 +74,8 @@ def test_an_old_name_says_the_new_one():
 
 def test_completion_lists_what_is_public():
     modules = {module.__name__.rpartition(".")[2] for module in MODULES[1:]} | {"vary"}
-    assert set(dir(polhode)) == {*polhode.__all__, *modules, "__version__", "__doc__"}
+    known = set(dir(polhode)) - {"figures", "spice"}  # once they were imported
+    assert known == {*polhode.__all__, *modules, "__version__", "__doc__"}
     assert len(polhode.__all__) < 75
 
 

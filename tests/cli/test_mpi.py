@@ -32,6 +32,11 @@ def needs_mpi(polhode):
         pytest.skip("built without POLHODE_MPI")
 
 
+def summary(done):
+    """What a command printed, but for how to draw its file."""
+    return done.stdout.partition("to draw it")[0]
+
+
 @pytest.fixture
 def command(polhode):
     """command(ranks, "ensemble", ...): the words of a shell."""
@@ -172,7 +177,8 @@ def test_a_member_that_fails_is_named_whichever_rank_it_was_on(run, ranks, ensem
     path = ensemble("size = 100\nchunk = 5", vary=vary)
     alone = run("ensemble", path, "--out", tmp_path / "a.csv")
     several = ranks(2, "ensemble", path, "--out", tmp_path / "b.csv")
-    assert "failed            " in alone.stdout and several.stdout == alone.stdout
+    assert "failed            " in alone.stdout
+    assert summary(several) == summary(alone)
     member = alone.stdout.split("  member ")[1].split(":")[0]
     done = ranks(2, "ensemble", path, "--member", member, "--out", tmp_path / "member.csv")
     assert done.returncode != 0 and done.stderr.count("body.moments") == 1
@@ -258,7 +264,7 @@ def test_a_map_has_the_same_files_for_any_number_of_ranks(run, ranks, map_file, 
         outs = [tmp_path / f"{count}-{threads}.csv", tmp_path / f"{count}-{threads}.h5"]
         done = ranks(count, "map", path, "--out", outs[0], "--out", outs[1], "--threads", threads)
         assert done.returncode == 0, done.stderr
-        assert done.stdout == alone.stdout
+        assert summary(done) == summary(alone)
         marks.add(tuple(mark(out) for out in outs))
     assert len(marks) == 1
 

@@ -206,7 +206,8 @@ def test_a_perturbed_run_ends_with_before_and_after(run, rows, tmp_path):
     path = tmp_path / "a.toml"
     path.write_text(text, "utf-8")
     done = run.ok("run", path, "--out", tmp_path / "a.csv")
-    before, after = (line.split(None, 4) for line in done.stdout.splitlines()[-2:])
+    # the last line is how to draw it
+    before, after = (line.split(None, 4) for line in done.stdout.splitlines()[-3:-1])
     assert before[:4] == ["at", "t", "=", "0"] and after[:4] == ["at", "t", "=", "100"]
     c = rows(text)
     for words, k in ((before[4], 0), (after[4].partition("h")[2], -1)):

@@ -115,9 +115,9 @@ def test_a_summary_of_many_events_says_where_all_are(run, write, tmp_path):
     text = SPIN_UP.replace("stop = 20", "stop = 1000") + (
         "[[event]]\ncolumn = \"phi\"\nvalue = 1\ncrossing = \"both\"\n")
     out = tmp_path / "events.csv"
-    # the last two lines are what was before and is after
-    more = [run("run", write(text), *options).stdout.splitlines()[-3] for options in (
+    printed = [run("run", write(text), *options).stdout.splitlines() for options in (
         ["--events", out], ["--out", tmp_path / "a.csv"])]
+    more = [next(line for line in lines if "events more" in line) for lines in printed]
     lines = out.read_text(encoding="utf-8").splitlines()
     count = sum(not line.startswith(("#", "name")) for line in lines)
     assert count > 20
