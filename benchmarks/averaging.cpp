@@ -13,8 +13,8 @@
 #include "polhode/perturb/gravity_gradient.hpp"
 #include "polhode/secular/planet.hpp"
 #include "polhode/secular/shipped_orbit.hpp"
+#include "polhode/secular/spin_on_orbit.hpp"
 #include "polhode/secular/spin_precession.hpp"
-#include "secular/spin_on_orbit.hpp"
 #include "worst.hpp"
 
 namespace {

@@ -3,7 +3,7 @@
 // its own, though the moduli are equal (jacobi_each), or with one for all (jacobi_one): ns a value,
 // and the largest error against double-double, in eps (|f| + |u f'|). `range(0)` is the set,
 // `range(1)` the modulus: the last are drawn, 1 - m even in [0, 1] and in its logarithm.
-#include "elliptic/many_jacobi.hpp"
+#include "polhode/elliptic/many_jacobi.hpp"
 
 #include <benchmark/benchmark.h>
 

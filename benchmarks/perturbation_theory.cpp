@@ -26,7 +26,7 @@
 #include "polhode/secular/nutation.hpp"
 #include "polhode/secular/transform_size.hpp"
 #include "polhode/secular/triaxial_normal_form.hpp"
-#include "series/series_text.hpp"
+#include "polhode/series/series_text.hpp"
 
 namespace {
 

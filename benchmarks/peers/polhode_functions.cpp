@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "elliptic/many_jacobi.hpp"
 #include "functions.hpp"
 #include "polhode/elliptic/agm.hpp"
 #include "polhode/elliptic/heuman.hpp"
 #include "polhode/elliptic/jacobi.hpp"
+#include "polhode/elliptic/many_jacobi.hpp"
 
 namespace peers {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "elliptic/many_jacobi.hpp"
+#include "polhode/elliptic/many_jacobi.hpp"
 
 #include <cmath>
 #include <limits>

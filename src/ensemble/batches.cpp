@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <string>
 
-#include "ensemble/parts.hpp"
+#include "polhode/ensemble/parts.hpp"
 #include "polhode/error.hpp"
 
 namespace polhode {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "output/row_dates.hpp"
+#include "polhode/output/row_dates.hpp"
 
 #include <cmath>
 

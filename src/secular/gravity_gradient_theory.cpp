@@ -11,8 +11,8 @@
 #include "math/number_text.hpp"
 #include "polhode/dynamics/integrate_model.hpp"
 #include "polhode/series/compiled_series.hpp"
+#include "polhode/series/expanded.hpp"
 #include "secular/gravity_gradient_transform.hpp"
-#include "series/expanded.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -6,7 +6,7 @@
 
 #include "fuzz.hpp"
 #include "polhode/error.hpp"
-#include "series/series_text.hpp"
+#include "polhode/series/series_text.hpp"
 
 namespace {
 

@@ -8,7 +8,6 @@
 #include <span>
 #include <utility>
 
-#include "elliptic/many_jacobi.hpp"
 #include "interface/arrays.hpp"
 #include "polhode/elliptic/agm.hpp"
 #include "polhode/elliptic/carlson.hpp"
@@ -17,6 +16,7 @@
 #include "polhode/elliptic/jacobi_zeta.hpp"
 #include "polhode/elliptic/legendre.hpp"
 #include "polhode/elliptic/legendre_pi.hpp"
+#include "polhode/elliptic/many_jacobi.hpp"
 #include "polhode/elliptic/modulus.hpp"
 #include "polhode/elliptic/nome.hpp"
 

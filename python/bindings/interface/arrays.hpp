@@ -13,9 +13,9 @@
 #include <vector>
 
 #include "bindings.hpp"
-#include "ensemble/parts.hpp"
 #include "interface/gil.hpp"
 #include "interface/typed.hpp"
+#include "polhode/ensemble/parts.hpp"
 #include "polhode/math/matrix6.hpp"
 #include "polhode/math/quaternion.hpp"
 #include "polhode/math/vector.hpp"

@@ -9,9 +9,9 @@
 #include "interface/value.hpp"
 #include "motion/dynamics_values.hpp"
 #include "polhode/dynamics/integrate_model.hpp"
+#include "polhode/secular/spin_on_orbit.hpp"
 #include "polhode/secular/spin_precession.hpp"
 #include "polhode/secular/tidal_spin.hpp"
-#include "secular/spin_on_orbit.hpp"
 #include "terms/orbit_value.hpp"
 
 namespace polhode::python {

@@ -5,9 +5,9 @@
 #include "interface/value.hpp"
 #include "polhode/secular/transform_size.hpp"
 #include "polhode/series/derivative.hpp"
+#include "polhode/series/expanded.hpp"
+#include "polhode/series/series_text.hpp"
 #include "polhode/series/substitution.hpp"
-#include "series/expanded.hpp"
-#include "series/series_text.hpp"
 #include "series/series_value.hpp"
 
 namespace polhode::python {

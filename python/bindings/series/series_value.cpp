@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "polhode/error.hpp"
-#include "series/expanded.hpp"
+#include "polhode/series/expanded.hpp"
 
 namespace polhode::python {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "output/row_dates.hpp"
 #include "polhode/output/output_format.hpp"
+#include "polhode/output/row_dates.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Jacobi's functions in lanes: beside 50 digits, the same bits whatever the lane, the neighbours,
 // the number of arguments and the set of instructions, and what does not go in lanes.
-#include "elliptic/many_jacobi.hpp"
+#include "polhode/elliptic/many_jacobi.hpp"
 
 #include <bit>
 #include <cmath>

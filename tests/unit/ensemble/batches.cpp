@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "ensemble/parts.hpp"
 #include "message_of.hpp"
+#include "polhode/ensemble/parts.hpp"
 #include "polhode/error.hpp"
 #include "polhode/free/free_rotation.hpp"
 

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "ensemble/detail/philox.hpp"
-#include "ensemble/parts.hpp"
 #include "polhode/ensemble/distributions.hpp"
+#include "polhode/ensemble/parts.hpp"
 #include "statistics.hpp"
 
 namespace {

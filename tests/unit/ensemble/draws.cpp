@@ -12,10 +12,10 @@
 #include <string>
 #include <vector>
 
-#include "ensemble/parts.hpp"
 #include "message_of.hpp"
 #include "polhode/ensemble/counter_random.hpp"
 #include "polhode/ensemble/draw_points.hpp"
+#include "polhode/ensemble/parts.hpp"
 #include "polhode/ensemble/sobol_points.hpp"
 #include "statistics.hpp"
 #include "worst.hpp"

@@ -14,8 +14,8 @@
 #include "polhode/dynamics/integrate_model.hpp"
 #include "polhode/orbit/kepler_orbit.hpp"
 #include "polhode/perturb/gravity_gradient.hpp"
+#include "polhode/secular/spin_on_orbit.hpp"
 #include "polhode/secular/spin_precession.hpp"
-#include "secular/spin_on_orbit.hpp"
 #include "worst.hpp"
 
 namespace {

@@ -20,8 +20,8 @@
 #include "polhode/rotor/attitude.hpp"
 #include "polhode/series/compiled_series.hpp"
 #include "polhode/series/derivative.hpp"
+#include "polhode/series/expanded.hpp"
 #include "secular/gravity_gradient_transform.hpp"
-#include "series/expanded.hpp"
 #include "worst.hpp"
 
 namespace {

@@ -12,7 +12,7 @@
 #include "budgets.hpp"
 #include "polhode/secular/lie_transform.hpp"
 #include "polhode/series/compiled_series.hpp"
-#include "series/series_text.hpp"
+#include "polhode/series/series_text.hpp"
 #include "worst.hpp"
 
 namespace secular_test {

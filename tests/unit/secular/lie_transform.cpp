@@ -8,9 +8,9 @@
 #include <algorithm>
 
 #include "message_of.hpp"
+#include "polhode/series/expanded.hpp"
+#include "polhode/series/series_text.hpp"
 #include "polhode/series/substitution.hpp"
-#include "series/expanded.hpp"
-#include "series/series_text.hpp"
 
 namespace secular_test {
 namespace {

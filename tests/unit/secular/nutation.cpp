@@ -19,7 +19,7 @@
 #include "polhode/orbit/kepler_orbit.hpp"
 #include "polhode/perturb/gravity_gradient.hpp"
 #include "polhode/rotor/attitude.hpp"
-#include "secular/spin_on_orbit.hpp"
+#include "polhode/secular/spin_on_orbit.hpp"
 #include "worst.hpp"
 
 namespace {

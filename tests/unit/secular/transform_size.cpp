@@ -13,7 +13,7 @@
 #include "budgets.hpp"
 #include "message_of.hpp"
 #include "polhode/secular/lie_transform.hpp"
-#include "series/series_text.hpp"
+#include "polhode/series/series_text.hpp"
 #include "worst.hpp"
 
 namespace secular_test {

@@ -12,7 +12,7 @@
 #include "message_of.hpp"
 #include "polhode/series/compiled_series.hpp"
 #include "polhode/series/linear_flow.hpp"
-#include "series/series_text.hpp"
+#include "polhode/series/series_text.hpp"
 #include "support.hpp"
 #include "unit/series/support.hpp"
 #include "worst.hpp"

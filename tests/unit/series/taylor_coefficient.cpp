@@ -8,9 +8,9 @@
 #include <algorithm>
 
 #include "message_of.hpp"
+#include "polhode/series/expanded.hpp"
 #include "polhode/series/linear_flow.hpp"
 #include "polhode/series/substitution.hpp"
-#include "series/expanded.hpp"
 #include "unit/series/support.hpp"
 #include "worst.hpp"
 

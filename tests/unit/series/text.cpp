@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "message_of.hpp"
-#include "series/series_text.hpp"
+#include "polhode/series/series_text.hpp"
 #include "unit/series/support.hpp"
 
 namespace series_test {

@@ -24,8 +24,8 @@
 #include <vector>
 
 #include "polhode/series/detail/collected_term.hpp"
+#include "polhode/series/series_text.hpp"
 #include "polhode/series/taylor_coefficient.hpp"
-#include "series/series_text.hpp"
 
 namespace polhode {
 inline namespace v0 {
