@@ -318,7 +318,7 @@ def test_a_file_along_the_axes_of_a_tensor_is_drawn_along_principal_axes(tmp_pat
 def test_a_file_without_rows_is_refused(tmp_path):
     empty = tmp_path / "empty.csv"
     empty.write_text("# polhode 0\nt,qw\n", encoding="utf-8")
-    rejected(ValueError, "without rows; expected a CSV file of polhode run", run_data, empty, BODY)
+    rejected(ValueError, "without rows; expected what polhode run wrote", run_data, empty, BODY)
 
 
 @pytest.mark.parametrize("shape", ["ellipsoid", "box"])

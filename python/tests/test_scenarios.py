@@ -58,7 +58,7 @@ def test_an_example_gives_the_files_of_the_command_line(path, tmp_path):
     assert results.columns == tuple(lines[0].split(","))
     numbers = np.array([[float(x) for x in line.split(",")] for line in lines[1:]])
     assert np.column_stack(list(results.values())).tobytes() == numbers.tobytes()
-    assert str(results.summary) + "\n" == table
+    assert str(results.summary) + "\n" == table.partition("to draw it")[0]
 
 
 @pytest.mark.parametrize("path", EXAMPLES, ids=names(EXAMPLES))
