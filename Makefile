@@ -97,8 +97,7 @@ bits: build/release/build.ninja ## Outputs of revision REV and of the tree, bit 
 tidy: build/release/build.ninja deps-clang ## clang-tidy on every source (slow; `make check` reads the changed ones)
 	tools/tidy.py --all
 
-format: deps ## Format every C++ file; list the public headers in polhode.hpp
-	tools/headers.py --fix
+format: deps ## Format every C++ file
 	git ls-files -co --exclude-standard '*.cpp' '*.hpp' | xargs .venv/bin/clang-format -i
 
 docs: build ## Build the documentation as a site: build/site/index.html (no network)

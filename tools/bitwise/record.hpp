@@ -6,7 +6,12 @@
 #include <cmath>
 #include <cstdio>
 #include <exception>
+#include <polhode/free/generating_function.hpp>
+#include <polhode/free/sadov_generating_function.hpp>
 #include <polhode/polhode.hpp>
+#include <polhode/rotor/chart_jacobian.hpp>
+#include <polhode/rotor/rate_jacobian.hpp>
+#include <polhode/system/modified_andoyer.hpp>
 #include <string>
 #include <utility>
 
