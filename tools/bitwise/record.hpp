@@ -11,7 +11,9 @@
 #include <polhode/polhode.hpp>
 #include <polhode/rotor/chart_jacobian.hpp>
 #include <polhode/rotor/rate_jacobian.hpp>
+#include <polhode/system/axes.hpp>
 #include <polhode/system/modified_andoyer.hpp>
+#include <polhode/system/osculation.hpp>
 #include <string>
 #include <utility>
 
