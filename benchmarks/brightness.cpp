@@ -8,9 +8,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "light/lambert.hpp"
-#include "light/patch_brightness.hpp"
 #include "polhode/light/gaussian_image.hpp"
+#include "polhode/light/lambert.hpp"
+#include "polhode/light/patch_brightness.hpp"
 #include "polhode/light/shaded_mesh.hpp"
 #include "polhode/math/double_double.hpp"
 #include "polhode/math/dual.hpp"

@@ -59,14 +59,15 @@ class Chunks {
     const Progress look = [](double) {};
     cells_.frame()->set_base(ensemble_.base(look));
     const detail::Source<detail::Pilots> some = cells_.pilots();
-    for (std::int64_t k = 0; k < some.count(); ++k) {
+    for (std::int64_t k = some.range.first_cell(); k < some.range.end_cell(); ++k) {
       const detail::Pilots done = some.cell(k, look);
       for (std::size_t m = 0; m < done.size(); ++m)
-        cells_.frame()->add_pilot(k * some.each + static_cast<std::int64_t>(m), done[m]);
+        cells_.frame()->add_pilot(some.range.begin_of(k) + static_cast<std::int64_t>(m), done[m]);
     }
     cells_.frame()->finish_pilots();
     empty_.emplace(*cells_.frame());
-    cells_.begin(cells_.members(0).stage());
+    const detail::Source<EnsembleChunk> members = cells_.members(0);
+    cells_.begin(cells_.stage(members.range, members.stage));
     for (int k = 0; k < chunks; ++k) bytes_.push_back(computed(k));
   }
 

@@ -8,10 +8,10 @@
 #include <span>
 #include <vector>
 
-#include "light/convex_body.hpp"
 #include "polhode/ensemble/counter_random.hpp"
 #include "polhode/fit/light_search.hpp"
 #include "polhode/fit/residual_function.hpp"
+#include "polhode/light/convex_body.hpp"
 
 namespace {
 using namespace polhode;

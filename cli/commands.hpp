@@ -34,6 +34,9 @@ void add_schema(CLI::App& app, const Kinds& kinds);
 void add_shape(CLI::App& app);
 void add_spectrum(CLI::App& app);
 
+// A word as a shell reads it.
+std::string quoted(const std::string& word);
+
 // The command that draws the first of these that can be drawn; empty if none can.
 std::string plot_hint(const std::vector<std::string>& outputs);
 

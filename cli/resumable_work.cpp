@@ -14,9 +14,7 @@
 #include "polhode/error.hpp"
 
 namespace polhode::cli {
-namespace {
 
-// A word as a shell reads it.
 std::string quoted(const std::string& word) {
   const auto plain = [](char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
@@ -27,6 +25,8 @@ std::string quoted(const std::string& word) {
   for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return text + "'";
 }
+
+namespace {
 
 // A check that all of the text is a number of this type in a range.
 template <class T>

@@ -177,6 +177,8 @@ _show_tables()
 
 
 def __getattr__(name: str) -> _Any:
+    if name.startswith("__") or name in ("figures", "spice"):  # modules that are not imported yet
+        raise AttributeError(f"module 'polhode' has no attribute {name!r}")
     satellites = _importlib.import_module("polhode.satellites")  # when it is needed: it takes long
     if name == "satellites":
         return satellites

@@ -107,6 +107,8 @@ def _read_hdf5(path: str) -> OutputFile:
             shown = data.asstr()[()].reshape(len(data), len(columns))
             texts.update((column, shown[:, k].astype("<U26")) for k, column in enumerate(columns))
             parts.append(numpy.full(shown.shape, numpy.nan))
+    if not groups:
+        raise ValueError(f"{path}: no columns; expected a table that polhode wrote")
     return OutputFile(
         path, groups, numpy.hstack(parts), texts, str(said.get("title", "")),
         [str(note) for note in said.get("notes", ())], str(said.get("scenario", "")),
@@ -116,13 +118,21 @@ def _read_hdf5(path: str) -> OutputFile:
 
 def _read_csv(path: str) -> OutputFile:
     with open(path, encoding="utf-8-sig") as file:
-        lines = file.read().splitlines()
+        try:
+            lines = file.read().splitlines()
+        except UnicodeDecodeError as error:
+            raise ValueError(f"{path}: no text in UTF-8; expected CSV or HDF5") from error
     head = [line[2:] for line in lines if line.startswith("#")]
     scenario = [line[2:] for line in head if line.startswith("|")]
     said = [line for line in head if not line.startswith("|")]
     rows = [line for line in lines if not line.startswith("#")]
     names = rows[0].split(",") if rows else []
     units = dict(re.findall(r"(\S+) \[([^][]*)\](?:, |$)", _said(said, "units: ")))
+    if wrong := [row for row in rows[1:] if row.count(",") + 1 != len(names)]:
+        raise ValueError(
+            f'{path}: got the row "{wrong[0][:60]}"; expected {len(names)} numbers, as in the line '
+            "of names"
+        )
     table, texts = _numbers(rows[1:], names)
     text = "\n".join(scenario) + "\n" * bool(scenario)
     return OutputFile(

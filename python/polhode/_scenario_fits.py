@@ -351,7 +351,8 @@ def _of_light(one: Mapping[str, Any]) -> FitNumber:
 
 
 class FitResults:
-    """What a fit of a scenario found: solutions by chi-square. Made by polhode.fit.
+    """What a fit of a scenario found: solutions by chi-square. Made by
+    polhode.fit.fit_scenario.
 
     `results.solutions[0]` is the best; `len(results)`, `results[k]` and loops go over solutions.
 

@@ -173,8 +173,8 @@ class Scenario:
 
         Parameters
         ----------
-        vary : distributions by key, as in polhode.ensemble; None: those that the scenario has. What
-            is given takes the place of all of its tables [[ensemble.vary]].
+        vary : distributions by key, as in Scenario.ensemble; None: those that the scenario has.
+            What is given takes the place of all of its tables [[ensemble.vary]].
         keys : those of [ensemble]: size=10000, seed=2, keep="final", draws="sobol", ...; what is
             not given is what the scenario has, fractions and histograms among them.
 
@@ -604,7 +604,7 @@ class EnsembleResults(EnsembleColumns):
     Columns are named and have the units as in the files of `polhode ensemble`. By `keep` a row is a
     time ("statistics"), a member with what was drawn and its last row ("final"), one row of a
     member ("rows"), or a chunk whose rows are in a file of its own ("chunks"). Made by
-    polhode.ensemble and Scenario.ensemble, or read from a file.
+    Scenario.ensemble, or read from a file.
     """
 
     @classmethod

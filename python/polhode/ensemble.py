@@ -13,4 +13,4 @@ __all__ = [
     "FirstTimes",
 ]
 publish(globals())
-explain_call(__name__, "Scenario.ensemble")  # a function until 0.1
+explain_call(__name__, "Scenario.ensemble")  # a function before 0.1.0

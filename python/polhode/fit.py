@@ -42,4 +42,4 @@ __all__ = [
     "simulate",
 ]
 publish(globals())
-explain_call(__name__, "polhode.fit.fit_scenario")  # a function until 0.1
+explain_call(__name__, "polhode.fit.fit_scenario")  # a function before 0.1.0

@@ -8,12 +8,12 @@
 #include <string>
 #include <utility>
 
-#include "light/lambert.hpp"
-#include "light/patch_brightness.hpp"
 #include "math/gauss_legendre.hpp"
 #include "polhode/error.hpp"
 #include "polhode/light/facet_brightness.hpp"
+#include "polhode/light/lambert.hpp"
 #include "polhode/light/lommel_seeliger.hpp"
+#include "polhode/light/patch_brightness.hpp"
 #include "polhode/light/shaded_mesh.hpp"
 #include "polhode/math/vector.hpp"
 

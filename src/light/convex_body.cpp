@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Convex bodies from the areas and normals of their facets: Minkowski's problem and its solution.
-#include "light/convex_body.hpp"
+#include "polhode/light/convex_body.hpp"
 
 #include <Eigen/Core>
 #include <Eigen/LU>

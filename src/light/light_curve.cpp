@@ -10,13 +10,13 @@
 #include <utility>
 #include <vector>
 
-#include "light/light_curve_checks.hpp"
-#include "light/magnitudes.hpp"
 #include "math/finite.hpp"
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
 #include "polhode/light/aspect.hpp"
+#include "polhode/light/light_curve_checks.hpp"
 #include "polhode/light/light_time.hpp"
+#include "polhode/light/magnitudes.hpp"
 
 namespace polhode {
 inline namespace v0 {

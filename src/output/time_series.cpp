@@ -10,11 +10,11 @@
 #include <utility>
 
 #include "output/detail/hdf5_handle.hpp"
-#include "output/light_curves.hpp"
 #include "output/part_file.hpp"
 #include "polhode/error.hpp"
-#include "tables/lc.hpp"
-#include "tables/light_columns.hpp"
+#include "polhode/output/light_curves.hpp"
+#include "polhode/tables/lc.hpp"
+#include "polhode/tables/light_columns.hpp"
 #include "tables/number_table.hpp"
 #include "tables/table_header.hpp"
 #include "text/words.hpp"

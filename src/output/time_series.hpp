@@ -3,7 +3,7 @@
 //
 // Units       those that the file names, as it names them.
 // Domain      .h5 and .hdf5: an output of polhode; any other file: a table
-//             (polhode/tables/number_table.hpp), whose units stand in a comment,
+//             (tables/number_table.hpp), whose units stand in a comment,
 //             "# units: t [s], obliquity [deg]", as in outputs of polhode.
 // Accuracy    that of the file.
 // Errors      DomainError "FILE: ..." for what cannot be read, for a column that is not there, for

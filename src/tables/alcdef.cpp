@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Light curves in the ALCDEF format.
-#include "tables/alcdef.hpp"
+#include "polhode/tables/alcdef.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,9 +8,9 @@
 #include <cstdio>
 #include <utility>
 
-#include "light/magnitudes.hpp"
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
+#include "polhode/light/magnitudes.hpp"
 #include "tables/detail/gzip_file.hpp"
 #include "tables/detail/kvn_reader.hpp"
 #include "tables/detail/light_sessions.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Light curves in the lc format of DAMIT.
-#include "tables/lc.hpp"
+#include "polhode/tables/lc.hpp"
 
 #include <algorithm>
 #include <charconv>

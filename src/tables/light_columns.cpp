@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Light curves as columns of a table.
-#include "tables/light_columns.hpp"
+#include "polhode/tables/light_columns.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "light/magnitudes.hpp"
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
+#include "polhode/light/magnitudes.hpp"
 #include "tables/detail/light_sessions.hpp"
 #include "tables/number_table.hpp"
 #include "text/words.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Files of light curves, of any format: sessions and the dates of their points.
-#include "tables/light_curve_file.hpp"
+#include "polhode/tables/light_curve_file.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,9 +9,9 @@
 #include <cstdio>
 #include <string>
 
-#include "light/magnitudes.hpp"
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
+#include "polhode/light/magnitudes.hpp"
 #include "tables/detail/light_sessions.hpp"
 #include "text/dates.hpp"
 #include "text/words.hpp"

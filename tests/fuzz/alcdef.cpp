@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Any bytes are sessions of finite points with fluxes above 0, or one DomainError: never a crash.
-#include "tables/alcdef.hpp"
+#include "polhode/tables/alcdef.hpp"
 
 #include <cmath>
 

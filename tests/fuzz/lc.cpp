@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Any bytes are light curves of finite points, or one DomainError: never a crash. What was read is
 // written and read back with the same fluxes and vectors.
-#include "tables/lc.hpp"
+#include "polhode/tables/lc.hpp"
 
 #include <cmath>
 

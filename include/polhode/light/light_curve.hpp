@@ -5,11 +5,11 @@
 //             and, where sessions are calibrated, in all of them; to_sun and to_observer in any
 //             unit of length, along the inertial axes I.
 // Domain      flux > 0, or noise about it; sigma > 0, its standard deviation. Magnitudes become
-//             fluxes when they are read (src/light/magnitudes.hpp). The vectors go from the
+//             fluxes when they are read (polhode/light/magnitudes.hpp). The vectors go from the
 //             body to the Sun and to the observer at time t, 0 where they are unknown. A relative
 //             session has a factor of its own, which nothing but its points determines.
 // Accuracy    plain values.
-// Errors      none; src/light/light_curve_checks.hpp says what is wrong with one.
+// Errors      none; polhode/light/light_curve_checks.hpp says what is wrong with one.
 // Cost        72 bytes a point.
 #pragma once
 

@@ -2,8 +2,8 @@
 // EnsembleRun: every member of an ensemble, on the processors of one machine or of several, into
 // files that may be stopped, killed and resumed.
 //
-// Equations   those of the members; statistics those of NumberMoments, Quantiles, AttitudeSpread
-//             and Fractions (polhode/ensemble).
+// Equations   those of the members; statistics: moments, quantiles, spread of attitudes,
+//             fractions of the members in each regime.
 // Units       those of the ensemble.
 // Domain      by [ensemble] keep. Statistics: a row for each time of [time], of the members that
 //             have one there. Final: a row for each member, its index, what was drawn, and its

@@ -4,7 +4,7 @@
 // Equations   those of spectrum (polhode/analysis/spectrum.hpp).
 // Units       times in the unit that the file says, as every output of polhode does, or in what the
 //             caller says; frequencies in the unit asked for.
-// Domain      outputs of polhode and text tables (src/output/time_series.hpp), with times that
+// Domain      outputs of polhode and text tables with columns of numbers, with times that
 //             are evenly spaced and rise or fall.
 // Accuracy    that of spectrum.
 // Errors      DomainError "FILE: ..." for what the table lacks and times that are not evenly

@@ -3,7 +3,7 @@
 // the Sun alone.
 //
 // Equations   those of NutationTheory. Earth: Delaunay's arguments, Moon and Sun of
-//             src/ephemeris/delaunay.hpp. Others: a Kepler ellipse, with the mean anomaly M of
+//             their series in them. Others: a Kepler ellipse, with the mean anomaly M of
 //             the planet and the mean longitude Ls of the Sun from the equinox as arguments.
 // Units       km, s, rad; T in Julian centuries of TDB from J2000.
 // Domain      earth, venus, mars; |T| <= 10. What is left out of a request is that of the planet:

@@ -17,7 +17,8 @@
 //             forced; 0 < I < pi, not within 1e-3 of either end. Arguments advance evenly; they are
 //             counted from the mean equinox of date, the direction h + pi. Orders 1 and 2.
 // Accuracy    what orders beyond 2 and products of two Oppolzer terms leave out; harmonics that the
-//             numbers of points do not hold (FourierSeries::at_border) and what is below `least`.
+//             numbers of points do not hold (largest at the border of the series); and what is
+//             below `least`.
 // Errors      DomainError for numbers that break this or are not finite, for names of arguments,
 //             and for a resonance, of arguments or of the torque with the free wobble.
 // Cost        one analysis of the grid (0.3 s for the Earth), and brackets of series.

@@ -232,7 +232,7 @@ ValueError
 Examples
 --------
 >>> q = polhode.charts.EulerAngles(0.3, 1.0, 0.2)
->>> len(polhode.charts.serret_branches(polhode.Body(3, 4, 6), q, G=1.0, H=0.4, T=0.11))
+>>> len(polhode.free.serret_branches(polhode.Body(3, 4, 6), q, G=1.0, H=0.4, T=0.11))
 2
 
 [SA (51)])");

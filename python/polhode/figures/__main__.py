@@ -1,36 +1,43 @@
 # SPDX-License-Identifier: MIT
-"""Draws what polhode wrote: python -m polhode.figures FILE, which `polhode plot` runs."""
+"""`polhode plot`: python -m polhode.figures FILE OUT [COLUMN]...; OUT may be empty."""
 
 from __future__ import annotations
 
-import argparse
 import pathlib
 import sys
+from collections.abc import Sequence
 
 import matplotlib
 
 
-def main(words: list[str] | None = None) -> int:
-    parser = argparse.ArgumentParser("polhode plot", description=__doc__)
-    parser.add_argument("FILE", help="CSV or HDF5 output of polhode run, map or ensemble")
-    parser.add_argument("--column", action="append", default=[], help="what to draw, by name")
-    parser.add_argument("--out", help="PATH.png, PATH.pdf or PATH.svg; default: FILE.png")
-    options = parser.parse_args(words)
-    out = pathlib.Path(options.out or pathlib.Path(options.FILE).with_suffix(".png"))
+def draw(file: str, out: str = "", columns: Sequence[str] = ()) -> int:
+    """Draws a file that polhode wrote; the exit status: 2 for bad input, 1 if writing fails."""
+    path = pathlib.Path(out or pathlib.Path(file).with_suffix(".png"))
     matplotlib.use("Agg")
     from polhode import figures
 
     try:
-        if options.out is None and out.exists():
-            raise ValueError(f"{out} exists; name it with --out to replace it")
-        figures.save(figures.plot(options.FILE, options.column), out)
+        if not out and path.exists():
+            raise ValueError(f"{path} exists; name it with --out to replace it")
+        drawn = figures.plot(file, columns)
     except (ValueError, TypeError, OSError, ImportError) as error:
-        why = f"{error.filename}: {error.strerror}" if isinstance(error, OSError) else error
-        print(f"plot: {why}", file=sys.stderr)
-        return 2
-    print(f"{out}: written")
+        return _failed(error, 2)
+    try:
+        figures.save(drawn, path)
+    except ValueError as error:  # an unknown extension
+        return _failed(error, 2)
+    except OSError as error:
+        return _failed(error, 1)
+    print(f"{path}: written")
     return 0
 
 
+def _failed(error: Exception, status: int) -> int:
+    named = isinstance(error, OSError) and error.filename
+    why = f"{error.filename}: {error.strerror}" if named else str(error)  # type: ignore[attr-defined]
+    print(f"plot: {why.removeprefix('plot: ')}", file=sys.stderr)
+    return status
+
+
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(draw(sys.argv[1], *sys.argv[2:3], sys.argv[3:]))

@@ -48,8 +48,8 @@ def plot(source: Any, columns: str | Sequence[str] = ()) -> Any:
     ----------
     source : Results, MapResults, EnsembleResults, FitResults, or the path of a CSV or HDF5 file
         that polhode wrote.
-    columns : names of columns: of a run or of an ensemble a panel each, of a map one. None: what
-        suits the source.
+    columns : names of columns: of a run and of statistics or rows of an ensemble a panel each, of a
+        map and of last rows one. None are given: what suits the source.
 
     Returns
     -------
@@ -68,7 +68,7 @@ def plot(source: Any, columns: str | Sequence[str] = ()) -> Any:
             source = EnsembleResults.read(source)
         elif file.kind == "map":
             return _map(Table(file), names, file)
-        elif STATE <= file.columns.keys() and not names:
+        elif file.scenario and _has_states(file.columns) and not names:
             return overview(file)
         else:
             return _against_time(Table(file), names)
@@ -76,9 +76,18 @@ def plot(source: Any, columns: str | Sequence[str] = ()) -> Any:
         return _ensemble(source, names)
     if isinstance(source, MapResults):
         return _map(source, names, source)
-    if names or (isinstance(source, Mapping) and not STATE <= source.keys()):
+    if names or (isinstance(source, Mapping) and not _has_states(source)):
         return _against_time(source, names)
     return overview(source)
+
+
+def _has_states(columns: Mapping[str, Any]) -> bool:
+    return STATE <= columns.keys() and ("w1" in columns or "g1" in columns)
+
+
+def _one(names: list[str], of: str) -> None:
+    if len(names) > 1:
+        raise ValueError(f"plot: got {len(names)} columns; expected one for {of}")
 
 
 def _grouped(names: Sequence[str]) -> list[tuple[str, ...]]:
@@ -91,6 +100,8 @@ def _grouped(names: Sequence[str]) -> list[tuple[str, ...]]:
 
 
 def _against_time(source: Any, names: list[str]) -> Any:
+    if "t" in names:
+        raise ValueError("plot: got the column t; expected columns to draw against it")
     if names:
         return time_series(source, names if len(names) > 1 else names[0])
     others = [name for name in source if name != "t" and name not in PLACES]
@@ -110,6 +121,7 @@ def _map(source: Any, names: list[str], of: Any) -> Any:
     if "t" in there and not names:
         return poincare_section(of)
     axes = [name for name in there if "." in name]
+    _one(names, "a map")
     value = names[0] if names else "mean_megno" if "mean_megno" in there else there[len(axes)]
     if len(axes) > 1:
         return chaos_map(source, value)
@@ -129,6 +141,9 @@ def _ensemble(source: EnsembleResults, names: list[str]) -> Any:
     if source.keep == "final":
         keys = [key for key in source.drawn if key in source]
         others = [name for name in source if name not in (*keys, "member", "t")]
+        _one(names, "the last rows of an ensemble")
+        if not names and not others:
+            raise ValueError("plot: got no columns besides the numbers drawn; name one")
         value = names[0] if names else "mode" if "mode" in source else others[0]
         return outcomes(source, value, x=keys[0], y=keys[1] if len(keys) > 1 else value)
     data: Any = source
@@ -155,7 +170,10 @@ class _Quantiles(dict[str, Any]):
 def _quantiles(source: EnsembleResults, names: list[str]) -> _Quantiles:
     """Of all rows, at each time."""
     left_out = {"member", "t", "mode", *STATE}
-    columns = names or [name for name in source if name not in left_out][: MANY - 1]
+    numbers = [name for name in source if source[name].dtype.kind == "f"]
+    if wrong := [name for name in names if name in source and name not in numbers]:
+        raise ValueError(f'plot: the column "{wrong[0]}" has no numbers')
+    columns = names or [name for name in numbers if name not in left_out][: MANY - 1]
     times, place = np.unique(source["t"], return_inverse=True)
     found = _Quantiles(t=times)
     units = {"t": source.units["t"]}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Switching functions of a system: on which side of each a run is, where within a step one changes
-// its sign, and steps that are graded towards such an edge.
+// Switching functions of a system: on which side of each a run is, and steps that shrink towards an
+// edge.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "dynamics/events/edge_search.hpp"

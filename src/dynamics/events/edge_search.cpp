@@ -83,8 +83,7 @@ class Search {
     // from the middle: at the beginning a step has the zero that the last one ended at
     if (!(c.before.value > curve_.rounding(c.which))) c.before.value = -c.beyond.value;
     const auto root = root_between(rough(c.which), c.before, c.beyond, roughly);
-    if (!root) return;
-    c.guess = root->t;
+    c.guess = root ? root->t : 0.5 * (c.before.t + c.beyond.t);  // NaN: the truth decides
     found.push_back(c);
   }
 
@@ -109,7 +108,7 @@ class Search {
     return values_[pieces][i] + (values_[pieces][i] - near_last_[i]) / aside;
   }
 
-  // Nothing where the interpolation errs.
+  // No value if the truth does not change its sign.
   std::optional<Edge> edge_at(const SideChange& c) const {
     const TimeFunction value = truth(c.which), guess = rough(c.which);
     Look a{c.before.t, 0.0, 0.0}, b{c.beyond.t, 0.0, 0.0};
@@ -120,11 +119,14 @@ class Search {
     for (int trip = 0; trip < 2 && a.t < x && x < b.t; ++trip) {
       const double y = value(x);
       if (y == 0.0) return Edge{c.which, x};
+      if (std::isnan(y)) return Edge{c.which, x, true};
       (y < 0.0 ? b : a) = {x, y, 0.0};
       x += std::copysign(std::fmax(2.0 * std::fabs(y / slope), 2.0 * closely), y);
     }
     if (b.value == 0.0) b.value = value(b.t);
-    if (b.t == c.beyond.t && !below(c.which, b.value)) return std::nullopt;
+    const bool is_seen = below(c.which, b.value) || std::isnan(b.value) ||
+                         (b.t < c.beyond.t && below(c.which, value(c.beyond.t)));
+    if (!is_seen) return std::nullopt;
     if (a.value == 0.0) a.value = -b.value;
     const auto root = root_between(value, a, b, closely);
     return root ? Edge{c.which, root->t} : Edge{c.which, c.beyond.t, true};

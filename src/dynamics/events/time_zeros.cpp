@@ -169,7 +169,7 @@ struct Dip {
   double falls, rises;
   double order;
 };
-// Nothing where it comes not near zero, if it turns around at all.
+// No value if it does not come near zero.
 std::optional<Dip> dip_of(int sign, const Look& a, const Look& b) {
   const double h = b.t - a.t, va = sign * a.value, vb = sign * b.value;
   const double falls = sign * a.slope * h, rises = sign * b.slope * h;
@@ -183,7 +183,7 @@ std::optional<Dip> dip_of(int sign, const Look& a, const Look& b) {
 
 }  // namespace
 
-// Regula falsi by the rule of Anderson and Bjorck, with a bisection where three trips have not
+// Regula falsi by the rule of Anderson and Bjorck, with a bisection if three trips have not
 // halved the bracket: at most 128 trips, usually 7.
 std::optional<Root> root_between(const TimeFunction& f, Look a, Look b, double close) {
   if (std::isnan(a.value) || std::isnan(b.value)) return std::nullopt;

@@ -6,10 +6,10 @@
 #include <span>
 #include <vector>
 
-#include "light/convex_body.hpp"
 #include "polhode/fit/least_squares.hpp"
 #include "polhode/fit/light_fit.hpp"
 #include "polhode/light/brightness_gradient.hpp"
+#include "polhode/light/convex_body.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -16,12 +16,12 @@
 #include "fit/free_motion.hpp"
 #include "fit/light/search_checks.hpp"
 #include "fit/result_bytes.hpp"
-#include "light/light_curve_checks.hpp"
 #include "math/number_text.hpp"
 #include "polhode/ensemble/cell_journal.hpp"
 #include "polhode/error.hpp"
 #include "polhode/fit/derived_parameters.hpp"
 #include "polhode/fit/light_fit.hpp"
+#include "polhode/light/light_curve_checks.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -12,9 +12,9 @@
 #include "fit/detail/light_outcome.hpp"
 #include "fit/detail/light_residuals.hpp"
 #include "fit/detail/light_surfaces.hpp"
-#include "light/light_curve_checks.hpp"
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
+#include "polhode/light/light_curve_checks.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -9,11 +9,11 @@
 #include <string>
 
 #include "fit/detail/light_residuals.hpp"
-#include "light/lambert.hpp"
-#include "light/patch_brightness.hpp"
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
 #include "polhode/light/facet_brightness.hpp"
+#include "polhode/light/lambert.hpp"
+#include "polhode/light/patch_brightness.hpp"
 #include "polhode/shape/mass_properties.hpp"
 
 namespace polhode {

@@ -6,9 +6,9 @@
 #include <limits>
 #include <string>
 
-#include "light/light_curve_checks.hpp"
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
+#include "polhode/light/light_curve_checks.hpp"
 
 namespace polhode {
 inline namespace v0 {

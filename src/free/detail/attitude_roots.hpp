@@ -95,8 +95,8 @@ inline void add_turning_points(const EnergyAlongCircle& f, double m, double w,
 }
 
 // The root between two turning points where the value changes sign: Newton's steps kept inside.
-inline DoubleDouble root_between(const EnergyAlongCircle& f, DoubleDouble low, DoubleDouble high,
-                                 bool rising) {
+inline DoubleDouble attitude_root_between(const EnergyAlongCircle& f, DoubleDouble low,
+                                          DoubleDouble high, bool rising) {
   DoubleDouble a = DoubleDouble(0.5) * (low + high);
   for (int i = 0; i < 200; ++i) {
     const DoubleDouble value = f.value(a);
@@ -142,7 +142,7 @@ inline AttitudeRoots attitude_roots(const EnergyAlongCircle& f) {
     if (negative(i) == negative(i + 1)) continue;
     const DoubleDouble end = i + 1 < n ? DoubleDouble(turning[i + 1])
                                        : DoubleDouble(turning[0]) + DoubleDouble::two_pi();
-    roots.angles.push_back(root_between(f, turning[i], end, negative(i)));
+    roots.angles.push_back(attitude_root_between(f, turning[i], end, negative(i)));
   }
   return roots;
 }

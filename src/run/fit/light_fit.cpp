@@ -8,8 +8,8 @@
 #include <limits>
 #include <utility>
 
-#include "light/light_curve_checks.hpp"
 #include "polhode/error.hpp"
+#include "polhode/light/light_curve_checks.hpp"
 #include "polhode/rotor/attitude.hpp"
 #include "polhode/run/light_report.hpp"
 #include "polhode/scenario/fit_plan.hpp"

@@ -12,14 +12,14 @@
 #include <utility>
 #include <vector>
 
-#include "light/lambert.hpp"
-#include "light/magnitudes.hpp"
 #include "output/part_file.hpp"
 #include "polhode/dynamics/integrate.hpp"
 #include "polhode/ensemble/counter_random.hpp"
 #include "polhode/error.hpp"
 #include "polhode/light/ellipsoid.hpp"
+#include "polhode/light/lambert.hpp"
 #include "polhode/light/light_curve.hpp"
+#include "polhode/light/magnitudes.hpp"
 #include "polhode/light/shaded_mesh.hpp"
 #include "polhode/scenario/fit_plan.hpp"
 #include "polhode/scenario/scenario.hpp"

@@ -9,18 +9,18 @@
 #include <utility>
 #include <variant>
 
-#include "light/magnitudes.hpp"
 #include "polhode/error.hpp"
 #include "polhode/light/aspect.hpp"
+#include "polhode/light/magnitudes.hpp"
 #include "polhode/orbit/any_orbit.hpp"
 #include "polhode/orbit/table_orbit.hpp"
+#include "polhode/tables/alcdef.hpp"
+#include "polhode/tables/lc.hpp"
+#include "polhode/tables/light_columns.hpp"
+#include "polhode/tables/light_curve_file.hpp"
 #include "scenario/fit/observation_table.hpp"
 #include "scenario/kinds/observations/shared_keys.hpp"
 #include "scenario/scenario_parts.hpp"
-#include "tables/alcdef.hpp"
-#include "tables/lc.hpp"
-#include "tables/light_columns.hpp"
-#include "tables/light_curve_file.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "polhode/ephemeris/date.hpp"
-#include "tables/light_curve_file.hpp"
+#include "polhode/tables/light_curve_file.hpp"
 
 namespace polhode {
 inline namespace v0 {

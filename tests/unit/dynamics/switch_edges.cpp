@@ -182,6 +182,26 @@ TEST(Switches, NaNHasNoSide) {
             "stop before");
 }
 
+// NaN next to a change of sign: the edge is found or the run fails, and no step goes past it.
+TEST(Switches, NaNAtAnEdgeLosesNoEdge) {
+  for (const double width : {1e-9, 1e-7, 0.03})
+    for (const bool is_sine : {false, true})
+      for (const Method& method : {Method(Adaptive{}), Method(Collocation{})}) {
+        const auto gap = [=](double t, const RotorState&) {
+          const double d = t - 0.5;
+          return std::vector{std::fabs(d) > width ? (is_sine ? std::sin(-d) : -d)
+                                                  : std::numeric_limits<double>::quiet_NaN()};
+        };
+        Problem problem = pulsed(gap, 2.0);
+        problem.method = method;
+        const Trajectory run = integrate(problem);
+        if (run.outcome().ok())
+          EXPECT_NEAR(run.samples().back().s.g.z, 0.01 + 0.125 * 1.5, 0.125 * width) << width;
+        else
+          EXPECT_NEAR(run.outcome().t, 0.5, width + 1e-6);
+      }
+}
+
 // ---- at the start ----
 
 TEST(Switches, HeldAtZeroFromTheStart) {

@@ -12,11 +12,11 @@
 #include "budgets.hpp"
 #include "fit/detail/light_residuals.hpp"
 #include "fit/detail/weighed_curves.hpp"
-#include "light/lambert.hpp"
 #include "polhode/ensemble/counter_random.hpp"
 #include "polhode/fit/light_fit.hpp"
 #include "polhode/fit/light_search.hpp"
 #include "polhode/fit/residual_function.hpp"
+#include "polhode/light/lambert.hpp"
 #include "wide_light.hpp"
 #include "worst.hpp"
 

@@ -10,11 +10,11 @@
 
 #include "bright_night.hpp"
 #include "budgets.hpp"
-#include "light/patch_brightness.hpp"
 #include "message_of.hpp"
 #include "polhode/fit/light_fit.hpp"
 #include "polhode/fit/residual_function.hpp"
 #include "polhode/light/facet_brightness.hpp"
+#include "polhode/light/patch_brightness.hpp"
 #include "unit/light/meshes.hpp"
 #include "wide_motion.hpp"
 #include "worst.hpp"

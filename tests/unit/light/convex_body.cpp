@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Convex bodies from the areas of their facets: boxes, bodies of a Gaussian image, and what is
 // none.
-#include "light/convex_body.hpp"
+#include "polhode/light/convex_body.hpp"
 
 #include <gmock/gmock.h>
 

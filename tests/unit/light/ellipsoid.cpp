@@ -8,8 +8,8 @@
 #include <cmath>
 
 #include "budgets.hpp"
-#include "light/lambert.hpp"
 #include "oracle/random_draw.hpp"
+#include "polhode/light/lambert.hpp"
 #include "polhode/light/lommel_seeliger.hpp"
 #include "polhode/math/dual.hpp"
 #include "unit/light/typed_values.hpp"

@@ -8,11 +8,11 @@
 
 #include "budgets.hpp"
 #include "light/harmonics.hpp"
-#include "light/lambert.hpp"
-#include "light/patch_brightness.hpp"
 #include "message_of.hpp"
 #include "oracle/random_draw.hpp"
 #include "polhode/light/gaussian_image.hpp"
+#include "polhode/light/lambert.hpp"
+#include "polhode/light/patch_brightness.hpp"
 #include "polhode/math/dual.hpp"
 #include "worst.hpp"
 

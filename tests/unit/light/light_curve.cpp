@@ -12,12 +12,12 @@
 #include <vector>
 
 #include "budgets.hpp"
-#include "light/light_curve_checks.hpp"
-#include "light/magnitudes.hpp"
 #include "message_of.hpp"
 #include "polhode/error.hpp"
 #include "polhode/light/aspect.hpp"
+#include "polhode/light/light_curve_checks.hpp"
 #include "polhode/light/light_time.hpp"
+#include "polhode/light/magnitudes.hpp"
 
 namespace polhode {
 namespace {

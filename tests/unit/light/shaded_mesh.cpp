@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "budgets.hpp"
-#include "light/lambert.hpp"
 #include "oracle/random_draw.hpp"
 #include "polhode/light/facet_brightness.hpp"
+#include "polhode/light/lambert.hpp"
 #include "unit/light/meshes.hpp"
 #include "worst.hpp"
 

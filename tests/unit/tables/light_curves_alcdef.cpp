@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "budgets.hpp"
-#include "light/magnitudes.hpp"
 #include "message_of.hpp"
-#include "tables/alcdef.hpp"
+#include "polhode/light/magnitudes.hpp"
+#include "polhode/tables/alcdef.hpp"
 #include "unit/tables/changed_text.hpp"
 
 namespace polhode {

@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "budgets.hpp"
-#include "light/magnitudes.hpp"
 #include "message_of.hpp"
-#include "output/light_curves.hpp"
 #include "polhode/ephemeris/ephemeris.hpp"
 #include "polhode/light/aspect.hpp"
 #include "polhode/light/light_time.hpp"
-#include "tables/light_columns.hpp"
+#include "polhode/light/magnitudes.hpp"
+#include "polhode/output/light_curves.hpp"
+#include "polhode/tables/light_columns.hpp"
 #include "temp_folder.hpp"
 
 namespace polhode {

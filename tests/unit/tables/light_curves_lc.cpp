@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "budgets.hpp"
-#include "light/light_curve_checks.hpp"
-#include "light/magnitudes.hpp"
 #include "message_of.hpp"
-#include "output/light_curves.hpp"
-#include "tables/lc.hpp"
+#include "polhode/light/light_curve_checks.hpp"
+#include "polhode/light/magnitudes.hpp"
+#include "polhode/output/light_curves.hpp"
+#include "polhode/tables/lc.hpp"
 #include "temp_folder.hpp"
 #include "unit/tables/changed_text.hpp"
 

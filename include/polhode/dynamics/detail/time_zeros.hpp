@@ -99,7 +99,7 @@ struct Root {
   double t;       // the sign is that of b from here on, to rounding or to `close`
   bool is_exact;  // f is 0.0 there
 };
-// Nothing where f is NaN.
+// No value if f is NaN.
 std::optional<Root> root_between(const TimeFunction& f, Look a, Look b, double close = 0.0);
 
 // The lowest place of sign * f between a and b, or one where it is not above `enough`; nothing if

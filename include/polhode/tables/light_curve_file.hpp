@@ -18,9 +18,9 @@
 #include <utility>
 #include <vector>
 
-#include "light/light_curve_checks.hpp"
 #include "polhode/ephemeris/date.hpp"
 #include "polhode/light/light_curve.hpp"
+#include "polhode/light/light_curve_checks.hpp"
 #include "polhode/light/light_time.hpp"
 
 namespace polhode {

@@ -31,7 +31,7 @@
 #include <string_view>
 #include <vector>
 
-#include "tables/light_curve_file.hpp"
+#include "polhode/tables/light_curve_file.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -23,7 +23,7 @@
 #include <string>
 #include <vector>
 
-#include "tables/light_curve_file.hpp"
+#include "polhode/tables/light_curve_file.hpp"
 
 namespace polhode {
 inline namespace v0 {

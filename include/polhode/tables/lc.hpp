@@ -22,7 +22,7 @@
 #include <string>
 #include <string_view>
 
-#include "tables/light_curve_file.hpp"
+#include "polhode/tables/light_curve_file.hpp"
 
 namespace polhode {
 inline namespace v0 {
