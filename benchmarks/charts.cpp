@@ -59,7 +59,7 @@ void poincare_to_hub(benchmark::State& state) { measure(state, converted(poincar
 void andoyer_jacobian(benchmark::State& state) {
   std::size_t i = 0;
   for (auto _ : state) {
-    benchmark::DoNotOptimize(chart_jacobian(CanonicalChart{CanonicalSet::andoyer}, states()[i]));
+    benchmark::DoNotOptimize(chart_jacobian(states()[i], CanonicalChart{CanonicalSet::andoyer}));
     i = (i + 1) % count;
   }
 }
@@ -67,7 +67,7 @@ void euler_to_poincare_jacobian(benchmark::State& state) {
   std::size_t i = 0;
   for (auto _ : state) {
     benchmark::DoNotOptimize(canonical_transformation(
-        {CanonicalSet::euler}, {CanonicalSet::poincare, Pole::zero, Pole::zero}, states()[i]));
+        states()[i], {CanonicalSet::euler}, {CanonicalSet::poincare, Pole::zero, Pole::zero}));
     i = (i + 1) % count;
   }
 }

@@ -5,6 +5,7 @@ with the argument, its value and what was expected, in place of nanobind's list 
 from __future__ import annotations
 
 import inspect
+import itertools
 import operator
 import re
 from collections.abc import Iterable
@@ -187,6 +188,24 @@ class _Attempt:
         return self.fitting, not self.wrong
 
 
+def _order(
+    signatures: list[inspect.Signature], args: tuple, kwargs: dict, names: dict[str, Any]
+) -> str:
+    """The order of the arguments, if these fit in another one."""
+    if kwargs or not 2 <= len(args) <= 6:
+        return ""
+    for made in signatures:
+        taken = [p for p in made.parameters.values()
+                 if p.name != "self" and p.kind is p.POSITIONAL_OR_KEYWORD]
+        if len(args) > len(taken) or any(p.default is p.empty for p in taken[len(args):]):
+            continue
+        places = [[fits(x, p.annotation, names) for x in args] for p in taken[: len(args)]]
+        orders = itertools.permutations(range(len(args)))
+        if any(all(map(operator.getitem, places, order)) for order in orders):
+            return f" (the order is {', '.join(p.name for p in taken[:len(args)])})"
+    return ""
+
+
 def sentence(
     subject: str, signatures: list[inspect.Signature], args: tuple, kwargs: dict,
     names: dict[str, Any],
@@ -219,4 +238,5 @@ def sentence(
             ) and parameter.annotation in names:
                 hint = f" ({parameter.name} is {_article(parameter.annotation)})"
                 break
+    hint = hint or _order(signatures, args, kwargs, names)
     return f"{subject}: {wrong}: got {shown(first.value)}; expected {expected}{hint}"

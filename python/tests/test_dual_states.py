@@ -70,7 +70,7 @@ def test_canonical_sets_in_one_line():
         lambda z: to_rotor(AndoyerState(*z)), z
     ) < budgets.element_maps
     system = polhode.System(BODY, polhode.Frame.precessing([0.6, 0, 0.8], 0.05))
-    rates = polhode.rates.equations_of_motion(lambda z: to_rotor(AndoyerState(*z)), system, 0.0, z)
+    rates = polhode.rates.equations_of_motion(system, 0.0, z, lambda z: to_rotor(AndoyerState(*z)))
     assert_allclose(rates, polhode.rates.element_rates(system, 0.0, AndoyerState(*z)),
                     atol=budgets.element_maps)
 
@@ -89,7 +89,7 @@ def test_serrets_and_sadovs_elements():
     z = [getattr(sadov, name) for name in names]
     last = {"region": sadov.region, "lobe": sadov.lobe}
     rates = polhode.rates.equations_of_motion(
-        lambda z: to_rotor(BODY, polhode.SadovState(*z, **last)), system, 0.0, z)
+        system, 0.0, z, lambda z: to_rotor(BODY, polhode.SadovState(*z, **last)))
     assert_allclose(
         rates, polhode.rates.element_rates(system, 0.0, sadov), atol=budgets.dual_jacobian
     )

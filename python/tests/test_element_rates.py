@@ -21,7 +21,7 @@ def general(C, t):
 @pytest.mark.parametrize("gauge", ["canonical", "osculating", general])
 @pytest.mark.parametrize("chosen", SETS)
 def test_elements_and_states_go_there_and_back(chosen, gauge):
-    elements = polhode.charts.elements_of_state(chosen, SYSTEM, 0.4, STATE, gauge)
+    elements = polhode.charts.elements_of_state(SYSTEM, 0.4, STATE, chosen, gauge)
     back = polhode.charts.element_state(SYSTEM, 0.4, elements, gauge)
     assert_allclose(back.g, STATE.g, atol=budgets.element_maps)
     free = polhode.charts.element_state(polhode.System(BODY), 0.4, elements)
@@ -32,11 +32,11 @@ def test_elements_and_states_go_there_and_back(chosen, gauge):
 
 
 def test_canonical_elements_have_the_canonical_rates():
-    expected = polhode.rates.canonical_rates("andoyer", SYSTEM, 0.4, STATE)
+    expected = polhode.rates.canonical_rates(SYSTEM, 0.4, STATE, "andoyer")
     assert_allclose(polhode.rates.element_rates(SYSTEM, 0.4, polhode.to_andoyer(STATE)), expected,
                     atol=budgets.element_maps)
-    modified = polhode.charts.elements_of_state("fukushima-ishizaki", SYSTEM, 0.4, STATE, t0=0.1)
-    known = polhode.rates.modified_andoyer_rates(SYSTEM, 0.1, 0.4, STATE)
+    modified = polhode.charts.elements_of_state(SYSTEM, 0.4, STATE, "fukushima-ishizaki", t0=0.1)
+    known = polhode.rates.modified_andoyer_rates(SYSTEM, 0.4, STATE, 0.1)
     expected = [getattr(known, name) for name in ("l", "g", "h", "L", "G", "H")]
     assert_allclose(polhode.rates.element_rates(SYSTEM, 0.4, modified), expected,
                     atol=budgets.element_maps)
@@ -44,7 +44,7 @@ def test_canonical_elements_have_the_canonical_rates():
 
 @pytest.mark.parametrize("chosen", SETS)
 def test_no_convective_term_is_the_osculating_gauge(chosen):
-    elements = polhode.charts.elements_of_state(chosen, SYSTEM, 0.4, STATE, "osculating")
+    elements = polhode.charts.elements_of_state(SYSTEM, 0.4, STATE, chosen, "osculating")
     assert_allclose(polhode.rates.element_rates(SYSTEM, 0.4, elements, lambda C, t: [0, 0, 0]),
                     polhode.rates.element_rates(SYSTEM, 0.4, elements, "osculating"),
                     atol=budgets.element_maps)
@@ -53,7 +53,7 @@ def test_no_convective_term_is_the_osculating_gauge(chosen):
 def test_many_at_once():
     motion = polhode.FreeRotation(BODY, STATE)
     states = motion.at(np.linspace(0, 3, 6).reshape(2, 3))
-    elements = polhode.charts.elements_of_state("andoyer", SYSTEM, 0.4, states, "osculating")
+    elements = polhode.charts.elements_of_state(SYSTEM, 0.4, states, "andoyer", "osculating")
     rates = polhode.rates.element_rates(SYSTEM, 0.4, elements, "osculating")
     assert rates.shape == (2, 3, 6)
     np.testing.assert_array_equal(
@@ -69,7 +69,7 @@ def test_what_is_no_gauge_is_rejected():
     with pytest.raises((TypeError, ValueError), match="3 numbers, the convective term"):
         polhode.rates.element_rates(SYSTEM, 0.0, elements, lambda C, t: [C[0], t])
     with pytest.raises(ValueError, match='expected "andoyer", "fukushima-ishizaki", '):
-        polhode.charts.elements_of_state("euler", SYSTEM, 0.0, STATE)
+        polhode.charts.elements_of_state(SYSTEM, 0.0, STATE, "euler")
     upright = polhode.RotorState([1, 0, 0, 0], [0, 0, 1])
     with pytest.raises(polhode.DomainError, match="a singularity of Andoyer's variables"):
         polhode.rates.element_rates(SYSTEM, 0.0, polhode.to_andoyer(upright))

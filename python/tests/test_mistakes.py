@@ -20,6 +20,35 @@ ELEMENTS = polhode.KeplerElements(1.0, 2.0, 0.1)
 TWO = polhode.RotorState([1, 0, 0, 0], np.ones((2, 3)))
 Q, OMEGA = [1.0, 0.0, 0.0, 0.0], [0.1, 0.2, 1.0]
 
+# Calls in the order of arguments that functions had before, and what TypeError says.
+ANDOYER, TIME = polhode.to_andoyer(STATE), 0.1
+OLD_ORDER = [
+    (polhode.rates.canonical_rates, ("andoyer", SYSTEM, TIME, STATE), "system, t, state, chart"),
+    (polhode.rates.perturbation_rates, ("andoyer", SYSTEM, TIME, STATE), "system, t, state, chart"),
+    (polhode.rates.convective_term, ("euler", SYSTEM, TIME, STATE), "system, t, state, chart"),
+    (polhode.rates.equations_of_motion, (abs, SYSTEM, TIME, [1.0] * 6), "system, t, z, f"),
+    (polhode.rates.modified_andoyer_rates, (SYSTEM, 0.0, TIME, STATE), "system, t, state, t0"),
+    (polhode.charts.modified_andoyer, (BODY, 0.0, TIME, STATE), "body, t, state, t0"),
+    (polhode.charts.from_modified_andoyer, (BODY, 0.0, TIME, ANDOYER), "body, t, state, t0"),
+    (polhode.charts.elements_of_state, ("serret", SYSTEM, TIME, STATE, "osculating"),
+     "system, t, state, chart, gauge"),
+    (polhode.charts.chart_jacobian, ("euler", STATE), "state, chart"),
+]
+CHARTS_FIRST = [
+    (polhode.charts.inverse_chart_jacobian, ("euler", STATE)),
+    (polhode.charts.inverse_chart_jacobian, (np.eye(6), STATE.g)),
+    (polhode.charts.canonical_transformation, ("euler", "andoyer", STATE)),
+    (polhode.charts.canonical_transformation, (np.eye(6), np.eye(6), STATE.g)),
+]
+
+
+def test_a_call_in_the_old_order_is_told_the_new_one():
+    for function, arguments, order in OLD_ORDER:
+        rejected(TypeError, rf"the order is {order}\)$", function, *arguments)
+    for function, arguments in CHARTS_FIRST:
+        rejected(TypeError, "state: got a chart; expected a RotorState", function, *arguments)
+
+
 # What is typed, and the whole sentence.
 MISTAKES = {
     "a list of moments": (

@@ -32,7 +32,7 @@ SETS = ("delaunay", "keplerian")
 @pytest.mark.parametrize("gauge", ["canonical", "osculating", general])
 @pytest.mark.parametrize("chosen", SETS)
 def test_elements_and_states_go_there_and_back(chosen, gauge):
-    C = polhode.charts.elements_of_state(chosen, SYSTEM, 0.4, START, gauge)
+    C = polhode.charts.elements_of_state(SYSTEM, 0.4, START, chosen, gauge)
     back = polhode.charts.element_state(SYSTEM, 0.4, C, gauge, chosen)
     assert_allclose(back.r, START.r, atol=budgets.element_maps)
     assert_allclose(back.p, START.p, atol=budgets.element_maps)
@@ -48,9 +48,9 @@ def test_elements_and_states_go_there_and_back(chosen, gauge):
 def test_rates_are_those_along_a_path(gauge):
     h = 1e-3
     path = polhode.satellites.satellite_path(SYSTEM, START, 0.0, 1.0)
-    elements = polhode.charts.elements_of_state("keplerian", SYSTEM, [0.5 - h, 0.5 + h],
-                                         path.at([0.5 - h, 0.5 + h]), gauge)
-    here = polhode.charts.elements_of_state("keplerian", SYSTEM, 0.5, path.at(0.5), gauge)
+    elements = polhode.charts.elements_of_state(
+        SYSTEM, [0.5 - h, 0.5 + h], path.at([0.5 - h, 0.5 + h]), "keplerian", gauge)
+    here = polhode.charts.elements_of_state(SYSTEM, 0.5, path.at(0.5), "keplerian", gauge)
     rates = polhode.rates.element_rates(SYSTEM, 0.5, here, gauge, "keplerian")
     assert_allclose(rates, (elements[1] - elements[0]) / (2 * h), atol=budgets.orbital_differences)
 
@@ -62,7 +62,7 @@ def test_energy_is_constant_and_arrays_broadcast():
     states = path.at(np.linspace(0, 20, 6).reshape(2, 3))
     assert_allclose(polhode.energy(system, 0.0, states), polhode.energy(system, 0.0, START),
                     atol=budgets.element_maps)
-    C = polhode.charts.elements_of_state("delaunay", system, 0.0, states)
+    C = polhode.charts.elements_of_state(system, 0.0, states, "delaunay")
     assert C.shape == (2, 3, 6)
     rates = polhode.rates.element_rates(system, 0.0, C)
     np.testing.assert_array_equal(rates[1, 2], polhode.rates.element_rates(system, 0.0, C[1, 2]))
@@ -84,7 +84,7 @@ def test_systems_are_values():
      "a singularity of Delaunay's elements"),
     (lambda: polhode.rates.element_rates(SYSTEM, 0.0, [1, 1.5, 0.3, 1, 1, 0.5], chart="keplerian"),
      "not a bound orbit"),
-    (lambda: polhode.charts.elements_of_state("andoyer", SYSTEM, 0.0, START),
+    (lambda: polhode.charts.elements_of_state(SYSTEM, 0.0, START, "andoyer"),
      'expected "delaunay" or "keplerian"'),
     (lambda: polhode.satellites.SatelliteState(
         [1, 2, np.nan], [0, 0, 1]

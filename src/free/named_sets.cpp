@@ -64,7 +64,7 @@ RotorState to_rotor(const Body& body, const FukushimaIshizakiState& s, double t)
 Matrix6 chart_jacobian(const Body& body, const FukushimaIshizakiState& s, double t) {
   const FreeRotation motion = free_rotation(body, s);
   return motion.state_transition(t) *
-         chart_jacobian({CanonicalSet::andoyer}, motion.initial_state());
+         chart_jacobian(motion.initial_state(), {CanonicalSet::andoyer});
 }
 
 }  // namespace v0

@@ -188,20 +188,20 @@ Matrix6 chart_jacobian(const PoincareState& s) {
                  coordinate_exponents(CanonicalSet::poincare, e));
 }
 
-Matrix6 chart_jacobian(const CanonicalChart& chart, const RotorState& s) {
+Matrix6 chart_jacobian(const RotorState& s, const CanonicalChart& chart) {
   const int e = unit_exponent(s.g);
   return rounded(wide_jacobian(chart, wide(in_units(s, e))), hub_exponents(e),
                  coordinate_exponents(chart.set, e));
 }
 
-Matrix6 inverse_chart_jacobian(const CanonicalChart& chart, const RotorState& s) {
+Matrix6 inverse_chart_jacobian(const RotorState& s, const CanonicalChart& chart) {
   const int e = unit_exponent(s.g);
   return rounded(wide_inverse(chart, wide(in_units(s, e))), coordinate_exponents(chart.set, e),
                  hub_exponents(e));
 }
 
-Matrix6 canonical_transformation(const CanonicalChart& from, const CanonicalChart& to,
-                                 const RotorState& s) {
+Matrix6 canonical_transformation(const RotorState& s, const CanonicalChart& from,
+                                 const CanonicalChart& to) {
   if (from == to) return Matrix6::identity();
   const int e = unit_exponent(s.g);
   const RotorState scaled = in_units(s, e);
@@ -212,11 +212,11 @@ Matrix6 canonical_transformation(const CanonicalChart& from, const CanonicalChar
   return rounded(m, coordinate_exponents(to.set, e), coordinate_exponents(from.set, e));
 }
 
-Matrix6 inverse_chart_jacobian(const Matrix6& B, const Vec3& g_B) {
+Matrix6 inverse_chart_jacobian(const Vec3& g_B, const Matrix6& B) {
   return detail::inverse_chart_jacobian(B, g_B);
 }
 
-Matrix6 canonical_transformation(const Matrix6& B_from, const Matrix6& B_to, const Vec3& g_B) {
+Matrix6 canonical_transformation(const Vec3& g_B, const Matrix6& B_from, const Matrix6& B_to) {
   return detail::inverse_chart_jacobian(B_to, g_B) * B_from;
 }
 

@@ -28,7 +28,7 @@ constexpr CanonicalChart andoyer_chart{CanonicalSet::andoyer};
 // G = |g| where g = 0.
 CanonicalRates charted(const CanonicalChart& chart, const RotorState& s, const HubRates& x) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  CanonicalRates z = inverse_chart_jacobian(chart, s) * tangent(x);
+  CanonicalRates z = inverse_chart_jacobian(s, chart) * tangent(x);
   for (double& rate : z)
     if (!std::isfinite(rate)) rate = none;
   if (s.g == Vec3{} && chart.set != CanonicalSet::euler)
@@ -52,46 +52,46 @@ HubRates perturbation_rates(const System& system, double t, const RotorState& s)
   return {terms.v - body_from_reference(at, frame.mu_S), cross(s.g, terms.v) + terms.u};
 }
 
-CanonicalRates canonical_rates(const CanonicalChart& chart, const System& system, double t,
-                               const RotorState& s) {
+CanonicalRates canonical_rates(const System& system, double t, const RotorState& s,
+                               const CanonicalChart& chart) {
   return charted(chart, s, hub_rates(system, t, s));
 }
 
-CanonicalRates perturbation_rates(const CanonicalChart& chart, const System& system, double t,
-                                  const RotorState& s) {
+CanonicalRates perturbation_rates(const System& system, double t, const RotorState& s,
+                                  const CanonicalChart& chart) {
   return charted(chart, s, perturbation_rates(system, t, s));
 }
 
 AndoyerRates andoyer_rates(const System& system, double t, const RotorState& s) {
-  const CanonicalRates z = canonical_rates(andoyer_chart, system, t, s);
+  const CanonicalRates z = canonical_rates(system, t, s, andoyer_chart);
   return {z[0], z[1], z[2], z[3], z[4], z[5]};
 }
 
 EulerPhaseRates euler_phase_rates(const System& system, double t, const RotorState& s) {
-  const CanonicalRates z = canonical_rates(euler_chart, system, t, s);
+  const CanonicalRates z = canonical_rates(system, t, s, euler_chart);
   return {z[0], z[1], z[2], z[3], z[4], z[5]};
 }
 
-std::array<double, 3> convective_term(const CanonicalChart& chart, const System& system, double t,
-                                      const RotorState& s) {
-  const CanonicalRates z = perturbation_rates(chart, system, t, s);
+std::array<double, 3> convective_term(const System& system, double t, const RotorState& s,
+                                      const CanonicalChart& chart) {
+  const CanonicalRates z = perturbation_rates(system, t, s, chart);
   return {z[0], z[1], z[2]};
 }
 
-AndoyerState modified_andoyer(const Body& body, double t0, double t, const RotorState& s) {
+AndoyerState modified_andoyer(const Body& body, double t, const RotorState& s, double t0) {
   return to_andoyer(FreeRotation(body, s, t).at(t0));
 }
 
-RotorState from_modified_andoyer(const Body& body, double t0, double t, const AndoyerState& C) {
+RotorState from_modified_andoyer(const Body& body, double t, const AndoyerState& C, double t0) {
   return FreeRotation(body, to_rotor(C), t0).at(t);
 }
 
-AndoyerRates modified_andoyer_rates(const System& system, double t0, double t,
-                                    const RotorState& s) {
+AndoyerRates modified_andoyer_rates(const System& system, double t, const RotorState& s,
+                                    double t0) {
   const FreeRotation motion(system.body(), s, t);
   const std::array<double, 6> at_epoch =
       motion.state_transition(t0) * tangent(perturbation_rates(system, t, s));
-  CanonicalRates z = inverse_chart_jacobian({CanonicalSet::andoyer}, motion.at(t0)) * at_epoch;
+  CanonicalRates z = inverse_chart_jacobian(motion.at(t0), {CanonicalSet::andoyer}) * at_epoch;
   for (double& rate : z)
     if (!std::isfinite(rate)) rate = std::numeric_limits<double>::quiet_NaN();
   return {z[0], z[1], z[2], z[3], z[4], z[5]};

@@ -64,17 +64,17 @@ constexpr bool are_constants =
 
 // dC / d(theta_B, gamma).
 Matrix6 inverse_jacobian(const Body&, double, const AndoyerState&, const RotorState& s) {
-  return inverse_chart_jacobian({CanonicalSet::andoyer}, s);
+  return inverse_chart_jacobian(s, {CanonicalSet::andoyer});
 }
 Matrix6 inverse_jacobian(const Body& body, double t, const FukushimaIshizakiState& C,
                          const RotorState& s) {
-  return inverse_chart_jacobian(chart_jacobian(body, C, t), s.g);
+  return inverse_chart_jacobian(s.g, chart_jacobian(body, C, t));
 }
 Matrix6 inverse_jacobian(const Body& body, double t, const SerretState& C, const RotorState& s) {
-  return inverse_chart_jacobian(chart_jacobian(body, C, t), s.g);
+  return inverse_chart_jacobian(s.g, chart_jacobian(body, C, t));
 }
 Matrix6 inverse_jacobian(const Body& body, double, const SadovState& C, const RotorState& s) {
-  return inverse_chart_jacobian(chart_jacobian(body, C), s.g);
+  return inverse_chart_jacobian(s.g, chart_jacobian(body, C));
 }
 
 struct SetName {

@@ -214,16 +214,17 @@ Vec3 canonical_momentum(const SatelliteSystem& system, double t, const Vec3& r,
 
 }  // namespace
 
-SatelliteState element_state(OrbitalSet set, const SatelliteSystem& system, double t,
-                             const OrbitalElements& elements, const Gauge& gauge) {
+SatelliteState element_state(const SatelliteSystem& system, double t,
+                             const OrbitalElements& elements, OrbitalSet set, const Gauge& gauge) {
   const SatelliteState free = unperturbed_state(set, system.gm(), elements, "element_state");
   if (gauge.is_canonical()) return free;
   const Vec3 velocity = free.p + convection_of(gauge, elements, t).value;
   return {free.r, canonical_momentum(system, t, free.r, velocity)};
 }
 
-OrbitalElements elements_of_state(OrbitalSet set, const SatelliteSystem& system, double t,
-                                  const SatelliteState& canonical, const Gauge& gauge) {
+OrbitalElements elements_of_state(const SatelliteSystem& system, double t,
+                                  const SatelliteState& canonical, OrbitalSet set,
+                                  const Gauge& gauge) {
   const double gm = system.gm();
   const auto elements = [&](const Vec3& u) { return elements_of_orbit(set, gm, canonical.r, u); };
   if (gauge.is_canonical()) return elements(canonical.p);
@@ -233,19 +234,19 @@ OrbitalElements elements_of_state(OrbitalSet set, const SatelliteSystem& system,
       [&](const Vec3& u) { return inverse_jacobian(set, gm, elements(u)); }));
 }
 
-Vec3 element_convective_term(OrbitalSet set, const SatelliteSystem& system, double t,
-                             const OrbitalElements& elements, const Gauge& gauge) {
+Vec3 element_convective_term(const SatelliteSystem& system, double t,
+                             const OrbitalElements& elements, OrbitalSet set, const Gauge& gauge) {
   const SatelliteState free =
       unperturbed_state(set, system.gm(), elements, "element_convective_term");
   return gauge.is_canonical() ? convection(system, t, free)
                               : convection_of(gauge, elements, t).value;
 }
 
-OrbitalElements element_rates(OrbitalSet set, const SatelliteSystem& system, double t,
-                              const OrbitalElements& elements, const Gauge& gauge) {
+OrbitalElements element_rates(const SatelliteSystem& system, double t,
+                              const OrbitalElements& elements, OrbitalSet set, const Gauge& gauge) {
   const SatelliteState free = unperturbed_state(set, system.gm(), elements, "element_rates");
   const Matrix6 inverse = inverse_jacobian(set, system.gm(), elements);
-  const SatelliteState state = element_state(set, system, t, elements, gauge);
+  const SatelliteState state = element_state(system, t, elements, set, gauge);
   const SatelliteState added = perturbation_rates(system, t, state);
   // not the rates of (p, -gm r/r^3), which cancel but for the mean motion
   OrbitalElements mean_motion{};

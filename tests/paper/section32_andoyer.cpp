@@ -333,7 +333,7 @@ TEST(PaperAndoyer, LibraryCanonicalTransformation) {
   Gap gap;
   for (const RotorState& state : hub_states(34, 4)) {
     const Matrix6 M =
-        canonical_transformation({CanonicalSet::euler}, {CanonicalSet::andoyer}, state);
+        canonical_transformation(state, {CanonicalSet::euler}, {CanonicalSet::andoyer});
     const auto rows = jacobian(andoyer_of_euler, exact_euler(state));
     for (std::size_t i = 0; i < 6; ++i)
       for (std::size_t j = 0; j < 6; ++j)

@@ -60,7 +60,7 @@ TEST(PaperAndoyer, LibraryOneForms) {
   Gap gap;
   for (const RotorState& start : hub_states(75, 100)) {
     const TwoCharts k(start);
-    const Matrix6 M = canonical_transformation(from_andoyer, from_euler, k.state);
+    const Matrix6 M = canonical_transformation(k.state, from_andoyer, from_euler);
     const Phase J_expected{k.a[3], k.a[4], k.a[5], Mp(0), Mp(0), Mp(0)};
     for (std::size_t j = 0; j < 6; ++j) {
       Phase d{};
@@ -146,7 +146,7 @@ TEST(PaperAndoyer, LibraryDifferentialsOfTheTriangle) {
   for (const RotorState& start : hub_states(50, 100)) {
     const TwoCharts k(start);
     const Phase d = random_variation(random);
-    const Phase e = varied(canonical_transformation(from_andoyer, from_euler, k.state), d);
+    const Phase e = varied(canonical_transformation(k.state, from_andoyer, from_euler), d);
     const Mp &l = k.a[0], &g = k.a[1], &G = k.a[4], &theta = k.x[1], &psi = k.x[2];
     const Mp dx = e[0] - d[2], dy = e[2] - d[0], lean = s(psi - l);
     const Mp twist = k.cJ * dy - k.sJ * lean * e[1];
@@ -172,7 +172,7 @@ TEST(PaperAndoyer, LibraryVariationAtAFixedAttitude) {
     const TwoCharts k(start);
     Phase e = random_variation(random);
     for (std::size_t i = 0; i < 3; ++i) e[i] = 0;
-    const Phase d = varied(canonical_transformation(from_euler, from_andoyer, k.state), e);
+    const Phase d = varied(canonical_transformation(k.state, from_euler, from_andoyer), e);
     gap.add(d[1], -k.cJ * d[0] - k.cI * d[2]);
   }
   EXPECT_LT(gap.size(), budget::paper_library);

@@ -81,12 +81,12 @@ TEST(PaperSection4, LibraryUnperturbedVelocity) {
   Gap gap;
   for (const PerturbedCase& e : perturbed_cases(423, 6)) {
     const Body body = body_of(e.I);
-    const Matrix6 M = canonical_transformation({CanonicalSet::andoyer}, {CanonicalSet::euler}, e.s);
+    const Matrix6 M = canonical_transformation(e.s, {CanonicalSet::andoyer}, {CanonicalSet::euler});
     const AndoyerRates n = andoyer_rates(System(body), e.t, e.s);
     const std::array<double, 6> velocity = M * std::array<double, 6>{n.l, n.g, n.h, n.L, n.G, n.H};
     const Phase dT = gradient([&](const Phase& y) { return euler_energy(e.I, y); }, e.euler());
     const EulerPhaseRates all = euler_phase_rates(e.system(), e.t, e.s);
-    const auto added = convective_term({CanonicalSet::euler}, e.system(), e.t, e.s);
+    const auto added = convective_term(e.system(), e.t, e.s, {CanonicalSet::euler});
     for (std::size_t i = 0; i < 3; ++i) {
       gap.add(Mp(velocity[i]), dT[i + 3]);
       gap.add(Mp(velocity[i]) + Mp(added[i]), angle_rates(all)[i]);
@@ -102,7 +102,7 @@ TEST(PaperSection4, LibraryVariablesOfConstants) {
   for (const PerturbedCase& e : perturbed_cases(424, 4)) {
     const Body body = body_of(e.I);
     const double t0 = e.t - 0.75;
-    const Phase C = paper::exact(modified_andoyer(body, t0, e.t, e.s));
+    const Phase C = paper::exact(modified_andoyer(body, e.t, e.s, t0));
     const FreeRotation motion(body, e.s, e.t);
     const auto change = [&](std::size_t i) {
       return integral(
@@ -116,12 +116,12 @@ TEST(PaperSection4, LibraryVariablesOfConstants) {
     const Phase A = paper::exact(to_andoyer(e.s));
     for (std::size_t i = 0; i < 3; ++i) integrals.add(turned(A[i] - C[i] - change(i)), Mp(0));
     for (std::size_t i = 3; i < 6; ++i) integrals.add(A[i] - C[i], change(i));
-    const AndoyerState constants = modified_andoyer(body, t0, e.t, e.s);
-    const Phase x = paper::exact(to_euler(from_modified_andoyer(body, t0, e.t, constants)));
+    const AndoyerState constants = modified_andoyer(body, e.t, e.s, t0);
+    const Phase x = paper::exact(to_euler(from_modified_andoyer(body, e.t, constants, t0)));
     const AndoyerCase k = andoyer_case(e.I, A);
     for (std::size_t i = 0; i < 3; ++i) euler.add(turned(x[i] - k.q[i]), Mp(0));
     euler.add(second_half(x), k.p);
-    const AndoyerRates r = modified_andoyer_rates(System(body), t0, e.t, e.s);
+    const AndoyerRates r = modified_andoyer_rates(System(body), e.t, e.s, t0);
     rest.add(Vec{Mp(r.l), Mp(r.g), Mp(r.h)}, Vec{});
     rest.add(Vec{Mp(r.L), Mp(r.G), Mp(r.H)}, Vec{});
   }
@@ -162,14 +162,14 @@ TEST(PaperSection4, LibraryDelaunayElements) {
     const auto formula = [gm](const Phase& y) { return delaunay_of(Mp(gm), y); };
     EXPECT_LT(symplectic_defect(jacobian(formula, x)), budget::paper_derivative);
     const SatelliteSystem system(gm);
-    const OrbitalElements C = elements_of_state(OrbitalSet::delaunay, system, 0.0, start);
+    const OrbitalElements C = elements_of_state(system, 0.0, start, OrbitalSet::delaunay);
     const Phase expected = formula(x);
     for (std::size_t i = 0; i < 3; ++i) elements.add(turned(Mp(C[i]) - expected[i]), Mp(0));
     for (std::size_t i = 3; i < 6; ++i) elements.add(Mp(C[i]), expected[i]);
-    const SatelliteState back = element_state(OrbitalSet::delaunay, system, 0.0, C);
+    const SatelliteState back = element_state(system, 0.0, C, OrbitalSet::delaunay);
     elements.add(exact(back.r), first_half(x));
     elements.add(exact(back.p), second_half(x));
-    const OrbitalElements found = element_rates(OrbitalSet::delaunay, system, 0.0, C);
+    const OrbitalElements found = element_rates(system, 0.0, C, OrbitalSet::delaunay);
     const Mp motion = derivative([&](const Mp& L) { return -squared(Mp(gm)) / (2 * L * L); }, C[3]);
     rates.add(Mp(found[0]), motion);
     for (std::size_t i = 1; i < 6; ++i) rates.add(Mp(found[i]), Mp(0));

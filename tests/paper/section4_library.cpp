@@ -119,7 +119,7 @@ TEST(PaperSection4, LibraryConvectiveTerm) {
   for (const PerturbedCase& e : perturbed_cases(404, 8)) {
     const System system = e.system();
     const Phase x = e.euler(), a = andoyer_of_euler(x);
-    const Vec euler_term = exact(convective_term(euler_chart, system, e.t, e.s));
+    const Vec euler_term = exact(convective_term(system, e.t, e.s, euler_chart));
     gap.add(euler_term, momenta(gradient([&](const Phase& y) { return e.delta_H(y); }, x)));
     const Phase unperturbed = gradient([&](const Phase& y) { return euler_energy(e.I, y); }, x);
     gap.add(momenta(unperturbed) + euler_term, coordinates(e.euler_rates()));
@@ -127,7 +127,7 @@ TEST(PaperSection4, LibraryConvectiveTerm) {
       const AndoyerCase k = andoyer_case(e.I, y);
       return e.delta_H({k.q[0], k.q[1], k.q[2], k.p[0], k.p[1], k.p[2]});
     };
-    gap.add(exact(convective_term(andoyer_chart, system, e.t, e.s)),
+    gap.add(exact(convective_term(system, e.t, e.s, andoyer_chart)),
             momenta(gradient(delta_of_andoyer, a)));
   }
   EXPECT_LT(gap.size(), budget::paper_perturbed);
@@ -144,11 +144,11 @@ TEST(PaperSection4, LibraryConvectiveTermOfAFrame) {
     const Vec mu = euler_matrix(coordinates(x)) * e.mu_S;
     const Mp st = paper::s(x[1]), ct = c(x[1]), sp = paper::s(x[2]), cp = c(x[2]);
     const Mp across = mu[0] * sp + mu[1] * cp;
-    const Vec term = exact(convective_term(euler_chart, moving, e.t, e.s));
+    const Vec term = exact(convective_term(moving, e.t, e.s, euler_chart));
     frame_part.add(term, {-across / st, -mu[0] * cp + mu[1] * sp, across * ct / st - mu[2]});
     frame_part.add(exact(effect(moving, e.t, e.s).v), Mp(-1) * mu);
-    sum.add(exact(convective_term(euler_chart, e.system(), e.t, e.s)),
-            term + exact(convective_term(euler_chart, resting, e.t, e.s)));
+    sum.add(exact(convective_term(e.system(), e.t, e.s, euler_chart)),
+            term + exact(convective_term(resting, e.t, e.s, euler_chart)));
   }
   EXPECT_LT(frame_part.size(), budget::paper_perturbed);
   EXPECT_LT(sum.size(), budget::paper_perturbed);
@@ -164,7 +164,7 @@ TEST(PaperSection4, LibraryFrameRatesOfAndoyersVariables) {
     const Vec& mu = e.mu_S;
     const Mp A = mu[0] * sh - mu[1] * ch;
     const CanonicalRates r =
-        perturbation_rates(andoyer_chart, System(body_of(e.I), e.frame.frame), e.t, e.s);
+        perturbation_rates(System(body_of(e.I), e.frame.frame), e.t, e.s, andoyer_chart);
     add(gap, {r[0], r[1], r[2], r[3], r[4], r[5]},
         {Mp(0), -A / sI, cI / sI * A - mu[2], Mp(0), Mp(0), a[4] * sI * (mu[0] * ch + mu[1] * sh)});
   }
@@ -189,8 +189,8 @@ TEST(PaperSection4, LibraryModifiedSetAxisymmetric) {
     };
     const Phase d = gradient(delta_star, C);
     const System system = e.system();
-    add_elements(elements, phase(modified_andoyer(system.body(), t0, e.t, e.s)), C);
-    add(rates, phase(modified_andoyer_rates(system, t0, e.t, e.s)),
+    add_elements(elements, phase(modified_andoyer(system.body(), e.t, e.s, t0)), C);
+    add(rates, phase(modified_andoyer_rates(system, e.t, e.s, t0)),
         {d[3], d[4], d[5], -d[0], -d[1], -d[2]});
   }
   EXPECT_LT(elements.size(), budget::paper_perturbed);
@@ -204,13 +204,13 @@ TEST(PaperSection4, LibraryConvectiveTermThroughTheModifiedSet) {
   for (const PerturbedCase& e : perturbed_cases(408, 6)) {
     const System system = e.system();
     const double t0 = e.t + 2.5;
-    const AndoyerRates r = modified_andoyer_rates(system, t0, e.t, e.s);
+    const AndoyerRates r = modified_andoyer_rates(system, e.t, e.s, t0);
     const double C_rates[6] = {r.l, r.g, r.h, r.L, r.G, r.H};
     const FreeRotation motion(system.body(), e.s, e.t);
     const FreeRotation from_epoch(system.body(), motion.at(t0), t0);
     const Matrix6 B_C =
-        from_epoch.state_transition(e.t) * chart_jacobian(andoyer_chart, motion.at(t0));
-    const Matrix6 by_C = canonical_transformation(B_C, chart_jacobian(euler_chart, e.s), e.s.g);
+        from_epoch.state_transition(e.t) * chart_jacobian(motion.at(t0), andoyer_chart);
+    const Matrix6 by_C = canonical_transformation(e.s.g, B_C, chart_jacobian(e.s, euler_chart));
     Vec convective{};
     for (int n = 0; n < 3; ++n)
       for (int j = 0; j < 6; ++j)
@@ -218,7 +218,7 @@ TEST(PaperSection4, LibraryConvectiveTermThroughTheModifiedSet) {
     const Phase x = e.euler();
     gap.add(convective, momenta(gradient([&](const Phase& y) { return e.delta_H(y); }, x)));
     // constants where nothing perturbs
-    add(nothing, phase(modified_andoyer_rates(System(body_of(e.I)), t0, e.t, e.s)), Phase{});
+    add(nothing, phase(modified_andoyer_rates(System(body_of(e.I)), e.t, e.s, t0)), Phase{});
   }
   EXPECT_LT(gap.size(), budget::paper_modified);
   EXPECT_EQ(nothing.size(), 0.0);
@@ -342,7 +342,7 @@ TEST(PaperAppendix, LibraryAndoyersMethod) {
     const Phase z = inclined(e.euler());
     Variables<double> near{};
     for (std::size_t i = 0; i < 6; ++i) near[i] = static_cast<double>(z[i]);
-    const auto r = equations_of_motion(Inclinations{}, e.system(), e.t, near);
+    const auto r = equations_of_motion(e.system(), e.t, near, Inclinations{});
     add(gap, {r[0], r[1], r[2], r[3], r[4], r[5]}, along(e, inclined));
   }
   EXPECT_LT(gap.size(), budget::paper_perturbed);

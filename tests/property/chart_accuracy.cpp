@@ -119,7 +119,7 @@ double canonical_defect(const Matrix6& B, const Matrix6& exact, const Vec3& g) {
   return symplectic_defect(B, canonical_tensor(), hub_tensor(g), exact);
 }
 double canonical_defect(const CanonicalChart& chart, const RotorState& s) {
-  return canonical_defect(chart_jacobian(chart, s), wide_jacobian(chart, s), s.g);
+  return canonical_defect(chart_jacobian(s, chart), wide_jacobian(chart, s), s.g);
 }
 
 // The vertical of space along the body axes, and the sines that say how near a state is to where a

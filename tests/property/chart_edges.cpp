@@ -171,9 +171,9 @@ Result jacobian_result(const Known& k, const CanonicalChart& chart) {
   const RotorState unit{k.c.state.q,
                         {std::ldexp(k.c.state.g.x, -e), std::ldexp(k.c.state.g.y, -e),
                          std::ldexp(k.c.state.g.z, -e)}};
-  const Matrix6 B = chart_jacobian(chart, k.c.state), B1 = chart_jacobian(chart, unit);
-  const Matrix6 C = inverse_chart_jacobian(chart, k.c.state),
-                C1 = inverse_chart_jacobian(chart, unit);
+  const Matrix6 B = chart_jacobian(k.c.state, chart), B1 = chart_jacobian(unit, chart);
+  const Matrix6 C = inverse_chart_jacobian(k.c.state, chart),
+                C1 = inverse_chart_jacobian(unit, chart);
   const bool pairs = chart.set == CanonicalSet::poincare;
   const bool at_pole = k.place.J3 <= least_sine || k.place.I <= least_sine;
   // of those that the set of this name is not made for
@@ -414,8 +414,8 @@ Result tumbler_result(const Known& k) {
 
 Result modified_result(const Known& k) {
   try {
-    const auto a = modified_andoyer(k.body, k.c.t, k.c.t, k.c.state);
-    return judged(loss_of(from_modified_andoyer(k.body, k.c.t, k.c.t, a), k.c.state),
+    const auto a = modified_andoyer(k.body, k.c.t, k.c.state, k.c.t);
+    return judged(loss_of(from_modified_andoyer(k.body, k.c.t, a, k.c.t), k.c.state),
                   budget::serret_edge + pole_loss(k.place.J3) + pole_loss(k.place.I),
                   "modified andoyer");
   } catch (const DomainError& error) {

@@ -68,11 +68,11 @@ TEST(ChartLaws, RoundTrips) {
         const Numbers S = a.from_hub(state_in(region, sample));
         const RotorState s = a.to_hub(S);
         if (!is_regular(a, s)) continue;
-        const double through_hub = amplified(inverse_chart_jacobian(a.id, s), hub_sizes(s));
+        const double through_hub = amplified(inverse_chart_jacobian(s, a.id), hub_sizes(s));
         for (const Chart& b : canonical_charts()) {
           if (!is_regular(b, s)) continue;
           const Numbers S_b = b.from_hub(s);
-          const double through_b = amplified(canonical_transformation(b.id, a.id, s), S_b);
+          const double through_b = amplified(canonical_transformation(s, b.id, a.id), S_b);
           const double error = numbers_difference(a.from_hub(b.to_hub(S_b)), S, a.angles);
           EXPECT_LE(error, budget::round_trip_floor +
                                budget::round_trip_eps * eps * (through_hub + through_b))
@@ -91,12 +91,12 @@ TEST(ChartLaws, Canonicity) {
       const RotorState s = state_in(region, sample);
       for (const Chart& a : canonical_charts()) {
         if (!is_regular(a, s)) continue;
-        EXPECT_LE(symplectic_defect(chart_jacobian(a.id, s), canonical_tensor(), hub_tensor(s.g)),
+        EXPECT_LE(symplectic_defect(chart_jacobian(s, a.id), canonical_tensor(), hub_tensor(s.g)),
                   budget::symplectic_eps)
             << a.name << ", " << region.name << " " << region.distance;
         for (const Chart& b : canonical_charts()) {
           if (!is_regular(b, s)) continue;
-          const Matrix6 m = canonical_transformation(a.id, b.id, s);
+          const Matrix6 m = canonical_transformation(s, a.id, b.id);
           EXPECT_LE(symplectic_defect(m, canonical_tensor(), canonical_tensor()),
                     budget::symplectic_eps)
               << a.name << " -> " << b.name << ", " << region.name << " " << region.distance;
@@ -129,7 +129,7 @@ TEST(ChartLaws, InverseOfTheJacobian) {
   for (int k = 0; k < 200; ++k) {
     const RotorState s = sample.generic();
     for (const Chart& a : canonical_charts()) {
-      const Matrix6 B = chart_jacobian(a.id, s), inverse = inverse_chart_jacobian(a.id, s);
+      const Matrix6 B = chart_jacobian(s, a.id), inverse = inverse_chart_jacobian(s, a.id);
       const Matrix6 product = inverse * B, scale = magnitudes(inverse) * magnitudes(B);
       for (int i = 0; i < 6; ++i) {
         for (int j = 0; j < 6; ++j) {
@@ -147,11 +147,11 @@ TEST(ChartLaws, TransformationOfGivenJacobians) {
   const Chart a = euler_chart(), b = andoyer_chart();
   for (int k = 0; k < 200; ++k) {
     const RotorState s = sample.generic();
-    const Matrix6 B_a = chart_jacobian(a.id, s), B_b = chart_jacobian(b.id, s);
-    const Matrix6 inverse = inverse_chart_jacobian(B_b, s.g);
-    const Matrix6 exact_inverse = inverse_chart_jacobian(b.id, s);
-    const Matrix6 m = canonical_transformation(B_a, B_b, s.g);
-    const Matrix6 exact = canonical_transformation(a.id, b.id, s);
+    const Matrix6 B_a = chart_jacobian(s, a.id), B_b = chart_jacobian(s, b.id);
+    const Matrix6 inverse = inverse_chart_jacobian(s.g, B_b);
+    const Matrix6 exact_inverse = inverse_chart_jacobian(s, b.id);
+    const Matrix6 m = canonical_transformation(s.g, B_a, B_b);
+    const Matrix6 exact = canonical_transformation(s, a.id, b.id);
     const Numbers ones{1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
     const double size_b = amplified(B_b, ones), size = size_b * amplified(B_a, ones);
     for (int i = 0; i < 6; ++i) {

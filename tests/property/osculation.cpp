@@ -222,13 +222,13 @@ TEST(Osculation, ModifiedSetMovesAtItsRates) {
       const double t = 2.0, t0 = -1.5, h = 0x1p-6;
       const auto elements = [&](double time) {
         const RotorState s = reference_state(system, time, motion.at(time));
-        const AndoyerState a = modified_andoyer(r.body(), t0, time, s);
+        const AndoyerState a = modified_andoyer(r.body(), time, s, t0);
         return std::array<double, 6>{a.l, a.g, a.h, a.L, a.G, a.H};
       };
       const auto m2 = elements(t - 2 * h), m1 = elements(t - h);
       const auto p1 = elements(t + h), p2 = elements(t + 2 * h);
       const RotorState s = reference_state(system, t, motion.at(t));
-      const AndoyerRates a = modified_andoyer_rates(system, t0, t, s);
+      const AndoyerRates a = modified_andoyer_rates(system, t, s, t0);
       const double rates[6] = {a.l, a.g, a.h, a.L, a.G, a.H};
       for (std::size_t i = 0; i < 6; ++i) {
         const double rate = (8.0 * (p1[i] - m1[i]) - (p2[i] - m2[i])) / (12.0 * h);
@@ -236,7 +236,7 @@ TEST(Osculation, ModifiedSetMovesAtItsRates) {
             << r.name << ", " << o.name << ", element " << i;
       }
       const RotorState back =
-          from_modified_andoyer(r.body(), t0, t, modified_andoyer(r.body(), t0, t, s));
+          from_modified_andoyer(r.body(), t, modified_andoyer(r.body(), t, s, t0), t0);
       EXPECT_LT(norm(back.g - s.g) / norm(s.g), budget::osculation_round_trip) << r.name;
     }
   }

@@ -44,9 +44,9 @@ void print_andoyer(const Record& out, const Case& c, const Body& body, const Rot
   out.state("to_rotor(andoyer)", to_rotor(a));
   out.matrix("chart_jacobian(andoyer)", chart_jacobian(a), 6);
   const double t = c.t0 + 3.3 * c.turn;
-  const AndoyerState m = modified_andoyer(body, c.t0, t, s);
+  const AndoyerState m = modified_andoyer(body, t, s, c.t0);
   print_numbers(out, "modified_andoyer", {m.l, m.g, m.h, m.L, m.G, m.H});
-  out.state("from_modified_andoyer", from_modified_andoyer(body, c.t0, t, m));
+  out.state("from_modified_andoyer", from_modified_andoyer(body, t, m, c.t0));
 }
 
 void print_poincare(const Record& out, const std::string& name, const PoincareState& p) {
@@ -70,10 +70,10 @@ void print_canonical(const Record& out, const RotorState& s) {
   out.value("nearest_poincare.J", nearest.pole_J == Pole::pi);
   out.value("nearest_poincare.I", nearest.pole_I == Pole::pi);
   for (const auto& [name, chart] : charts) {
-    out.matrix("chart_jacobian(" + name + ", state)", chart_jacobian(chart, s), 6);
-    out.matrix("inverse_chart_jacobian(" + name + ")", inverse_chart_jacobian(chart, s), 6);
+    out.matrix("chart_jacobian(" + name + ", state)", chart_jacobian(s, chart), 6);
+    out.matrix("inverse_chart_jacobian(" + name + ")", inverse_chart_jacobian(s, chart), 6);
   }
-  out.matrix("andoyer-to-euler", canonical_transformation(charts[1].second, charts[0].second, s),
+  out.matrix("andoyer-to-euler", canonical_transformation(s, charts[1].second, charts[0].second),
              6);
 }
 

@@ -49,18 +49,18 @@ Matrix6 chart_jacobian(const AndoyerState& s);
 Matrix6 chart_jacobian(const PoincareState& s);
 
 // B, and its inverse, at a hub state.
-Matrix6 chart_jacobian(const CanonicalChart& chart, const RotorState& s);
-Matrix6 inverse_chart_jacobian(const CanonicalChart& chart, const RotorState& s);
+Matrix6 chart_jacobian(const RotorState& s, const CanonicalChart& chart);
+Matrix6 inverse_chart_jacobian(const RotorState& s, const CanonicalChart& chart);
 
 // d(to)/d(from) at a hub state. It keeps the one-form of the momenta [SA "cantran2", (75), "defJ",
 // "J_alpha, first form", "conditionJ", "J of the other variables", "L, G, H"] and holds the
 // differentials of the triangle between the nodes [SA (49), (50), (A2), (A3), (A52), (A53)].
-Matrix6 canonical_transformation(const CanonicalChart& from, const CanonicalChart& to,
-                                 const RotorState& s);
+Matrix6 canonical_transformation(const RotorState& s, const CanonicalChart& from,
+                                 const CanonicalChart& to);
 
 // The same for any canonical charts given by their B at one hub state with body momentum g_B.
-Matrix6 inverse_chart_jacobian(const Matrix6& B, const Vec3& g_B);
-Matrix6 canonical_transformation(const Matrix6& B_from, const Matrix6& B_to, const Vec3& g_B);
+Matrix6 inverse_chart_jacobian(const Vec3& g_B, const Matrix6& B);
+Matrix6 canonical_transformation(const Vec3& g_B, const Matrix6& B_from, const Matrix6& B_to);
 
 }  // namespace v0
 }  // namespace polhode

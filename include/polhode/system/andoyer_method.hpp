@@ -42,8 +42,8 @@ double canonical_defect(const F& f, const Variables<double>& z, double t = 0.0) 
 
 // dz/dt under any system [SA "linear"].
 template <class F>
-std::array<double, 6> equations_of_motion(const F& f, const System& system, double t,
-                                          const Variables<double>& z) {
+std::array<double, 6> equations_of_motion(const System& system, double t,
+                                          const Variables<double>& z, const F& f) {
   return detail::equations_of_motion(detail::variables_at(f, t, z), system, t);
 }
 

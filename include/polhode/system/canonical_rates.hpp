@@ -42,11 +42,11 @@ HubRates perturbation_rates(const System& system, double t, const RotorState& s)
 // Three coordinates, then three momenta, in the order of the chart's fields.
 using CanonicalRates = std::array<double, 6>;
 // Hamilton's equations, if every term has an energy [SA (101), "eqHam"].
-CanonicalRates canonical_rates(const CanonicalChart& chart, const System& system, double t,
-                               const RotorState& s);
+CanonicalRates canonical_rates(const System& system, double t, const RotorState& s,
+                               const CanonicalChart& chart);
 // The part of these rates that the terms and the frame cause [SA (118)].
-CanonicalRates perturbation_rates(const CanonicalChart& chart, const System& system, double t,
-                                  const RotorState& s);
+CanonicalRates perturbation_rates(const System& system, double t, const RotorState& s,
+                                  const CanonicalChart& chart);
 
 struct AndoyerRates {
   double l;
@@ -81,8 +81,8 @@ EulerPhaseRates euler_phase_rates(const System& system, double t, const RotorSta
 // in addition to the unperturbed function of the same variables. Of the Euler angles it is Phi of
 // [SA (104)-(107), (109), (111), (119)-(122)], zero unless H' depends on the momentum; as a vector
 // it is effect(system, t, s).v.
-std::array<double, 3> convective_term(const CanonicalChart& chart, const System& system, double t,
-                                      const RotorState& s);
+std::array<double, 3> convective_term(const System& system, double t, const RotorState& s,
+                                      const CanonicalChart& chart);
 
 }  // namespace v0
 }  // namespace polhode

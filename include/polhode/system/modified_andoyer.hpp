@@ -24,12 +24,12 @@ namespace polhode {
 inline namespace v0 {
 
 // The set with epoch t0 of a state at time t, and back [SA (98), (100), (108), (125), (126)].
-AndoyerState modified_andoyer(const Body& body, double t0, double t, const RotorState& s);
-RotorState from_modified_andoyer(const Body& body, double t0, double t, const AndoyerState& C);
+AndoyerState modified_andoyer(const Body& body, double t, const RotorState& s, double t0);
+RotorState from_modified_andoyer(const Body& body, double t, const AndoyerState& C, double t0);
 
 // Its rates at time t: all zero without a perturbation [SA (99)]. The equations of motion of
 // variation of constants [SA (102), (103)]; their convective term [SA (106), (107), (111)].
-AndoyerRates modified_andoyer_rates(const System& system, double t0, double t, const RotorState& s);
+AndoyerRates modified_andoyer_rates(const System& system, double t, const RotorState& s, double t0);
 
 }  // namespace v0
 }  // namespace polhode

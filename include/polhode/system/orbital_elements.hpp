@@ -31,23 +31,23 @@ enum class OrbitalSet { delaunay, keplerian };
 using OrbitalElements = std::array<double, 6>;  // in the order above
 
 // dC/dt at time t [SA (104), "(96), footnote"].
-OrbitalElements element_rates(OrbitalSet set, const SatelliteSystem& system, double t,
-                              const OrbitalElements& elements,
+OrbitalElements element_rates(const SatelliteSystem& system, double t,
+                              const OrbitalElements& elements, OrbitalSet set,
                               const Gauge& gauge = Gauge::canonical());
 
 // The canonical state (r, p) of a satellite with these elements [SA (96)].
-SatelliteState element_state(OrbitalSet set, const SatelliteSystem& system, double t,
-                             const OrbitalElements& elements,
+SatelliteState element_state(const SatelliteSystem& system, double t,
+                             const OrbitalElements& elements, OrbitalSet set,
                              const Gauge& gauge = Gauge::canonical());
 
 // The elements of a canonical state [SA (96)].
-OrbitalElements elements_of_state(OrbitalSet set, const SatelliteSystem& system, double t,
-                                  const SatelliteState& canonical,
+OrbitalElements elements_of_state(const SatelliteSystem& system, double t,
+                                  const SatelliteState& canonical, OrbitalSet set,
                                   const Gauge& gauge = Gauge::canonical());
 
 // dr/dt less the velocity of the Kepler orbit.
-Vec3 element_convective_term(OrbitalSet set, const SatelliteSystem& system, double t,
-                             const OrbitalElements& elements,
+Vec3 element_convective_term(const SatelliteSystem& system, double t,
+                             const OrbitalElements& elements, OrbitalSet set,
                              const Gauge& gauge = Gauge::canonical());
 
 }  // namespace v0

@@ -230,7 +230,7 @@ nb::object serret_of(const Body& body, const DualState& s, double t) {
     const RotorState state = value_of(r);
     const SerretState c = to_serret(FreeRotation(body, state, t), t);
     const std::array<D, 6> C =
-        elements_along(r, inverse_chart_jacobian(chart_jacobian(body, c, t), state.g),
+        elements_along(r, inverse_chart_jacobian(state.g, chart_jacobian(body, c, t)),
                        {c.g0, c.h, -c.t0, c.G, c.H, c.T});
     return state_of("SerretState", {{"g0", to_python(C[0])},
                                     {"h", to_python(C[1])},
@@ -248,7 +248,7 @@ nb::object sadov_of(const Body& body, const DualState& s) {
     const RotorState state = value_of(r);
     const SadovState c = to_sadov(body, state);
     const std::array<D, 6> C =
-        elements_along(r, inverse_chart_jacobian(chart_jacobian(body, c), state.g),
+        elements_along(r, inverse_chart_jacobian(state.g, chart_jacobian(body, c)),
                        {c.phi_l, c.phi_g, c.phi_h, c.I_l, c.I_g, c.I_h});
     return state_of("SadovState", {{"phi_l", to_python(C[0])},
                                    {"phi_g", to_python(C[1])},

@@ -57,70 +57,86 @@ void bind_canonical(nb::module_& m) {
   def_chart_jacobian<PoincareState>(m);
   m.def(
       "chart_jacobian",
-      [](AnyChart chart, const Rotors& states) {
+      [](const Rotors& states, AnyChart chart) {
         const CanonicalChart of = chart_of(chart, "chart");
         return mapped_numbers(states, {6, 6},
-                              [=](const RotorState& s) { return chart_jacobian(of, s); });
+                              [=](const RotorState& s) { return chart_jacobian(s, of); });
       },
-      "chart"_a, "state"_a,
+      "state"_a, "chart"_a,
       "B of a chart at hub states: (..., 6, 6). Keeps digits of a small theta, J or I that the "
       "chart itself has rounded away.");
   m.def(
       "inverse_chart_jacobian",
-      [](AnyChart chart, const Rotors& states) {
+      [](const Rotors& states, AnyChart chart) {
         const CanonicalChart of = chart_of(chart, "chart");
         return mapped_numbers(states, {6, 6},
-                              [=](const RotorState& s) { return inverse_chart_jacobian(of, s); });
+                              [=](const RotorState& s) { return inverse_chart_jacobian(s, of); });
       },
-      "chart"_a, "state"_a, "B^-1 = d(chart) / d(dtheta_B, dg_B) at hub states: (..., 6, 6).");
+      "state"_a, "chart"_a, "B^-1 = d(chart) / d(dtheta_B, dg_B) at hub states: (..., 6, 6).");
   m.def(
       "canonical_transformation",
-      [](AnyChart from, AnyChart to, const Rotors& states) {
+      [](const Rotors& states, AnyChart from, AnyChart to) {
         const CanonicalChart of = chart_of(from, "from_chart"), into = chart_of(to, "to_chart");
         return mapped_numbers(states, {6, 6}, [=](const RotorState& s) {
-          return canonical_transformation(of, into, s);
+          return canonical_transformation(s, of, into);
         });
       },
-      "from_chart"_a, "to_chart"_a, "state"_a,
+      "state"_a, "from_chart"_a, "to_chart"_a,
       "d(to) / d(from) at hub states: (..., 6, 6), a symplectic matrix.");
+}
+
+// The overloads of matrices take anything: a chart before the state is not a momentum.
+void require_state_first(const char* function, nb::handle state) {
+  bool is_chart = nb::isinstance<nb::str>(state) || nb::isinstance<CanonicalChart>(state) ||
+                  nb::isinstance<CanonicalSet>(state);
+  const nb::object shape = nb::getattr(state, "shape", nb::none());
+  if (!is_chart && nb::isinstance<nb::tuple>(shape) && nb::len(shape) >= 2)
+    is_chart = shape[nb::len(shape) - 1].equal(nb::int_(6));
+  if (is_chart)
+    throw nb::type_error((std::string(function) +
+                          ": state: got a chart; expected a RotorState or a momentum (..., 3), and "
+                          "charts after it")
+                             .c_str());
 }
 
 // The same from the B of any canonical charts.
 void bind_of_matrices(nb::module_& m) {
   m.def(
       "inverse_chart_jacobian",
-      [](ArrayLike B, ArrayLike g_B) {
+      [](ArrayLike g_B, ArrayLike B) {
+        require_state_first("inverse_chart_jacobian", g_B);
         std::vector<Numbers> both;
-        both.emplace_back(B, "B", std::initializer_list<std::size_t>{6, 6});
         both.emplace_back(g_B, "g_B", std::initializer_list<std::size_t>{3});
+        both.emplace_back(B, "B", std::initializer_list<std::size_t>{6, 6});
         const Shape shape = broadcast(both);
         Result out(shape, {6, 6});
         for_each(size_of(shape), [&](std::size_t k) {
-          const double* g = both[1].at(k);
-          put(out.at(k), inverse_chart_jacobian(matrix6(both[0].at(k)), Vec3{g[0], g[1], g[2]}));
+          const double* g = both[0].at(k);
+          put(out.at(k), inverse_chart_jacobian(Vec3{g[0], g[1], g[2]}, matrix6(both[1].at(k))));
         });
         return out.take();
       },
-      "B"_a, "g_B"_a,
+      "g_B"_a, "B"_a,
       "The same for any canonical chart, given by its B (..., 6, 6) at body momentum g_B (..., "
       "3).");
   m.def(
       "canonical_transformation",
-      [](ArrayLike B_from, ArrayLike B_to, ArrayLike g_B) {
+      [](ArrayLike g_B, ArrayLike B_from, ArrayLike B_to) {
+        require_state_first("canonical_transformation", g_B);
         std::vector<Numbers> all;
+        all.emplace_back(g_B, "g_B", std::initializer_list<std::size_t>{3});
         all.emplace_back(B_from, "B_from", std::initializer_list<std::size_t>{6, 6});
         all.emplace_back(B_to, "B_to", std::initializer_list<std::size_t>{6, 6});
-        all.emplace_back(g_B, "g_B", std::initializer_list<std::size_t>{3});
         const Shape shape = broadcast(all);
         Result out(shape, {6, 6});
         for_each(size_of(shape), [&](std::size_t k) {
-          const double* g = all[2].at(k);
-          put(out.at(k), canonical_transformation(matrix6(all[0].at(k)), matrix6(all[1].at(k)),
-                                                  Vec3{g[0], g[1], g[2]}));
+          const double* g = all[0].at(k);
+          put(out.at(k), canonical_transformation(Vec3{g[0], g[1], g[2]}, matrix6(all[1].at(k)),
+                                                  matrix6(all[2].at(k))));
         });
         return out.take();
       },
-      "B_from"_a, "B_to"_a, "g_B"_a,
+      "g_B"_a, "B_from"_a, "B_to"_a,
       "The same for any canonical charts, given by their B (..., 6, 6) at one hub state with body "
       "momentum g_B (..., 3).");
 }

@@ -106,13 +106,13 @@ z : (..., 6), where.)");
       "lagrange_brackets.");
   m.def(
       "equations_of_motion",
-      [](VariablesFunction f, const PythonSystem& system, ArrayLike t, ArrayLike z) {
+      [](const PythonSystem& system, ArrayLike t, ArrayLike z, VariablesFunction f) {
         const PythonVariables of(f, "equations_of_motion");
         return at_all(z, t, {6}, [&](double at, const Variables<double>& x, double* out) {
-          for (const double rate : equations_of_motion(of, system, at, x)) *out++ = rate;
+          for (const double rate : equations_of_motion(system, at, x, of)) *out++ = rate;
         });
       },
-      "f"_a, "system"_a, "t"_a, "z"_a,
+      "system"_a, "t"_a, "z"_a, "f"_a,
       "dz/dt (..., 6) of any six variables, canonical or not, under a system: Andoyer's general "
       "method. f as in lagrange_brackets; NaN where it is singular. [SA \"linear\"]");
 }

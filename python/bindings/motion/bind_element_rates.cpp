@@ -91,7 +91,7 @@ Examples
 >>> body = polhode.Body(3, 4, 6)
 >>> state = polhode.rotor_state(body, [1, 0, 0, 0], [0.4, 0.2, 0.3])
 >>> system = polhode.System(body, polhode.Frame.precessing([0, 0.6, 0.8], 0.01))
->>> C = polhode.charts.elements_of_state("andoyer", system, 0.0, state, "osculating")
+>>> C = polhode.charts.elements_of_state(system, 0.0, state, "andoyer", "osculating")
 >>> polhode.rates.element_rates(system, 0.0, C, "osculating").shape
 (6,)
 )";
@@ -151,7 +151,7 @@ void bind_element_rates(nb::module_& m) {
   bind_set<SadovState>(m);
   m.def(
       "elements_of_state",
-      [](const std::string& chart, const PythonSystem& system, ArrayLike t, const Rotors& states,
+      [](const PythonSystem& system, ArrayLike t, const Rotors& states, const std::string& chart,
          AnyGauge gauge, std::optional<double> t0)
           -> Typed<"AndoyerState | FukushimaIshizakiState | SerretState | SadovState"> {
         const Gauge of = gauge_of(gauge);
@@ -168,7 +168,7 @@ void bind_element_rates(nb::module_& m) {
              R"("; expected "andoyer", "fukushima-ishizaki", "serret" or "sadov")")
                 .c_str());
       },
-      "chart"_a, "system"_a, "t"_a, "state"_a, "gauge"_a = "canonical", "t0"_a = nb::none(),
+      "system"_a, "t"_a, "state"_a, "chart"_a, "gauge"_a = "canonical", "t0"_a = nb::none(),
       "The elements of canonical states, in the chart \"andoyer\", \"fukushima-ishizaki\" (with "
       "its "
       "epoch t0; None: 0), \"serret\" or \"sadov\" and a gauge: the inverse of element_state. "

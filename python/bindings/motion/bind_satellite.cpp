@@ -307,7 +307,7 @@ void bind_elements(nb::module_& m) {
           Result result(shape, {6});
           for_each(size_of(shape), [&](std::size_t k) {
             const auto [C, time] = at(k);
-            put(result.at(k), element_rates(set, system, time, C, of));
+            put(result.at(k), element_rates(system, time, C, set, of));
           });
           rates = nb::cast(result.take());
         });
@@ -325,7 +325,7 @@ void bind_elements(nb::module_& m) {
           Result result(shape, {3});
           for_each(size_of(shape), [&](std::size_t k) {
             const auto [C, time] = at(k);
-            put(result.at(k), element_convective_term(set, system, time, C, of));
+            put(result.at(k), element_convective_term(system, time, C, set, of));
           });
           terms = nb::cast(result.take());
         });
@@ -345,7 +345,7 @@ void bind_elements(nb::module_& m) {
           states = Satellites::filled(shape, [&](SatelliteState* out) {
             for_each(size_of(shape), [&](std::size_t k) {
               const auto [C, time] = at(k);
-              out[k] = element_state(set, system, time, C, of);
+              out[k] = element_state(system, time, C, set, of);
             });
           });
         });
@@ -356,16 +356,16 @@ void bind_elements(nb::module_& m) {
       "element_rates.");
   m.def(
       "elements_of_state",
-      [](const std::string& chart, const PythonSatelliteSystem& system, ArrayLike t,
-         const Satellites& states, AnyGauge gauge) {
+      [](const PythonSatelliteSystem& system, ArrayLike t, const Satellites& states,
+         const std::string& chart, AnyGauge gauge) {
         const Gauge of = gauge_of(gauge);
         const OrbitalSet set = set_of(chart, "elements_of_state");
         Numbers times(t, "t");
         return mapped_numbers(states, times, {6}, [&](const SatelliteState& s, double at) {
-          return elements_of_state(set, system, at, s, of);
+          return elements_of_state(system, at, s, set, of);
         });
       },
-      "chart"_a, "system"_a, "t"_a, "state"_a, "gauge"_a = "canonical",
+      "system"_a, "t"_a, "state"_a, "chart"_a, "gauge"_a = "canonical",
       "The elements (..., 6) of a satellite's states in the chart \"delaunay\" or \"keplerian\" "
       "and a gauge: the inverse of element_state.");
 }

@@ -204,53 +204,53 @@ void bind_osculation(nb::module_& m) {
 void bind_modified(nb::module_& m) {
   m.def(
       "modified_andoyer",
-      [](const Body& body, double t0, ArrayLike t, const Rotors& states) {
+      [](const Body& body, ArrayLike t, const Rotors& states, double t0) {
         Numbers times(t, "t");
         return mapped(states, times, [&](const RotorState& s, double at) {
-          return modified_andoyer(body, t0, at, s);
+          return modified_andoyer(body, at, s, t0);
         });
       },
-      "body"_a, "t0"_a, "t"_a, "state"_a,
+      "body"_a, "t"_a, "state"_a, "t0"_a,
       "The modified Andoyer set: the AndoyerState that the free motion through a state at time t "
       "has at the epoch t0. [SA (102), (103)]");
   m.def(
       "from_modified_andoyer",
-      [](const Body& body, double t0, ArrayLike t, const Andoyers& states) {
+      [](const Body& body, ArrayLike t, const Andoyers& states, double t0) {
         Numbers times(t, "t");
         return mapped(states, times, [&](const AndoyerState& s, double at) {
-          return from_modified_andoyer(body, t0, at, s);
+          return from_modified_andoyer(body, at, s, t0);
         });
       },
-      "body"_a, "t0"_a, "t"_a, "state"_a,
+      "body"_a, "t"_a, "state"_a, "t0"_a,
       "The state at time t of a modified Andoyer set with epoch t0.");
   m.def(
       "modified_andoyer_rates",
-      [](const PythonSystem& system, double t0, ArrayLike t, const Rotors& states) {
+      [](const PythonSystem& system, ArrayLike t, const Rotors& states, double t0) {
         Numbers times(t, "t");
         return mapped(states, times, [&](const RotorState& s, double at) {
-          return modified_andoyer_rates(system, t0, at, s);
+          return modified_andoyer_rates(system, at, s, t0);
         });
       },
-      "system"_a, "t0"_a, "t"_a, "state"_a,
+      "system"_a, "t"_a, "state"_a, "t0"_a,
       "Rates of the modified Andoyer set at time t: zero without a perturbation. [SA (102), "
       "(103)]");
 }
 
-// f(chart, system, t, state) of N numbers.
+// f(system, t, state, chart) of N numbers.
 template <std::size_t N>
 void def_of_chart(nb::module_& m, const char* name,
-                  std::array<double, N> (*f)(const CanonicalChart&, const System&, double,
-                                             const RotorState&),
+                  std::array<double, N> (*f)(const System&, double, const RotorState&,
+                                             const CanonicalChart&),
                   const char* doc) {
   m.def(
       name,
-      [f](AnyChart chart, const PythonSystem& system, ArrayLike t, const Rotors& states) {
+      [f](const PythonSystem& system, ArrayLike t, const Rotors& states, AnyChart chart) {
         const CanonicalChart of = chart_of(chart, "chart");
         Numbers times(t, "t");
         return mapped_numbers(states, times, {N},
-                              [&](const RotorState& s, double at) { return f(of, system, at, s); });
+                              [&](const RotorState& s, double at) { return f(system, at, s, of); });
       },
-      "chart"_a, "system"_a, "t"_a, "state"_a, doc);
+      "system"_a, "t"_a, "state"_a, "chart"_a, doc);
 }
 
 void bind_canonical_rates(nb::module_& m) {

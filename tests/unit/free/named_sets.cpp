@@ -35,7 +35,7 @@ bool is_tame(const NamedMotion& m) {
 
 // Largest entry of inverse * B - 1.
 double defect(const Matrix6& B, const Vec3& g) {
-  const Matrix6 one = polhode::inverse_chart_jacobian(B, g) * B;
+  const Matrix6 one = polhode::inverse_chart_jacobian(g, B) * B;
   double worst = 0.0;
   for (int i = 0; i < 6; ++i)
     for (int j = 0; j < 6; ++j) worst = larger(worst, std::abs(one(i, j) - (i == j ? 1.0 : 0.0)));

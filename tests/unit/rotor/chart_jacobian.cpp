@@ -58,8 +58,8 @@ TEST(ChartJacobian, NextToAPoleOfJ) {
     for (const double side : {1.0, -1.0}) {
       const RotorState near = momentum_near_axis(attitude, side, near_exponent);
       for (const int n : exponents)
-        expect_inverse_distance(chart_jacobian(chart, momentum_near_axis(attitude, side, n)),
-                                chart_jacobian(chart, near), n, true);
+        expect_inverse_distance(chart_jacobian(momentum_near_axis(attitude, side, n), chart),
+                                chart_jacobian(near, chart), n, true);
     }
   }
 }
@@ -70,8 +70,8 @@ TEST(ChartJacobian, NextToPolesOfJAndI) {
     for (const Quaternion& q : {Quaternion{0.6, 0.0, 0.0, 0.8}, Quaternion{0.0, 0.6, 0.8, 0.0}}) {
       const RotorState near = momentum_near_axis(q, -1.0, near_exponent);
       for (const int n : exponents)
-        expect_inverse_distance(chart_jacobian(chart, momentum_near_axis(q, -1.0, n)),
-                                chart_jacobian(chart, near), n, false);
+        expect_inverse_distance(chart_jacobian(momentum_near_axis(q, -1.0, n), chart),
+                                chart_jacobian(near, chart), n, false);
     }
   }
 }
@@ -81,8 +81,8 @@ TEST(ChartJacobian, NextToAPoleOfTheta) {
   const RotorState near = attitude_near_pole(near_exponent);
   for (const int n : exponents) {
     const RotorState s = attitude_near_pole(n);
-    expect_inverse_distance(chart_jacobian(euler, s), chart_jacobian(euler, near), n, true);
-    expect_inverse_distance(inverse_chart_jacobian(euler, s), inverse_chart_jacobian(euler, near),
+    expect_inverse_distance(chart_jacobian(s, euler), chart_jacobian(near, euler), n, true);
+    expect_inverse_distance(inverse_chart_jacobian(s, euler), inverse_chart_jacobian(near, euler),
                             n, true);
   }
 }
@@ -109,7 +109,7 @@ TEST(ChartJacobian, InverseNextToAPoleOfJ) {
     for (const double side : {1.0, -1.0}) {
       for (const int n : {41, 60, near_exponent, 299, 301, 700, 996, 1015}) {
         const RotorState s = momentum_near_axis(attitude, side, n);
-        const Matrix6 C = inverse_chart_jacobian(chart, s);
+        const Matrix6 C = inverse_chart_jacobian(s, chart);
         const Vec3 g = inertial_momentum(s);
         const double G = norm(g), across = std::hypot(g.x, g.y);
         const bool pairs = chart.set == CanonicalSet::poincare;
@@ -135,8 +135,8 @@ TEST(ChartJacobian, TransformationsNextToAPole) {
     for (const CanonicalChart& to : charts())
       for (const int n : exponents)
         expect_inverse_distance(
-            canonical_transformation(from, to, momentum_near_axis(attitude, side, n)),
-            canonical_transformation(from, to, near), n, false);
+            canonical_transformation(momentum_near_axis(attitude, side, n), from, to),
+            canonical_transformation(near, from, to), n, false);
   }
 }
 

@@ -75,13 +75,13 @@ void expect_differences(const CanonicalRates& rates, const System& system, doubl
 TEST(CanonicalRates, TorquesWithoutEnergyInEveryChart) {
   const System system = pushed_in_a_frame();
   const double t = 0.7;
-  expect_differences(canonical_rates(euler, system, t, generic), system, t,
+  expect_differences(canonical_rates(system, t, generic, euler), system, t,
                      [](const RotorState& s) { return to_euler(s); });
-  expect_differences(canonical_rates(andoyer, system, t, generic), system, t,
+  expect_differences(canonical_rates(system, t, generic, andoyer), system, t,
                      [](const RotorState& s) { return to_andoyer(s); });
   for (const Pole J : {Pole::zero, Pole::pi}) {
     for (const Pole I : {Pole::zero, Pole::pi}) {
-      expect_differences(canonical_rates({CanonicalSet::poincare, J, I}, system, t, generic),
+      expect_differences(canonical_rates(system, t, generic, {CanonicalSet::poincare, J, I}),
                          system, t, [&](const RotorState& s) { return to_poincare(s, J, I); });
     }
   }
@@ -106,8 +106,8 @@ TEST(CanonicalRates, HubRatesAreThoseOfTheSystem) {
 TEST(CanonicalRates, ConvectiveTermOfATorque) {
   const System system(Body(3, 4, 6), Frame::inertial(),
                       {AnyPerturbation("push", TorqueTerm(Push{}))});
-  for (const double rate : convective_term(euler, system, 0.7, generic)) EXPECT_EQ(rate, 0.0);
-  EXPECT_NE(convective_term(andoyer, system, 0.7, generic)[0], 0.0);
+  for (const double rate : convective_term(system, 0.7, generic, euler)) EXPECT_EQ(rate, 0.0);
+  EXPECT_NE(convective_term(system, 0.7, generic, andoyer)[0], 0.0);
   EXPECT_EQ(effect(system, 0.7, generic).v, Vec3{});
 }
 
@@ -121,7 +121,7 @@ TEST(CanonicalRates, AtTheSingularities) {
   const HubRates hub = hub_rates(system, 0.7, spin);
   EXPECT_NEAR(a.L, hub.g.z, budget::rates_rounding);
   EXPECT_NEAR(a.G, hub.g.z, budget::rates_rounding);  // g is along b3
-  const auto of_poincare = canonical_rates({CanonicalSet::poincare}, system, 0.7, spin);
+  const auto of_poincare = canonical_rates(system, 0.7, spin, {CanonicalSet::poincare});
   for (const double rate : of_poincare) EXPECT_TRUE(std::isfinite(rate));
   const AndoyerRates next_to_it = andoyer_rates(system, 0.7, RotorState{spin.q, {1e-7, 0.0, 2.0}});
   EXPECT_NEAR(a.h, next_to_it.h, budget::rates_next_to_pole);
@@ -145,7 +145,7 @@ TEST(CanonicalRates, AtTheSingularities) {
   EXPECT_TRUE(std::isnan(c.l) && std::isnan(c.g) && std::isnan(c.h) && std::isnan(c.G));
   EXPECT_NEAR(c.L, u.z, budget::rates_rounding);
   EXPECT_NEAR(c.H, rotate(generic.q, u).z, budget::rates_rounding);
-  for (const double rate : canonical_rates({CanonicalSet::poincare}, system, 0.7, rest))
+  for (const double rate : canonical_rates(system, 0.7, rest, {CanonicalSet::poincare}))
     EXPECT_TRUE(std::isnan(rate));
 
   // theta = 0: phi and psi do not exist
@@ -294,7 +294,7 @@ System system_of(const Body& body) {
 // B dz/dt + dB/dt is the motion of the hub; against the system's own, relative to their sizes.
 template <class F>
 double hub_defect(const F& f, const System& system, double t, const Variables<double>& z) {
-  const Six rates = equations_of_motion(f, system, t, z);
+  const Six rates = equations_of_motion(system, t, z, f);
   const detail::VariablesAt at = detail::variables_at(f, t, z);
   const HubRates hub = hub_rates(system, t, {normalized(at.s.q), at.s.g});
   const Six expected{hub.theta.x, hub.theta.y, hub.theta.z, hub.g.x, hub.g.y, hub.g.z};
@@ -356,8 +356,8 @@ TEST(AndoyersMethod, BracketsOfInclinations) {
 TEST(AndoyersMethod, CanonicalSetsMoveAtTheirCanonicalRates) {
   const System system = system_of(Body(3, 4, 6));
   const auto compare = [&](const auto& f, const CanonicalChart& chart, const Variables<double>& z) {
-    const Six rates = equations_of_motion(f, system, 0.4, z);
-    const Six expected = canonical_rates(chart, system, 0.4, f(z));
+    const Six rates = equations_of_motion(system, 0.4, z, f);
+    const Six expected = canonical_rates(system, 0.4, f(z), chart);
     for (std::size_t i = 0; i < 6; ++i)
       EXPECT_NEAR(rates[i], expected[i], budget::andoyer_method) << i;
   };
@@ -379,7 +379,7 @@ TEST(AndoyersMethod, WhateverTheVariablesTheHubMovesTheSame) {
 // The initial values of the unperturbed axisymmetric body stand still.
 TEST(AndoyersMethod, ConstantsOfFreeMotionAreConstant) {
   for (const double rate :
-       equations_of_motion(InitialValues{}, System(Body(4, 4, 6)), 5.0, variables))
+       equations_of_motion(System(Body(4, 4, 6)), 5.0, variables, InitialValues{}))
     EXPECT_NEAR(rate, 0.0, budget::andoyer_method);
 }
 
@@ -388,7 +388,7 @@ TEST(AndoyersMethod, SingularSetsAnswerNaN) {
   const auto twice = []<Real T>(const Variables<T>& z) {
     return to_rotor(BasicAndoyerState<T>{T(z[0] + z[1]), z[2], T(0.3), z[3], z[4], z[5]});
   };
-  for (const double rate : equations_of_motion(twice, System(Body(3, 4, 6)), 0.0, variables))
+  for (const double rate : equations_of_motion(System(Body(3, 4, 6)), 0.0, variables, twice))
     EXPECT_TRUE(std::isnan(rate));
 }
 

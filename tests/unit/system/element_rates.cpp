@@ -155,7 +155,7 @@ TEST(ElementRates, MapsThereAndBackInEverySetAndGauge) {
 
 TEST(ElementRates, CanonicalOnesAreTheCanonicalRates) {
   const System system = bent_system();
-  const auto known = canonical_rates({CanonicalSet::andoyer}, system, 0.4, start);
+  const auto known = canonical_rates(system, 0.4, start, {CanonicalSet::andoyer});
   const auto rates = element_rates(system, 0.4, to_andoyer(start));
   for (std::size_t k = 0; k < 6; ++k) EXPECT_NEAR(rates[k], known[k], budget::element_maps);
 }

@@ -64,8 +64,8 @@ double error_of_rates(OrbitalSet set, const SatelliteSystem& system, const Gauge
   OrbitalElements expected{};
   for (int k = 1; k <= 4; ++k) {
     const double d = k * h;
-    const auto b = elements_of_state(set, system, t + d, later.at(t + d), gauge);
-    const auto a = elements_of_state(set, system, t - d, before.at(t - d), gauge);
+    const auto b = elements_of_state(system, t + d, later.at(t + d), set, gauge);
+    const auto a = elements_of_state(system, t - d, before.at(t - d), set, gauge);
     for (std::size_t i = 0; i < 6; ++i) {
       const double change = b[i] - a[i];
       expected[i] += weights[static_cast<std::size_t>(k - 1)] / h *
@@ -73,7 +73,7 @@ double error_of_rates(OrbitalSet set, const SatelliteSystem& system, const Gauge
     }
   }
   const auto rates =
-      element_rates(set, system, t, elements_of_state(set, system, t, start, gauge), gauge);
+      element_rates(system, t, elements_of_state(system, t, start, set, gauge), set, gauge);
   Worst worst;
   for (std::size_t i = 0; i < 6; ++i) worst.add(std::fabs(rates[i] - expected[i]));
   return worst.value();
@@ -92,13 +92,13 @@ TEST(OrbitalElements, GoToStatesAndBackInEverySetAndGauge) {
   const SatelliteSystem system = bent_system();
   for (const OrbitalSet set : {delaunay, keplerian})
     for (const Gauge& gauge : gauges()) {
-      const OrbitalElements C = elements_of_state(set, system, 0.4, start, gauge);
-      const SatelliteState back = element_state(set, system, 0.4, C, gauge);
+      const OrbitalElements C = elements_of_state(system, 0.4, start, set, gauge);
+      const SatelliteState back = element_state(system, 0.4, C, set, gauge);
       EXPECT_LE(norm(back.r - start.r) + norm(back.p - start.p), budget::orbital_maps);
       // the velocity is that of the Kepler orbit and the convective term
       const Vec3 velocity = satellite_rates(system, 0.4, start).r;
-      const Vec3 u = element_state(set, SatelliteSystem(gm), 0.4, C).p;
-      const Vec3 phi = element_convective_term(set, system, 0.4, C, gauge);
+      const Vec3 u = element_state(SatelliteSystem(gm), 0.4, C, set).p;
+      const Vec3 phi = element_convective_term(system, 0.4, C, set, gauge);
       EXPECT_LE(norm(u + phi - velocity), budget::orbital_maps);
     }
 }
@@ -113,7 +113,7 @@ TEST(OrbitalElements, MeanCanonicalRatesAreTheSecularOnes) {
   double node = 0.0, argument = 0.0;
   for (int k = 0; k < count; ++k) {
     const auto rates =
-        element_rates(keplerian, system, 0.0, {a, e, i, 0.4, 1.1, 2.0 * pi * k / count});
+        element_rates(system, 0.0, {a, e, i, 0.4, 1.1, 2.0 * pi * k / count}, keplerian);
     node += rates[3] / count;
     argument += rates[4] / count;
   }
@@ -145,7 +145,7 @@ struct InElements {
   }
   State state(const Values& y) const { return {y}; }
   Values rates(const DoubleDouble& t, const Values& y) const {
-    return element_rates(delaunay, system, to_double(t), y, gauge);
+    return element_rates(system, to_double(t), y, delaunay, gauge);
   }
   double error_size(const Values& error, const Values&, const Values&) const {
     double sum = 0.0;
@@ -157,7 +157,7 @@ struct InElements {
 // Errors of inclination, node and position.
 double error_of_motion(const SatelliteSystem& system, const Gauge& gauge, double stop) {
   const BasicProblem<InElements> p{{system, gauge},
-                                   {elements_of_state(delaunay, system, 0.0, start, gauge)},
+                                   {elements_of_state(system, 0.0, start, delaunay, gauge)},
                                    0.0,
                                    stop,
                                    Collocation{.tolerance = 1e-15}};
@@ -165,11 +165,11 @@ double error_of_motion(const SatelliteSystem& system, const Gauge& gauge, double
   EXPECT_TRUE(run.outcome().ok()) << run.outcome().advice;
   const OrbitalElements end = run.at(stop).z;
   const SatelliteState direct = satellite_path(system, start, 0.0, stop).at(stop);
-  const OrbitalElements expected = elements_of_state(delaunay, system, stop, direct, gauge);
+  const OrbitalElements expected = elements_of_state(system, stop, direct, delaunay, gauge);
   Worst worst;
   worst.add(std::fabs(std::acos(end[5] / end[4]) - std::acos(expected[5] / expected[4])));
   worst.add(std::fabs(std::remainder(end[2] - expected[2], 2.0 * pi)));
-  worst.add(norm(element_state(delaunay, system, stop, end, gauge).r - direct.r));
+  worst.add(norm(element_state(system, stop, end, delaunay, gauge).r - direct.r));
   return worst.value();
 }
 
@@ -214,10 +214,10 @@ TEST(OrbitalElements, SingularitiesAndUnboundOrbitsAreRejected) {
         Row{keplerian, {-1.0, 0.2, 0.5, 0.1, 0.2, 0.3}, "not a bound orbit"},
         Row{delaunay, {0.1, 0.2, 0.3, 1.0, 0.9, 0.95}, "not a bound orbit"},
         Row{delaunay, {0.1, 0.2, 0.3, -1.0, -0.9, -0.5}, "not a bound orbit"}})
-    EXPECT_THAT(message_of([&] { element_rates(row.set, system, 0.0, row.elements); }),
+    EXPECT_THAT(message_of([&] { element_rates(system, 0.0, row.elements, row.set); }),
                 HasSubstr(row.message));
   EXPECT_THAT(message_of([&] {
-                elements_of_state(keplerian, system, 0.0, {{1.0, 0.0, 0.0}, {0.0, 2.0, 0.0}});
+                elements_of_state(system, 0.0, {{1.0, 0.0, 0.0}, {0.0, 2.0, 0.0}}, keplerian);
               }),
               HasSubstr("expected 0 <= e < 1"));
   EXPECT_THAT(message_of([] { SatelliteSystem(-1.0); }), HasSubstr("got gm = -1"));

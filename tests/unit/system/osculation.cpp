@@ -128,14 +128,14 @@ TEST(Axes, AgreeWithTheCharts) {
 }
 
 TEST(ModifiedAndoyer, IsTheRegularSetAtItsEpoch) {
-  const AndoyerState C = modified_andoyer(body, 2.0, 2.0, state), a = to_andoyer(state);
+  const AndoyerState C = modified_andoyer(body, 2.0, state, 2.0), a = to_andoyer(state);
   EXPECT_NEAR(C.l, a.l, budget::rates_rounding);
   EXPECT_NEAR(C.g, a.g, budget::rates_rounding);
   EXPECT_NEAR(C.L, a.L, budget::rates_rounding);
   const System system(body, Frame::precessing({0, 0, 1}, 0.25));
-  const AndoyerRates there = modified_andoyer_rates(system, 2.0, 2.0, state);
+  const AndoyerRates there = modified_andoyer_rates(system, 2.0, state, 2.0);
   const CanonicalRates added =
-      perturbation_rates(CanonicalChart{CanonicalSet::andoyer}, system, 2.0, state);
+      perturbation_rates(system, 2.0, state, CanonicalChart{CanonicalSet::andoyer});
   EXPECT_NEAR(there.l, added[0], budget::rates_rounding);
   EXPECT_NEAR(there.g, added[1], budget::rates_rounding);
   EXPECT_NEAR(there.h, added[2], budget::rates_rounding);
