@@ -90,35 +90,42 @@ def _overloads(callable_: Any, names: dict[str, Any]) -> list[inspect.Signature]
 
 
 def _signature(callable_: Any, names: dict[str, Any]) -> inspect.Signature:
-    """Of its only overload; of several their union, if each begins like the longest, else arguments
-    of any kind. Its text lists all overloads."""
+    """Of its only overload; of several their union, which every valid call fits: "= ..." marks what
+    not all of them require. Its text lists all overloads."""
     overloads = _overloads(callable_, names)
-    longest = max(overloads, key=lambda made: len(made.parameters))
-    if not all(_is_part_of(made, longest) for made in overloads):
-        return inspect.Signature(
-            [_KINDS("args", _KINDS.VAR_POSITIONAL), _KINDS("kwargs", _KINDS.VAR_KEYWORD)]
-        )
-    merged = []
-    for name, parameter in longest.parameters.items():
+    merged: list[inspect.Parameter] = []
+    for name in _in_one_order(overloads):
         those = [made.parameters[name] for made in overloads if name in made.parameters]
         default = next((p.default for p in those if p.default is not _KINDS.empty), _KINDS.empty)
-        if len(those) < len(overloads) and default is _KINDS.empty:
-            default = _Shown("...")  # not of every overload
+        is_late = bool(merged) and merged[-1].default is not _KINDS.empty
+        if default is _KINDS.empty and (
+            len(those) < len(overloads) or is_late and those[0].kind is not _KINDS.KEYWORD_ONLY
+        ):
+            default = _Shown("...")
         merged.append(
-            parameter.replace(default=default, annotation=_union(p.annotation for p in those))
+            those[0].replace(default=default, annotation=_union(p.annotation for p in those))
         )
     returned = _union(made.return_annotation for made in overloads)
     return inspect.Signature(merged, return_annotation=returned)
 
 
-def _is_part_of(made: inspect.Signature, longest: inspect.Signature) -> bool:
-    """Whether its positional parameters are the first of the longest."""
-    own, all_of = _positional(made), _positional(longest)
-    return own == all_of[: len(own)] and set(made.parameters) <= set(longest.parameters)
-
-
-def _positional(made: inspect.Signature) -> list[str]:
-    return [name for name, p in made.parameters.items() if p.kind is not _KINDS.KEYWORD_ONLY]
+def _in_one_order(overloads: list[inspect.Signature]) -> list[str]:
+    """The names of all parameters, each after those that stand before it in an overload; what is
+    given by name alone comes last."""
+    longest_first = sorted(overloads, key=lambda made: -len(made.parameters))
+    left = [
+        [name for name, p in made.parameters.items() if p.kind is not _KINDS.KEYWORD_ONLY]
+        for made in longest_first
+    ]
+    order: list[str] = []
+    while left := [names for names in left if names]:
+        name = next(
+            first for first, *_ in left if all(first not in names[1:] for names in left)
+        )  # fmt: skip
+        order.append(name)
+        left = [[other for other in names if other != name] for names in left]
+    by_name = [name for made in longest_first for name in made.parameters if name not in order]
+    return order + list(dict.fromkeys(by_name))
 
 
 def _union(annotations: Iterable[Any]) -> Any:

@@ -74,8 +74,41 @@ def test_defaults_can_be_given():
         assert repr(thing(**given)) == repr(thing())
 
 
-def test_of_several_overloads_it_promises_nothing():
-    assert str(inspect.signature(polhode.to_rotor)) == "(*args, **kwargs)"
+def functions_and_methods():
+    for name, thing in PUBLIC:
+        if not (isinstance(thing, type) and issubclass(thing, BaseException)):
+            yield name, thing
+        for method in vars(thing) if isinstance(thing, type) else ():
+            if not method.startswith("_") and callable(getattr(thing, method)):
+                yield f"{name}.{method}", getattr(thing, method)
+
+
+def test_no_signature_is_of_arguments_without_names():
+    nameless = [
+        name for name, thing in functions_and_methods()
+        if {"args", "kwargs"} & set(inspect.signature(thing).parameters)
+    ]
+    assert not nameless
+
+
+def test_of_several_overloads_it_is_their_union():
+    def names(thing):
+        return list(inspect.signature(thing).parameters)
+
+    assert names(polhode.to_rotor) == ["body", "state", "t", "threads"]
+    assert names(polhode.to_serret) == ["body", "state", "t", "threads"]
+    assert names(polhode.angular_velocity) == ["system", "t", "state"]
+    assert names(polhode.charts.chart_jacobian) == ["body", "state", "t", "chart"]
+    assert names(polhode.ephemeris.Date) == ["instant", "scale", "day", "fraction"]
+    assert str(inspect.signature(polhode.charts.canonical_transformation)).startswith(
+        "(state: 'RotorState | numpy.typing.ArrayLike', from_chart: 'CanonicalChart | ")
+    body = polhode.Body(1.0, 1.7, 2.1)
+    state = polhode.RotorState([1, 0, 0, 0], [0.1, 0.2, 1.0])
+    union = inspect.signature(polhode.to_rotor)
+    for arguments in [(polhode.to_andoyer(state),), (body, polhode.to_sadov(body, state)),
+                      (body, polhode.to_serret(body, state), 0.0)]:
+        assert union.bind(*arguments).args == arguments
+        polhode.to_rotor(*arguments)
 
 
 def test_a_subclass_has_its_own():

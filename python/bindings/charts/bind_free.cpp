@@ -291,7 +291,7 @@ void def_flow_chart(nb::module_& m, const char* name, Of of, const char* doc) {
         return mapped(
             times, [&](double at) { return of(motion, at); }, checked_threads(threads));
       },
-      "motion"_a, "t"_a, nb::kw_only(), "threads"_a = 1, doc);
+      "body"_a, "t"_a, nb::kw_only(), "threads"_a = 1, doc);
   m.def(
       name,
       [of](const Body& body, const Rotors& states, ArrayLike t, int threads) {

@@ -361,7 +361,7 @@ void bind_kinoshita(nb::module_& m) {
 
 Parameters
 ----------
-motion : FreeRotation, or body : Body and state : RotorState
+body : Body, with state : RotorState; or a FreeRotation, which has both
 t : array_like
     Times; each state is taken at its own time.
 
@@ -388,7 +388,7 @@ Examples
         const Numbers times(t, "t");
         return mapped(times, [&](double at) { return to_kinoshita(motion, at); });
       },
-      "motion"_a, "t"_a, doc);
+      "body"_a, "t"_a, doc);
   m.def(
       "to_kinoshita",
       [](const Body& body, const Batch<RotorState>& states, ArrayLike t) {

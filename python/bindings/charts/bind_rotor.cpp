@@ -218,7 +218,7 @@ FloatArray matrices_of(nb::handle q) {
 FloatArray quaternions_of(nb::handle R) {
   nb::object of_duals = dual_attitude(R);
   if (!of_duals.is_none()) return of_duals;
-  const Numbers n(R, "R", {3, 3});
+  const Numbers n(R, "rotation", {3, 3});
   Result out(n.shape(), {4});
   for_each(size_of(n.shape()), [&](std::size_t k) {
     const double* a = n.at(k);
@@ -246,9 +246,9 @@ void bind_attitudes(nb::module_& m) {
       [](const Batch<EulerAngles>& angles) {
         return mapped_numbers(angles, {4}, [](const EulerAngles& e) { return attitude(e); });
       },
-      "angles"_a, "Quaternion (..., 4), body to inertial, of 3-1-3 angles.");
+      "rotation"_a, "Quaternion (..., 4), body to inertial, of 3-1-3 angles.");
   m.def(
-      "attitude", [](ArrayLike R) { return quaternions_of(R); }, "R"_a,
+      "attitude", [](ArrayLike R) { return quaternions_of(R); }, "rotation"_a,
       "Quaternion (..., 4), body to inertial, of rotation matrices R (..., 3, 3), v_B = R v_I. "
       "ValueError for a matrix that is no rotation (to 1e-6). One R of Dual gives Duals, "
       "unchecked.");
@@ -373,20 +373,21 @@ void bind_conversions(nb::module_& m) {
 }
 
 void bind_functions(nb::module_& m) {
-  const auto vector_of_body = [&m](const char* name, auto f, const char* doc) {
+  const auto vector_of_body = [&m](const char* name, nb::arg first, auto f, const char* doc) {
     m.def(
         name,
         [f](const Body& body, const Rotors& states) {
           return mapped_numbers(states, {3}, [&](const RotorState& s) { return f(body, s); });
         },
-        "body"_a, "state"_a, doc);
+        first, "state"_a, doc);
   };
+  // a body alone is a system without perturbations: one name for both
   vector_of_body(
-      "angular_velocity",
+      "angular_velocity", "system"_a,
       [](const Body& body, const RotorState& s) { return angular_velocity(body, s); },
       "omega_B = I^-1 g, body components: (..., 3). [SA (24)]");
   vector_of_body(
-      "inertial_angular_velocity",
+      "inertial_angular_velocity", "body"_a,
       [](const Body& body, const RotorState& s) { return inertial_angular_velocity(body, s); },
       "The same vector in inertial components: (..., 3). [SA (8)]");
   m.def(

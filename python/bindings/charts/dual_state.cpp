@@ -367,7 +367,7 @@ void bind_dual_functions(nb::module_& m) {
       [](const Body& body, const DualState& s) {
         return on_rotor(s, [&](const auto& r) { return to_python(body_rate(body, r)); });
       },
-      "body"_a, "state"_a, "omega_B (3,) of a state of Duals.");
+      "system"_a, "state"_a, "omega_B (3,) of a state of Duals.");
   m.def(
       "inertial_angular_velocity",
       [](const Body& body, const DualState& s) {

@@ -106,8 +106,8 @@ void bind_of_matrices(nb::module_& m) {
       [](ArrayLike g_B, ArrayLike B) {
         require_state_first("inverse_chart_jacobian", g_B);
         std::vector<Numbers> both;
-        both.emplace_back(g_B, "g_B", std::initializer_list<std::size_t>{3});
-        both.emplace_back(B, "B", std::initializer_list<std::size_t>{6, 6});
+        both.emplace_back(g_B, "state", std::initializer_list<std::size_t>{3});
+        both.emplace_back(B, "chart", std::initializer_list<std::size_t>{6, 6});
         const Shape shape = broadcast(both);
         Result out(shape, {6, 6});
         for_each(size_of(shape), [&](std::size_t k) {
@@ -116,17 +116,17 @@ void bind_of_matrices(nb::module_& m) {
         });
         return out.take();
       },
-      "g_B"_a, "B"_a,
-      "The same for any canonical chart, given by its B (..., 6, 6) at body momentum g_B (..., "
-      "3).");
+      "state"_a, "chart"_a,
+      "The same for any canonical chart: `chart` is its B (..., 6, 6), `state` the momentum g_B "
+      "(..., 3) along the body axes.");
   m.def(
       "canonical_transformation",
       [](ArrayLike g_B, ArrayLike B_from, ArrayLike B_to) {
         require_state_first("canonical_transformation", g_B);
         std::vector<Numbers> all;
-        all.emplace_back(g_B, "g_B", std::initializer_list<std::size_t>{3});
-        all.emplace_back(B_from, "B_from", std::initializer_list<std::size_t>{6, 6});
-        all.emplace_back(B_to, "B_to", std::initializer_list<std::size_t>{6, 6});
+        all.emplace_back(g_B, "state", std::initializer_list<std::size_t>{3});
+        all.emplace_back(B_from, "from_chart", std::initializer_list<std::size_t>{6, 6});
+        all.emplace_back(B_to, "to_chart", std::initializer_list<std::size_t>{6, 6});
         const Shape shape = broadcast(all);
         Result out(shape, {6, 6});
         for_each(size_of(shape), [&](std::size_t k) {
@@ -136,9 +136,10 @@ void bind_of_matrices(nb::module_& m) {
         });
         return out.take();
       },
-      "g_B"_a, "B_from"_a, "B_to"_a,
-      "The same for any canonical charts, given by their B (..., 6, 6) at one hub state with body "
-      "momentum g_B (..., 3).");
+      "state"_a, "from_chart"_a, "to_chart"_a,
+      "The same for any canonical charts: `from_chart` and `to_chart` are their B (..., 6, 6) at "
+      "one "
+      "hub state, `state` is its momentum g_B (..., 3) along the body axes.");
 }
 
 // Of one body: (6, 6).

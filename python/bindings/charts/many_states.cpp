@@ -155,7 +155,7 @@ void bind_to_sadov(nb::module_& m) {
         return mapped(
             times, [&](double at) { return to_sadov(motion, at); }, checked_threads(threads));
       },
-      "motion"_a, "t"_a, nb::kw_only(), "threads"_a = 1,
+      "body"_a, "t"_a, nb::kw_only(), "threads"_a = 1,
       "Action-angle variables of a motion at time t, or of any states.");
   m.def(
       "to_sadov",
@@ -177,7 +177,7 @@ void bind_to_serret(nb::module_& m) {
         return mapped(
             times, [&](double at) { return to_serret(motion, at); }, checked_threads(threads));
       },
-      "motion"_a, "t"_a, nb::kw_only(), "threads"_a = 1, doc);
+      "body"_a, "t"_a, nb::kw_only(), "threads"_a = 1, doc);
   m.def(
       "to_serret",
       [](const Body& body, const Rotors& states, ArrayLike t, int threads) {

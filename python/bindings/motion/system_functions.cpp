@@ -188,7 +188,7 @@ void bind_osculation(nb::module_& m) {
           return osculating_andoyer(system, at, s);
         });
       },
-      "system"_a, "t"_a, "canonical"_a, "Osculating elements of canonical ones.");
+      "system"_a, "t"_a, "state"_a, "Osculating elements of canonical ones.");
   m.def(
       "canonical_andoyer",
       [](const PythonSystem& system, ArrayLike t, const Andoyers& states) {
