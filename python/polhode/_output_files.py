@@ -91,16 +91,20 @@ def chunk_files(index: str, chunks: Any, last: int) -> list[str]:
 
 def _read_hdf5(path: str) -> OutputFile:
     h5py = imported("h5py", "reading an HDF5 file")
-    with h5py.File(path) as file:
+    try:
+        opened = h5py.File(path)
+    except OSError as error:  # h5py does not name the file
+        raise OSError(f"{path}: {error}") from error
+    with opened as file:
         said = {name: file.attrs[name] for name in file.attrs}
         groups, parts, texts = [], [], {}
         first = [g for g in map(str, file.attrs.get("groups", _FIRST)) if g in file]
         for group in [*first, *(g for g in file if g not in first)]:
-            if "columns" not in file[group].attrs:
-                continue  # the names of the columns of a group
-            columns = [str(name) for name in file[group].attrs["columns"]]
-            groups.append((group, list(zip(columns, map(str, file[group].attrs["units"])))))
             data = file[group]
+            if not _is_group_of_columns(data):
+                continue  # the names of the columns of a group, or what others wrote
+            columns = [str(name) for name in data.attrs["columns"]]
+            groups.append((group, list(zip(columns, map(str, data.attrs["units"])))))
             if data.dtype.kind == "f":
                 parts.append(data[()].reshape(len(data), len(columns)))
                 continue
@@ -116,6 +120,16 @@ def _read_hdf5(path: str) -> OutputFile:
     )
 
 
+def _is_group_of_columns(data: Any) -> bool:
+    """Whether it is a table of numbers or texts whose attributes name its columns."""
+    import h5py
+
+    if not {"columns", "units"} <= set(data.attrs) or getattr(data, "ndim", 0) < 1:
+        return False
+    is_known = data.dtype.kind == "f" or h5py.check_string_dtype(data.dtype) is not None
+    return is_known and data.size == len(data) * len(data.attrs["columns"])
+
+
 def _read_csv(path: str) -> OutputFile:
     with open(path, encoding="utf-8-sig") as file:
         try:
@@ -125,14 +139,14 @@ def _read_csv(path: str) -> OutputFile:
     head = [line[2:] for line in lines if line.startswith("#")]
     scenario = [line[2:] for line in head if line.startswith("|")]
     said = [line for line in head if not line.startswith("|")]
-    rows = [line for line in lines if not line.startswith("#")]
+    places = [k for k, line in enumerate(lines, 1) if not line.startswith("#")]
+    rows = [lines[k - 1] for k in places]
     names = rows[0].split(",") if rows else []
     units = dict(re.findall(r"(\S+) \[([^][]*)\](?:, |$)", _said(said, "units: ")))
-    if wrong := [row for row in rows[1:] if row.count(",") + 1 != len(names)]:
-        raise ValueError(
-            f'{path}: got the row "{wrong[0][:60]}"; expected {len(names)} numbers, as in the line '
-            "of names"
-        )
+    for k, row in zip(places, rows):
+        if row.count(",") + 1 != len(names):
+            raise ValueError(f'{path}:{k}: got the row "{row[:60]}"; expected {len(names)} '
+                             "numbers, as in the line of names")  # fmt: skip
     table, texts = _numbers(rows[1:], names)
     text = "\n".join(scenario) + "\n" * bool(scenario)
     return OutputFile(

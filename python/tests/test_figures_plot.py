@@ -12,6 +12,7 @@ import numpy as np  # noqa: E402
 import polhode  # noqa: E402
 import pytest  # noqa: E402
 from polhode import figures, vary  # noqa: E402
+from polhode.figures.__main__ import draw  # noqa: E402
 from rejections import rejected  # noqa: E402
 from scenario_texts import FREE  # noqa: E402
 
@@ -19,6 +20,9 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 SCENARIO = polhode.Scenario.from_text(FREE)
 KEY = "body.moments[0]"
 AXIS = 'key = "body.moments[0]"\nfrom = 0.5\nto = 0.6\ncount = 3\n'
+EPOCH = '[units]\ntime = "s"\n[state]\nepoch = "2020-01-01T00:00:00 UTC"\n'
+DATED = polhode.Scenario.from_text(FREE.replace("[state.", EPOCH + "[state.", 1)).with_columns(
+    ["date", "omega"])
 SPIN = 'key = "state.attitude-rate.omega_body[0]"\nfrom = 0.1\nto = 0.2\ncount = 2\n'
 
 
@@ -49,6 +53,48 @@ def test_a_run_in_memory_and_in_files(name, tmp_path):
 def test_a_run_without_attitudes_is_drawn_by_columns():
     axes = SCENARIO.with_columns("omega").run().plot()
     assert len(axes) == 1 and ids(axes) == ["w1", "w2", "w3"]  # components share a panel
+
+
+@pytest.mark.parametrize("name", ["q.csv", "q.h5"])
+def test_a_run_of_attitudes_without_rates(name, tmp_path):
+    if name.endswith("h5"):
+        pytest.importorskip("h5py")
+    results = SCENARIO.with_columns("q").run(tmp_path / name)
+    for axes in (results.plot(), figures.plot(tmp_path / name)):
+        assert len(axes) == 1 and ids(axes) == ["qw", "qx", "qy", "qz"]
+        assert np.array_equal(axes[0].get_lines()[0].get_ydata(), results["qw"])
+
+
+def test_times_are_not_drawn_against_themselves(tmp_path):
+    refusal = "got the column t; expected columns to draw against it"
+    runs = SCENARIO.run(tmp_path / "a.csv")
+    for names in ("t", ["w1", "t"]):
+        rejected(ValueError, refusal, runs.plot, names)
+        rejected(ValueError, refusal, figures.plot, tmp_path / "a.csv", names)
+    assert draw(str(tmp_path / "a.csv"), columns=["t"]) == 2
+    for keep in ("rows", "statistics"):
+        path = tmp_path / f"{keep}.csv"
+        scenario = SCENARIO.with_columns("omega")
+        scenario.ensemble(path, vary={KEY: vary.uniform(0.5, 0.6)}, size=2, keep=keep)
+        rejected(ValueError, refusal, figures.plot, path, "t")
+
+
+@pytest.mark.parametrize("ending", ["csv", "h5"])
+def test_dates_of_ensembles_are_no_numbers(ending, tmp_path):
+    if ending == "h5":
+        pytest.importorskip("h5py")
+    drawn = {KEY: vary.uniform(0.5, 0.6)}
+    medians = ["w1-median", "w2-median", "w3-median"]
+    for keep, lines in (("rows", medians), ("statistics", medians), ("final", [])):
+        path = tmp_path / f"{keep}.{ending}"
+        found = DATED.ensemble(path, vary=drawn, size=4, keep=keep)
+        for axes in (found.plot(), figures.plot(path)):
+            assert ids(axes) == lines
+            assert not lines or np.isfinite(axes[0].get_lines()[0].get_ydata()).all()
+        if keep != "statistics":
+            assert found["date"].dtype.kind == "U"
+            rejected(ValueError, 'the column "date" has no numbers', found.plot, "date")
+            rejected(ValueError, 'the column "date" has no numbers', figures.plot, path, "date")
 
 
 def test_ensembles_by_what_they_keep(tmp_path):
@@ -87,6 +133,9 @@ def test_maps_by_their_axes(name, tmp_path):
         (mesh,) = axis.collections
         assert mesh.get_array().size == 6
     rejected(ValueError, 'no column "w4"', found.plot, "w4")
+    for source in (name, f"2{name}"):
+        rejected(ValueError, "got 2 columns; expected one for a map",
+                 figures.plot, tmp_path / source, ["w1_last", "w1_largest"])
 
 
 def test_a_section_is_drawn_as_points(tmp_path):
@@ -97,6 +146,48 @@ def test_a_section_is_drawn_as_points(tmp_path):
         len(line.get_xdata()) for line in drawn[1]
     ]
     assert sum(len(line.get_xdata()) for line in drawn[0]) > 50
+    (first, *_), (tilt, *_) = drawn[0], found.plot(["angle", "tilt"]).get_lines()
+    assert len(tilt.get_xdata()) == len(first.get_xdata())
+    rejected(ValueError, "expected two columns, x and y, or none", found.plot, "tilt")
+    rejected(ValueError, "expected two columns", found.plot, ["angle", "spin", "tilt"])
+
+
+def test_rows_of_another_length_are_named_by_their_line(tmp_path):
+    path = tmp_path / "a.csv"
+    SCENARIO.run(path)
+    whole = path.read_text()
+    last = whole.count("\n")
+    path.write_text(whole[: whole.rindex(",")])  # as a full disk leaves it
+    rejected(ValueError, rf'a\.csv:{last}: got the row "10,.*"; expected 8 numbers, as in the line '
+             "of names$", figures.plot, path)
+    path.write_text("# a note\nt,x\n0,1\n# another\n1,2,3\n2,3\n")
+    rejected(ValueError, r'a\.csv:5: got the row "1,2,3"; expected 2 numbers', figures.plot, path)
+
+
+def test_hdf5_of_other_programs_is_refused(tmp_path):
+    h5py = pytest.importorskip("h5py")
+    path = tmp_path / "a.h5"
+
+    def attributes(thing, **named):
+        thing.attrs.update(named)
+
+    contents = {
+        "nothing": lambda file: None,
+        "plain arrays": lambda file: file.update({"t": np.arange(3.0), "x": 1.0}),
+        "groups": lambda file: attributes(file.create_group("g"), columns=["x"], units=["1"]),
+        "no units": lambda file: attributes(file.create_dataset("x", (2, 1)), columns=["x"]),
+        "another shape": lambda file: attributes(
+            file.create_dataset("x", (2,)), columns=["x", "y"], units=["1", "1"]),
+        "other numbers": lambda file: attributes(
+            file.create_dataset("x", (2, 1), dtype=complex), columns=["x"], units=["1"]),
+    }
+    for write in contents.values():
+        with h5py.File(path, "w") as file:
+            write(file)
+        rejected(ValueError, r"a\.h5: no columns; expected a table that polhode wrote",
+                 figures.plot, path)
+    path.write_bytes(path.read_bytes()[:20])
+    rejected(OSError, r"a\.h5: ", figures.plot, path)
 
 
 def test_what_cannot_be_drawn_is_refused(tmp_path):

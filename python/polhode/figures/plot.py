@@ -49,7 +49,8 @@ def plot(source: Any, columns: str | Sequence[str] = ()) -> Any:
     source : Results, MapResults, EnsembleResults, FitResults, or the path of a CSV or HDF5 file
         that polhode wrote.
     columns : names of columns: of a run and of statistics or rows of an ensemble a panel each, of a
-        map and of last rows one. None are given: what suits the source.
+        map and of last rows one, of a map of sections two, x and y. None are given: what suits
+        the source.
 
     Returns
     -------
@@ -64,6 +65,7 @@ def plot(source: Any, columns: str | Sequence[str] = ()) -> Any:
         return _fit(source, names)
     if isinstance(source, (str, os.PathLike)):
         file = read_output(source)
+        _require_numbers(file.columns, names)
         if file.kind == "ensemble":
             source = EnsembleResults.read(source)
         elif file.kind == "map":
@@ -72,6 +74,8 @@ def plot(source: Any, columns: str | Sequence[str] = ()) -> Any:
             return overview(file)
         else:
             return _against_time(Table(file), names)
+    if isinstance(source, Mapping):
+        _require_numbers(source, names)
     if isinstance(source, EnsembleResults):
         return _ensemble(source, names)
     if isinstance(source, MapResults):
@@ -85,23 +89,33 @@ def _has_states(columns: Mapping[str, Any]) -> bool:
     return STATE <= columns.keys() and ("w1" in columns or "g1" in columns)
 
 
+def _require_numbers(columns: Mapping[str, Any], names: list[str]) -> None:
+    for name in names:
+        if name in columns and np.asarray(columns[name]).dtype.kind not in "fi":
+            raise ValueError(f'plot: the column "{name}" has no numbers')
+
+
+def _refuse_times(names: list[str]) -> None:
+    if "t" in names:
+        raise ValueError("plot: got the column t; expected columns to draw against it")
+
+
 def _one(names: list[str], of: str) -> None:
     if len(names) > 1:
         raise ValueError(f"plot: got {len(names)} columns; expected one for {of}")
 
 
 def _grouped(names: Sequence[str]) -> list[tuple[str, ...]]:
-    """Components of a vector share a panel: w1, w2, w3; turn_x, turn_y, turn_z."""
+    """Components of a vector share a panel: w1, w2, w3; qw, qx, qy, qz; turn_x, turn_y, turn_z."""
     groups: dict[str, tuple[str, ...]] = {}
     for name in names:
-        stem = re.sub(r"(?<=.)(_?[xyz]|_?\d)$", "", name)
+        stem = re.sub(r"(?<=.)(_?[wxyz]|_?\d)$", "", name)
         groups[stem] = (*groups.get(stem, ()), name)
     return list(groups.values())[:MANY]
 
 
 def _against_time(source: Any, names: list[str]) -> Any:
-    if "t" in names:
-        raise ValueError("plot: got the column t; expected columns to draw against it")
+    _refuse_times(names)
     if names:
         return time_series(source, names if len(names) > 1 else names[0])
     others = [name for name in source if name != "t" and name not in PLACES]
@@ -118,8 +132,11 @@ def _float(column: Any) -> Any:
 
 def _map(source: Any, names: list[str], of: Any) -> Any:
     there = list(source)
-    if "t" in there and not names:
-        return poincare_section(of)
+    if "t" in there:
+        if len(names) not in (0, 2):
+            raise ValueError("plot: a map of sections is drawn as points; expected two columns, "
+                             "x and y, or none")  # fmt: skip
+        return poincare_section(of, *names)
     axes = [name for name in there if "." in name]
     _one(names, "a map")
     value = names[0] if names else "mean_megno" if "mean_megno" in there else there[len(axes)]
@@ -140,12 +157,14 @@ def _ensemble(source: EnsembleResults, names: list[str]) -> Any:
         raise ValueError("plot: got an index of chunks; expected the file of one of them")
     if source.keep == "final":
         keys = [key for key in source.drawn if key in source]
-        others = [name for name in source if name not in (*keys, "member", "t")]
+        others = [name for name in source
+                  if name not in (*keys, "member", "t") and source[name].dtype.kind == "f"]
         _one(names, "the last rows of an ensemble")
         if not names and not others:
             raise ValueError("plot: got no columns besides the numbers drawn; name one")
         value = names[0] if names else "mode" if "mode" in source else others[0]
         return outcomes(source, value, x=keys[0], y=keys[1] if len(keys) > 1 else value)
+    _refuse_times(names)
     data: Any = source
     if source.keep == "rows":
         data = _quantiles(source, names)
@@ -171,8 +190,6 @@ def _quantiles(source: EnsembleResults, names: list[str]) -> _Quantiles:
     """Of all rows, at each time."""
     left_out = {"member", "t", "mode", *STATE}
     numbers = [name for name in source if source[name].dtype.kind == "f"]
-    if wrong := [name for name in names if name in source and name not in numbers]:
-        raise ValueError(f'plot: the column "{wrong[0]}" has no numbers')
     columns = names or [name for name in numbers if name not in left_out][: MANY - 1]
     times, place = np.unique(source["t"], return_inverse=True)
     found = _Quantiles(t=times)
