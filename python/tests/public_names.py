@@ -7,7 +7,7 @@ import polhode
 
 MODULES = [
     polhode,
-    *(thing for name in dir(polhode) if name != "vary"
+    *(thing for name in dir(polhode) if name not in ("vary", "figures")
       and isinstance(thing := getattr(polhode, name), types.ModuleType)),
 ]  # fmt: skip
 # a name has one home
