@@ -11,9 +11,8 @@
 #include "polhode/dynamics/integrate.hpp"
 #include "polhode/dynamics/integrate_model.hpp"
 #include "polhode/perturb/gravity_gradient.hpp"
+#include "polhode/secular/orbit_history.hpp"
 #include "polhode/secular/planet.hpp"
-#include "polhode/secular/shipped_orbit.hpp"
-#include "polhode/secular/spin_on_orbit.hpp"
 #include "polhode/secular/spin_precession.hpp"
 #include "worst.hpp"
 
@@ -27,21 +26,21 @@ constexpr double triaxiality = 2.0 * 6.3e-5 / 0.3644;  // (B - A) / 2C (Konopliv
 
 struct Mars {
   double n, spin, ellipticity, star;
-  OrbitHistory elements;
-  HistoryOrbit orbit;
-  SpinAxis pole;
+  secular::OrbitHistory elements;
+  secular::HistoryOrbit orbit;
+  secular::SpinAxis pole;
 };
 Mars made() {
-  const PlanetSpin& of = known_planet("mars");
+  const secular::PlanetSpin& of = secular::known_planet("mars");
   const double n = 2.0 * std::numbers::pi / (of.orbital_period / day), spin = of.spin_rate * day;
-  const OrbitHistory elements(shipped_orbit("mars", year));
+  const secular::OrbitHistory elements(secular::shipped_orbit("mars", year));
   return {n,
           spin,
           of.ellipticity,
-          star_precession(of.ellipticity, spin, n * n, 1.0),
+          secular::star_precession(of.ellipticity, spin, n * n, 1.0),
           elements,
-          HistoryOrbit(elements, n * n, 1.0, 0.3),
-          spin_axis(planet_pole(of))};
+          secular::HistoryOrbit(elements, n * n, 1.0, 0.3),
+          secular::spin_axis(secular::planet_pole(of))};
 }
 
 const Mars& mars() {
@@ -58,16 +57,17 @@ std::vector<Vec3> axes(const M& model, double years, double step) {
   const BasicProblem<M> problem{model, mars().pole, 0.0, at[40], method};
   std::vector<Vec3> all;
   const auto run = integrate(problem, Keep{.samples = at, .dense = false});
-  for (const BasicSample<SpinAxis>& one : run.samples()) all.push_back(one.s.s);
+  for (const BasicSample<secular::SpinAxis>& one : run.samples()) all.push_back(one.s.s);
   return all;
 }
 std::vector<Vec3> averaged(double years) {
   const Mars& of = mars();
-  return axes(SpinPrecession<OrbitHistory>(of.elements, {.star = of.star}), years, 500.0 * year);
+  return axes(secular::SpinPrecession<secular::OrbitHistory>(of.elements, {.star = of.star}), years,
+              500.0 * year);
 }
 std::vector<Vec3> without_rotation(double years) {
   const Mars& of = mars();
-  return axes(SpinOnOrbit(of.orbit, of.star), years, 10.0);
+  return axes(secular::SpinOnOrbit(of.orbit, of.star), years, 10.0);
 }
 // The figure axis is along the pole at the start.
 std::vector<Vec3> rotor_by(double years, const Method& method) {

@@ -8,10 +8,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "polhode/light/gaussian_image.hpp"
-#include "polhode/light/lambert.hpp"
-#include "polhode/light/patch_brightness.hpp"
-#include "polhode/light/shaded_mesh.hpp"
+#include "polhode/light/convex_body.hpp"
+#include "polhode/light/facet_brightness.hpp"
+#include "polhode/light/lommel_seeliger.hpp"
 #include "polhode/math/double_double.hpp"
 #include "polhode/math/dual.hpp"
 #include "unit/light/meshes.hpp"
@@ -20,7 +19,7 @@ namespace {
 
 using namespace polhode;
 
-const Ellipsoid body{2.0, 1.5, 1.0};
+const light::Ellipsoid body{2.0, 1.5, 1.0};
 constexpr Vec3 sun{1.0, 2.0, -0.5};
 
 Vec3 observer(int i) { return {1.5, 1.0 + 0.01 * (i % 64), 0.5}; }
@@ -32,22 +31,24 @@ void each_point(benchmark::State& state, const F& f) {
 }
 
 void ellipsoid_value(benchmark::State& state) {
-  each_point(state, [](const Vec3& o) { return lommel_seeliger_brightness(body, sun, o); });
+  each_point(state, [](const Vec3& o) { return light::lommel_seeliger_brightness(body, sun, o); });
   using DD = DoubleDouble;
   const Vec3 o = observer(7);
-  const DD exact = lommel_seeliger_brightness(
-      BasicEllipsoid<DD>{DD(body.a), DD(body.b), DD(body.c)},
+  const DD exact = light::lommel_seeliger_brightness(
+      light::BasicEllipsoid<DD>{DD(body.a), DD(body.b), DD(body.c)},
       BasicVec3<DD>{DD(sun.x), DD(sun.y), DD(sun.z)}, BasicVec3<DD>{DD(o.x), DD(o.y), DD(o.z)});
-  state.counters["error"] = std::fabs(lommel_seeliger_brightness(body, sun, o) / exact.hi - 1.0);
+  state.counters["error"] =
+      std::fabs(light::lommel_seeliger_brightness(body, sun, o) / exact.hi - 1.0);
 }
 void ellipsoid_gradient(benchmark::State& state) {
-  each_point(state, [](const Vec3& o) { return lommel_seeliger_gradient(body, sun, o); });
+  each_point(state, [](const Vec3& o) { return light::lommel_seeliger_gradient(body, sun, o); });
 }
 void ellipsoid_dual(benchmark::State& state) {
   using D = Dual<double, 9>;
   each_point(state, [](const Vec3& o) {
-    return lommel_seeliger_brightness(
-        BasicEllipsoid<D>{D::variable(body.a, 0), D::variable(body.b, 1), D::variable(body.c, 2)},
+    return light::lommel_seeliger_brightness(
+        light::BasicEllipsoid<D>{D::variable(body.a, 0), D::variable(body.b, 1),
+                                 D::variable(body.c, 2)},
         BasicVec3<D>{D::variable(sun.x, 3), D::variable(sun.y, 4), D::variable(sun.z, 5)},
         BasicVec3<D>{D::variable(o.x, 6), D::variable(o.y, 7), D::variable(o.z, 8)});
   });
@@ -55,46 +56,51 @@ void ellipsoid_dual(benchmark::State& state) {
 
 template <int points>
 void lambert_value(benchmark::State& state) {
-  each_point(state, [](const Vec3& o) { return lambert_brightness<points>(body, sun, o); });
+  each_point(state, [](const Vec3& o) { return light::lambert_brightness<points>(body, sun, o); });
   const Vec3 o = observer(7);
-  state.counters["error"] = std::fabs(
-      lambert_brightness<points>(body, sun, o) / lambert_brightness<64>(body, sun, o) - 1.0);
+  state.counters["error"] = std::fabs(light::lambert_brightness<points>(body, sun, o) /
+                                          light::lambert_brightness<64>(body, sun, o) -
+                                      1.0);
 }
 template <int points>
 void lambert_with_gradient(benchmark::State& state) {
-  each_point(state, [](const Vec3& o) { return lambert_gradient<points>(body, sun, o); });
+  each_point(state, [](const Vec3& o) { return light::lambert_gradient<points>(body, sun, o); });
 }
 
 // Arguments: degree, rows.
 void facets_with_gradient(benchmark::State& state) {
-  const GaussianImage image(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
+  const light::GaussianImage image(static_cast<int>(state.range(0)),
+                                   static_cast<int>(state.range(1)));
   const std::vector<double> A = image.areas(image.coefficients(body));
-  const Scattering law = Scattering::mixed(0.1);
+  const light::Scattering law = light::Scattering::mixed(0.1);
   each_point(state, [&](const Vec3& o) {
-    return image.by_coefficients(facet_gradient(image.normals(), A, law, sun, o).by_areas, A);
+    return image.by_coefficients(light::facet_gradient(image.normals(), A, law, sun, o).by_areas,
+                                 A);
   });
   const Vec3 o = observer(7);
-  state.counters["error"] = std::fabs(facet_gradient(image.normals(), A, law, sun, o).value /
-                                          brightness<64>(body, law, sun, o) -
+  state.counters["error"] = std::fabs(light::facet_gradient(image.normals(), A, law, sun, o).value /
+                                          light::brightness<64>(body, law, sun, o) -
                                       1.0);
   state.counters["facets"] = static_cast<double>(A.size());
 }
 
 // The same of facets that stand for patches, as fits have them.
 void patches_with_gradient(benchmark::State& state) {
-  const GaussianImage image(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
+  const light::GaussianImage image(static_cast<int>(state.range(0)),
+                                   static_cast<int>(state.range(1)));
   const std::vector<double> A = image.areas(image.coefficients(body));
-  const Scattering law = Scattering::mixed(0.1);
+  const light::Scattering law = light::Scattering::mixed(0.1);
   const auto gradient = [&](const Vec3& o) {
-    return patch_gradient(image.normals(), image.widths(), A, law, sun, o);
+    return light::patch_gradient(image.normals(), image.widths(), A, law, sun, o);
   };
   each_point(state, [&](const Vec3& o) { return image.by_coefficients(gradient(o).by_areas, A); });
   const Vec3 o = observer(7);
-  state.counters["error"] = std::fabs(gradient(o).value / brightness<64>(body, law, sun, o) - 1.0);
+  state.counters["error"] =
+      std::fabs(gradient(o).value / light::brightness<64>(body, law, sun, o) - 1.0);
   state.counters["facets"] = static_cast<double>(A.size());
 }
 
-FacetShape mesh(int rows, double bumps) {
+shape::FacetShape mesh(int rows, double bumps) {
   return test::globe(rows, [bumps](const Vec3& n) {
     const double r = 1.0 + bumps * std::sin(6.0 * n.x) * std::cos(5.0 * n.y);
     return Vec3{r * body.a * n.x, r * body.b * n.y, r * body.c * n.z};
@@ -102,19 +108,19 @@ FacetShape mesh(int rows, double bumps) {
 }
 // Arguments: rows, bumps in hundredths.
 void mesh_value(benchmark::State& state) {
-  const ShadedMesh shaded(
+  const light::ShadedMesh shaded(
       mesh(static_cast<int>(state.range(0)), 0.01 * static_cast<double>(state.range(1))));
-  const Scattering law = Scattering::mixed(0.1);
+  const light::Scattering law = light::Scattering::mixed(0.1);
   each_point(state, [&](const Vec3& o) { return shaded.brightness(law, sun, o); });
   const Vec3 o = observer(7);
   if (state.range(1) == 0)
     state.counters["error"] =
-        std::fabs(shaded.brightness(law, sun, o) / brightness<64>(body, law, sun, o) - 1.0);
+        std::fabs(shaded.brightness(law, sun, o) / light::brightness<64>(body, law, sun, o) - 1.0);
   state.counters["facets"] = static_cast<double>(shaded.shape().facets().size());
 }
 void mesh_made(benchmark::State& state) {
-  const FacetShape shape = mesh(static_cast<int>(state.range(0)), 0.1);
-  for (auto _ : state) benchmark::DoNotOptimize(ShadedMesh(shape));
+  const shape::FacetShape shape = mesh(static_cast<int>(state.range(0)), 0.1);
+  for (auto _ : state) benchmark::DoNotOptimize(light::ShadedMesh(shape));
   state.counters["facets"] = static_cast<double>(shape.facets().size());
 }
 

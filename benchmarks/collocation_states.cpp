@@ -106,8 +106,9 @@ void transition_matrix(benchmark::State& state, const Method& method) {
 
 void megno(benchmark::State& state, const Method& method, bool neighbour) {
   for (auto _ : state) {
-    const ChaosIndicator found = chaos_indicator({tumbling(), start, 0.0, orbits, method},
-                                                 SaveAt::times({orbits}), {.neighbour = neighbour});
+    const analysis::ChaosIndicator found =
+        analysis::chaos_indicator({tumbling(), start, 0.0, orbits, method}, SaveAt::times({orbits}),
+                                  {.neighbour = neighbour});
     state.counters["megno"] = found.mean_megno();
   }
 }

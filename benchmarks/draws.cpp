@@ -52,8 +52,8 @@ void each_member(benchmark::State& state, const Call& call, double numbers = 1.0
       numbers, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
-const CounterRandom& random_numbers() {
-  static const CounterRandom random(seed, key_of("x"));
+const ensemble::CounterRandom& random_numbers() {
+  static const ensemble::CounterRandom random(seed, ensemble::key_of("x"));
   return random;
 }
 
@@ -97,7 +97,7 @@ void quantile(benchmark::State& state, const Quantile& of) {
   state.counters["error"] = worst.value();
 }
 void quantile_polhode(benchmark::State& state) {
-  quantile(state, [](double u) { return normal_quantile(u); });
+  quantile(state, [](double u) { return ensemble::normal_quantile(u); });
 }
 void quantile_boost(benchmark::State& state) {
   quantile(state, [](double u) { return -std::sqrt(2.0) * bm::erfc_inv(2.0 * u, NoPromotion()); });
@@ -107,15 +107,18 @@ void quantile_boost_in_long_double(benchmark::State& state) {
 }
 
 // What the driver of an ensemble asks for: the numbers of a member and a key.
-Draws draws_of(const Distribution& distribution, const benchmark::State& state) {
-  const DrawSource source = state.range(0) == 0 ? DrawSource::random : DrawSource::sobol;
+ensemble::Draws draws_of(const ensemble::Distribution& distribution,
+                         const benchmark::State& state) {
+  const ensemble::DrawSource source =
+      state.range(0) == 0 ? ensemble::DrawSource::random : ensemble::DrawSource::sobol;
   return {{{"x", distribution}}, seed, source};
 }
 
 template <class Error>
-void draws(benchmark::State& state, const Distribution& distribution, const Error& error) {
-  const Draws of = draws_of(distribution, state);
-  std::vector<double> x(numbers_of(distribution));
+void draws(benchmark::State& state, const ensemble::Distribution& distribution,
+           const Error& error) {
+  const ensemble::Draws of = draws_of(distribution, state);
+  std::vector<double> x(ensemble::numbers_of(distribution));
   each_member(
       state,
       [&](std::uint64_t m) {
@@ -135,29 +138,29 @@ void draws(benchmark::State& state, const Distribution& distribution, const Erro
 // The uniform number of a member, whichever the source: what Uniform on (0, 1) draws, rounded once.
 double uniform_of(const benchmark::State& state, std::uint64_t member) {
   if (state.range(0) == 0) return random_numbers().uniform(member, 0);
-  static const SobolPoints points(1);
-  return open_uniform(points.bits(member, 0) ^ random_numbers().shared_bits(0));
+  static const ensemble::SobolPoints points(1);
+  return ensemble::open_uniform(points.bits(member, 0) ^ random_numbers().shared_bits(0));
 }
 
 void draws_uniform(benchmark::State& state) {
-  draws(state, Uniform(1.0, 3.0), [&](std::uint64_t m, const std::vector<double>& x) {
+  draws(state, ensemble::Uniform(1.0, 3.0), [&](std::uint64_t m, const std::vector<double>& x) {
     return ulps(x[0], Exact(2) * uniform_of(state, m) + 1);
   });
 }
 void draws_log_uniform(benchmark::State& state) {
-  draws(state, LogUniform(0.5, 8.0), [&](std::uint64_t m, const std::vector<double>& x) {
+  draws(state, ensemble::LogUniform(0.5, 8.0), [&](std::uint64_t m, const std::vector<double>& x) {
     return ulps(x[0], Exact(0.5) * pow(Exact(16), Exact(uniform_of(state, m))));
   });
 }
 void draws_normal(benchmark::State& state) {
-  draws(state, Normal(0.0, 1.0), [&](std::uint64_t m, const std::vector<double>& x) {
+  draws(state, ensemble::Normal(0.0, 1.0), [&](std::uint64_t m, const std::vector<double>& x) {
     return ulps(x[0], exact_quantile(uniform_of(state, m)));
   });
 }
 void draws_truncated_normal(benchmark::State& state) {
   const auto below = [](double z) { return Exact(bm::erfc(Exact(-z / sqrt(Exact(2)))) / 2); };
   const Exact from = below(-1.0), all = below(3.0) - from;
-  draws(state, TruncatedNormal(0.0, 1.0, -1.0, 3.0),
+  draws(state, ensemble::TruncatedNormal(0.0, 1.0, -1.0, 3.0),
         [&](std::uint64_t m, const std::vector<double>& x) {
           const Exact want = exact_quantile(from + all * uniform_of(state, m));
           const double size = larger(1.0, std::abs(static_cast<double>(want)));
@@ -165,12 +168,12 @@ void draws_truncated_normal(benchmark::State& state) {
         });
 }
 void draws_direction(benchmark::State& state) {
-  draws(state, IsotropicDirection{}, [](std::uint64_t, const std::vector<double>& x) {
+  draws(state, ensemble::IsotropicDirection{}, [](std::uint64_t, const std::vector<double>& x) {
     return std::abs(std::hypot(x[0], x[1], x[2]) - 1.0) / eps;
   });
 }
 void draws_attitude(benchmark::State& state) {
-  draws(state, UniformAttitude{}, [](std::uint64_t, const std::vector<double>& q) {
+  draws(state, ensemble::UniformAttitude{}, [](std::uint64_t, const std::vector<double>& q) {
     return std::abs(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3] - 1.0) / eps;
   });
 }
@@ -182,8 +185,8 @@ void draws_joint_normal(benchmark::State& state) {
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = 0; j < n; ++j)
       c[i * n + j] = 1.0 / (1.0 + std::abs(static_cast<double>(i) - static_cast<double>(j)));
-  const JointNormal of(std::vector<double>(n), c);
-  const double z = normal_quantile(0.3);
+  const ensemble::JointNormal of(std::vector<double>(n), c);
+  const double z = ensemble::normal_quantile(0.3);
   for (std::size_t k = 0; k < n; ++k) {
     std::vector<double> u(n, 0.5);
     u[k] = 0.3;
@@ -197,9 +200,10 @@ void draws_joint_normal(benchmark::State& state) {
 
 // One number of Sobol's points, the members counted from that of the argument on.
 void sobol_point(benchmark::State& state) {
-  const SobolPoints points(8);
+  const ensemble::SobolPoints points(8);
   const auto first = static_cast<std::uint64_t>(state.range(0));
-  each_member(state, [&](std::uint64_t m) { return open_uniform(points.bits(first + m, 7)); });
+  each_member(state,
+              [&](std::uint64_t m) { return ensemble::open_uniform(points.bits(first + m, 7)); });
 }
 
 void random_and_sobol(benchmark::internal::Benchmark* of) { of->Arg(0)->Arg(1); }

@@ -46,16 +46,16 @@ struct Argument {
 
 struct Case {
   double m1;
-  Modulus mod;
+  elliptic::Modulus mod;
   double k;
   std::vector<Argument> at;
 
   explicit Case(std::int64_t index)
       : m1(complements[static_cast<std::size_t>(index)]),
-        mod(Modulus::from_pair(1.0 - m1, m1)),
+        mod(elliptic::Modulus::from_pair(1.0 - m1, m1)),
         k(std::sqrt(1.0 - m1)) {
     std::mt19937_64 engine(7);
-    const double quarter = complete_k(mod);
+    const double quarter = elliptic::complete_k(mod);
     const auto uniform = [&](double lo, double hi) {
       return lo + (hi - lo) * std::ldexp(static_cast<double>(engine() >> 11U), -53);
     };
@@ -98,7 +98,7 @@ void measure_jacobi(benchmark::State& state, const Triple& triple) {
   measure(state, c, call, [&](const Argument& a) {
     Exact cn, dn;
     const Exact sn = bm::jacobi_elliptic(k, Exact(a.u), &cn, &dn);
-    const Jacobi<double> j = call(a);
+    const elliptic::Jacobi<double> j = call(a);
     dn_error.add(relative(j.dn, dn));
     return static_cast<double>(Exact(larger(abs(j.sn - sn), abs(j.cn - cn), abs(j.dn - dn))));
   });
@@ -106,25 +106,25 @@ void measure_jacobi(benchmark::State& state, const Triple& triple) {
 }
 
 void jacobi_polhode(benchmark::State& state) {
-  measure_jacobi(state, [](const Case& c, double u) { return jacobi(u, c.mod); });
+  measure_jacobi(state, [](const Case& c, double u) { return elliptic::jacobi(u, c.mod); });
 }
 void jacobi_boost(benchmark::State& state) {
   measure_jacobi(state, [](const Case& c, double u) {
-    Jacobi<double> j{};
+    elliptic::Jacobi<double> j{};
     j.sn = bm::jacobi_elliptic(c.k, u, &j.cn, &j.dn);
     return j;
   });
 }
 void jacobi_boost_double(benchmark::State& state) {
   measure_jacobi(state, [](const Case& c, double u) {
-    Jacobi<double> j{};
+    elliptic::Jacobi<double> j{};
     j.sn = bm::jacobi_elliptic(c.k, u, &j.cn, &j.dn, NoPromotion());
     return j;
   });
 }
 void jacobi_gsl(benchmark::State& state) {
   measure_jacobi(state, [](const Case& c, double u) {
-    Jacobi<double> j{};
+    elliptic::Jacobi<double> j{};
     gsl_sf_elljac_e(u, c.mod.m(), &j.sn, &j.cn, &j.dn);
     return j;
   });
@@ -140,7 +140,8 @@ void measure_f(benchmark::State& state, const F& f) {
   });
 }
 void f_polhode(benchmark::State& state) {
-  measure_f(state, [](const Case& c, const Argument& a) { return legendre_f(a.s, a.c, c.mod); });
+  measure_f(state,
+            [](const Case& c, const Argument& a) { return elliptic::legendre_f(a.s, a.c, c.mod); });
 }
 void f_boost(benchmark::State& state) {
   measure_f(state, [](const Case& c, const Argument& a) { return bm::ellint_1(c.k, a.phi); });
@@ -168,7 +169,7 @@ void measure_pi(benchmark::State& state, const F& f) {
 }
 void pi_polhode(benchmark::State& state) {
   measure_pi(state, [](const Case& c, const Argument& a) {
-    return legendre_pi(a.s, a.c, characteristic, c.mod);
+    return elliptic::legendre_pi(a.s, a.c, characteristic, c.mod);
   });
 }
 void pi_boost(benchmark::State& state) {
@@ -201,7 +202,7 @@ void measure_k(benchmark::State& state, const F& f) {
       [&](const Argument&) { return relative(f(c), exact); });
 }
 void k_polhode(benchmark::State& state) {
-  measure_k(state, [](const Case& c) { return complete_k(c.mod); });
+  measure_k(state, [](const Case& c) { return elliptic::complete_k(c.mod); });
 }
 void k_boost(benchmark::State& state) {
   measure_k(state, [](const Case& c) { return bm::ellint_1(c.k); });
@@ -228,7 +229,8 @@ void measure_rj(benchmark::State& state, const F& f) {
   });
 }
 void rj_polhode(benchmark::State& state) {
-  measure_rj(state, [](double x, double y, double p) { return carlson_rj(x, y, 1.0, p); });
+  measure_rj(state,
+             [](double x, double y, double p) { return elliptic::carlson_rj(x, y, 1.0, p); });
 }
 void rj_boost(benchmark::State& state) {
   measure_rj(state, [](double x, double y, double p) { return bm::ellint_rj(x, y, 1.0, p); });
@@ -248,10 +250,11 @@ void rj_gsl(benchmark::State& state) {
 void pi_polhode_double_double(benchmark::State& state) {
   const Case c(state.range(0));
   const DoubleDouble m1 = c.m1;
-  const auto mod = BasicModulus<DoubleDouble>::from_pair(1.0 - m1, m1);
+  const auto mod = elliptic::BasicModulus<DoubleDouble>::from_pair(1.0 - m1, m1);
   const Exact k = sqrt(1 - Exact(c.m1));
   const auto call = [&](const Argument& a) {
-    return legendre_pi(DoubleDouble(a.s), DoubleDouble(a.c), DoubleDouble(characteristic), mod);
+    return elliptic::legendre_pi(DoubleDouble(a.s), DoubleDouble(a.c), DoubleDouble(characteristic),
+                                 mod);
   };
   measure(state, c, call, [&](const Argument& a) {
     const DoubleDouble got = call(a);
@@ -263,12 +266,12 @@ void pi_polhode_double_double(benchmark::State& state) {
 void k_polhode_double_double(benchmark::State& state) {
   const Case c(state.range(0));
   const DoubleDouble m1 = c.m1;
-  const auto mod = BasicModulus<DoubleDouble>::from_pair(1.0 - m1, m1);
+  const auto mod = elliptic::BasicModulus<DoubleDouble>::from_pair(1.0 - m1, m1);
   const Exact exact = bm::ellint_1(Exact(sqrt(1 - Exact(c.m1))));
   measure(
-      state, c, [&](const Argument&) { return complete_k(mod); },
+      state, c, [&](const Argument&) { return elliptic::complete_k(mod); },
       [&](const Argument&) {
-        const DoubleDouble got = complete_k(mod);
+        const DoubleDouble got = elliptic::complete_k(mod);
         return static_cast<double>(Exact(abs((Exact(got.hi) + Exact(got.lo)) / exact - 1)));
       });
 }

@@ -14,15 +14,15 @@
 #include <vector>
 
 #include "ensemble/number_moments.hpp"
-#include "polhode/run/ensemble.hpp"
+#include "polhode/detail/trajectory/archive.hpp"
+#include "polhode/run/ensemble_run.hpp"
 #include "polhode/run/run.hpp"
-#include "polhode/trajectory/archive.hpp"
 #include "run/ensemble/ensemble_cells.hpp"
 
 namespace {
 
 using namespace polhode;
-using detail::EnsembleCells, detail::EnsembleChunk, detail::RowStatistics;
+using io::detail::EnsembleCells, io::detail::EnsembleChunk, io::detail::RowStatistics;
 
 constexpr int chunks = 4, of_scatter = 16;
 
@@ -58,15 +58,15 @@ class Chunks {
         cells_(ensemble_, false) {
     const Progress look = [](double) {};
     cells_.frame()->set_base(ensemble_.base(look));
-    const detail::Source<detail::Pilots> some = cells_.pilots();
+    const io::detail::Source<io::detail::Pilots> some = cells_.pilots();
     for (std::int64_t k = some.range.first_cell(); k < some.range.end_cell(); ++k) {
-      const detail::Pilots done = some.cell(k, look);
+      const io::detail::Pilots done = some.cell(k, look);
       for (std::size_t m = 0; m < done.size(); ++m)
         cells_.frame()->add_pilot(some.range.begin_of(k) + static_cast<std::int64_t>(m), done[m]);
     }
     cells_.frame()->finish_pilots();
     empty_.emplace(*cells_.frame());
-    const detail::Source<EnsembleChunk> members = cells_.members(0);
+    const io::detail::Source<io::detail::EnsembleChunk> members = cells_.members(0);
     cells_.begin(cells_.stage(members.range, members.stage));
     for (int k = 0; k < chunks; ++k) bytes_.push_back(computed(k));
   }
@@ -76,11 +76,11 @@ class Chunks {
   }
   const std::vector<std::string>& bytes() const { return bytes_; }
   // What the leader does with those that come.
-  RowStatistics taken() const {
-    RowStatistics all(*empty_);
+  io::detail::RowStatistics taken() const {
+    io::detail::RowStatistics all(*empty_);
     for (const std::string& from : bytes_) {
       Archive bytes(from);
-      EnsembleChunk chunk;
+      io::detail::EnsembleChunk chunk;
       chunk.serialize(bytes, cells_.frame());
       all.merge(*chunk.statistics);
     }
@@ -88,7 +88,7 @@ class Chunks {
   }
   // How much the times of chunks differ, over their mean.
   double scatter() const {
-    NumberMoments seconds(1);
+    ensemble::NumberMoments seconds(1);
     for (int k = 0; k < of_scatter; ++k) {
       const std::clock_t begin = std::clock();
       benchmark::DoNotOptimize(computed(k).data());
@@ -98,8 +98,8 @@ class Chunks {
     return seconds.deviation(0) / seconds.mean(0);
   }
   double error() {
-    RowStatistics all(*cells_.frame());
-    const detail::Source<EnsembleChunk> members = cells_.members(0);
+    io::detail::RowStatistics all(*cells_.frame());
+    const io::detail::Source<io::detail::EnsembleChunk> members = cells_.members(0);
     for (int k = 0; k < chunks; ++k) all.merge(*members.cell(k, [](double) {}).statistics);
     const std::vector<double> a = all.rows(), b = taken().rows();
     int wrong = a.size() == b.size() ? 0 : 1;
@@ -109,10 +109,10 @@ class Chunks {
   }
 
  private:
-  ScenarioEnsemble ensemble_;
-  EnsembleCells cells_;
+  io::ScenarioEnsemble ensemble_;
+  io::detail::EnsembleCells cells_;
   // As that of the leader, from before it told the others.
-  std::optional<RowStatistics> empty_;
+  std::optional<io::detail::RowStatistics> empty_;
   std::vector<std::string> bytes_;
 };
 
@@ -134,7 +134,7 @@ void chunk_computed(benchmark::State& state) {
 void chunk_taken(benchmark::State& state) {
   Chunks all(state);
   for (auto _ : state) {
-    const RowStatistics done = all.taken();
+    const io::detail::RowStatistics done = all.taken();
     benchmark::DoNotOptimize(&done);
   }
   report(state, all, chunks);
@@ -143,7 +143,7 @@ void chunk_taken(benchmark::State& state) {
 // What a checkpoint writes.
 void state_written(benchmark::State& state) {
   Chunks all(state);
-  RowStatistics done = all.taken();
+  io::detail::RowStatistics done = all.taken();
   std::size_t size = 0;
   for (auto _ : state) {
     Archive bytes;

@@ -52,7 +52,7 @@ int differences(const std::vector<double>& a, const std::vector<double>& b) {
 
 std::vector<double> rows_of(const std::string& text) {
   std::vector<double> rows;
-  struct Rows : Sink {
+  struct Rows : io::Sink {
     explicit Rows(std::vector<double>& to) : all(to) {}
     void push(std::span<const double> more) override {
       all.insert(all.end(), more.begin(), more.end());
@@ -60,18 +60,18 @@ std::vector<double> rows_of(const std::string& text) {
     void finish() override {}
     std::vector<double>& all;
   };
-  const std::unique_ptr<Sink> sink = std::make_unique<Rows>(rows);
-  run(scenario_from_text(text, "member.toml"), {&sink, 1});
+  const std::unique_ptr<io::Sink> sink = std::make_unique<Rows>(rows);
+  io::run(io::scenario_from_text(text, "member.toml"), {&sink, 1});
   return rows;
 }
 
 // Arguments: what, threads.
 void ensemble_members(benchmark::State& state) {
-  const ScenarioEnsemble ensemble(scenario(state.range(0)), "ensemble.toml");
+  const io::ScenarioEnsemble ensemble(scenario(state.range(0)), "ensemble.toml");
   for (auto _ : state) {
-    RunOptions options;
+    io::RunOptions options;
     options.threads = static_cast<int>(state.range(1));
-    benchmark::DoNotOptimize(EnsembleRun(ensemble, {}, std::move(options)).run().members);
+    benchmark::DoNotOptimize(io::EnsembleRun(ensemble, {}, std::move(options)).run().members);
   }
   state.counters["error"] =
       differences(ensemble.members(0, 16)[7].rows, rows_of(ensemble.member_text(7)));
@@ -81,7 +81,7 @@ void ensemble_members(benchmark::State& state) {
 
 // The rows of as many members, without statistics. Argument: what.
 void member_rows(benchmark::State& state) {
-  const ScenarioEnsemble ensemble(scenario(state.range(0)), "ensemble.toml");
+  const io::ScenarioEnsemble ensemble(scenario(state.range(0)), "ensemble.toml");
   for (auto _ : state)
     for (std::int64_t k = 0; k < members; ++k)
       benchmark::DoNotOptimize(ensemble.member(k).rows.data());
@@ -92,7 +92,8 @@ void member_rows(benchmark::State& state) {
 
 // The states of as many tumblers: what a member takes at least.
 void states_alone(benchmark::State& state) {
-  const FreeRotation motion = free_rotation(scenario_from_text(scenario(quaternions), "s.toml"));
+  const FreeRotation motion =
+      io::free_rotation(io::scenario_from_text(scenario(quaternions), "s.toml"));
   std::vector<double> times(epochs);
   for (int k = 0; k < epochs; ++k) times[static_cast<std::size_t>(k)] = k * 1000.0 / (epochs - 1);
   std::vector<RotorState> states(epochs);

@@ -9,7 +9,6 @@
 #include <cmath>
 #include <cstdint>
 
-#include "polhode/ephemeris/teme_axes.hpp"
 #include "worst.hpp"
 
 namespace {
@@ -18,23 +17,26 @@ using namespace polhode;
 using polhode::test::Worst;
 
 constexpr double day = 86400.0;
-const Date epoch = calendar_date(TimeScale::TT, {2020, 2, 3});
+const ephemeris::Date epoch = ephemeris::calendar_date(ephemeris::TimeScale::TT, {2020, 2, 3});
 
-Date days_after(TimeScale scale, double days) { return {scale, epoch.day, epoch.fraction + days}; }
+ephemeris::Date days_after(ephemeris::TimeScale scale, double days) {
+  return {scale, epoch.day, epoch.fraction + days};
+}
 
 // Arguments: from and to, as in TimeScale.
 void date_conversion(benchmark::State& state) {
-  const auto from = static_cast<TimeScale>(state.range(0));
-  const auto to = static_cast<TimeScale>(state.range(1));
+  const auto from = static_cast<ephemeris::TimeScale>(state.range(0));
+  const auto to = static_cast<ephemeris::TimeScale>(state.range(1));
   Worst worst;
   double days = 0.0;
   for (auto _ : state) {
-    benchmark::DoNotOptimize(converted(days_after(from, days), to));
+    benchmark::DoNotOptimize(ephemeris::converted(days_after(from, days), to));
     days += 0.01;
   }
   for (int i = 0; i < 256; ++i) {
-    const Date date = days_after(from, 5.1 * i), back = converted(converted(date, to), from);
-    worst.add(std::fabs(seconds_between(date, back)));
+    const ephemeris::Date date = days_after(from, 5.1 * i),
+                          back = ephemeris::converted(ephemeris::converted(date, to), from);
+    worst.add(std::fabs(ephemeris::seconds_between(date, back)));
   }
   state.counters["error"] = worst.value();
 }
@@ -42,27 +44,30 @@ void date_conversion(benchmark::State& state) {
 void date_of_calendar(benchmark::State& state) {
   double second = 0.0;
   for (auto _ : state) {
-    benchmark::DoNotOptimize(calendar_date(TimeScale::UTC, {2020, 2, 3, 4, 5, second}));
+    benchmark::DoNotOptimize(
+        ephemeris::calendar_date(ephemeris::TimeScale::UTC, {2020, 2, 3, 4, 5, second}));
     second = second < 59.0 ? second + 0.37 : 0.0;
   }
 }
 
 // Arguments: target and centre, as in Planetary.
 void position(benchmark::State& state) {
-  const auto target = static_cast<Planetary>(state.range(0));
-  const auto centre = static_cast<Planetary>(state.range(1));
+  const auto target = static_cast<ephemeris::Planetary>(state.range(0));
+  const auto centre = static_cast<ephemeris::Planetary>(state.range(1));
   double days = 0.0;
   for (auto _ : state) {
-    benchmark::DoNotOptimize(planetary_position(target, centre, days_after(TimeScale::TT, days)));
+    benchmark::DoNotOptimize(
+        ephemeris::planetary_position(target, centre, days_after(ephemeris::TimeScale::TT, days)));
     days += 0.01;
   }
 }
 
 // A position of the Moon or the Sun from a table of a year; the error is that between rows.
 void position_from_table(benchmark::State& state) {
-  const auto target = static_cast<Planetary>(state.range(0));
+  const auto target = static_cast<ephemeris::Planetary>(state.range(0));
   const double span = 365.25 * day;
-  const EphemerisTable table = planetary_table(target, Planetary::earth, epoch, 0.0, span);
+  const ephemeris::EphemerisTable table =
+      ephemeris::planetary_table(target, ephemeris::Planetary::earth, epoch, 0.0, span);
   const TableOrbit orbit(table.rows, table.order);
   Worst worst;
   double t = 0.0;
@@ -72,7 +77,8 @@ void position_from_table(benchmark::State& state) {
   }
   for (int i = 0; i < 64; ++i) {
     const double at = 1.37 * day + 5.6789 * day * i;
-    const Vec3 x = planetary_position(target, Planetary::earth, date_after(epoch, at));
+    const Vec3 x = ephemeris::planetary_position(target, ephemeris::Planetary::earth,
+                                                 ephemeris::date_after(epoch, at));
     worst.add(norm(orbit.position(at) - x) / norm(x));
   }
   state.counters["error"] = worst.value();
@@ -81,27 +87,29 @@ void position_from_table(benchmark::State& state) {
 }
 
 void tabulate_a_year(benchmark::State& state) {
-  const auto target = static_cast<Planetary>(state.range(0));
+  const auto target = static_cast<ephemeris::Planetary>(state.range(0));
   for (auto _ : state)
     benchmark::DoNotOptimize(
-        planetary_table(target, Planetary::earth, epoch, 0.0, 365.25 * day).error);
+        ephemeris::planetary_table(target, ephemeris::Planetary::earth, epoch, 0.0, 365.25 * day)
+            .error);
 }
 
 void teme_axes(benchmark::State& state) {
   double days = 0.0;
   for (auto _ : state) {
-    benchmark::DoNotOptimize(j2000_from_teme(days_after(TimeScale::UTC, days)));
+    benchmark::DoNotOptimize(
+        ephemeris::j2000_from_teme(days_after(ephemeris::TimeScale::UTC, days)));
     days += 0.01;
   }
 }
 
-constexpr auto moon = static_cast<std::int64_t>(Planetary::moon);
-constexpr auto sun = static_cast<std::int64_t>(Planetary::sun);
-constexpr auto earth = static_cast<std::int64_t>(Planetary::earth);
-constexpr auto mars = static_cast<std::int64_t>(Planetary::mars);
-constexpr auto utc = static_cast<std::int64_t>(TimeScale::UTC);
-constexpr auto tt = static_cast<std::int64_t>(TimeScale::TT);
-constexpr auto tdb = static_cast<std::int64_t>(TimeScale::TDB);
+constexpr auto moon = static_cast<std::int64_t>(ephemeris::Planetary::moon);
+constexpr auto sun = static_cast<std::int64_t>(ephemeris::Planetary::sun);
+constexpr auto earth = static_cast<std::int64_t>(ephemeris::Planetary::earth);
+constexpr auto mars = static_cast<std::int64_t>(ephemeris::Planetary::mars);
+constexpr auto utc = static_cast<std::int64_t>(ephemeris::TimeScale::UTC);
+constexpr auto tt = static_cast<std::int64_t>(ephemeris::TimeScale::TT);
+constexpr auto tdb = static_cast<std::int64_t>(ephemeris::TimeScale::TDB);
 
 BENCHMARK(date_conversion)->Args({utc, tt})->Args({tt, tdb});
 BENCHMARK(date_of_calendar);

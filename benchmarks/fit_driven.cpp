@@ -14,10 +14,10 @@
 
 namespace {
 using namespace polhode;
-using detail::DrivenColumn;
+using fit::detail::DrivenColumn;
 
-SpinDrive drive_of(bool flyby, double tolerance) {
-  SpinDrive drive;
+fit::SpinDrive drive_of(bool flyby, double tolerance) {
+  fit::SpinDrive drive;
   drive.tolerance = tolerance;
   drive.parameters = {{"number", 1e-6}};
   if (flyby) {
@@ -35,7 +35,7 @@ SpinDrive drive_of(bool flyby, double tolerance) {
 }
 
 std::vector<DrivenColumn> columns_of(int which) {
-  using enum DrivenColumn::Of;
+  using enum fit::detail::DrivenColumn::Of;
   if (which == 0) return {};
   if (which == 2) return {{ratio, 0, {}}, {ratio, 1, {}}, {torque, 0, {}}};
   std::vector<DrivenColumn> found;
@@ -46,14 +46,14 @@ std::vector<DrivenColumn> columns_of(int which) {
   return found;
 }
 
-std::vector<detail::MovedPoint> points_of(const SpinDrive& drive, int which) {
-  SpinState start{0.0, {0.5, 0.1, -0.7, 0.5}, {0.3, 0.2, 0.9}, Mat3::identity()};
+std::vector<fit::detail::MovedPoint> points_of(const fit::SpinDrive& drive, int which) {
+  fit::SpinState start{0.0, {0.5, 0.1, -0.7, 0.5}, {0.3, 0.2, 0.9}, Mat3::identity()};
   start.inertia_F(0, 0) = 0.6;
   start.inertia_F(1, 1) = 0.8;
   std::vector<double> times;
   for (int i = 1; i <= 20; ++i) times.push_back(50.0 * i);
   const std::vector<double> parameters{1e-6};
-  const detail::DrivenMotion motion(drive, start, parameters, {});
+  const fit::detail::DrivenMotion motion(drive, start, parameters, {});
   return motion.at(times, columns_of(which)).value();
 }
 
@@ -61,16 +61,16 @@ std::vector<detail::MovedPoint> points_of(const SpinDrive& drive, int which) {
 void driven_motion(benchmark::State& state) {
   const bool flyby = state.range(0) != 0;
   const int which = static_cast<int>(state.range(1));
-  const SpinDrive drive = drive_of(flyby, 1e-12);
-  std::vector<detail::MovedPoint> points;
+  const fit::SpinDrive drive = drive_of(flyby, 1e-12);
+  std::vector<fit::detail::MovedPoint> points;
   for (auto _ : state) {
     points = points_of(drive, which);
     benchmark::DoNotOptimize(points);
   }
-  const std::vector<detail::MovedPoint> exact = points_of(drive_of(flyby, 1e-14), which);
+  const std::vector<fit::detail::MovedPoint> exact = points_of(drive_of(flyby, 1e-14), which);
   double worst = 0.0;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    worst = test::larger(worst, norm(attitude_residual(points[i].q, exact[i].q)));
+    worst = test::larger(worst, norm(fit::attitude_residual(points[i].q, exact[i].q)));
     for (std::size_t c = 0; c < points[i].turn.size(); ++c) {
       worst = test::larger(worst, norm(points[i].turn[c] - exact[i].turn[c]) /
                                       (norm(exact[i].turn[c]) + norm(exact[i].rate[c])));

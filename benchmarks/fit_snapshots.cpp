@@ -13,12 +13,12 @@ namespace {
 using namespace polhode;
 
 void fit_of_17_attitudes(benchmark::State& state) {
-  SpinFit fit;
+  fit::SpinFit fit;
   fit.start = test::toutatis_start();
   fit.seen = test::toutatis_seen();
-  SpinSolution s;
+  fit::SpinSolution s;
   for (auto _ : state) {
-    s = fit_spin(fit);
+    s = fit::fit_spin(fit);
     benchmark::DoNotOptimize(s);
   }
   state.counters["iterations"] = s.result.iterations;

@@ -96,7 +96,7 @@ void propagate_on_threads(benchmark::State& state) {
   const Bodies b = drawn(static_cast<std::size_t>(state.range(0)), 100.0, 0.0);
   std::vector<RotorState> found(b.times.size());
   for (auto _ : state) {
-    propagate(b.bodies, b.states, b.times, 0.0, found, static_cast<int>(state.range(1)));
+    ensemble::propagate(b.bodies, b.states, b.times, 0.0, found, static_cast<int>(state.range(1)));
     benchmark::DoNotOptimize(found.data());
   }
   state.counters["error"] = largest_difference(b, found);

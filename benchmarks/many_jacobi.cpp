@@ -3,8 +3,6 @@
 // its own, though the moduli are equal (jacobi_each), or with one for all (jacobi_one): ns a value,
 // and the largest error against double-double, in eps (|f| + |u f'|). `range(0)` is the set,
 // `range(1)` the modulus: the last are drawn, 1 - m even in [0, 1] and in its logarithm.
-#include "polhode/elliptic/many_jacobi.hpp"
-
 #include <benchmark/benchmark.h>
 
 #include <array>
@@ -40,17 +38,19 @@ struct Case {
       const double drawn = index == even ? uniform(0.0, 1.0) : std::pow(10.0, uniform(-12.0, 0.0));
       m1.push_back(index < even ? complements[static_cast<std::size_t>(index)] : drawn);
       m.push_back(1.0 - m1[i]);
-      u.push_back(complete_k(Modulus::from_pair(m[i], m1[i])) * uniform(-2.0, 2.0));
+      u.push_back(elliptic::complete_k(elliptic::Modulus::from_pair(m[i], m1[i])) *
+                  uniform(-2.0, 2.0));
     }
   }
-  JacobiSpans results() { return {sn, cn, dn}; }
+  elliptic::JacobiSpans results() { return {sn, cn, dn}; }
 
   double error() const {
     Worst worst;
     for (std::size_t i = 0; i < count; ++i) {
       const DoubleDouble complement(m1[i]);
-      const auto want = jacobi(DoubleDouble(u[i]), BasicModulus<DoubleDouble>::from_pair(
-                                                       DoubleDouble(1.0) - complement, complement));
+      const auto want =
+          elliptic::jacobi(DoubleDouble(u[i]), elliptic::BasicModulus<DoubleDouble>::from_pair(
+                                                   DoubleDouble(1.0) - complement, complement));
       const double s = std::abs(want.sn.hi), c = std::abs(want.cn.hi), d = want.dn.hi;
       const double a = std::abs(u[i]);
       worst.add(std::abs(to_double(want.sn - sn[i])) / (s + a * c * d));
@@ -80,12 +80,13 @@ void measure(benchmark::State& state, Case& c, const Call& call) {
 
 void jacobi_each(benchmark::State& state) {
   Case c(state.range(1));
-  measure(state, c, [&c](InstructionSet set) { jacobi(c.u, c.m, c.m1, c.results(), set); });
+  measure(state, c,
+          [&c](InstructionSet set) { elliptic::jacobi(c.u, c.m, c.m1, c.results(), set); });
 }
 void jacobi_one(benchmark::State& state) {
   Case c(state.range(1));
-  const Modulus modulus = Modulus::from_pair(c.m[0], c.m1[0]);
-  measure(state, c, [&](InstructionSet set) { jacobi(c.u, modulus, c.results(), set); });
+  const elliptic::Modulus modulus = elliptic::Modulus::from_pair(c.m[0], c.m1[0]);
+  measure(state, c, [&](InstructionSet set) { elliptic::jacobi(c.u, modulus, c.results(), set); });
 }
 
 BENCHMARK(jacobi_each)->ArgsProduct({{0, 1, 2}, {0, 1, 2, 3, 4, 5, even, logarithmic}});

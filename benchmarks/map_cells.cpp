@@ -69,13 +69,13 @@ void map_cells(benchmark::State& state) {
   const int rows = static_cast<int>(state.range(0));
   write_table(rows);
   const std::string name = folder() + "/map.toml";
-  const ScenarioMap map(scenario(rows, 60.0, 90.0, cells), name);
+  const io::ScenarioMap map(scenario(rows, 60.0, 90.0, cells), name);
   for (auto _ : state) {
-    RunOptions options;
+    io::RunOptions options;
     options.threads = static_cast<int>(state.range(1));
-    benchmark::DoNotOptimize(MapRun(map, {}, std::move(options)).run().points);
+    benchmark::DoNotOptimize(io::MapRun(map, {}, std::move(options)).run().points);
   }
-  const ScenarioMap last(scenario(rows, 90.0, 90.0, 1), name);
+  const io::ScenarioMap last(scenario(rows, 90.0, 90.0, 1), name);
   state.counters["error"] = differences(map.cell(cells - 1).numbers, last.cell(0).numbers);
   state.counters["per second"] =
       benchmark::Counter(cells, benchmark::Counter::kIsIterationInvariantRate);

@@ -40,8 +40,8 @@ void read_table(benchmark::State& state) {
   gzwrite(file, text.data(), static_cast<unsigned>(text.size()));
   gzclose(file);
   const std::vector<std::string> all{"1", "2", "3", "4", "5", "6", "7"};
-  for (auto _ : state) benchmark::DoNotOptimize(read_number_table(path, all).rows());
-  const NumberTable table = read_number_table(path, all);
+  for (auto _ : state) benchmark::DoNotOptimize(io::read_number_table(path, all).rows());
+  const io::NumberTable table = io::read_number_table(path, all);
   int wrong = 0;
   for (int i = 0; i < rows; ++i)
     for (int k = 0; k < columns; ++k)

@@ -12,7 +12,7 @@
 #include <numbers>
 #include <vector>
 
-#include "polhode/orbit/precessing_kepler_orbit.hpp"
+#include "polhode/orbit/kepler_orbit.hpp"
 #include "polhode/orbit/table_orbit.hpp"
 #include "polhode/perturb/any_perturbation.hpp"
 #include "polhode/perturb/gravity_gradient.hpp"

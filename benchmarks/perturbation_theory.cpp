@@ -24,7 +24,6 @@
 #include "polhode/secular/gravity_gradient_theory.hpp"
 #include "polhode/secular/lie_transform.hpp"
 #include "polhode/secular/nutation.hpp"
-#include "polhode/secular/transform_size.hpp"
 #include "polhode/secular/triaxial_normal_form.hpp"
 #include "polhode/series/series_text.hpp"
 
@@ -53,19 +52,20 @@ using namespace polhode;
 
 // Two or three degrees of freedom; frequencies are numbers.
 template <class T>
-Elimination<T> coupled(int pairs, int order) {
+secular::Elimination<T> coupled(int pairs, int order) {
   if (pairs == 2) {
-    const Symbols two({"L", "G", "k"}, {"l", "g"}, {{"l", "L"}, {"g", "G"}});
-    return {series_from_text<T>(two,
-                                "2*L + 7/5*G + k*(L^2 + L*G + G^2)*(cos(l) + cos(l - g))"
-                                " + k*G^2*cos(g)"),
+    const series::Symbols two({"L", "G", "k"}, {"l", "g"}, {{"l", "L"}, {"g", "G"}});
+    return {series::series_from_text<T>(two,
+                                        "2*L + 7/5*G + k*(L^2 + L*G + G^2)*(cos(l) + cos(l - g))"
+                                        " + k*G^2*cos(g)"),
             {{{"k", 1}}, order},
             {"l", "g"}};
   }
-  const Symbols three({"L", "G", "H", "k"}, {"l", "g", "h"}, {{"l", "L"}, {"g", "G"}, {"h", "H"}});
-  return {series_from_text<T>(three,
-                              "2*L + 7/5*G + 11/13*H + k*G^2 + k*(L + G + H)"
-                              "*(cos(l) + cos(g + h) + cos(l - g) + cos(2*h))"),
+  const series::Symbols three({"L", "G", "H", "k"}, {"l", "g", "h"},
+                              {{"l", "L"}, {"g", "G"}, {"h", "H"}});
+  return {series::series_from_text<T>(three,
+                                      "2*L + 7/5*G + 11/13*H + k*G^2 + k*(L + G + H)"
+                                      "*(cos(l) + cos(g + h) + cos(l - g) + cos(2*h))"),
           {{{"k", 1}}, order},
           {"l", "g", "h"}};
 }
@@ -73,23 +73,25 @@ Elimination<T> coupled(int pairs, int order) {
 template <class T>
 void transform(benchmark::State& state, int pairs) {
   const int order = static_cast<int>(state.range(0));
-  const Elimination<T> problem = coupled<T>(pairs, order);
-  const auto terms_of = [&](const Series<T>& a) {
-    return static_cast<double>(part_of_order(a, problem.keep, order).size());
+  const secular::Elimination<T> problem = coupled<T>(pairs, order);
+  const auto terms_of = [&](const series::Series<T>& a) {
+    return static_cast<double>(series::part_of_order(a, problem.keep, order).size());
   };
   for (auto _ : state) {
     const std::size_t before = on_heap;
     most_on_heap = before;
-    const LieTransform<T> made(problem);
+    const secular::LieTransform<T> made(problem);
     state.counters["MB"] = static_cast<double>(most_on_heap - before) / 1e6;
     state.counters["terms"] = terms_of(made.mean_hamiltonian()) + terms_of(made.generator());
   }
-  const TransformSize size = transform_size(problem);
+  const secular::TransformSize size = secular::transform_size(problem);
   state.counters["terms_before"] = size.terms.back();
   state.counters["MB_before"] = size.bytes.back() / 1e6;
 }
 void transform_in_doubles(benchmark::State& state, int pairs) { transform<double>(state, pairs); }
-void exact_transform(benchmark::State& state, int pairs) { transform<Rational>(state, pairs); }
+void exact_transform(benchmark::State& state, int pairs) {
+  transform<series::Rational>(state, pairs);
+}
 BENCHMARK_CAPTURE(transform_in_doubles, two_pairs, 2)
     ->DenseRange(2, 12, 2)
     ->Unit(benchmark::kMillisecond);
@@ -101,9 +103,10 @@ BENCHMARK_CAPTURE(transform_in_doubles, three_pairs, 3)
     ->Unit(benchmark::kMillisecond);
 
 void size_of_transform(benchmark::State& state, int pairs) {
-  const Elimination<double> problem = coupled<double>(pairs, static_cast<int>(state.range(0)));
-  for (auto _ : state) benchmark::DoNotOptimize(transform_size(problem));
-  state.counters["counted"] = transform_size(problem).counted;
+  const secular::Elimination<double> problem =
+      coupled<double>(pairs, static_cast<int>(state.range(0)));
+  for (auto _ : state) benchmark::DoNotOptimize(secular::transform_size(problem));
+  state.counters["counted"] = secular::transform_size(problem).counted;
 }
 BENCHMARK_CAPTURE(size_of_transform, two_pairs, 2)
     ->Arg(8)
@@ -121,8 +124,8 @@ const Body body(1.0 / 1.0125, 1.0 / 0.9875, 4.0 / 3.0);
 
 void NormalForm(benchmark::State& state) {
   const int order = static_cast<int>(state.range(0));
-  for (auto _ : state) benchmark::DoNotOptimize(TriaxialNormalForm(body, order));
-  const TriaxialNormalForm form(body, order);
+  for (auto _ : state) benchmark::DoNotOptimize(secular::TriaxialNormalForm(body, order));
+  const secular::TriaxialNormalForm form(body, order);
   const AndoyerState at{.l = 1.0, .g = 0.7, .h = 0.3, .L = std::cos(0.5), .G = 1.0, .H = 0.5};
   const FreeRotation motion(body, to_rotor(at));
   const SadovState exact = to_sadov(motion, 0.0);
@@ -132,7 +135,7 @@ void NormalForm(benchmark::State& state) {
 }
 BENCHMARK(NormalForm)->DenseRange(1, 10)->Unit(benchmark::kMillisecond);
 
-NutationProblem planet(double e, int order) {
+secular::NutationProblem planet(double e, int order) {
   return {Body(1.0 - 1e-3, 1.0 - 1e-3, 1.0),
           400.0,
           0.4,
@@ -146,14 +149,15 @@ NutationProblem planet(double e, int order) {
 
 void Nutation(benchmark::State& state) {
   const int order = static_cast<int>(state.range(0));
-  for (auto _ : state) benchmark::DoNotOptimize(NutationTheory(planet(0.1, order)));
-  state.counters["terms"] =
-      static_cast<double>(NutationTheory(planet(0.1, order)).terms(PlanetAxis::figure).size());
+  for (auto _ : state) benchmark::DoNotOptimize(secular::NutationTheory(planet(0.1, order)));
+  state.counters["terms"] = static_cast<double>(
+      secular::NutationTheory(planet(0.1, order)).terms(secular::PlanetAxis::figure).size());
   const double K = 1.5e-3 / 400.0;
-  const NutationTheory circular(planet(0.0, order));
-  state.counters["error"] = std::abs(circular.terms(PlanetAxis::momentum)[0].wave.longitude_sine /
-                                         (-0.5 * K * std::cos(0.4)) -
-                                     1.0);
+  const secular::NutationTheory circular(planet(0.0, order));
+  state.counters["error"] =
+      std::abs(circular.terms(secular::PlanetAxis::momentum)[0].wave.longitude_sine /
+                   (-0.5 * K * std::cos(0.4)) -
+               1.0);
 }
 BENCHMARK(Nutation)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond);
 
@@ -175,7 +179,7 @@ struct Satellite {
   explicit Satellite(const benchmark::State& state)
       : Satellite(state.range(0) != 0, static_cast<double>(state.range(1)) / 100.0) {}
 
-  GravityGradientTheory theory(int order, bool averages = true) const {
+  secular::GravityGradientTheory theory(int order, bool averages = true) const {
     return {body, orbit.gm(), orbit, start, 0.0, {order, averages, 1e-11}};
   }
   RotorState after_a_month(double tolerance) const {
@@ -203,7 +207,7 @@ void MakeMeanRotation(benchmark::State& state) {
 }
 void MeanState(benchmark::State& state) {
   const Satellite of(state);
-  const GravityGradientTheory theory = of.theory(static_cast<int>(state.range(2)));
+  const secular::GravityGradientTheory theory = of.theory(static_cast<int>(state.range(2)));
   double t = 0.0;
   for (auto _ : state) {
     benchmark::DoNotOptimize(theory.mean(t, of.start));
@@ -212,8 +216,8 @@ void MeanState(benchmark::State& state) {
 }
 void OsculatingState(benchmark::State& state) {
   const Satellite of(state);
-  const GravityGradientTheory theory = of.theory(static_cast<int>(state.range(2)));
-  const MeanRotation mean = theory.mean(0.0, of.start);
+  const secular::GravityGradientTheory theory = of.theory(static_cast<int>(state.range(2)));
+  const secular::MeanRotation mean = theory.mean(0.0, of.start);
   double t = 0.0;
   for (auto _ : state) {
     benchmark::DoNotOptimize(theory.osculating(t, mean));
@@ -232,7 +236,7 @@ BENCHMARK(OsculatingState)->Apply(cases);
 void MonthOfMeanRotation(benchmark::State& state) {
   const Satellite of(state);
   const auto found = [&] {
-    const GravityGradientTheory theory =
+    const secular::GravityGradientTheory theory =
         of.theory(static_cast<int>(state.range(2)), state.range(3) != 0);
     return theory.states(0.0, theory.mean(0.0, of.start), std::vector{month}, 1e-13)[0];
   };

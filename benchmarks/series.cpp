@@ -24,35 +24,36 @@ namespace {
 
 using namespace polhode;
 
-Symbols symbols() { return Symbols({"e", "s", "a"}, {"l", "g", "h"}); }
+series::Symbols symbols() { return series::Symbols({"e", "s", "a"}, {"l", "g", "h"}); }
 
 // Exponents from 0 to `spread`, multipliers from -spread to spread. Some keys are drawn twice.
-Series<double> drawn(unsigned seed, std::size_t terms, int spread) {
+series::Series<double> drawn(unsigned seed, std::size_t terms, int spread) {
   std::mt19937 engine(seed);
   const auto integer = [&](int first, int last) {
     return first + static_cast<int>(engine() % static_cast<unsigned>(last - first + 1));
   };
-  Series<double> sum(symbols());
+  series::Series<double> sum(symbols());
   while (sum.size() < terms) {
-    const Powers powers{
+    const series::Powers powers{
         {"e", integer(0, spread)}, {"s", integer(0, spread)}, {"a", integer(0, spread)}};
-    const Multiples angle{{"l", integer(-spread, spread)},
-                          {"g", integer(-spread, spread)},
-                          {"h", integer(-spread, spread)}};
+    const series::Multiples angle{{"l", integer(-spread, spread)},
+                                  {"g", integer(-spread, spread)},
+                                  {"h", integer(-spread, spread)}};
     const double c = integer(1, 1000) / 1000.0;
-    sum += integer(0, 1) == 0 ? cosine(symbols(), c, powers, angle)
-                              : sine(symbols(), c, powers, angle);
+    sum += integer(0, 1) == 0 ? series::cosine(symbols(), c, powers, angle)
+                              : series::sine(symbols(), c, powers, angle);
   }
   return sum;
 }
 
-double error(const Series<double>& a, const Series<double>& b, const Series<double>& ab) {
-  const CompiledSeries of_a(a), of_b(b), of_ab(ab);
+double error(const series::Series<double>& a, const series::Series<double>& b,
+             const series::Series<double>& ab) {
+  const series::CompiledSeries of_a(a), of_b(b), of_ab(ab);
   test::Worst worst;
   for (int i = 0; i < 10; ++i) {
     const std::vector<double> at{0.7, 0.8, 0.9, 0.3 + i, 1.1 * i, 0.2 * i * i};
     double size = 0.0;
-    for (const Term<double>& term : ab.terms()) size += std::abs(term.c);
+    for (const series::Term<double>& term : ab.terms()) size += std::abs(term.c);
     worst.add(std::abs(of_ab.at(at) - of_a.at(at) * of_b.at(at)) / size);
   }
   return worst.value();
@@ -60,9 +61,9 @@ double error(const Series<double>& a, const Series<double>& b, const Series<doub
 
 void product_of(benchmark::State& state, int spread) {
   const auto terms = static_cast<std::size_t>(state.range(0));
-  const Series<double> a = drawn(1, terms, spread), b = drawn(2, terms, spread);
-  Series<double> ab(symbols());
-  for (auto _ : state) ab = product(a, b);
+  const series::Series<double> a = drawn(1, terms, spread), b = drawn(2, terms, spread);
+  series::Series<double> ab(symbols());
+  for (auto _ : state) ab = series::product(a, b);
   state.counters["terms"] = static_cast<double>(ab.size());
   state.counters["pairs"] = benchmark::Counter(static_cast<double>(a.size() * b.size()),
                                                benchmark::Counter::kIsIterationInvariantRate);
@@ -106,17 +107,17 @@ BENCHMARK_CAPTURE(product_by_ginac, full, 2)->Arg(100)->Arg(1000)->Unit(benchmar
 #endif
 
 void truncated_product(benchmark::State& state) {
-  const Series<double> a = drawn(1, 1000, 4), b = drawn(2, 1000, 4);
-  const Truncation keep{{{"e", 1}, {"s", 1}, {"a", 1}}, static_cast<int>(state.range(0))};
-  Series<double> ab(symbols());
-  for (auto _ : state) ab = product(a, b, keep);
+  const series::Series<double> a = drawn(1, 1000, 4), b = drawn(2, 1000, 4);
+  const series::Truncation keep{{{"e", 1}, {"s", 1}, {"a", 1}}, static_cast<int>(state.range(0))};
+  series::Series<double> ab(symbols());
+  for (auto _ : state) ab = series::product(a, b, keep);
   state.counters["terms"] = static_cast<double>(ab.size());
-  state.counters["pairs"] = product_size(a, b, keep).pairs;
+  state.counters["pairs"] = series::product_size(a, b, keep).pairs;
 }
 BENCHMARK(truncated_product)->Arg(6)->Arg(12)->Unit(benchmark::kMillisecond);
 
 void values(benchmark::State& state) {
-  const CompiledSeries compiled(drawn(1, 1000, 4));
+  const series::CompiledSeries compiled(drawn(1, 1000, 4));
   const auto count = static_cast<std::size_t>(state.range(0));
   std::vector<double> points;
   for (std::size_t i = 0; i < count * compiled.dimension(); ++i)

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "polhode/dynamics/integrate_model.hpp"
-#include "polhode/secular/spin_histories.hpp"
 #include "polhode/secular/spin_precession.hpp"
 
 namespace {
@@ -21,15 +20,15 @@ constexpr double arcsec_per_kyr = std::numbers::pi / 180.0 / 3600.0;
 constexpr double span = 1e5;  // kyr
 
 // The largest terms of the Earth's e and i (Laskar 1988).
-ElementTable orbit() {
-  const ElementSeries series({{4248.976 * arcsec_per_kyr, 0.0189701, 0.5343},
-                              {7455.487 * arcsec_per_kyr, 0.0163190, 3.4874},
-                              {17922.491 * arcsec_per_kyr, 0.0129891, 2.6529}},
-                             {{0.0, 0.0137722, 1.8777},
-                              {-18850.133 * arcsec_per_kyr, 0.0079888, 4.2802},
-                              {-5604.358 * arcsec_per_kyr, 0.0051545, 0.2983}});
+secular::ElementTable orbit() {
+  const secular::ElementSeries series({{4248.976 * arcsec_per_kyr, 0.0189701, 0.5343},
+                                       {7455.487 * arcsec_per_kyr, 0.0163190, 3.4874},
+                                       {17922.491 * arcsec_per_kyr, 0.0129891, 2.6529}},
+                                      {{0.0, 0.0137722, 1.8777},
+                                       {-18850.133 * arcsec_per_kyr, 0.0079888, 4.2802},
+                                       {-5604.358 * arcsec_per_kyr, 0.0051545, 0.2983}});
   std::vector<double> times;
-  std::vector<OrbitElements> rows;
+  std::vector<secular::OrbitElements> rows;
   for (int k = -20; k <= static_cast<int>(span) + 20; ++k) {
     times.push_back(k);
     rows.push_back(series.at(times.back()));
@@ -37,26 +36,27 @@ ElementTable orbit() {
   return {std::move(times), rows};
 }
 
-constexpr PrecessionRates rates{.star = 17370.0 * arcsec_per_kyr,
-                                .satellites = 37500.0 * arcsec_per_kyr};
-SpinAxis start() { return spin_axis({0.0, std::sin(0.4), std::cos(0.4)}); }
+constexpr secular::PrecessionRates rates{.star = 17370.0 * arcsec_per_kyr,
+                                         .satellites = 37500.0 * arcsec_per_kyr};
+secular::SpinAxis start() { return secular::spin_axis({0.0, std::sin(0.4), std::cos(0.4)}); }
 
-SpinAxis moved(const Method& method) {
-  static const SpinPrecession model(orbit(), rates);
-  const BasicProblem<SpinPrecession<ElementTable>> problem{model, start(), 0.0, span, method};
+secular::SpinAxis moved(const Method& method) {
+  static const secular::SpinPrecession model(orbit(), rates);
+  const BasicProblem<secular::SpinPrecession<secular::ElementTable>> problem{model, start(), 0.0,
+                                                                             span, method};
   return integrate(problem, Keep{.samples = SaveAt::times({span}), .dense = false})
       .samples()
       .back()
       .s;
 }
 
-const SpinAxis& exact() {
-  static const SpinAxis axis = moved(Adaptive{1e-14});
+const secular::SpinAxis& exact() {
+  static const secular::SpinAxis axis = moved(Adaptive{1e-14});
   return axis;
 }
 
 void run(benchmark::State& state, const Method& method) {
-  SpinAxis last{};
+  secular::SpinAxis last{};
   for (auto _ : state) last = moved(method);
   state.counters["error"] = norm(last.s - exact().s);
   state.counters["time/Myr"] = benchmark::Counter(
@@ -72,17 +72,17 @@ void adaptive(benchmark::State& state) { run(state, Adaptive{1e-10}); }
 // As many bodies at once as the first argument says, of constants that differ by up to 1 %, the
 // first of which is that of the others; the step in kyr; the set of instructions.
 void lanes(benchmark::State& state) {
-  static const OrbitHistory table{orbit()};
+  static const secular::OrbitHistory table{orbit()};
   const auto set = static_cast<InstructionSet>(state.range(2));
   if (!supports(set)) return state.SkipWithError("not on this processor");
-  std::vector<PrecessionRates> all(static_cast<std::size_t>(state.range(0)), rates);
+  std::vector<secular::PrecessionRates> all(static_cast<std::size_t>(state.range(0)), rates);
   for (std::size_t i = 0; i < all.size(); ++i)
     all[i].star *= 1.0 + 0.01 * static_cast<double>(i) / static_cast<double>(all.size());
-  const std::vector<SpinAxis> starts(all.size(), start());
-  std::vector<SpinAxis> ends(all.size());
+  const std::vector<secular::SpinAxis> starts(all.size(), start());
+  std::vector<secular::SpinAxis> ends(all.size());
   const Splitting method{static_cast<double>(state.range(1)), SplittingScheme::order8};
   for (auto _ : state)
-    spin_histories(table, all, starts, 0.0, SaveAt::times({span}), method, ends, {}, set);
+    secular::spin_histories(table, all, starts, 0.0, SaveAt::times({span}), method, ends, {}, set);
   state.counters["error"] = norm(ends[0].s - exact().s);
   state.counters["time/Myr"] = benchmark::Counter(
       static_cast<double>(all.size()) * span / 1e3,

@@ -18,7 +18,7 @@
 #include "ensemble/attitude_spread.hpp"
 #include "ensemble/histogram.hpp"
 #include "ensemble/number_moments.hpp"
-#include "polhode/ensemble/quantiles.hpp"
+#include "polhode/ensemble/bins.hpp"
 #include "polhode/free/free_rotation.hpp"
 #include "worst.hpp"
 
@@ -97,7 +97,7 @@ void kernel_on_grid(benchmark::State& state) {
   all.fill(widest_instruction_set());
 }
 
-double second_moments_error(const std::vector<AttitudeMoments>& all) {
+double second_moments_error(const std::vector<ensemble::AttitudeMoments>& all) {
   Worst worst;
   for (std::size_t e = 0; e < epochs; e += 7)
     for (int i = 0; i < 4; ++i)
@@ -147,19 +147,20 @@ std::vector<Accumulator> chunk_of(benchmark::State& state, const Accumulator& em
 void second_moments(benchmark::State& state) {
   if (skipped(state)) return;
   const auto set = static_cast<InstructionSet>(state.range(0));
-  const auto all = chunk(state, std::vector<AttitudeMoments>(epochs), [&](auto& a, auto first) {
-    add_rows(std::span(a), first, ensemble().states, set);
-  });
+  const auto all =
+      chunk(state, std::vector<ensemble::AttitudeMoments>(epochs), [&](auto& a, auto first) {
+        ensemble::add_rows(std::span(a), first, ensemble().states, set);
+      });
   tell(state, second_moments_error(all));
 }
 void second_moments_one_by_one(benchmark::State& state) {
-  const auto all = chunk_of(state, AttitudeMoments(),
+  const auto all = chunk_of(state, ensemble::AttitudeMoments(),
                             [](auto& a, auto member, const auto& s) { a.add(member, s.q); });
   tell(state, second_moments_error(all));
 }
 // All states of one epoch.
 void second_moments_of_a_block(benchmark::State& state) {
-  AttitudeMoments all;
+  ensemble::AttitudeMoments all;
   for (auto _ : state) {
     all = {};
     all.add(0, ensemble().states);
@@ -169,13 +170,13 @@ void second_moments_of_a_block(benchmark::State& state) {
        std::abs(all.moment(0, 0) + all.moment(1, 1) + all.moment(2, 2) + all.moment(3, 3) - 1.0));
 }
 
-std::vector<AttitudeSpread> spreads() {
-  std::vector<AttitudeSpread> all;
+std::vector<ensemble::AttitudeSpread> spreads() {
+  std::vector<ensemble::AttitudeSpread> all;
   for (std::size_t e = 0; e < epochs; ++e) all.emplace_back(ensemble().states[e].q);
   return all;
 }
 // Of v from conj(r) q in long double.
-double spread_error(const std::vector<AttitudeSpread>& all) {
+double spread_error(const std::vector<ensemble::AttitudeSpread>& all) {
   using Wide = long double;
   Worst worst;
   for (std::size_t e = 0; e < epochs; e += 7) {
@@ -212,7 +213,7 @@ void rotation_vectors(benchmark::State& state) {
   if (skipped(state)) return;
   const auto set = static_cast<InstructionSet>(state.range(0));
   tell(state, spread_error(chunk(state, spreads(), [&](auto& a, auto first) {
-         add_rows(std::span(a), first, ensemble().states, set);
+         ensemble::add_rows(std::span(a), first, ensemble().states, set);
        })));
 }
 
@@ -231,21 +232,21 @@ double worst_variance(const Find& found) {
   return worst.value();
 }
 void moments_of_three_numbers(benchmark::State& state) {
-  const auto all = chunk_of(state, NumberMoments(3), [](auto& a, auto member, const auto& s) {
-    a.add(member, std::span(&s.g.x, 3));
-  });
+  const auto all =
+      chunk_of(state, ensemble::NumberMoments(3),
+               [](auto& a, auto member, const auto& s) { a.add(member, std::span(&s.g.x, 3)); });
   tell(state, worst_variance([&](std::size_t e) { return all[e].covariance(0, 0); }));
 }
 void moments_of_one_number(benchmark::State& state) {
-  const auto all = chunk_of(state, NumberMoments(1), [](auto& a, auto member, const auto& s) {
-    a.add(member, std::span(&s.g.x, 1));
-  });
+  const auto all =
+      chunk_of(state, ensemble::NumberMoments(1),
+               [](auto& a, auto member, const auto& s) { a.add(member, std::span(&s.g.x, 1)); });
   tell(state, worst_variance([&](std::size_t e) { return all[e].covariance(0, 0); }));
 }
 void circular_moments(benchmark::State& state) {
-  const auto all = chunk_of(state, AngleMoments(), [](auto& a, auto member, const auto& s) {
-    a.add(member, 6.0 * s.g.x);
-  });
+  const auto all =
+      chunk_of(state, ensemble::AngleMoments(),
+               [](auto& a, auto member, const auto& s) { a.add(member, 6.0 * s.g.x); });
   Worst worst;
   for (std::size_t e = 0; e < epochs; e += 7) {
     long double c = 0.0L, s = 0.0L;
@@ -261,20 +262,20 @@ void circular_moments(benchmark::State& state) {
 
 // Exact: the numbers are kept. In bins: `bins` of them, even or logarithmic.
 void quantiles_kept(benchmark::State& state) {
-  chunk_of(state, Quantiles(Bins::linear(-2.0, 2.0, 1000), 2000),
+  chunk_of(state, ensemble::Quantiles(ensemble::Bins::linear(-2.0, 2.0, 1000), 2000),
            [](auto& a, auto member, const auto& s) { a.add(member, s.g.x); });
   tell(state, 0.0);
 }
 void quantiles_in_bins(benchmark::State& state) {
   const bool is_even = state.range(0) == 0;
-  const Bins bins =
-      is_even ? Bins::linear(-2.0, 2.0, 1000) : Bins::signed_logarithmic(0.01, 1e-6, 10.0);
+  const ensemble::Bins bins = is_even ? ensemble::Bins::linear(-2.0, 2.0, 1000)
+                                      : ensemble::Bins::signed_logarithmic(0.01, 1e-6, 10.0);
   state.SetLabel((is_even ? "even bins: " : "logarithmic bins: ") + std::to_string(bins.count()));
-  const auto all = chunk_of(state, Quantiles(bins, 0),
+  const auto all = chunk_of(state, ensemble::Quantiles(bins, 0),
                             [](auto& a, auto member, const auto& s) { a.add(member, s.g.x); });
   Worst worst;
   for (std::size_t e = 0; e < epochs; e += 7) {
-    Quantiles kept(bins, 2000);
+    ensemble::Quantiles kept(bins, 2000);
     for (std::size_t k = 0; k < of_chunk; ++k)
       kept.add(0, ensemble().states[(k % members) * epochs + e].g.x);
     const double exact = kept.ranked(511).value, found = all[e].ranked(511).value;
@@ -283,13 +284,13 @@ void quantiles_in_bins(benchmark::State& state) {
   tell(state, worst.value());
 }
 void histogram(benchmark::State& state) {
-  chunk_of(state, Histogram(Bins::linear(-2.0, 2.0, 200)),
+  chunk_of(state, ensemble::Histogram(ensemble::Bins::linear(-2.0, 2.0, 200)),
            [](auto& a, auto member, const auto& s) { a.add(member, s.g.x); });
   tell(state, 0.0);
 }
 void histogram_2d(benchmark::State& state) {
-  const Bins bins = Bins::linear(-2.0, 2.0, 40);
-  chunk_of(state, Histogram2D(bins, bins),
+  const ensemble::Bins bins = ensemble::Bins::linear(-2.0, 2.0, 40);
+  chunk_of(state, ensemble::Histogram2D(bins, bins),
            [](auto& a, auto member, const auto& s) { a.add(member, s.g.x, s.g.y); });
   tell(state, 0.0);
 }
@@ -309,16 +310,18 @@ void merged(benchmark::State& state, std::vector<Accumulator> all, const Add& ad
                          benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 void merge_of_second_moments(benchmark::State& state) {
-  merged(state, std::vector<AttitudeMoments>(epochs),
-         [](auto& a) { add_rows(std::span(a), 0, ensemble().states); });
+  merged(state, std::vector<ensemble::AttitudeMoments>(epochs),
+         [](auto& a) { ensemble::add_rows(std::span(a), 0, ensemble().states); });
 }
 void merge_of_rotation_vectors(benchmark::State& state) {
-  merged(state, spreads(), [](auto& a) { add_rows(std::span(a), 0, ensemble().states); });
+  merged(state, spreads(), [](auto& a) { ensemble::add_rows(std::span(a), 0, ensemble().states); });
 }
 void merge_of_quantiles_in_bins(benchmark::State& state) {
-  merged(state, std::vector(epochs, Quantiles(Bins::linear(-2.0, 2.0, 1000), 0)), [](auto& a) {
-    for (std::size_t e = 0; e < epochs; ++e) a[e].add(0, ensemble().states[e].g.x);
-  });
+  merged(state,
+         std::vector(epochs, ensemble::Quantiles(ensemble::Bins::linear(-2.0, 2.0, 1000), 0)),
+         [](auto& a) {
+           for (std::size_t e = 0; e < epochs; ++e) a[e].add(0, ensemble().states[e].g.x);
+         });
 }
 
 BENCHMARK(kernel_at)->DenseRange(0, 2);

@@ -20,7 +20,7 @@ namespace {
 using namespace polhode;
 
 // A globe of rows and columns, its radius uneven.
-FacetShape globe(int rows) {
+shape::FacetShape globe(int rows) {
   const int columns = 2 * rows;
   std::vector<Vec3> v;
   for (int i = 0; i <= rows; ++i) {
@@ -31,7 +31,7 @@ FacetShape globe(int rows) {
                    r * std::cos(theta)});
     }
   }
-  std::vector<FacetShape::Triangle> t;
+  std::vector<shape::FacetShape::Triangle> t;
   const auto at = [&](int i, int j) {
     const int pole = i == 0 || i == rows ? 0 : j % columns;
     return static_cast<std::uint32_t>(i * columns + pole);
@@ -74,13 +74,13 @@ void light_torque(benchmark::State& state) {
 
 void yorp(benchmark::State& state) {
   const Surface facets = surface(state);
-  for (auto _ : state) benchmark::DoNotOptimize(yorp_torque(facets, 0.7));
+  for (auto _ : state) benchmark::DoNotOptimize(secular::yorp_torque(facets, 0.7));
   per_facet(state, facets.facets().size());
 }
 
 void mass(benchmark::State& state) {
-  const FacetShape shape = globe(static_cast<int>(state.range(0)));
-  for (auto _ : state) benchmark::DoNotOptimize(mass_properties(shape, 1.0));
+  const shape::FacetShape shape = globe(static_cast<int>(state.range(0)));
+  for (auto _ : state) benchmark::DoNotOptimize(shape::mass_properties(shape, 1.0));
   per_facet(state, shape.triangles().size());
 }
 

@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "polhode/run/citations.hpp"
+#include "polhode/run/run.hpp"
 
 namespace polhode::cli {
 
-void add_cite(CLI::App& app, const Kinds& kinds) {
+void add_cite(CLI::App& app, const io::Kinds& kinds) {
   CLI::App* command = app.add_subcommand("cite", "Print the papers that a scenario rests on");
   struct Options {
     std::string scenario;
@@ -25,10 +25,10 @@ void add_cite(CLI::App& app, const Kinds& kinds) {
   command->footer("Example:\n  " + full_name(*command) + " examples/apophis.toml");
   command->callback([options, kinds] {
     std::string text;
-    for (const Citation& citation :
-         citations(changed_scenario(options->scenario, options->set, kinds))) {
+    for (const io::Citation& citation :
+         io::citations(changed_scenario(options->scenario, options->set, kinds))) {
       if (options->bibtex)
-        text += fmt::format("% For {}.\n{}\n", citation.reason, bibtex(citation));
+        text += fmt::format("% For {}.\n{}\n", citation.reason, io::bibtex(citation));
       else
         text += fmt::format("[{}] {}\n    For {}.\n", citation.key, citation.text, citation.reason);
     }

@@ -103,7 +103,7 @@ void print(std::string_view text) {
   errno = 0;
   const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
   if (!written || std::fflush(stdout) != 0)
-    throw OutputError(std::string("<stdout>: cannot be written: ") + std::strerror(errno));
+    throw io::OutputError(std::string("<stdout>: cannot be written: ") + std::strerror(errno));
 }
 
 void warn(const std::string& text) { std::fputs(("warning: " + text + "\n").c_str(), stderr); }
@@ -112,7 +112,8 @@ void warn(const std::string& text) { std::fputs(("warning: " + text + "\n").c_st
 
 inline namespace v0 {
 
-int command_line(int argc, const char* const* argv, const Kinds& kinds, const MakeRanks& ranks) {
+int command_line(int argc, const char* const* argv, const io::Kinds& kinds,
+                 const MakeRanks& ranks) {
   using namespace cli;
   let_large_writes_fail();
   CLI::App app("Exact rotation of rigid bodies, in every variable set.", program_name(argc, argv));

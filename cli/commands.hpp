@@ -16,21 +16,22 @@ namespace polhode::cli {
 
 // Those that read scenarios know the kinds of things that these may hold.
 // Those that can be stopped say how to continue: by the program as it was typed.
-void add_run(CLI::App& app, const Kinds& kinds, const std::string& typed);
-void add_info(CLI::App& app, const Kinds& kinds, bool has_ranks);
-void add_convert(CLI::App& app, const Kinds& kinds);
-void add_init(CLI::App& app, const Kinds& kinds);
-void add_cite(CLI::App& app, const Kinds& kinds);
+void add_run(CLI::App& app, const io::Kinds& kinds, const std::string& typed);
+void add_info(CLI::App& app, const io::Kinds& kinds, bool has_ranks);
+void add_convert(CLI::App& app, const io::Kinds& kinds);
+void add_init(CLI::App& app, const io::Kinds& kinds);
+void add_cite(CLI::App& app, const io::Kinds& kinds);
 void add_completion(CLI::App& app);
 void add_golden(CLI::App& app);
-void add_map(CLI::App& app, const Kinds& kinds, const std::string& typed, const MakeRanks& ranks);
-void add_ensemble(CLI::App& app, const Kinds& kinds, const std::string& typed,
+void add_map(CLI::App& app, const io::Kinds& kinds, const std::string& typed,
+             const MakeRanks& ranks);
+void add_ensemble(CLI::App& app, const io::Kinds& kinds, const std::string& typed,
                   const MakeRanks& ranks);
-void add_fit(CLI::App& app, const Kinds& kinds, const std::string& typed);
-void add_simulate(CLI::App& app, const Kinds& kinds);
+void add_fit(CLI::App& app, const io::Kinds& kinds, const std::string& typed);
+void add_simulate(CLI::App& app, const io::Kinds& kinds);
 void add_nutation(CLI::App& app);
 void add_plot(CLI::App& app);
-void add_schema(CLI::App& app, const Kinds& kinds);
+void add_schema(CLI::App& app, const io::Kinds& kinds);
 void add_shape(CLI::App& app);
 void add_spectrum(CLI::App& app);
 
@@ -47,8 +48,8 @@ std::string full_name(const CLI::App& command);
 void offer(CLI::Option& option, const std::vector<std::string>& words);
 // --set KEY=VALUE, any number of them: changes of a scenario before it is read.
 void add_set_option(CLI::App& command, std::vector<std::string>& changes);
-Scenario changed_scenario(const std::string& path, const std::vector<std::string>& changes,
-                          const Kinds& kinds);
+io::Scenario changed_scenario(const std::string& path, const std::vector<std::string>& changes,
+                              const io::Kinds& kinds);
 
 // Writes to standard output; OutputError when it cannot.
 void print(std::string_view text);

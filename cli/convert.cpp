@@ -96,29 +96,29 @@ Body body_of(const std::string& moments) {
 void convert_aem(const ConvertOptions& options) {
   if (options.to != "csv")
     throw DomainError("convert: --to: got \"" + options.to + "\"; expected csv, of --from aem");
-  print(aem_csv(read_aem(options.in)));
+  print(io::aem_csv(io::read_aem(options.in)));
 }
 
-void convert_file(const ConvertOptions& options, std::span<const ChartKind> charts) {
+void convert_file(const ConvertOptions& options, std::span<const io::ChartKind> charts) {
   if (options.from == "aem") return convert_aem(options);
-  Conversion conversion{options.from, options.to, std::nullopt};
+  io::Conversion conversion{options.from, options.to, std::nullopt};
   if (!options.moments.empty()) conversion.body = body_of(options.moments);
   const auto write = [](std::string_view bytes) { print(bytes); };
   std::error_code ignored;
   if (std::filesystem::is_regular_file(options.in, ignored) && options.in != "-")
-    return convert(conversion, options.in, file_source(options.in), write, charts);
+    return io::convert(conversion, options.in, io::file_source(options.in), write, charts);
   InputFile in(options.in);
-  convert(
+  io::convert(
       conversion, in.name(), [&](std::span<char> buffer) { return in.read(buffer); }, write,
       charts);
 }
 
 // "serret: g0,h,t0,G,H,T (sign_g1,sign_g3); --moments"
-std::string chart_line(const ChartKind& chart) {
+std::string chart_line(const io::ChartKind& chart) {
   std::string numbers, branch;
-  for (const ChartVariable& variable : chart.variables)
+  for (const io::ChartVariable& variable : chart.variables)
     numbers += (numbers.empty() ? "" : ",") + std::string(variable.name);
-  for (const std::string_view name : branch_columns(chart))
+  for (const std::string_view name : io::branch_columns(chart))
     branch += (branch.empty() ? "" : ",") + std::string(name);
   return std::string(chart.name) + ": " + numbers + (branch.empty() ? "" : " (" + branch + ")") +
          (chart.needs_body ? "; --moments" : "");
@@ -126,13 +126,13 @@ std::string chart_line(const ChartKind& chart) {
 
 }  // namespace
 
-void add_convert(CLI::App& app, const Kinds& kinds) {
+void add_convert(CLI::App& app, const io::Kinds& kinds) {
   CLI::App* command = app.add_subcommand(
       "convert", "Convert a CSV table of states to another chart, row by row (angles in radians)");
   const auto options = std::make_shared<ConvertOptions>();
   std::string charts = "Charts and the columns they need:\n";
   std::vector<std::string> from, to;
-  for (const ChartKind& chart : kinds.charts()) {
+  for (const io::ChartKind& chart : kinds.charts()) {
     charts += "  " + chart_line(chart) + "\n";
     from.emplace_back(chart.name);
   }

@@ -36,12 +36,12 @@ std::string spread_text(double members, const double* numbers, const std::string
 }
 
 // Mean and deviation of the first columns at the last time, and what was asked for by name.
-std::string last_statistics(const std::vector<ColumnGroup>& groups,
+std::string last_statistics(const std::vector<io::ColumnGroup>& groups,
                             const std::vector<double>& row) {
   std::string text;
   std::size_t place = 0, shown = 0;
-  for (const ColumnGroup& group : groups) {
-    const std::vector<Column>& columns = group.columns;
+  for (const io::ColumnGroup& group : groups) {
+    const std::vector<io::Column>& columns = group.columns;
     const double* const numbers = row.data() + place;
     place += columns.size();
     // of no members there is no mean, part or mode; of one no deviation
@@ -72,8 +72,8 @@ std::string last_statistics(const std::vector<ColumnGroup>& groups,
 }
 
 // "part 0.87 of the members, 0.05 by 1.2 h, 0.5 by 17 h"
-std::string event_text(const EnsembleReport::FirstTimes& of, const std::vector<double>& quantiles,
-                       const std::string& unit) {
+std::string event_text(const io::EnsembleReport::FirstTimes& of,
+                       const std::vector<double>& quantiles, const std::string& unit) {
   if (std::isnan(of.part)) return of.event + ": no members";
   std::string text = fmt::format("{}: part {:.4g} of the members", of.event, of.part);
   for (std::size_t i = 0; i < quantiles.size(); ++i)
@@ -83,21 +83,22 @@ std::string event_text(const EnsembleReport::FirstTimes& of, const std::vector<d
 }
 
 // How many members there are, what was drawn, what they have become, and why some have not.
-std::string summary_of(const ScenarioEnsemble& ensemble, const std::vector<ColumnGroup>& groups,
-                       const EnsembleReport& report) {
+std::string summary_of(const io::ScenarioEnsemble& ensemble,
+                       const std::vector<io::ColumnGroup>& groups,
+                       const io::EnsembleReport& report) {
   std::string text = fmt::format("members           {}\n", report.members);
   const std::vector<std::string> keys = ensemble.plan().keys(), units = ensemble.plan().units();
   for (std::size_t i = 0; i < report.drawn.size(); ++i) {
-    const EnsembleReport::Drawn& d = report.drawn[i];
+    const io::EnsembleReport::Drawn& d = report.drawn[i];
     const double numbers[] = {d.mean, d.deviation, d.least, d.greatest};
     text += fmt::format("varied            {}: {}\n", keys[i],
                         spread_text(static_cast<double>(report.members), numbers, units[i]));
   }
   if (!report.statistics.empty()) text += last_statistics(groups, report.statistics);
-  for (const EnsembleReport::FirstTimes& event : report.events)
+  for (const io::EnsembleReport::FirstTimes& event : report.events)
     text += fmt::format("event             {}\n", event_text(event, ensemble.plan().quantiles,
                                                              ensemble.scenario().units().time()));
-  for (const EnsembleReport::Histogram& histogram : report.histograms)
+  for (const io::EnsembleReport::Histogram& histogram : report.histograms)
     text += fmt::format("histogram         {}: {}\n", histogram.name, histogram.path);
   if (report.failed == 0) return text;
   text +=
@@ -110,29 +111,29 @@ std::string summary_of(const ScenarioEnsemble& ensemble, const std::vector<Colum
 }
 
 // The scenario of the member; its rows into the outputs that are no scenario.
-void run_member(const ScenarioEnsemble& ensemble, const EnsembleCommand& options) {
+void run_member(const io::ScenarioEnsemble& ensemble, const EnsembleCommand& options) {
   const std::int64_t index = *options.member;
   const std::string& name = ensemble.scenario().document.name;
   const Alone one{"--member", "member " + std::to_string(index), name};
   std::string text = ensemble.member_text(index);
   const std::vector<std::string> rows = write_scenario_of(one, text, options);
   if (rows.empty()) return;
-  const Scenario member = ensemble.member_scenario(index, std::move(text));
-  RunOptions how = begin_options(options);
+  const io::Scenario member = ensemble.member_scenario(index, std::move(text));
+  io::RunOptions how = begin_options(options);
   if (ensemble.events().empty() && ensemble.plan().indicators.empty())
     return run_alone(one, member, rows, std::move(how));
   // what the ensemble knows of it beside the columns of a run
-  const MemberReport report = write_member(ensemble, index, member, rows, how);
+  const io::MemberReport report = io::write_member(ensemble, index, member, rows, how);
   if (report.was_complete) return print_nothing_to_do(name, rows);
   require_done(one, report.failure);
 }
 
 // Tables of the file that its keep leaves out: no error, so that --set ensemble.keep shows members
 // of an ensemble as it is.
-void say_what_is_not_made(const ScenarioEnsemble& ensemble) {
-  const EnsemblePlan& plan = ensemble.plan();
-  if (plan.keep == EnsembleKeep::statistics) return;
-  const char* const keep = plan.keep == EnsembleKeep::final ? "final" : "rows";
+void say_what_is_not_made(const io::ScenarioEnsemble& ensemble) {
+  const io::EnsemblePlan& plan = ensemble.plan();
+  if (plan.keep == io::EnsembleKeep::statistics) return;
+  const char* const keep = plan.keep == io::EnsembleKeep::final ? "final" : "rows";
   for (const auto& [table, count] : {std::pair("histogram", plan.histograms.size()),
                                      std::pair("fraction", plan.fractions.size())})
     if (count > 0)
@@ -142,10 +143,10 @@ void say_what_is_not_made(const ScenarioEnsemble& ensemble) {
                       ensemble.scenario().document.name, table, keep));
 }
 
-void make_ensemble(EnsembleCommand& options, const Kinds& kinds) {
+void make_ensemble(EnsembleCommand& options, const io::Kinds& kinds) {
   const auto read = [&] { return changed_scenario(options.scenario, options.set, kinds); };
-  if (has_served(options, [&] { return ensemble_work(read(), options.any_machine); })) return;
-  const ScenarioEnsemble ensemble(read());
+  if (has_served(options, [&] { return io::ensemble_work(read(), options.any_machine); })) return;
+  const io::ScenarioEnsemble ensemble(read());
   require_different("ensemble", options.out);
   if (options.member) return run_member(ensemble, options);
   std::vector<std::string> out = options.out;
@@ -154,15 +155,15 @@ void make_ensemble(EnsembleCommand& options, const Kinds& kinds) {
   say_what_is_not_made(ensemble);
   const std::string& name = ensemble.scenario().document.name;
   ResumableWork work(options, name);
-  RunOptions how = work.run_options(!to_standard_output || isatty(STDOUT_FILENO) == 0);
+  io::RunOptions how = work.run_options(!to_standard_output || isatty(STDOUT_FILENO) == 0);
   how.executor = options.ranks.get();
   how.any_machine = options.any_machine;
-  EnsembleRun run(ensemble, out, std::move(how));
+  io::EnsembleRun run(ensemble, out, std::move(how));
   if (run.is_complete()) return print_nothing_to_do(name, out);
   work.announce(run, ResumableWork::after(run.reached(), ensemble.size(), "members"), "members");
   work.line().emplace(run.reached(), ensemble.size(), "members");
   const auto begun = std::chrono::steady_clock::now();
-  const EnsembleReport report = work.run([&] { return run.run(); });
+  const io::EnsembleReport report = work.run([&] { return run.run(); });
   if (to_standard_output) return;
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
   print(summary_of(ensemble, run.groups(), report));
@@ -174,7 +175,7 @@ void make_ensemble(EnsembleCommand& options, const Kinds& kinds) {
 
 }  // namespace
 
-void add_ensemble(CLI::App& app, const Kinds& kinds, const std::string& typed,
+void add_ensemble(CLI::App& app, const io::Kinds& kinds, const std::string& typed,
                   const MakeRanks& ranks) {
   CLI::App* command = app.add_subcommand(
       "ensemble",

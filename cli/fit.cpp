@@ -12,11 +12,9 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "polhode/ensemble/ordered_parallel_for.hpp"
+#include "polhode/ensemble/executor.hpp"
 #include "polhode/error.hpp"
-#include "polhode/run/fit_checkpoint.hpp"
 #include "polhode/run/light_report.hpp"
-#include "polhode/run/predictions.hpp"
 #include "polhode/run/simulate.hpp"
 #include "resumable_work.hpp"
 
@@ -44,7 +42,7 @@ struct NoSolution : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-[[noreturn]] void fail(const Scenario& scenario, const std::string& starts,
+[[noreturn]] void fail(const io::Scenario& scenario, const std::string& starts,
                        const std::string& failure) {
   throw NoSolution(fmt::format("{}: no solution: from {} the fit did not converge: {}",
                                scenario.document.name, starts, failure));
@@ -61,15 +59,15 @@ bool prints_table(const FitCommand& options) {
 // Files of every solution; the text of all of them, unless a table takes its place on standard
 // output.
 template <class Report>
-void write_results(const FitCommand& options, const Scenario& scenario, const Report& report,
+void write_results(const FitCommand& options, const io::Scenario& scenario, const Report& report,
                    const std::vector<double>& times) {
-  const std::size_t most = require_fit(scenario).most_solutions;
+  const std::size_t most = io::require_fit(scenario).most_solutions;
   const std::size_t count = std::min(report.solutions.size(), most);
   const std::vector<double> predicted =
-      options.predict.empty() || !options.at.empty() ? times : prediction_times(scenario);
+      options.predict.empty() || !options.at.empty() ? times : io::prediction_times(scenario);
   for (std::size_t i = 0; i < count; ++i)
     for (const std::string& path : options.predict)
-      write_predictions(scenario, fit_predictions(report, i, predicted), numbered(path, i));
+      io::write_predictions(scenario, io::fit_predictions(report, i, predicted), numbered(path, i));
   const bool writes = !options.residuals.empty() || !options.covariance.empty() ||
                       !options.predict.empty() || !options.solution.empty();
   if (writes && count < report.solutions.size())
@@ -79,25 +77,26 @@ void write_results(const FitCommand& options, const Scenario& scenario, const Re
         scenario.document.name, count, report.solutions.size(), most));
   for (std::size_t i = 0; i < count; ++i) {
     for (const std::string& path : options.residuals)
-      write_residuals(scenario, report, i, numbered(path, i));
+      io::write_residuals(scenario, report, i, numbered(path, i));
     for (const std::string& path : options.covariance)
-      write_covariance(scenario, report, i, numbered(path, i));
+      io::write_covariance(scenario, report, i, numbered(path, i));
     if (!options.solution.empty())
-      write_solution(scenario, report, i, numbered(options.solution, i));
+      io::write_solution(scenario, report, i, numbered(options.solution, i));
   }
   if (!prints_table(options) && std::ranges::count(options.predict, "-") == 0)
-    print(options.json ? fit_json(scenario, report, times) : fit_text(scenario, report, times));
+    print(options.json ? io::fit_json(scenario, report, times)
+                       : io::fit_text(scenario, report, times));
 }
 
 // Those of --at, and what is wrong with what is to be predicted, before the fit.
-std::vector<double> times_at(const FitCommand& options, const Scenario& scenario) {
-  if (!options.predict.empty() && options.at.empty()) prediction_times(scenario);
+std::vector<double> times_at(const FitCommand& options, const io::Scenario& scenario) {
+  if (!options.predict.empty() && options.at.empty()) io::prediction_times(scenario);
   if (!options.at.empty() && options.predict.empty() && prints_table(options))
     throw DomainError(scenario.document.name +
                       ": --at: another table goes to standard output and not the text with what is "
                       "predicted; expected --predict PATH as well");
   try {
-    return prediction_times(scenario, options.at);
+    return io::prediction_times(scenario, options.at);
   } catch (const DomainError& error) {
     throw DomainError(std::string("--at: ") + error.what());
   }
@@ -130,17 +129,17 @@ void add_own_words(FitCommand& options) {
 // A fit that keeps what it finds, and says how to continue when it is stopped.
 class KeptFit {
  public:
-  KeptFit(const FitCommand& options, const Scenario& scenario)
+  KeptFit(const FitCommand& options, const io::Scenario& scenario)
       : work_(options, scenario.document.name),
         checkpoint_(scenario, outputs_of(options), work_.run_options(false)) {
     work_.announce(checkpoint_, fmt::format("after {:.0f} results", checkpoint_.reached()),
                    "results");
   }
 
-  CellJournal* journal() { return &checkpoint_.journal(); }
+  ensemble::CellJournal* journal() { return &checkpoint_.journal(); }
   std::optional<ProgressLine>& line() { return work_.line(); }
   // Results that are read again take no time.
-  void tell(const RunProgress& at) {
+  void tell(const io::RunProgress& at) {
     if (!line()) return;
     if (checkpoint_.journal().is_replaying())
       line()->begin_at(at);
@@ -154,7 +153,7 @@ class KeptFit {
       auto report = fit();
       work_.end();
       return report;
-    } catch (const RunInterrupted& stopped) {
+    } catch (const io::RunInterrupted& stopped) {
       throw work_.interrupted(
           stopped, checkpoint_.keep(),
           "a fit that writes a file, such as --solution PATH.toml, can be continued");
@@ -167,30 +166,30 @@ class KeptFit {
 
  private:
   ResumableWork work_;
-  FitCheckpoint checkpoint_;
+  io::FitCheckpoint checkpoint_;
 };
 
-FitOptions fit_options(const FitCommand& options, KeptFit& kept) {
-  FitOptions how;
-  how.threads = options.threads > 0 ? options.threads : hardware_threads();
+io::FitOptions fit_options(const FitCommand& options, KeptFit& kept) {
+  io::FitOptions how;
+  how.threads = options.threads > 0 ? options.threads : ensemble::hardware_threads();
   how.scans_only = options.scans_only;
   how.journal = kept.journal();
   how.stop = [] { return StopSignals::came() != 0; };
-  how.progress = [&kept](const RunProgress& at) { kept.tell(at); };
+  how.progress = [&kept](const io::RunProgress& at) { kept.tell(at); };
   return how;
 }
 
-void fit_snapshots(const FitCommand& options, const Scenario& scenario, KeptFit& kept) {
+void fit_snapshots(const FitCommand& options, const io::Scenario& scenario, KeptFit& kept) {
   if (!options.landscape.empty() || options.scans_only)
     throw DomainError(scenario.document.name +
                       (options.scans_only ? ": --scan-only" : ": --landscape") +
                       ": there is none; expected light curves and fit.from = "
                       "\"search\"");
   const std::vector<double> times = times_at(options, scenario);
-  const FitOptions how = fit_options(options, kept);
-  if (const std::int64_t starts = require_fit(scenario).starts; starts > 1)
+  const io::FitOptions how = fit_options(options, kept);
+  if (const std::int64_t starts = io::require_fit(scenario).starts; starts > 1)
     kept.line().emplace(0.0, starts, "starts");
-  const FitReport report = kept.run([&] { return fit_scenario(scenario, how); });
+  const io::FitReport report = kept.run([&] { return io::fit_scenario(scenario, how); });
   if (!report.is_found())
     fail(scenario,
          report.starts == 1 ? std::string("its start")
@@ -199,9 +198,9 @@ void fit_snapshots(const FitCommand& options, const Scenario& scenario, KeptFit&
   write_results(options, scenario, report, times);
 }
 
-void fit_light_curves(FitCommand options, const Scenario& scenario, KeptFit& kept) {
+void fit_light_curves(FitCommand options, const io::Scenario& scenario, KeptFit& kept) {
   const std::vector<double> times = times_at(options, scenario);
-  const LightPlan& plan = require_fit(scenario).light;
+  const io::LightPlan& plan = io::require_fit(scenario).light;
   const bool scans = plan.searches && plan.periods.empty();
   if (!options.landscape.empty() && !scans)
     throw DomainError(scenario.document.name +
@@ -211,22 +210,22 @@ void fit_light_curves(FitCommand options, const Scenario& scenario, KeptFit& kep
     throw DomainError(scenario.document.name +
                       ": --scan-only: no scan is made; expected fit.from = \"search\" without "
                       "fit.periods");
-  FitOptions how = fit_options(options, kept);
+  io::FitOptions how = fit_options(options, kept);
   how.begins = [&](const std::string& stage, const std::string& work) {
     kept.line().reset();
-    kept.line().emplace(stage != "surfaces"                    ? stage
-                        : plan.shape == LightPlan::Shape::mesh ? std::string("fits of the mesh")
-                                                               : std::string("convex bodies"),
+    kept.line().emplace(stage != "surfaces"                        ? stage
+                        : plan.shape == io::LightPlan::Shape::mesh ? std::string("fits of the mesh")
+                                                                   : std::string("convex bodies"),
                         work);
   };
-  const LightReport report = kept.run([&] { return fit_light_scenario(scenario, how); });
-  for (const std::string& path : options.landscape) write_landscape(scenario, report, path);
+  const io::LightReport report = kept.run([&] { return io::fit_light_scenario(scenario, how); });
+  for (const std::string& path : options.landscape) io::write_landscape(scenario, report, path);
   if (report.start && !report.is_found() && report.chosen.empty() && report.notes.empty())
     fail(scenario, "its start", report.failure);
   if (!report.is_found()) {
     // minima, pairs and what they came to are worth reading without a solution
     if (!prints_table(options))
-      print(options.json ? fit_json(scenario, report) : fit_text(scenario, report));
+      print(options.json ? io::fit_json(scenario, report) : io::fit_text(scenario, report));
     if (options.scans_only) return;
     if (report.start) fail(scenario, "its start", report.failure);
     throw NoSolution(fmt::format("{}: no solution: {}", scenario.document.name, report.failure));
@@ -241,26 +240,26 @@ void fit_light_curves(FitCommand options, const Scenario& scenario, KeptFit& kep
   write_results(options, scenario, report, times);
 }
 
-void fit_file(const FitCommand& options, const Kinds& kinds) {
-  const Scenario scenario = changed_scenario(options.scenario, options.set, kinds);
-  require_own_files(scenario, outputs_of(options));
+void fit_file(const FitCommand& options, const io::Kinds& kinds) {
+  const io::Scenario scenario = changed_scenario(options.scenario, options.set, kinds);
+  io::require_own_files(scenario, outputs_of(options));
   for (const std::vector<std::string>* const tables :
        {&options.residuals, &options.covariance, &options.landscape, &options.predict})
     for (const std::string& path : *tables)
       static_cast<void>(scenario.output.formats.of_output(path));  // before the work
   KeptFit kept(options, scenario);
   try {
-    if (observes_light(scenario))
+    if (io::observes_light(scenario))
       fit_light_curves(options, scenario, kept);
     else
       fit_snapshots(options, scenario, kept);
   } catch (const NoSolution&) {
     kept.forget();
     throw;
-  } catch (const OutputError&) {  // a full disk does not lose the results
+  } catch (const io::OutputError&) {  // a full disk does not lose the results
     try {
       kept.keep();
-    } catch (const OutputError&) {  // the first error is the one to report
+    } catch (const io::OutputError&) {  // the first error is the one to report
     }
     throw;
   }
@@ -269,7 +268,7 @@ void fit_file(const FitCommand& options, const Kinds& kinds) {
 
 }  // namespace
 
-void add_fit(CLI::App& app, const Kinds& kinds, const std::string& typed) {
+void add_fit(CLI::App& app, const io::Kinds& kinds, const std::string& typed) {
   CLI::App* command = app.add_subcommand(
       "fit", "Find the spin state that was observed, with its uncertainty: kind = \"fit\"");
   const auto options = std::make_shared<FitCommand>();
@@ -324,7 +323,7 @@ void add_fit(CLI::App& app, const Kinds& kinds, const std::string& typed) {
   });
 }
 
-void add_simulate(CLI::App& app, const Kinds& kinds) {
+void add_simulate(CLI::App& app, const io::Kinds& kinds) {
   struct Options {
     std::string scenario, folder;
     std::vector<std::string> set;
@@ -345,9 +344,9 @@ void add_simulate(CLI::App& app, const Kinds& kinds) {
   command->footer("Example:\n  " + full_name(*command) +
                   " examples/toutatis-1992.toml --set simulate.seed=2 --into synthetic");
   command->callback([options, kinds] {
-    const Scenario scenario = changed_scenario(options->scenario, options->set, kinds);
+    const io::Scenario scenario = changed_scenario(options->scenario, options->set, kinds);
     for (const std::string& path :
-         write_simulation(scenario, options->folder, options->may_replace))
+         io::write_simulation(scenario, options->folder, options->may_replace))
       print(path + "\n");
   });
 }

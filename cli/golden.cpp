@@ -16,10 +16,10 @@ void add_golden(CLI::App& app) {
       ->required();
   command->footer("Example:\n  " + full_name(*command) + " golden");
   command->callback([folder] {
-    const std::vector<GoldenCase> cases = golden_cases();
+    const std::vector<io::GoldenCase> cases = io::golden_cases();
     std::size_t samples = 0;
-    for (const GoldenCase& c : cases) samples += c.samples.size();
-    write_golden(*folder, cases);
+    for (const io::GoldenCase& c : cases) samples += c.samples.size();
+    io::write_golden(*folder, cases);
     print(std::to_string(cases.size()) + " cases, " + std::to_string(samples) +
           " states: golden.json and golden.csv in " + *folder + "\n");
   });

@@ -25,7 +25,7 @@ std::string processes(bool has_ranks) {
 
 }  // namespace
 
-void add_info(CLI::App& app, const Kinds& kinds, bool has_ranks) {
+void add_info(CLI::App& app, const io::Kinds& kinds, bool has_ranks) {
   struct Options {
     std::string scenario;
     std::vector<std::string> set;
@@ -45,9 +45,9 @@ void add_info(CLI::App& app, const Kinds& kinds, bool has_ranks) {
   command->callback([options, kinds, has_ranks] {
     if (options->cpu) return print(instruction_sets() + processes(has_ranks));
     if (options->scenario.empty()) throw CLI::RequiredError("FILE");
-    const Scenario scenario = changed_scenario(options->scenario, options->set, kinds);
-    const auto lines = summary(scenario);
-    print(options->json ? summary_json(lines) : summary_table(lines));
+    const io::Scenario scenario = changed_scenario(options->scenario, options->set, kinds);
+    const auto lines = io::summary(scenario);
+    print(options->json ? io::summary_json(lines) : io::summary_table(lines));
   });
 }
 

@@ -9,12 +9,12 @@
 
 namespace polhode::cli {
 
-void add_init(CLI::App& app, const Kinds& kinds) {
+void add_init(CLI::App& app, const io::Kinds& kinds) {
   CLI::App* command = app.add_subcommand("init", "Print a commented scenario to start from");
   const auto word = std::make_shared<std::string>("attitude-rate");
   std::string names;
   std::vector<std::string> words;
-  for (const TemplateSort& one : scenario_templates(kinds.schema())) {
+  for (const io::TemplateSort& one : io::scenario_templates(kinds.schema())) {
     names += (names.empty() ? "" : "; ") + std::string(one.sort) + ": ";
     words.insert(words.end(), one.words.begin(), one.words.end());
     for (const std::string& name : one.words)
@@ -26,7 +26,7 @@ void add_init(CLI::App& app, const Kinds& kinds) {
   command->footer("Example:\n  " + full_name(*command) + " gravity-gradient > body.toml");
   command->callback([word, kinds, name = full_name(*command), program = app.get_name()] {
     try {
-      print(scenario_template(*word, kinds.schema(), program));
+      print(io::scenario_template(*word, kinds.schema(), program));
     } catch (const DomainError& error) {
       throw DomainError(name + ": " + error.what());
     }

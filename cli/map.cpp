@@ -24,20 +24,21 @@ struct MapCommand : SharedWorkOptions {
 };
 
 // The scenario of the cell; the rows of its run into the outputs that are no scenario.
-void run_cell(const ScenarioMap& map, const MapCommand& options) {
+void run_cell(const io::ScenarioMap& map, const MapCommand& options) {
   const Alone one{"--cell", "cell " + std::to_string(*options.cell), map.scenario().document.name};
   std::string text = map.cell_text(*options.cell);
   const std::vector<std::string> rows = write_scenario_of(one, text, options);
   if (rows.empty()) return;
-  const Scenario cell = map.cell_scenario(*options.cell, std::move(text));
+  const io::Scenario cell = map.cell_scenario(*options.cell, std::move(text));
   run_alone(one, cell, rows, begin_options(options));
 }
 
 // How many cells there are, what they hold, and why some hold nothing.
-std::string summary_of(const ScenarioMap& map, const MapReport& report) {
+std::string summary_of(const io::ScenarioMap& map, const io::MapReport& report) {
   std::string text = fmt::format("cells             {}\n", report.cells);
-  const std::vector<Column> columns = map.groups().back().columns;
-  if (map.plan().kind == MapKind::andoyer_section || map.plan().kind == MapKind::spin_orbit_section)
+  const std::vector<io::Column> columns = map.groups().back().columns;
+  if (map.plan().kind == io::MapKind::andoyer_section ||
+      map.plan().kind == io::MapKind::spin_orbit_section)
     text += fmt::format("points            {}\n", report.points);
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const auto [least, most] = report.ranges[i];
@@ -54,10 +55,10 @@ std::string summary_of(const ScenarioMap& map, const MapReport& report) {
   return failed <= reasons_shown ? text : text + "  ...\n";
 }
 
-void make_map(MapCommand& options, const Kinds& kinds) {
+void make_map(MapCommand& options, const io::Kinds& kinds) {
   const auto read = [&] { return changed_scenario(options.scenario, options.set, kinds); };
-  if (has_served(options, [&] { return map_work(read(), options.any_machine); })) return;
-  const ScenarioMap map(read());
+  if (has_served(options, [&] { return io::map_work(read(), options.any_machine); })) return;
+  const io::ScenarioMap map(read());
   require_different("map", options.out);
   if (options.cell) return run_cell(map, options);
   std::vector<std::string> out = options.out;
@@ -65,14 +66,14 @@ void make_map(MapCommand& options, const Kinds& kinds) {
   const bool to_standard_output = std::find(out.begin(), out.end(), "-") != out.end();
   const std::string& name = map.scenario().document.name;
   ResumableWork work(options, name);
-  RunOptions how = work.run_options(!to_standard_output || isatty(STDOUT_FILENO) == 0);
+  io::RunOptions how = work.run_options(!to_standard_output || isatty(STDOUT_FILENO) == 0);
   how.executor = options.ranks.get();
   how.any_machine = options.any_machine;
-  MapRun run(map, out, std::move(how));
+  io::MapRun run(map, out, std::move(how));
   if (run.is_complete()) return print_nothing_to_do(name, out);
   work.announce(run, ResumableWork::after(run.reached(), map.size(), "cells"), "cells");
   work.line().emplace(run.reached(), map.size(), "cells");
-  const MapReport report = work.run([&] { return run.run(); });
+  const io::MapReport report = work.run([&] { return run.run(); });
   if (to_standard_output) return;
   print(summary_of(map, report));
   if (const std::string hint = plot_hint(out); !hint.empty())
@@ -81,7 +82,8 @@ void make_map(MapCommand& options, const Kinds& kinds) {
 
 }  // namespace
 
-void add_map(CLI::App& app, const Kinds& kinds, const std::string& typed, const MakeRanks& ranks) {
+void add_map(CLI::App& app, const io::Kinds& kinds, const std::string& typed,
+             const MakeRanks& ranks) {
   CLI::App* command = app.add_subcommand(
       "map",
       "Run a scenario over the grid of its [map], on all processors: chaos, extremes, sections");

@@ -7,7 +7,6 @@
 #include "commands.hpp"
 #include "polhode/error.hpp"
 #include "polhode/run/nutation_report.hpp"
-#include "polhode/text/epoch.hpp"
 #include "polhode/text/separated.hpp"
 #include "polhode/text/units.hpp"
 
@@ -15,7 +14,7 @@ namespace polhode::cli {
 namespace {
 
 struct NutationCommand {
-  NutationRequest request;
+  io::NutationRequest request;
   std::string axis = "figure", part = "all", rate = "inertial";
   std::string epoch = "JD 2451545.0 TDB", obliquity, least = "1 uas", out;
 };
@@ -23,8 +22,8 @@ struct NutationCommand {
 // "23.4 deg".
 double angle(const std::string& option, const std::string& text) {
   try {
-    const Quantity q = quantity_from_text(text);
-    const double value = Units("s").to_core(q.value, q.unit, Dimension::angle);
+    const io::Quantity q = io::quantity_from_text(text);
+    const double value = io::Units("s").to_core(q.value, q.unit, io::Dimension::angle);
     if (std::isfinite(value) && value > 0.0) return value;
   } catch (const DomainError&) {
   }
@@ -32,20 +31,20 @@ double angle(const std::string& option, const std::string& text) {
                     "\"; expected a positive angle with its unit, such as \"23.4 deg\"");
 }
 
-NutationRequest completed_request(const NutationCommand& of) {
-  NutationRequest request = of.request;
-  request.axis = planet_axis(of.axis).value();  // one of planet_axes
-  request.part = of.part == "all" ? NutationPart::all : NutationPart::oppolzer;
+io::NutationRequest completed_request(const NutationCommand& of) {
+  io::NutationRequest request = of.request;
+  request.axis = secular::planet_axis(of.axis).value();  // one of planet_axes
+  request.part = of.part == "all" ? io::NutationPart::all : io::NutationPart::oppolzer;
   request.relative = of.rate == "relative";
   if (!of.obliquity.empty()) request.of.obliquity = angle("--obliquity", of.obliquity);
   request.of.least = angle("--least", of.least);
   try {
-    request.of.T = julian_centuries(epoch_date(of.epoch));
+    request.of.T = io::julian_centuries(io::epoch_date(of.epoch));
   } catch (const DomainError& error) {
     throw DomainError("nutation: --epoch: got \"" + of.epoch + "\"; " + error.what());
   }
   try {
-    completed(request.of);
+    io::completed(request.of);
   } catch (const DomainError& error) {
     throw DomainError(std::string("nutation: ") + error.what());
   }
@@ -56,9 +55,9 @@ void show(const NutationCommand& of) {
   if (!of.out.empty() && of.out != "-" && !of.out.ends_with(".csv"))
     throw DomainError("nutation: --out: got \"" + of.out +
                       "\"; the table is written as CSV: expected a name that ends with .csv, or -");
-  const NutationReport report = nutation_report(completed_request(of));
-  if (!of.out.empty()) write_nutation_csv(report, of.out);
-  if (of.out != "-") print(nutation_text(report));
+  const io::NutationReport report = io::nutation_report(completed_request(of));
+  if (!of.out.empty()) io::write_nutation_csv(report, of.out);
+  if (of.out != "-") print(io::nutation_text(report));
 }
 
 }  // namespace
@@ -67,15 +66,15 @@ void add_nutation(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "nutation", "The nutation of a rigid planet as a table of coefficients (Kinoshita's theory)");
   const auto of = std::make_shared<NutationCommand>();
-  PlanetNutation& planet = of->request.of;
+  io::PlanetNutation& planet = of->request.of;
   const auto one_of = [](const auto& words) {
     return CLI::IsMember(std::vector<std::string>(words.begin(), words.end()));
   };
   command->add_option("--planet", planet.planet, "earth (Moon and Sun), venus or mars (Sun)")
-      ->check(one_of(separated(nutation_planets, '|')))
+      ->check(one_of(io::separated(io::nutation_planets, '|')))
       ->capture_default_str();
   command->add_option("--axis", of->axis, "momentum, figure or rotation")
-      ->check(one_of(planet_axes))
+      ->check(one_of(secular::planet_axes))
       ->capture_default_str();
   command
       ->add_option(

@@ -69,12 +69,12 @@ ProgressLine::~ProgressLine() {
   if (terminal_ && shown_) std::fputs("\r\033[K", stderr);
 }
 
-void ProgressLine::begin_at(const RunProgress& at) {
+void ProgressLine::begin_at(const io::RunProgress& at) {
   from_ = at;
   begun_ = Clock::now();
 }
 
-void ProgressLine::operator()(const RunProgress& at) {
+void ProgressLine::operator()(const io::RunProgress& at) {
   const std::int64_t step = steps_++;
   if (form_ == Form::time && step == 0) return begin_at(at);  // after it was prepared
   if (form_ == Form::time && step % stride != 0) return;
@@ -84,7 +84,7 @@ void ProgressLine::operator()(const RunProgress& at) {
   show(at, std::chrono::duration<double>(now - begun_).count());
 }
 
-void ProgressLine::show(const RunProgress& at, double seconds) {
+void ProgressLine::show(const io::RunProgress& at, double seconds) {
   const double done = stop_ == 0.0 ? 0.0 : std::clamp(at.reached / stop_, 0.0, 1.0);
   const double made = at.part - from_.part, percent = std::floor(100.0 * done);
   const bool is_known = made > 0.0;

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <string>
 
-#include "polhode/run/resumable_run.hpp"
+#include "polhode/run/scenario_run.hpp"
 
 namespace polhode::cli {
 
@@ -25,18 +25,18 @@ class ProgressLine {
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  void operator()(const RunProgress& at);
+  void operator()(const io::RunProgress& at);
   // The time that is left is measured from here on.
-  void begin_at(const RunProgress& at);
+  void begin_at(const io::RunProgress& at);
 
  private:
   using Clock = std::chrono::steady_clock;
   enum class Form { time, count, part };
   ProgressLine(Form form, double from, double stop, std::string unit);
-  void show(const RunProgress& at, double seconds);
+  void show(const io::RunProgress& at, double seconds);
 
   Form form_;
-  RunProgress from_;  // since when time is taken
+  io::RunProgress from_;  // since when time is taken
   double stop_;
   std::string unit_;
   std::string work_;

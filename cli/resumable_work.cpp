@@ -54,12 +54,13 @@ void add_scenario(CLI::App& command, WorkOptions& options) {
   add_set_option(command, options.set);
 }
 
-void add_tables(CLI::App& command, WorkOptions& options, const Kinds& kinds) {
+void add_tables(CLI::App& command, WorkOptions& options, const io::Kinds& kinds) {
   command
-      .add_option("--out,-o", options.out,
-                  paths_in_words(kinds.formats(),
-                                 [](const OutputFormat& format) { return !format.needs.dates; }) +
-                      ", any number of them; - is CSV to standard output, also the default")
+      .add_option(
+          "--out,-o", options.out,
+          io::paths_in_words(kinds.formats(),
+                             [](const io::OutputFormat& format) { return !format.needs.dates; }) +
+              ", any number of them; - is CSV to standard output, also the default")
       ->type_name("PATH");
 }
 
@@ -100,7 +101,7 @@ void SharedWorkOptions::begin(const MakeRanks& make) {
   if (make) ranks = make(std::max(threads, 1));
 }
 
-bool has_served(SharedWorkOptions& options, const Ranks::MakeWork& make) {
+bool has_served(SharedWorkOptions& options, const ensemble::Ranks::MakeWork& make) {
   if (!options.ranks) return false;
   if (options.ranks->leads()) {
     if (options.scenario != "-") return false;
@@ -113,10 +114,10 @@ bool has_served(SharedWorkOptions& options, const Ranks::MakeWork& make) {
   return true;
 }
 
-RunOptions begin_options(const WorkOptions& options) {
-  RunOptions how;
-  if (options.resume) how.begin = RunBegin::resume;
-  if (options.restart) how.begin = RunBegin::restart;
+io::RunOptions begin_options(const WorkOptions& options) {
+  io::RunOptions how;
+  if (options.resume) how.begin = io::RunBegin::resume;
+  if (options.restart) how.begin = io::RunBegin::restart;
   how.words = {"--resume", "--restart", "--any-machine"};
   how.checkpoint_seconds = options.checkpoint;
   return how;
@@ -139,16 +140,16 @@ void print_nothing_to_do(const std::string& name, const std::vector<std::string>
 
 void say(const std::string& line) { std::fputs((line + "\n").c_str(), stderr); }
 
-RunOptions ResumableWork::run_options(bool shows) {
+io::RunOptions ResumableWork::run_options(bool shows) {
   signals_.emplace();
-  RunOptions how = begin_options(options_);
+  io::RunOptions how = begin_options(options_);
   how.threads = options_.threads;
   how.stop = [] { return StopSignals::came() != 0; };
-  if (shows) how.progress = [this](const RunProgress& at) { (*line_)(at); };
+  if (shows) how.progress = [this](const io::RunProgress& at) { (*line_)(at); };
   return how;
 }
 
-void ResumableWork::announce(const ResumableRun& run, const std::string& where,
+void ResumableWork::announce(const io::ResumableRun& run, const std::string& where,
                              const std::string& results) const {
   if (options_.resume)
     say(name_ + (run.continues() ? ": continues " + where

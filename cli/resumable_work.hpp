@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "polhode/run/resumable_run.hpp"
+#include "polhode/run/scenario_run.hpp"
 #include "progress.hpp"
 #include "stop_signals.hpp"
 
@@ -33,7 +33,7 @@ struct SharedWorkOptions : WorkOptions {
   bool any_machine = false;
   // They last until the last message is written: MPI_Finalize does not return once mpirun was told
   // to stop.
-  std::unique_ptr<Ranks> ranks;
+  std::unique_ptr<ensemble::Ranks> ranks;
 
   // Makes the ranks from the options that were typed.
   void begin(const MakeRanks& make);
@@ -47,7 +47,7 @@ struct WorkWords {
 // FILE and --set.
 void add_scenario(CLI::App& command, WorkOptions& options);
 // --out of tables.
-void add_tables(CLI::App& command, WorkOptions& options, const Kinds& kinds);
+void add_tables(CLI::App& command, WorkOptions& options, const io::Kinds& kinds);
 // --threads.
 void add_threads(CLI::App& command, WorkOptions& options, const std::string& at_a_time);
 // --resume, --restart and --checkpoint.
@@ -57,10 +57,10 @@ void add_any_machine(CLI::App& command, SharedWorkOptions& options);
 
 // True for a process that does not lead: it has computed cells for the one that does, by the work
 // that `make` returns. DomainError for a scenario that not all of several processes can read.
-bool has_served(SharedWorkOptions& options, const Ranks::MakeWork& make);
+bool has_served(SharedWorkOptions& options, const ensemble::Ranks::MakeWork& make);
 
 // Options that say whether to resume or restart, and the time between checkpoints.
-RunOptions begin_options(const WorkOptions& options);
+io::RunOptions begin_options(const WorkOptions& options);
 
 // The index of a "member".
 CLI::Validator index_of(const std::string& what);
@@ -80,9 +80,9 @@ class ResumableWork {
       : options_(options), name_(std::move(name)) {}
 
   // Notes Ctrl-C from here on until run() has ended. `shows`: progress goes to the line.
-  RunOptions run_options(bool shows = true);
+  io::RunOptions run_options(bool shows = true);
   // Prints what --resume has found: it continues "after 7 of 143 cells", or has no "cells".
-  void announce(const ResumableRun& run, const std::string& where,
+  void announce(const io::ResumableRun& run, const std::string& where,
                 const std::string& results) const;
   // "after 7 of 143 cells"
   static std::string after(double reached, std::int64_t size, const std::string& results);
@@ -95,7 +95,7 @@ class ResumableWork {
       auto result = f();
       end();
       return result;
-    } catch (const RunInterrupted& stopped) {
+    } catch (const io::RunInterrupted& stopped) {
       throw interrupted(stopped, stopped.can_resume,
                         "outputs that are not files cannot be continued");
     }

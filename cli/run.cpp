@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "polhode/run/run.hpp"
+
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -10,7 +12,6 @@
 
 #include "commands.hpp"
 #include "polhode/error.hpp"
-#include "polhode/run/disk_space.hpp"
 #include "polhode/run/scenario_run.hpp"
 #include "polhode/run/summary.hpp"
 #include "resumable_work.hpp"
@@ -26,7 +27,7 @@ struct RunCommand : WorkOptions {
 };
 
 // The input was right: whatever goes wrong from here on is a run that failed.
-RunReport report_of(const Scenario& scenario, ScenarioRun& run) {
+io::RunReport report_of(const io::Scenario& scenario, io::ScenarioRun& run) {
   try {
     return run.run();
   } catch (const DomainError& error) {
@@ -35,9 +36,9 @@ RunReport report_of(const Scenario& scenario, ScenarioRun& run) {
 }
 
 // One line: where it ended, why and what to try, and what is left of its rows.
-std::string failure_text(const Scenario& scenario, const RunReport& report,
+std::string failure_text(const io::Scenario& scenario, const io::RunReport& report,
                          const std::vector<std::string>& out) {
-  const double t = scenario.units().from_core(report.outcome.t, Dimension::time);
+  const double t = scenario.units().from_core(report.outcome.t, io::Dimension::time);
   std::string text = scenario.document.name + ": the run failed at t = " + fmt::format("{}", t) +
                      " " + scenario.units().time() + ": " + report.outcome.advice;
   std::string parts;
@@ -49,39 +50,39 @@ std::string failure_text(const Scenario& scenario, const RunReport& report,
 
 // That the disk may be too small, where nobody can tell before: of text, or of a run that an event
 // may end.
-void warn_of_room(const Scenario& scenario, const std::vector<std::string>& out,
-                  const ScenarioRun& run) {
-  for (const DiskNeed& need : disk_needs(scenario, out, run.rows()))
+void warn_of_room(const io::Scenario& scenario, const std::vector<std::string>& out,
+                  const io::ScenarioRun& run) {
+  for (const io::DiskNeed& need : io::disk_needs(scenario, out, run.rows()))
     if (need.usual > need.available)
       say(scenario.document.name + ": the disk may not hold " +
-          disk_text(scenario, need, need.usual, run.rows()));
+          io::disk_text(scenario, need, need.usual, run.rows()));
 }
 
-RunReport run_into_files(const RunCommand& options, const Scenario& scenario,
-                         const std::vector<std::string>& out, bool rows_on_terminal) {
+io::RunReport run_into_files(const RunCommand& options, const io::Scenario& scenario,
+                             const std::vector<std::string>& out, bool rows_on_terminal) {
   ResumableWork work(options, scenario.document.name);
-  ScenarioRun run(scenario, {out, options.events}, work.run_options(!rows_on_terminal));
+  io::ScenarioRun run(scenario, {out, options.events}, work.run_options(!rows_on_terminal));
   if (run.is_complete()) throw NothingToDo();
-  const auto time = [&](double t) { return scenario.units().from_core(t, Dimension::time); };
+  const auto time = [&](double t) { return scenario.units().from_core(t, io::Dimension::time); };
   work.announce(run,
                 fmt::format("at t = {} {}, after {} rows", time(run.reached()),
                             scenario.units().time(), run.rows()),
                 "checkpoint");
   warn_of_room(scenario, out, run);
-  work.line().emplace(row_times(scenario)->end(), scenario.units().time());
+  work.line().emplace(io::row_times(scenario)->end(), scenario.units().time());
   return work.run([&] { return report_of(scenario, run); });
 }
 
 // "PATH.csv, PATH.h5"
-std::string output_paths(const OutputFormats& formats) {
+std::string output_paths(const io::OutputFormats& formats) {
   std::string paths;
-  for (const OutputFormat& format : formats.all())
+  for (const io::OutputFormat& format : formats.all())
     paths += (paths.empty() ? "PATH" : ", PATH") + format.extension;
   return paths;
 }
 
 // Reports tables of the file that only other commands use.
-void note_plans(const Scenario& scenario) {
+void note_plans(const io::Scenario& scenario) {
   const auto note = [&](bool has_table, const char* table, const char* command) {
     if (has_table)
       say(scenario.document.name + ": note: " + table + " is not used; polhode " + command +
@@ -92,15 +93,15 @@ void note_plans(const Scenario& scenario) {
   note(scenario.fit != nullptr, "[[observation]]", "fit");
 }
 
-void run_scenario(const RunCommand& options, const Kinds& kinds) {
-  const Scenario scenario = changed_scenario(options.scenario, options.set, kinds);
-  if (!row_times(scenario))
+void run_scenario(const RunCommand& options, const io::Kinds& kinds) {
+  const io::Scenario scenario = changed_scenario(options.scenario, options.set, kinds);
+  if (!io::row_times(scenario))
     throw DomainError(
         options.scenario +
         ": time: got nothing; expected a table [time], stop with step or count, or at");
-  if (!options.events.empty() && !has_events(scenario))
+  if (!options.events.empty() && !io::has_events(scenario))
     throw DomainError(options.scenario +
-                      (std::holds_alternative<Rotation>(scenario.experiment)
+                      (std::holds_alternative<io::Rotation>(scenario.experiment)
                            ? ": event: got nothing; expected tables [[event]] for --events"
                            : ": expected no --events, since this kind of file has none"));
   std::vector<std::string> out = options.out;
@@ -110,7 +111,7 @@ void run_scenario(const RunCommand& options, const Kinds& kinds) {
   if (!options.events.empty()) paths.push_back(options.events);
   require_different("run", paths);
 
-  RunReport report;
+  io::RunReport report;
   const bool to_standard_output = std::find(out.begin(), out.end(), "-") != out.end();
   const bool rows_on_terminal = to_standard_output && isatty(STDOUT_FILENO) == 1;
   if (!table_only) {
@@ -124,15 +125,15 @@ void run_scenario(const RunCommand& options, const Kinds& kinds) {
   for (const std::string& warning : report.warnings) warn(warning);
   note_plans(scenario);
   if (to_standard_output) return;
-  std::vector<SummaryLine> lines = summary(scenario);
+  std::vector<io::SummaryLine> lines = io::summary(scenario);
   if (!table_only)
-    for (SummaryLine& line :
-         report_lines(scenario, report,
-                      options.events.empty() ? "--events PATH.csv" : "all in " + options.events))
+    for (io::SummaryLine& line : io::report_lines(
+             scenario, report,
+             options.events.empty() ? "--events PATH.csv" : "all in " + options.events))
       lines.push_back(std::move(line));
   if (const std::string hint = plot_hint(out); !hint.empty())
     lines.push_back({"plot", "to draw it", {}, hint, ""});
-  print(summary_table(lines));
+  print(io::summary_table(lines));
   if (table_only)
     print("(no rows written: --out " + output_paths(scenario.output.formats) +
           ", or - for standard output)\n");
@@ -140,7 +141,7 @@ void run_scenario(const RunCommand& options, const Kinds& kinds) {
 
 }  // namespace
 
-void add_run(CLI::App& app, const Kinds& kinds, const std::string& typed) {
+void add_run(CLI::App& app, const io::Kinds& kinds, const std::string& typed) {
   CLI::App* command = app.add_subcommand("run", "Propagate a scenario and write its rows");
   const auto options = std::make_shared<RunCommand>();
   options->program = typed;
@@ -149,7 +150,7 @@ void add_run(CLI::App& app, const Kinds& kinds, const std::string& typed) {
   command
       ->add_option(
           "--out,-o", options->out,
-          paths_in_words(kinds.formats()) +
+          io::paths_in_words(kinds.formats()) +
               ", any number of them; - is CSV to standard output, also the default unless that is "
               "a terminal")
       ->type_name("PATH");

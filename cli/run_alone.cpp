@@ -29,7 +29,7 @@ std::vector<std::string> write_scenario_of(const Alone& one, const std::string& 
     std::ofstream file(path, std::ios::binary);
     file << text;
     file.close();
-    if (!file) throw OutputError(path + ": cannot be written");
+    if (!file) throw io::OutputError(path + ": cannot be written");
   }
   return rows;
 }
@@ -39,11 +39,11 @@ void require_done(const Alone& one, const std::string& failure) {
     throw std::runtime_error(one.scenario + ": " + one.called + " failed: " + failure);
 }
 
-void run_alone(const Alone& one, const Scenario& scenario, const std::vector<std::string>& rows,
-               RunOptions how) {
-  ScenarioRun run(scenario, {rows, {}}, std::move(how));
+void run_alone(const Alone& one, const io::Scenario& scenario, const std::vector<std::string>& rows,
+               io::RunOptions how) {
+  io::ScenarioRun run(scenario, {rows, {}}, std::move(how));
   if (run.is_complete()) return print_nothing_to_do(scenario.document.name, rows);
-  const RunReport report = run.run();
+  const io::RunReport report = run.run();
   require_done(one, report.outcome.ok() ? std::string() : report.outcome.advice);
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "polhode/run/resumable_run.hpp"
+#include "polhode/run/scenario_run.hpp"
 #include "polhode/scenario/scenario.hpp"
 #include "resumable_work.hpp"
 
@@ -26,7 +26,7 @@ std::vector<std::string> write_scenario_of(const Alone& one, const std::string& 
 void require_done(const Alone& one, const std::string& failure);
 
 // Writes its rows to these paths.
-void run_alone(const Alone& one, const Scenario& scenario, const std::vector<std::string>& rows,
-               RunOptions how);
+void run_alone(const Alone& one, const io::Scenario& scenario, const std::vector<std::string>& rows,
+               io::RunOptions how);
 
 }  // namespace polhode::cli

@@ -9,7 +9,7 @@
 
 namespace polhode::cli {
 
-void add_schema(CLI::App& app, const Kinds& kinds) {
+void add_schema(CLI::App& app, const io::Kinds& kinds) {
   CLI::App* command = app.add_subcommand("schema", "Print the JSON Schema of scenario files");
   const auto part = std::make_shared<std::string>("json");
   command->add_option("PART", *part, "json, or the keys, units or columns of docs/reference")
@@ -17,11 +17,11 @@ void add_schema(CLI::App& app, const Kinds& kinds) {
       ->capture_default_str();
   command->footer("Example:\n  " + full_name(*command) + " > scenario.schema.json");
   command->callback([part, kinds] {
-    const Schema& schema = kinds.schema();
-    print(*part == "json"    ? json_schema(schema)
-          : *part == "keys"  ? markdown_reference(schema)
-          : *part == "units" ? markdown_units()
-                             : markdown_columns(kinds.columns()));
+    const io::Schema& schema = kinds.schema();
+    print(*part == "json"    ? io::json_schema(schema)
+          : *part == "keys"  ? io::markdown_reference(schema)
+          : *part == "units" ? io::markdown_units()
+                             : io::markdown_columns(kinds.columns()));
   });
 }
 

@@ -18,17 +18,17 @@ void add_set_option(CLI::App& command, std::vector<std::string>& changes) {
       ->allow_extra_args(false);
 }
 
-Scenario changed_scenario(const std::string& path, const std::vector<std::string>& changes,
-                          const Kinds& kinds) {
-  std::vector<ScenarioChange> all;
+io::Scenario changed_scenario(const std::string& path, const std::vector<std::string>& changes,
+                              const io::Kinds& kinds) {
+  std::vector<io::ScenarioChange> all;
   try {
-    for (const std::string& change : changes) all.push_back(change_of(change));
-    Scenario scenario = read_scenario(path, kinds, all);
-    for (const std::string& text : warnings(scenario)) warn(text);
+    for (const std::string& change : changes) all.push_back(io::change_of(change));
+    io::Scenario scenario = io::read_scenario(path, kinds, all);
+    for (const std::string& text : io::warnings(scenario)) warn(text);
     return scenario;
-  } catch (const ScenarioError&) {
+  } catch (const io::ScenarioError&) {
     throw;
-  } catch (const ChangeError& error) {
+  } catch (const io::ChangeError& error) {
     throw DomainError(std::string("--set: ") + error.what());
   }
 }

@@ -21,14 +21,14 @@ struct ShapeOptions {
 };
 
 // "2000", or "2 g/cm3"; positive.
-double quantity(const Units& units, const std::string& option, const std::string& text,
-                Dimension dimension) {
+double quantity(const io::Units& units, const std::string& option, const std::string& text,
+                io::Dimension dimension) {
   const std::string got = "shape: " + option + ": got \"" + text + "\"; ";
   double value = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size()) {
     try {
-      const Quantity q = quantity_from_text(text);
+      const io::Quantity q = io::quantity_from_text(text);
       value = units.to_core(q.value, q.unit, dimension);
     } catch (const DomainError& wrong) {
       throw DomainError(got + wrong.what());
@@ -39,25 +39,26 @@ double quantity(const Units& units, const std::string& option, const std::string
   return value;
 }
 
-MassProperties properties_of(const FacetShape& shape, double density, const std::string& file) {
+shape::MassProperties properties_of(const shape::FacetShape& shape, double density,
+                                    const std::string& file) {
   try {
-    return mass_properties(shape, density);
+    return shape::mass_properties(shape, density);
   } catch (const DomainError& error) {
     throw DomainError(file + ": " + error.what());
   }
 }
 
 void report_shape(const ShapeOptions& options) {
-  const Units units("s", "rad", "kg m2", "m");
-  const double density = quantity(units, "--density", options.density, Dimension::density);
-  const double scale = quantity(units, "--scale", options.scale, Dimension::length);
-  const FacetShape file = read_obj(options.file);
-  const FacetShape shape = scale == 1.0 ? file : file.moved({}, scale);
-  const MassProperties properties = properties_of(shape, density, options.file);
-  if (options.toml) return print(body_table(properties, units));
-  const auto lines = shape_summary(shape, properties, units);
-  print(options.json ? summary_json(lines)
-                     : summary_table(lines) + "\n" + body_table(properties, units));
+  const io::Units units("s", "rad", "kg m2", "m");
+  const double density = quantity(units, "--density", options.density, io::Dimension::density);
+  const double scale = quantity(units, "--scale", options.scale, io::Dimension::length);
+  const shape::FacetShape file = io::read_obj(options.file);
+  const shape::FacetShape shape = scale == 1.0 ? file : file.moved({}, scale);
+  const shape::MassProperties properties = properties_of(shape, density, options.file);
+  if (options.toml) return print(io::body_table(properties, units));
+  const auto lines = io::shape_summary(shape, properties, units);
+  print(options.json ? io::summary_json(lines)
+                     : io::summary_table(lines) + "\n" + io::body_table(properties, units));
 }
 
 }  // namespace

@@ -9,14 +9,14 @@ namespace polhode::cli {
 namespace {
 
 struct SpectrumCommand {
-  SpectrumRequest request;
+  io::SpectrumRequest request;
   bool csv = false;
 };
 
 void show(const SpectrumCommand& of) {
-  const SpectrumReport report = spectrum_report(of.request);
-  print(of.csv ? spectrum_csv(report) : spectrum_text(report));
-  if (const int close = unresolved(report.spectrum); of.csv && close > 0)
+  const io::SpectrumReport report = io::spectrum_report(of.request);
+  print(of.csv ? io::spectrum_csv(report) : io::spectrum_text(report));
+  if (const int close = analysis::unresolved(report.spectrum); of.csv && close > 0)
     warn("spectrum: " + std::to_string(close) +
          " lines are closer than 10 turns over the samples to another (column isolation)");
 }
@@ -27,7 +27,7 @@ void add_spectrum(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("spectrum", "The leading frequencies of a column of a table");
   const auto of = std::make_shared<SpectrumCommand>();
-  SpectrumRequest& request = of->request;
+  io::SpectrumRequest& request = of->request;
   command->add_option("FILE", request.file, "Output of polhode run, or any table of numbers")
       ->required();
   command->add_option("--column", request.column, "What to analyse, by name or number")->required();

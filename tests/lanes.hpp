@@ -8,9 +8,8 @@
 #include <cstddef>
 #include <type_traits>
 
-#include "polhode/math/number.hpp"
+#include "polhode/detail/math/trigonometry.hpp"
 #include "polhode/math/real.hpp"
-#include "polhode/math/trigonometry.hpp"
 
 namespace polhode::test {
 

@@ -12,24 +12,27 @@ INCLUDE = ROOT / "include"
 LABELS = ["Equations", "Corrections", "Units", "Domain", "Accuracy", "Errors", "Cost"]
 
 
+def blocks(text):
+    """Comments at the start of a line: runs of lines that begin with //."""
+    return re.findall(r"(?:^//[^\n]*\n)+", text, re.MULTILINE)
+
+
 def label_errors(path):
+    """A header with several parts has such a comment before each."""
     name = path.relative_to(INCLUDE).as_posix()
     if "detail" in path.parts:
         return []
-    comment = []
-    for line in path.read_text(encoding="utf-8").splitlines():
-        if not line.startswith("//"):
-            break
-        comment.append(line)
+    errors = []
     pattern = re.compile(rf"^// ({'|'.join(LABELS)})(?= {{2,}}|$)")
-    found = [m.group(1) for m in map(pattern.match, comment) if m]
-    empty = [line for line in comment if re.fullmatch(pattern.pattern + r" +none\.?", line)]
-    if empty:
-        return [f"include/{name}: leave out the label that says nothing: {empty[0]}"]
-    if found != [label for label in LABELS if label in found]:
-        return [f"include/{name}: labels in the order {', '.join(found)}; "
-                f"expected {', '.join(LABELS)}"]
-    return []
+    for comment in map(str.splitlines, blocks(path.read_text(encoding="utf-8"))):
+        found = [m.group(1) for m in map(pattern.match, comment) if m]
+        empty = [line for line in comment if re.fullmatch(pattern.pattern + r" +none\.?", line)]
+        if empty:
+            errors.append(f"include/{name}: leave out the label that says nothing: {empty[0]}")
+        elif found != [label for label in LABELS if label in found]:
+            errors.append(f"include/{name}: labels in the order {', '.join(found)}; "
+                          f"expected {', '.join(LABELS)}")
+    return errors
 
 
 def standard_errors(path):

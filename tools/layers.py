@@ -3,8 +3,9 @@
 """Layers: who may include whom. Fails on a forbidden include, an unknown folder, a cycle of headers
 or of Python modules, a public header with a detail of its own, or a folder with too many sources.
 
-A header of include/polhode/LAYER is for everybody, one of src/LAYER for the other layers that may
-include this one, and what is in a folder detail/, public or not, for its own layer alone."""
+A header of include/polhode/LAYER is for users. One of src/LAYER is for the other layers that may
+include this one; if a public header needs it, it is in include/polhode/detail/LAYER and installed.
+A header in a folder LAYER/detail, installed or not, is for its own layer only."""
 
 import ast
 import graphlib
@@ -49,6 +50,8 @@ LAYERS = {
 IO = {"text", "tables", "output", "scenario", "run"}
 # Those that know public headers alone, and have headers of their own beside them.
 PROGRAMS = {"cli", "web"}
+# Installed for templates of public headers, not for users.
+SHARED = "polhode/detail/"
 # Those that wait for others, and have a clock to sleep by.
 WAITS = {"mpi"}
 # Headers that belong to no layer, for everybody.
@@ -106,6 +109,7 @@ def layer_of(path):
     if parts[0] in PROGRAMS:
         return parts[0]
     inner = parts[2:] if parts[0] == "include" else parts[1:]
+    inner = inner[1:] if inner[0] == "detail" else inner  # include/polhode/detail/LAYER
     return inner[0] if len(inner) > 1 else None
 
 
@@ -125,8 +129,12 @@ def complaint(path, layer, bracket, name, allowed):
         return f"<{name}> is not for this file"
     if name in TOP or (layer == "cli" and name == "polhode/polhode.hpp"):
         return None
-    parts = name.split("/")
-    if parts[0] == "polhode" and len(parts) > 2:
+    parts = name.removeprefix(SHARED).split("/")
+    if name.startswith(SHARED):
+        target = parts[0]
+        if layer == "cli":
+            return f'"{name}" is private to the library'
+    elif parts[0] == "polhode" and len(parts) > 2:
         target = parts[1]
     elif layer in PROGRAMS:
         return None if len(parts) == 1 else f'"{name}" is private to the library'
@@ -138,7 +146,8 @@ def complaint(path, layer, bracket, name, allowed):
         return f'"{name}": no such layer'
     if target not in allowed[layer]:
         return f'"{name}": {layer} may not include {target}'
-    if target != layer and ("detail" in parts or (parts[0] in PRIVATE)):
+    private = target in PRIVATE and not name.startswith("polhode/")
+    if target != layer and ("detail" in parts or private):
         return f'"{name}" is for {target} alone'
     return None
 

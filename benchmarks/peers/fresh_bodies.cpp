@@ -70,7 +70,7 @@ double wall_seconds() {
 void a_million(const std::string& what, const Bodies& bodies, const Maker* peer, int repetitions) {
   std::vector<polhode::RotorState> found(many);
   const auto on = [&](int threads) {
-    polhode::propagate(bodies.rows(), found, threads);
+    polhode::ensemble::propagate(bodies.rows(), found, threads);
     keep(found[0]);
   };
   on(1);

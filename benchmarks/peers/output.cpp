@@ -65,11 +65,11 @@ void printed(const std::string& path, const std::vector<double>& numbers) {
 }
 
 void by_polhode(const std::string& path, const std::vector<double>& numbers) {
-  const std::vector<polhode::ColumnGroup> groups{
+  const std::vector<polhode::io::ColumnGroup> groups{
       {"t", {{"t", "s"}}},
       {"q", {{"q0", "1"}, {"q1", "1"}, {"q2", "1"}, {"q3", "1"}}},
       {"omega", {{"omega1", "rad/s"}, {"omega2", "rad/s"}, {"omega3", "rad/s"}}}};
-  const auto sink = polhode::open_sink(path, groups, {});
+  const auto sink = polhode::io::open_sink(path, groups, {});
   constexpr std::size_t block = 1024 * width;
   for (std::size_t i = 0; i < numbers.size(); i += block)
     sink->push(std::span(numbers).subspan(i, std::min<std::size_t>(block, numbers.size() - i)));

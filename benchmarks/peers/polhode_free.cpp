@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "contenders.hpp"
+#include "polhode/detail/free/states_at.hpp"
 #include "polhode/free/free_rotation.hpp"
 #include "polhode/free/propagate.hpp"
 #include "polhode/free/sadov.hpp"
-#include "polhode/free/states_at.hpp"
 
 namespace peers {
 namespace {

@@ -15,9 +15,10 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace analysis {
 namespace {
 
-using detail::number_text;
+using polhode::detail::number_text;
 
 const char* const function_name = "chaos_indicator";
 
@@ -40,8 +41,9 @@ double natural_scale(const Problem& problem) {
 
 ChaosOptions checked(const Problem& problem, ChaosOptions options) {
   const double size = detail::length(options.deviation);
-  if (!(size > 0.0) || !std::isfinite(size) || !detail::is_finite(options.deviation.turn) ||
-      !detail::is_finite(options.deviation.momentum))
+  if (!(size > 0.0) || !std::isfinite(size) ||
+      !polhode::detail::is_finite(options.deviation.turn) ||
+      !polhode::detail::is_finite(options.deviation.momentum))
     throw DomainError("chaos_indicator: deviation must be finite and not zero");
   if (options.momentum_scale == 0.0) options.momentum_scale = natural_scale(problem);
   if (!(options.momentum_scale > 0.0) || !std::isfinite(options.momentum_scale))
@@ -66,8 +68,9 @@ double ChaosIndicator::lyapunov_time() const { return 1.0 / lyapunov(); }
 
 ChaosIndicator chaos_indicator(const Problem& given, const SaveAt& samples,
                                const ChaosOptions& given_options, const Progress& progress) {
-  Problem problem = detail::checked_problem(function_name, given, detail::DamperState::refused);
-  problem.method = detail::derivative_method(function_name, "deviations", problem.method);
+  Problem problem =
+      polhode::detail::checked_problem(function_name, given, polhode::detail::DamperState::refused);
+  problem.method = polhode::detail::derivative_method(function_name, "deviations", problem.method);
   const ChaosOptions options = checked(problem, given_options);
   ChaosIndicator result;
   result.by = kind_of(problem, options.neighbour);
@@ -76,10 +79,10 @@ ChaosIndicator chaos_indicator(const Problem& given, const SaveAt& samples,
       method_text(problem.method) + (result.by == DeviationBy::variational
                                          ? ", variational equations"
                                          : ", a second motion at " + number_text(options.distance));
-  const std::vector<double> times = detail::sample_times(function_name, problem, samples);
-  const BasicTrajectory<DeviatedState> run =
-      detail::sampled_run(detail::deviation_stepper(problem, options, result.by), result.method,
-                          times, progress, detail::steps_to_samples(problem.method));
+  const std::vector<double> times = polhode::detail::sample_times(function_name, problem, samples);
+  const BasicTrajectory<DeviatedState> run = polhode::detail::sampled_run(
+      detail::deviation_stepper(problem, options, result.by), result.method, times, progress,
+      polhode::detail::steps_to_samples(problem.method));
   for (const BasicSample<DeviatedState>& at : run.samples())
     result.samples.push_back(detail::sample_of(at.t, std::abs(at.t - problem.start), at.s.extra));
   result.outcome = run.outcome();
@@ -87,5 +90,6 @@ ChaosIndicator chaos_indicator(const Problem& given, const SaveAt& samples,
   return result;
 }
 
+}  // namespace analysis
 }  // namespace v0
 }  // namespace polhode

@@ -17,6 +17,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace analysis {
 namespace detail {
 namespace {
 
@@ -55,10 +56,10 @@ class Variational {
     return length(deviation(error)) / length(deviation(y));
   }
   // theta' = dw + theta x w, dg' = dg x w + g x dw + du; the frame turns both attitudes alike.
-  Values rates(const RotorField<double>& rotor, const DoubleDouble& t, const Values& y,
-               const SwitchSides* sides) const {
+  Values rates(const polhode::detail::RotorField<double>& rotor, const DoubleDouble& t,
+               const Values& y, const SwitchSides* sides) const {
     const System& system = rotor.system();
-    const RotorState s = rotor_state<double>(y);
+    const RotorState s = polhode::detail::rotor_state<double>(y);
     const Deviation d = deviation(y);
     const Vec3 dg = scale_ * d.momentum;
     Setting at = rotor.equations().setting(t, s);
@@ -91,12 +92,14 @@ class Column {
 
   Column(const System& system, double momentum_scale) : jacobian_(system), scale_(momentum_scale) {}
 
-  const RotorJacobian& jacobian() const { return jacobian_; }
+  const polhode::detail::RotorJacobian& jacobian() const { return jacobian_; }
   Deviation deviation(const Values& y) const { return deviation(y, y); }
   void put(Values& y, const Deviation& d) const {
     const Vec3 half = 0.5 * d.turn;
-    const Quaternion dq = rotor_state<double>(y).q * Quaternion{0.0, half.x, half.y, half.z};
-    const RotorValues<double> column = rotor_values<double>({dq, scale_ * d.momentum});
+    const Quaternion dq =
+        polhode::detail::rotor_state<double>(y).q * Quaternion{0.0, half.x, half.y, half.z};
+    const polhode::detail::RotorValues<double> column =
+        polhode::detail::rotor_values<double>({dq, scale_ * d.momentum});
     std::copy_n(column.begin(), 7, y.begin() + beside);
   }
   double error_size(const Values& error, const Values& y, const Values&) const {
@@ -105,15 +108,15 @@ class Column {
 
  private:
   Deviation deviation(const Values& y, const Values& column) const {
-    const Quaternion q = rotor_state<double>(y).q;
-    const RotorState d = rotor_state<double>(column, beside);
+    const Quaternion q = polhode::detail::rotor_state<double>(y).q;
+    const RotorState d = polhode::detail::rotor_state<double>(column, beside);
     const double square = (q.w * q.w + q.x * q.x) + (q.y * q.y + q.z * q.z);
     const Quaternion half = conj(q) * d.q;
     const double two = 2.0 / square;
     return {{two * half.x, two * half.y, two * half.z}, (1.0 / scale_) * d.g};
   }
 
-  RotorJacobian jacobian_;
+  polhode::detail::RotorJacobian jacobian_;
   double scale_;
 };
 
@@ -128,22 +131,26 @@ class Neighbour {
   Neighbour(const System&, double momentum_scale) : scale_(momentum_scale) {}
 
   Deviation deviation(const Values& y) const {
-    return detail::deviation(rotor_state<double>(y), rotor_state<double>(y, beside), scale_);
+    return detail::deviation(polhode::detail::rotor_state<double>(y),
+                             polhode::detail::rotor_state<double>(y, beside), scale_);
   }
   void put(Values& y, const Deviation& d) const {
-    const RotorValues<double> other = rotor_values(moved_by(rotor_state<double>(y), d, scale_));
+    const polhode::detail::RotorValues<double> other =
+        polhode::detail::rotor_values(moved_by(polhode::detail::rotor_state<double>(y), d, scale_));
     std::copy_n(other.begin(), 7, y.begin() + beside);
   }
   double error_size(const Values& error, const Values& y, const Values& increment) const {
-    return RotorErrorSize()(rotor_at(error, beside), rotor_at(y, beside),
-                            rotor_at(increment, beside));
+    return polhode::detail::RotorErrorSize()(polhode::detail::rotor_at(error, beside),
+                                             polhode::detail::rotor_at(y, beside),
+                                             polhode::detail::rotor_at(increment, beside));
   }
-  void settle(CompensatedState<double, 18>& s) const { restore_norm(s, beside); }
+  void settle(CompensatedState<double, 18>& s) const { polhode::detail::restore_norm(s, beside); }
   // Both on the sides of the first: they part by less than a step can see.
-  Values rates(const RotorField<double>& rotor, const DoubleDouble& t, const Values& y,
-               const SwitchSides* sides) const {
-    const RotorValues<double> a = rotor(t, rotor_at(y), sides);
-    const RotorValues<double> b = rotor(t, rotor_at(y, beside), sides);
+  Values rates(const polhode::detail::RotorField<double>& rotor, const DoubleDouble& t,
+               const Values& y, const SwitchSides* sides) const {
+    const polhode::detail::RotorValues<double> a = rotor(t, polhode::detail::rotor_at(y), sides);
+    const polhode::detail::RotorValues<double> b =
+        rotor(t, polhode::detail::rotor_at(y, beside), sides);
     Values f{};
     std::copy_n(a.begin(), 7, f.begin());
     std::copy_n(b.begin(), 7, f.begin() + beside);
@@ -157,7 +164,8 @@ class Neighbour {
 // The rotor, the deviation `By` one of the three above, the integral of the growth L, that of
 // MEGNO, and the logarithm of the factor that the deviation was scaled down by.
 template <class By>
-class DeviationField : public AugmentedField<DeviatedState, By::size + By::following> {
+class DeviationField
+    : public polhode::detail::AugmentedField<DeviatedState, By::size + By::following> {
  public:
   using Values = typename By::Values;
   using Compensated = CompensatedState<double, std::tuple_size_v<Values>>;
@@ -165,11 +173,11 @@ class DeviationField : public AugmentedField<DeviatedState, By::size + By::follo
                                behind = growth_place + 2;
 
   DeviationField(const System& system, const Growth& growth)
-      : AugmentedField<DeviatedState, By::size + By::following>(system),
+      : polhode::detail::AugmentedField<DeviatedState, By::size + By::following>(system),
         by_(system, growth.momentum_scale),
         growth_(growth) {}
 
-  const RotorJacobian& jacobian() const { return by_.jacobian(); }
+  const polhode::detail::RotorJacobian& jacobian() const { return by_.jacobian(); }
   const Growth& growth() const { return growth_; }
 
   Values operator()(const DoubleDouble& t, const Values& y, const SwitchSides* sides) const {
@@ -182,7 +190,7 @@ class DeviationField : public AugmentedField<DeviatedState, By::size + By::follo
   // With a deviation whose length is known after rounding.
   Values start(const RotorState& s, const Deviation& d) {
     Values y{};
-    const RotorValues<double> first = rotor_values(s);
+    const polhode::detail::RotorValues<double> first = polhode::detail::rotor_values(s);
     std::copy_n(first.begin(), 7, y.begin());
     by_.put(y, scaled(d, growth_.target / length(d)));
     growth_.initial_length = length(by_.deviation(y));
@@ -198,11 +206,14 @@ class DeviationField : public AugmentedField<DeviatedState, By::size + By::follo
   // The error of a motion and that of its deviation, relative to each. The integrals follow: they
   // hold nothing that the rest does not.
   double error_size(const Values& error, const Values& y, const Values& increment) const {
-    return larger(RotorErrorSize()(rotor_at(error), rotor_at(y), rotor_at(increment)),
-                  by_.error_size(error, y, increment));
+    return polhode::detail::larger(
+        polhode::detail::RotorErrorSize()(polhode::detail::rotor_at(error),
+                                          polhode::detail::rotor_at(y),
+                                          polhode::detail::rotor_at(increment)),
+        by_.error_size(error, y, increment));
   }
   void settle(Compensated& s) const {
-    restore_norm(s);
+    polhode::detail::restore_norm(s);
     if constexpr (requires { by_.settle(s); }) by_.settle(s);
     rescale(s);
   }
@@ -223,40 +234,46 @@ class DeviationField : public AugmentedField<DeviatedState, By::size + By::follo
 };
 
 // The second motion is solved after the first.
-class NeighbourStages : public AugmentedStages<DeviationField<Neighbour>, 11> {
+class NeighbourStages : public polhode::detail::AugmentedStages<DeviationField<Neighbour>, 11> {
  public:
   static constexpr int motions = 2;
-  using Rates = RotorAlone<Field>;
+  using Rates = polhode::detail::RotorAlone<Field>;
 
   NeighbourStages(const std::shared_ptr<const Field>& field, std::size_t stages, InstructionSet set)
       : AugmentedStages(field, stages, set),
-        other_(std::shared_ptr<const RotorStages::Field>(field, &field->rotor_alone()), stages,
-               set) {}
+        other_(std::shared_ptr<const polhode::detail::RotorStages::Field>(field,
+                                                                          &field->rotor_alone()),
+               stages, set) {}
 
   void begin(const DoubleDouble& t, const State& start, double h, const SwitchSides* sides) {
     AugmentedStages::begin(t, start, h, sides);
-    other_.begin(t, {rotor_at(start.y, beside), rotor_at(start.carry, beside)}, h, sides);
+    other_.begin(t,
+                 {polhode::detail::rotor_at(start.y, beside),
+                  polhode::detail::rotor_at(start.carry, beside)},
+                 h, sides);
   }
   void guess_start() {
     AugmentedStages::guess_start();
     other_.guess_start();
   }
-  void guess(const Rows& coefficients, const StageMatrix& at_stages, const NeighbourStages& of) {
+  void guess(const Rows& coefficients, const polhode::detail::StageMatrix& at_stages,
+             const NeighbourStages& of) {
     AugmentedStages::guess(coefficients, at_stages, of);
-    RotorStages::Rows rows{};
+    polhode::detail::RotorStages::Rows rows{};
     std::copy_n(coefficients.begin() + beside, 7, rows.begin());
     other_.guess(rows, at_stages, of.other_);
   }
-  SweepsEnd solved(double enough, std::int64_t& sweeps) {
-    SweepsEnd end = swept(rotor_, enough, sweeps);
-    if (end == SweepsEnd::converged) end = swept(other_, enough, sweeps);
+  polhode::detail::SweepsEnd solved(double enough, std::int64_t& sweeps) {
+    polhode::detail::SweepsEnd end = polhode::detail::swept(rotor_, enough, sweeps);
+    if (end == polhode::detail::SweepsEnd::converged)
+      end = polhode::detail::swept(other_, enough, sweeps);
     std::copy_n(other_.rates().begin(), 7, rest_.F.begin());
     move(0, 7);
     return end;
   }
 
  private:
-  RotorStages other_;
+  polhode::detail::RotorStages other_;
 };
 
 // The integrals of the growth, at the stages of a step whose motions are solved.
@@ -266,9 +283,9 @@ class GrowthStages : public Stages {
   using Field = typename Stages::Field;
   using Stages::Stages;
 
-  SweepsEnd solved(double enough, std::int64_t& sweeps) {
-    const SweepsEnd end = Stages::solved(enough, sweeps);
-    if (end == SweepsEnd::converged) follow();
+  polhode::detail::SweepsEnd solved(double enough, std::int64_t& sweeps) {
+    const polhode::detail::SweepsEnd end = Stages::solved(enough, sweeps);
+    if (end == polhode::detail::SweepsEnd::converged) follow();
     return end;
   }
 
@@ -306,32 +323,28 @@ std::pair<std::shared_ptr<const Field>, typename Field::Values> begun(const Prob
 
 // No pulse of a torque is stepped over, and none is seen from the other side.
 template <class By>
-std::unique_ptr<BasicStepper<DeviatedState>> stepper_by(const Problem& problem,
-                                                        const Adaptive& method,
-                                                        const ChaosOptions& options,
-                                                        double target) {
+std::unique_ptr<polhode::detail::BasicStepper<DeviatedState>> stepper_by(
+    const Problem& problem, const Adaptive& method, const ChaosOptions& options, double target) {
   const auto [field, y] = begun<DeviationField<By>>(problem, options, target);
-  return switching_stepper(field, problem.start, y, method, unknown_jump);
+  return polhode::detail::switching_stepper(field, problem.start, y, method, unknown_jump);
 }
 template <class Stages>
-std::unique_ptr<BasicStepper<DeviatedState>> stepper_by(const Problem& problem,
-                                                        const Collocation& method,
-                                                        const ChaosOptions& options,
-                                                        double target) {
+std::unique_ptr<polhode::detail::BasicStepper<DeviatedState>> stepper_by(
+    const Problem& problem, const Collocation& method, const ChaosOptions& options, double target) {
   const auto [field, y] = begun<typename Stages::Field>(problem, options, target);
-  return collocation_stepper<GrowthStages<Stages>>(field, problem.start, y, method, unknown_jump);
+  return polhode::detail::collocation_stepper<GrowthStages<Stages>>(field, problem.start, y, method,
+                                                                    unknown_jump);
 }
 
 }  // namespace
 
-std::unique_ptr<BasicStepper<DeviatedState>> deviation_stepper(const Problem& problem,
-                                                               const ChaosOptions& options,
-                                                               DeviationBy by) {
+std::unique_ptr<polhode::detail::BasicStepper<DeviatedState>> deviation_stepper(
+    const Problem& problem, const ChaosOptions& options, DeviationBy by) {
   if (const auto* const method = std::get_if<Splitting>(&problem.method))
     return splitting_deviation(problem, *method, options, by);
   const bool is_linear = by == DeviationBy::variational;
   if (const auto* const method = std::get_if<Collocation>(&problem.method)) {
-    using Linear = VariationalStages<DeviationField<Column>, 1, 3>;
+    using Linear = polhode::detail::VariationalStages<DeviationField<Column>, 1, 3>;
     return is_linear ? stepper_by<Linear>(problem, *method, options, 1.0)
                      : stepper_by<NeighbourStages>(problem, *method, options, options.distance);
   }
@@ -341,5 +354,6 @@ std::unique_ptr<BasicStepper<DeviatedState>> deviation_stepper(const Problem& pr
 }
 
 }  // namespace detail
+}  // namespace analysis
 }  // namespace v0
 }  // namespace polhode

@@ -7,14 +7,15 @@
 #include <utility>
 
 #include "math/number_text.hpp"
-#include "polhode/dynamics/resume.hpp"
+#include "polhode/dynamics/integrate.hpp"
 #include "polhode/error.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace analysis {
 namespace {
 
-using detail::number_text;
+using polhode::detail::number_text;
 
 constexpr double turn = 2.0 * std::numbers::pi;
 
@@ -187,5 +188,6 @@ SpinOrbitSection spin_orbit_section(const Problem& problem, const KeplerOrbit& o
   return spin_orbit_section(problem, PrecessingKeplerOrbit(orbit.elements(), {}), progress);
 }
 
+}  // namespace analysis
 }  // namespace v0
 }  // namespace polhode

@@ -21,6 +21,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace analysis {
 namespace {
 
 using Complex = std::complex<double>;
@@ -381,8 +382,9 @@ Spectrum analysed(double start, double interval, std::span<const Sample> samples
   constexpr bool is_real = std::is_same_v<Sample, double>;
   const std::string got = "spectrum: got ";
   if (!(interval > 0.0) || !std::isfinite(interval) || !std::isfinite(start))
-    throw DomainError(got + "interval " + detail::number_text(interval) + " from " +
-                      detail::number_text(start) + "; expected a positive one, and finite times");
+    throw DomainError(got + "interval " + polhode::detail::number_text(interval) + " from " +
+                      polhode::detail::number_text(start) +
+                      "; expected a positive one, and finite times");
   if (options.window < 0 || options.window > 5)
     throw DomainError(got + "window " + std::to_string(options.window) + "; expected 0 to 5");
   std::vector<Complex> values;
@@ -425,5 +427,6 @@ Spectrum spectrum(double start, double interval, std::span<const Complex> sample
   return analysed(start, interval, samples, options);
 }
 
+}  // namespace analysis
 }  // namespace v0
 }  // namespace polhode

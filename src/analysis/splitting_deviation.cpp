@@ -12,12 +12,14 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace analysis {
 namespace detail {
 namespace {
 
 // The motion, its deviation of length one (or a neighbour), and what has grown.
-struct DeviationOfSplitting : SplittingState, GrownDeviation {
-  std::optional<SplittingState> neighbour = {};  // where the deviation is that to it
+struct DeviationOfSplitting : polhode::detail::SplittingState, GrownDeviation {
+  std::optional<polhode::detail::SplittingState> neighbour =
+      {};  // where the deviation is that to it
 };
 
 class DeviationMap {
@@ -39,10 +41,11 @@ class DeviationMap {
   }
   State stepped(const State& from, double h) const {
     State to = from;
-    SplittingState& motion = to;
+    polhode::detail::SplittingState& motion = to;
     if (by_ == DeviationBy::variational) {
       const Deviation& d = from.deviation;
-      const DeviationStep step = map_.step_deviation(from, {d.turn, scale_ * d.momentum}, h);
+      const polhode::detail::DeviationStep step =
+          map_.step_deviation(from, {d.turn, scale_ * d.momentum}, h);
       motion = step.end;
       to.deviation = {step.along.turn, (1.0 / scale_) * step.along.momentum};
     } else {
@@ -69,15 +72,15 @@ class DeviationMap {
     std::string why = map_.failure(from, to);
     if (!why.empty()) return why;
     if (!std::isfinite(to.growth))
-      return "the deviation is not finite near t = " + number_text(to.t.hi) +
+      return "the deviation is not finite near t = " + polhode::detail::number_text(to.t.hi) +
              ": take a smaller step, or see whether a term is finite there";
     return jumps_.seen(map_, from, to);
   }
   static std::int64_t evaluations(const State& at, std::int64_t) { return at.evaluations; }
   static void serialize(Archive& bytes, State& at) {
-    SplittingMap::serialize(bytes, at);
+    polhode::detail::SplittingMap::serialize(bytes, at);
     each_number(static_cast<GrownDeviation&>(at), bytes);
-    if (at.neighbour) SplittingMap::serialize(bytes, *at.neighbour);
+    if (at.neighbour) polhode::detail::SplittingMap::serialize(bytes, *at.neighbour);
   }
   void serialize(Archive& bytes) { jumps_.serialize(bytes); }
 
@@ -95,37 +98,38 @@ class DeviationMap {
     }
     return run;
   }
-  SplittingState neighbour_of(const State& run) const {
+  polhode::detail::SplittingState neighbour_of(const State& run) const {
     const RotorState s = moved_by({run.q_IB, run.g.hi}, run.deviation, scale_);
-    SplittingState other = run;
+    polhode::detail::SplittingState other = run;
     other.q_IB = s.q;
     other.g = {s.g, run.g.lo};
     other.torque.reset();
     return other;
   }
-  Deviation difference(const SplittingState& a, const SplittingState& b) const {
+  Deviation difference(const polhode::detail::SplittingState& a,
+                       const polhode::detail::SplittingState& b) const {
     return deviation({a.q_IB, a.g.hi}, {b.q_IB, b.g.hi}, scale_);
   }
 
-  SplittingMap map_;
+  polhode::detail::SplittingMap map_;
   DeviationBy by_;
   double scale_;
   double target_;
   double start_;
-  StepJumps jumps_;
+  polhode::detail::StepJumps jumps_;
 };
 
 }  // namespace
 
-std::unique_ptr<BasicStepper<DeviatedState>> splitting_deviation(const Problem& problem,
-                                                                 const Splitting& method,
-                                                                 const ChaosOptions& options,
-                                                                 DeviationBy by) {
+std::unique_ptr<polhode::detail::BasicStepper<DeviatedState>> splitting_deviation(
+    const Problem& problem, const Splitting& method, const ChaosOptions& options, DeviationBy by) {
   DeviationMap map(problem, method.scheme, options, by);
   const DeviationOfSplitting start = map.start(problem.initial, options.deviation);
-  return std::make_unique<FixedStepper<DeviationMap>>(std::move(map), start, method.step);
+  return std::make_unique<polhode::detail::FixedStepper<DeviationMap>>(std::move(map), start,
+                                                                       method.step);
 }
 
 }  // namespace detail
+}  // namespace analysis
 }  // namespace v0
 }  // namespace polhode

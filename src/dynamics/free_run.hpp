@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "polhode/dynamics/resume.hpp"
+#include "polhode/dynamics/integrate.hpp"
 #include "polhode/frame/frame.hpp"
 #include "polhode/free/free_rotation.hpp"
 

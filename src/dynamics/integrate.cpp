@@ -12,7 +12,6 @@
 #include "dynamics/events/event_search.hpp"
 #include "dynamics/steppers.hpp"
 #include "polhode/dynamics/detail/run_forms.hpp"
-#include "polhode/dynamics/resume.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/dynamics/integrate_many.hpp"
-
 #include <utility>
 
 #include "math/number_text.hpp"

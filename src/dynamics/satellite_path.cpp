@@ -11,6 +11,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace satellites {
 namespace {
 
 struct SatelliteMotion {
@@ -45,5 +46,6 @@ BasicTrajectory<SatelliteState> satellite_path(const SatelliteSystem& system,
                    progress);
 }
 
+}  // namespace satellites
 }  // namespace v0
 }  // namespace polhode

@@ -5,30 +5,29 @@
 #include "polhode/elliptic/agm.hpp"
 #include "polhode/elliptic/carlson.hpp"
 #include "polhode/elliptic/carlson_rf_rd.hpp"
-#include "polhode/elliptic/heuman.hpp"
 #include "polhode/elliptic/jacobi.hpp"
-#include "polhode/elliptic/jacobi_zeta.hpp"
 #include "polhode/elliptic/legendre.hpp"
 #include "polhode/elliptic/legendre_pi.hpp"
 #include "polhode/elliptic/modulus.hpp"
-#include "polhode/elliptic/nome.hpp"
 #include "polhode/error.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace elliptic {
 namespace detail {
 
 void throw_bad_ratio(double a, double b) {
-  throw DomainError("Modulus: ratio " + tuple_text({a, b}) +
+  throw DomainError("Modulus: ratio " + polhode::detail::tuple_text({a, b}) +
                     " breaks 0 <= a, b and 0 < a + b < inf");
 }
 
 void throw_bad_modulus_pair(double m, double m1) {
-  throw DomainError("Modulus: pair " + tuple_text({m, m1}) + " breaks 0 <= m, m1 and m + m1 = 1");
+  throw DomainError("Modulus: pair " + polhode::detail::tuple_text({m, m1}) +
+                    " breaks 0 <= m, m1 and m + m1 = 1");
 }
 
 void throw_bad_any_pair(double m, double m1) {
-  throw DomainError("Modulus: pair " + tuple_text({m, m1}) +
+  throw DomainError("Modulus: pair " + polhode::detail::tuple_text({m, m1}) +
                     " breaks m + m1 = 1 with finite members");
 }
 
@@ -119,5 +118,6 @@ template DoubleDouble jacobi_zeta<DoubleDouble>(const DoubleDouble&,
 template double nome<double>(const BasicModulus<double>&);
 template DoubleDouble nome<DoubleDouble>(const BasicModulus<DoubleDouble>&);
 
+}  // namespace elliptic
 }  // namespace v0
 }  // namespace polhode

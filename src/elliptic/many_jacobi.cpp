@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/elliptic/many_jacobi.hpp"
-
 #include <cmath>
 #include <limits>
 #include <string>
@@ -11,6 +9,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace elliptic {
 namespace detail {
 
 void jacobi_alone(double u, double m, double m1, double& sn, double& cn, double& dn) {
@@ -73,5 +72,6 @@ void jacobi(std::span<const double> u, const Modulus& modulus, const JacobiSpans
   jacobi(u, std::span(&modulus.m(), 1), std::span(&modulus.m1(), 1), results, set);
 }
 
+}  // namespace elliptic
 }  // namespace v0
 }  // namespace polhode

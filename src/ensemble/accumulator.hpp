@@ -21,6 +21,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace ensemble {
 
 // restored(numbers) is a new accumulator of the shape of this one, with those numbers.
 template <class A>
@@ -31,5 +32,6 @@ concept Accumulator =
       { later.restored(numbers) } -> std::same_as<A>;
     };
 
+}  // namespace ensemble
 }  // namespace v0
 }  // namespace polhode

@@ -19,10 +19,11 @@
 #include <span>
 #include <vector>
 
-#include "polhode/ensemble/left_out.hpp"
+#include "polhode/ensemble/bins.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace ensemble {
 
 class AngleMoments {
  public:
@@ -47,5 +48,6 @@ class AngleMoments {
   LeftOut left_out_;
 };
 
+}  // namespace ensemble
 }  // namespace v0
 }  // namespace polhode

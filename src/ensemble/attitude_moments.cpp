@@ -13,11 +13,12 @@
 #include "ensemble/detail/attitude_sums.hpp"
 #include "ensemble/detail/moment_sums.hpp"
 #include "ensemble/detail/number_list.hpp"
+#include "polhode/detail/math/trigonometry.hpp"
 #include "polhode/error.hpp"
-#include "polhode/math/trigonometry.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace ensemble {
 
 namespace {
 
@@ -142,7 +143,8 @@ bool is_finite(const Quaternion& q) {
 Quaternion unit_reference(const Quaternion& q) {
   const Quaternion unit = normalized(q);
   if (!is_finite(unit))
-    throw DomainError("AttitudeSpread: reference " + detail::tuple_text({q.w, q.x, q.y, q.z}) +
+    throw DomainError("AttitudeSpread: reference " +
+                      polhode::detail::tuple_text({q.w, q.x, q.y, q.z}) +
                       " is no attitude; expected a finite quaternion other than 0");
   return unit;
 }
@@ -226,7 +228,9 @@ void AttitudeSpread::add(std::int64_t first, std::span<const RotorState> states)
 
 void AttitudeSpread::merge(const AttitudeSpread& later) {
   if (!(later.reference_ == reference_)) {
-    const auto text = [](const Quaternion& q) { return detail::tuple_text({q.w, q.x, q.y, q.z}); };
+    const auto text = [](const Quaternion& q) {
+      return polhode::detail::tuple_text({q.w, q.x, q.y, q.z});
+    };
     throw DomainError("AttitudeSpread::merge: got moments about " + text(later.reference_) +
                       "; expected about " + text(reference_));
   }
@@ -382,5 +386,6 @@ void add_rows(std::span<AttitudeSpread> epochs, std::int64_t first,
                  []<InstructionSet isa>() { return &detail::add_spread_rows<isa>; });
 }
 
+}  // namespace ensemble
 }  // namespace v0
 }  // namespace polhode

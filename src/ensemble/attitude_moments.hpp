@@ -25,12 +25,13 @@
 #include <span>
 #include <vector>
 
-#include "polhode/ensemble/left_out.hpp"
+#include "polhode/ensemble/bins.hpp"
 #include "polhode/math/instruction_set.hpp"
 #include "polhode/rotor/rotor_state.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace ensemble {
 namespace detail {
 struct AttitudeSums;
 }  // namespace detail
@@ -76,5 +77,6 @@ class AttitudeMoments {
 void add_rows(std::span<AttitudeMoments> epochs, std::int64_t first,
               std::span<const RotorState> states, InstructionSet set = widest_instruction_set());
 
+}  // namespace ensemble
 }  // namespace v0
 }  // namespace polhode

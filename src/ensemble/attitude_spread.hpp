@@ -32,12 +32,13 @@
 #include <vector>
 
 #include "ensemble/number_moments.hpp"
-#include "polhode/ensemble/left_out.hpp"
+#include "polhode/ensemble/bins.hpp"
 #include "polhode/math/instruction_set.hpp"
 #include "polhode/rotor/rotor_state.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace ensemble {
 namespace detail {
 struct SpreadSums;
 }  // namespace detail
@@ -93,5 +94,6 @@ void add_rows(std::span<AttitudeSpread> epochs, std::int64_t first,
 // rounding: some four, each of all states. None also where it has not after 50.
 std::optional<FrechetMean> frechet_mean(std::span<const RotorState> states);
 
+}  // namespace ensemble
 }  // namespace v0
 }  // namespace polhode

@@ -5,11 +5,12 @@
 #include <cstddef>
 #include <string>
 
-#include "polhode/ensemble/parts.hpp"
+#include "polhode/ensemble/executor.hpp"
 #include "polhode/error.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace ensemble {
 
 namespace {
 
@@ -94,7 +95,7 @@ std::vector<FailedBody> propagate(const BodyRows& rows, std::span<RotorState> re
   return failed_bodies(results.size(), threads, [&](std::size_t begin, std::size_t end) {
     const BodyRows of_part{from(rows.moments, begin), from(rows.states, begin),
                            from(rows.times, begin), from(rows.epochs, begin)};
-    return propagate(of_part, cut(results, begin, end), set);
+    return polhode::propagate(of_part, cut(results, begin, end), set);
   });
 }
 
@@ -104,10 +105,10 @@ std::vector<FailedBody> propagate(std::span<const Body> bodies, std::span<const 
   const std::size_t n = results.size();
   for (const std::size_t given : {bodies.size(), states.size(), times.size()})
     if (given != n && given != 1)  // says which
-      return propagate(bodies, states, times, t0, results, set);
+      return polhode::propagate(bodies, states, times, t0, results, set);
   return failed_bodies(n, threads, [&](std::size_t begin, std::size_t end) {
-    return propagate(cut_if_many(bodies, begin, end), cut_if_many(states, begin, end),
-                     cut_if_many(times, begin, end), t0, cut(results, begin, end), set);
+    return polhode::propagate(cut_if_many(bodies, begin, end), cut_if_many(states, begin, end),
+                              cut_if_many(times, begin, end), t0, cut(results, begin, end), set);
   });
 }
 
@@ -121,9 +122,9 @@ void states_on_grid(const FreeKernel& kernel, const TimeGrid& grid, std::uint64_
                     std::span<RotorState> states, int threads, InstructionSet set) {
   constexpr std::uint64_t most = std::uint64_t{1} << 53;
   if (first > most || states.size() > most - first)  // says so
-    return states_on_grid(kernel, grid, first, states, set);
+    return polhode::states_on_grid(kernel, grid, first, states, set);
   run_parts(states.size(), least_of_grid, threads, [&](std::size_t begin, std::size_t end) {
-    states_on_grid(kernel, grid, first + begin, cut(states, begin, end), set);
+    polhode::states_on_grid(kernel, grid, first + begin, cut(states, begin, end), set);
   });
 }
 
@@ -161,38 +162,40 @@ void to_rotor(std::span<const PoincareState> states, std::span<RotorState> resul
 
 void to_sadov(const Body& body, std::span<const RotorState> states, std::span<SadovState> results,
               int threads, InstructionSet set) {
-  if (states.size() != results.size()) return to_sadov(body, states, results, set);  // says so
+  if (states.size() != results.size())
+    return polhode::to_sadov(body, states, results, set);  // says so
   converted_or_named(results, threads, [&](std::size_t begin, std::size_t end) {
-    to_sadov(body, cut(states, begin, end), cut(results, begin, end), set);
+    polhode::to_sadov(body, cut(states, begin, end), cut(results, begin, end), set);
   });
 }
 void to_rotor(const Body& body, std::span<const SadovState> states, std::span<RotorState> results,
               int threads, InstructionSet set) {
-  if (states.size() != results.size()) return to_rotor(body, states, results, set);
+  if (states.size() != results.size()) return polhode::to_rotor(body, states, results, set);
   converted_or_named(results, threads, [&](std::size_t begin, std::size_t end) {
-    to_rotor(body, cut(states, begin, end), cut(results, begin, end), set);
+    polhode::to_rotor(body, cut(states, begin, end), cut(results, begin, end), set);
   });
 }
 void to_serret(const Body& body, std::span<const RotorState> states, std::span<const double> times,
                std::span<SerretState> results, int threads, InstructionSet set) {
   const std::size_t n = results.size();
   if (states.size() != n || (times.size() != n && times.size() != 1))
-    return to_serret(body, states, times, results, set);
+    return polhode::to_serret(body, states, times, results, set);
   converted_or_named(results, threads, [&](std::size_t begin, std::size_t end) {
-    to_serret(body, cut(states, begin, end), cut_if_many(times, begin, end),
-              cut(results, begin, end), set);
+    polhode::to_serret(body, cut(states, begin, end), cut_if_many(times, begin, end),
+                       cut(results, begin, end), set);
   });
 }
 void to_rotor(const Body& body, std::span<const SerretState> states, std::span<const double> times,
               std::span<RotorState> results, int threads, InstructionSet set) {
   const std::size_t n = results.size();
   if (states.size() != n || (times.size() != n && times.size() != 1))
-    return to_rotor(body, states, times, results, set);
+    return polhode::to_rotor(body, states, times, results, set);
   converted_or_named(results, threads, [&](std::size_t begin, std::size_t end) {
-    to_rotor(body, cut(states, begin, end), cut_if_many(times, begin, end),
-             cut(results, begin, end), set);
+    polhode::to_rotor(body, cut(states, begin, end), cut_if_many(times, begin, end),
+                      cut(results, begin, end), set);
   });
 }
 
+}  // namespace ensemble
 }  // namespace v0
 }  // namespace polhode

@@ -18,10 +18,11 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace ensemble {
 
 namespace {
 
-using detail::number_text;
+using polhode::detail::number_text;
 using One = Pack<InstructionSet::baseline>;  // its functions have the same bits on any machine
 
 constexpr double largest_ratio = 1e300;
@@ -137,7 +138,7 @@ Quaternion UniformAttitude::from_uniform(double u0, double u1, double u2) const 
 
 namespace {
 
-using detail::number_text;
+using polhode::detail::number_text;
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 // By how many eps the halves of a covariance may differ, and n times as many its eigenvalues be
@@ -206,7 +207,7 @@ void require_positive(const Square& r) {
   const double least =
       Eigen::SelfAdjointEigenSolver<Matrix>(matrix, Eigen::EigenvaluesOnly).eigenvalues()[0];
   if (!(least >= -slack * static_cast<double>(r.n) * eps))
-    refuse("the least eigenvalue of the correlations, " + detail::rounded_text(least) +
+    refuse("the least eigenvalue of the correlations, " + polhode::detail::rounded_text(least) +
            ", must not be negative");
 }
 
@@ -307,5 +308,6 @@ double normal_quantile(double u) {
   return q < 0.0 ? -size : size;
 }
 
+}  // namespace ensemble
 }  // namespace v0
 }  // namespace polhode

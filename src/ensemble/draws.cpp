@@ -14,14 +14,12 @@
 
 #include "ensemble/detail/philox.hpp"
 #include "math/number_text.hpp"
-#include "polhode/ensemble/counter_random.hpp"
 #include "polhode/ensemble/distributions.hpp"
-#include "polhode/ensemble/draw_points.hpp"
-#include "polhode/ensemble/sobol_points.hpp"
 #include "polhode/error.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace ensemble {
 
 namespace detail {
 
@@ -80,7 +78,7 @@ SobolPoints::SobolPoints(std::size_t dimensions) : directions_(64 * checked(dime
 
 namespace {
 
-using detail::number_text;
+using polhode::detail::number_text;
 
 constexpr double most_points = 0x1p53;
 
@@ -279,5 +277,6 @@ double Draws::value(std::uint64_t member, std::size_t key) const {
   return x;
 }
 
+}  // namespace ensemble
 }  // namespace v0
 }  // namespace polhode

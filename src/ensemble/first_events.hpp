@@ -18,11 +18,11 @@
 #include <utility>
 #include <vector>
 
-#include "polhode/ensemble/left_out.hpp"
-#include "polhode/ensemble/quantiles.hpp"
+#include "polhode/ensemble/bins.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace ensemble {
 
 class FirstEvents {
  public:
@@ -51,5 +51,6 @@ class FirstEvents {
   std::int64_t without_ = 0;
 };
 
+}  // namespace ensemble
 }  // namespace v0
 }  // namespace polhode

@@ -10,10 +10,11 @@
 
 #include "ensemble/detail/number_list.hpp"
 #include "math/number_text.hpp"
-#include "polhode/ensemble/left_out.hpp"
+#include "polhode/ensemble/bins.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace ensemble {
 
 LeftOut::LeftOut(detail::NumberReader& numbers) : count_(numbers.integer()) {
   const auto named = std::min<std::int64_t>(count_, kept);
@@ -104,7 +105,7 @@ double Fractions::fraction(int of_class) const {
 Bounds Fractions::interval(int of_class, double z) const {
   const auto k = static_cast<double>(counts_[checked("interval", of_class, counts_.size())]);
   if (!(z >= 0.0 && std::isfinite(z)))
-    throw DomainError("Fractions::interval: got z = " + detail::number_text(z) +
+    throw DomainError("Fractions::interval: got z = " + polhode::detail::number_text(z) +
                       "; expected a finite number of deviations, 0 or more");
   const auto n = static_cast<double>(count());
   const double middle = k + 0.5 * z * z;
@@ -130,5 +131,6 @@ Fractions Fractions::restored(std::span<const double> numbers) const {
   return found;
 }
 
+}  // namespace ensemble
 }  // namespace v0
 }  // namespace polhode

@@ -16,12 +16,12 @@
 #include <span>
 #include <vector>
 
-#include "polhode/ensemble/left_out.hpp"
-#include "polhode/ensemble/quantiles.hpp"
+#include "polhode/ensemble/bins.hpp"
 #include "polhode/free/free_rotation.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace ensemble {
 
 class Fractions {
  public:
@@ -51,5 +51,6 @@ class Fractions {
   LeftOut left_out_;
 };
 
+}  // namespace ensemble
 }  // namespace v0
 }  // namespace polhode

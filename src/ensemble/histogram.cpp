@@ -15,6 +15,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace ensemble {
 
 namespace {
 
@@ -27,7 +28,7 @@ double between(double lowest, double highest, double part) {
 
 std::vector<double> even_edges(double lowest, double highest, int count) {
   if (!(std::isfinite(lowest) && std::isfinite(highest) && lowest < highest))
-    throw DomainError("Bins::linear: got edges " + detail::tuple_text({lowest, highest}) +
+    throw DomainError("Bins::linear: got edges " + polhode::detail::tuple_text({lowest, highest}) +
                       "; expected two finite ones, the lower first");
   if (count < 1 || static_cast<std::size_t>(count) > most_bins)
     throw DomainError("Bins::linear: got " + std::to_string(count) + " bins; expected 1 to " +
@@ -42,17 +43,20 @@ std::vector<double> even_edges(double lowest, double highest, int count) {
 std::vector<double> growing_edges(double relative_error, double smallest, double largest) {
   if (!(relative_error > 0.0 && relative_error < 1.0))
     throw DomainError("Bins::logarithmic: got a relative error of " +
-                      detail::number_text(relative_error) + "; expected one between 0 and 1");
+                      polhode::detail::number_text(relative_error) +
+                      "; expected one between 0 and 1");
   if (!(smallest > 0.0 && smallest < largest && std::isfinite(largest)))
-    throw DomainError("Bins::logarithmic: got numbers " + detail::tuple_text({smallest, largest}) +
+    throw DomainError("Bins::logarithmic: got numbers " +
+                      polhode::detail::tuple_text({smallest, largest}) +
                       "; expected two positive finite ones, the smaller first");
   const double factor = (1.0 + relative_error) / (1.0 - relative_error);
   const double bins = (std::log(largest) - std::log(smallest)) / std::log(factor);
   if (!(bins < 0.5 * static_cast<double>(most_bins)))
-    throw DomainError("Bins::logarithmic: relative error " + detail::number_text(relative_error) +
-                      " from " + detail::number_text(smallest) + " to " +
-                      detail::number_text(largest) + " takes " + detail::rounded_text(bins) +
-                      " bins; expected at most " + std::to_string(most_bins / 2));
+    throw DomainError(
+        "Bins::logarithmic: relative error " + polhode::detail::number_text(relative_error) +
+        " from " + polhode::detail::number_text(smallest) + " to " +
+        polhode::detail::number_text(largest) + " takes " + polhode::detail::rounded_text(bins) +
+        " bins; expected at most " + std::to_string(most_bins / 2));
   std::vector<double> edges{smallest};
   while (edges.back() < largest) {
     const double next = edges.back() * factor;
@@ -69,8 +73,9 @@ Bins::Bins(std::vector<double> edges, Widths widths) {
                       std::to_string(most_bins + 1));
   for (std::size_t k = 0; k < edges.size(); ++k)
     if (!std::isfinite(edges[k]) || (k > 0 && !(edges[k - 1] < edges[k])))
-      throw DomainError("Bins: edge " + std::to_string(k) + " is " + detail::number_text(edges[k]) +
-                        (k > 0 ? " after " + detail::number_text(edges[k - 1]) : "") +
+      throw DomainError("Bins: edge " + std::to_string(k) + " is " +
+                        polhode::detail::number_text(edges[k]) +
+                        (k > 0 ? " after " + polhode::detail::number_text(edges[k - 1]) : "") +
                         "; expected finite edges, each greater than the one before");
   const double n = static_cast<double>(edges.size() - 1);
   const double per_width = widths == Widths::relative
@@ -85,7 +90,7 @@ Bins Bins::linear(double lowest, double highest, int count) {
 
 Bins Bins::around(std::span<const double> numbers, double margin, int count) {
   if (!(margin >= 0.0 && std::isfinite(margin)))
-    throw DomainError("Bins::around: got a margin of " + detail::number_text(margin) +
+    throw DomainError("Bins::around: got a margin of " + polhode::detail::number_text(margin) +
                       "; expected a finite one of 0 or more");
   double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
   for (const double x : numbers) {
@@ -265,5 +270,6 @@ Histogram2D Histogram2D::restored(std::span<const double> numbers) const {
   return found;
 }
 
+}  // namespace ensemble
 }  // namespace v0
 }  // namespace polhode

@@ -15,10 +15,10 @@
 #include <vector>
 
 #include "polhode/ensemble/bins.hpp"
-#include "polhode/ensemble/left_out.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace ensemble {
 
 class Histogram {
  public:
@@ -65,5 +65,6 @@ class Histogram2D {
   LeftOut left_out_;
 };
 
+}  // namespace ensemble
 }  // namespace v0
 }  // namespace polhode

@@ -14,6 +14,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace ensemble {
 
 namespace {
 
@@ -178,5 +179,6 @@ AngleMoments AngleMoments::restored(std::span<const double> numbers) const {
   return found;
 }
 
+}  // namespace ensemble
 }  // namespace v0
 }  // namespace polhode

@@ -23,10 +23,11 @@
 #include <span>
 #include <vector>
 
-#include "polhode/ensemble/left_out.hpp"
+#include "polhode/ensemble/bins.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace ensemble {
 
 // A number and the member that has it.
 struct Extreme {
@@ -67,5 +68,6 @@ class NumberMoments {
   LeftOut left_out_;
 };
 
+}  // namespace ensemble
 }  // namespace v0
 }  // namespace polhode

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/ensemble/ordered_parallel_for.hpp"
-
 #include <tbb/info.h>
 
 #include <atomic>
@@ -10,10 +8,12 @@
 #include <vector>
 
 #include "ensemble/detail/ordered_pipeline.hpp"
+#include "polhode/ensemble/executor.hpp"
 #include "polhode/error.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace ensemble {
 namespace {
 
 constexpr std::size_t waiting_per_thread = 4;
@@ -99,5 +99,6 @@ void erased_parallel_for(std::int64_t first, std::int64_t count, int threads,
 }
 
 }  // namespace detail
+}  // namespace ensemble
 }  // namespace v0
 }  // namespace polhode

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Quantiles of numbers, and of the times of first events.
-#include "polhode/ensemble/quantiles.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,9 +9,11 @@
 #include "ensemble/detail/number_list.hpp"
 #include "ensemble/first_events.hpp"
 #include "math/number_text.hpp"
+#include "polhode/ensemble/bins.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace ensemble {
 
 namespace {
 
@@ -24,7 +24,7 @@ constexpr std::int64_t most_exact = std::int64_t{1} << 31;
 void check_part(const char* function, double p) {
   if (!(p >= 0.0 && p <= 1.0))
     throw DomainError("Quantiles::" + std::string(function) +
-                      ": got p = " + detail::number_text(p) + "; expected 0 to 1");
+                      ": got p = " + polhode::detail::number_text(p) + "; expected 0 to 1");
 }
 
 // a + f (b - a), within them
@@ -142,7 +142,7 @@ Bounded Quantiles::part_up_to(double x) const {
 Bounds Quantiles::interval(double p, double z) const {
   check_part("interval", p);
   if (!(z >= 0.0 && std::isfinite(z)))
-    throw DomainError("Quantiles::interval: got z = " + detail::number_text(z) +
+    throw DomainError("Quantiles::interval: got z = " + polhode::detail::number_text(z) +
                       "; expected a finite number of deviations, 0 or more");
   const double n = static_cast<double>(count_), reach = z * std::sqrt(n * p * (1.0 - p));
   const double low = std::floor(n * p - reach) - 1.0, high = std::ceil(n * p + reach);
@@ -169,8 +169,8 @@ Quantiles Quantiles::restored(std::span<const double> numbers) const {
   const bool has_range = std::isfinite(found.least_) && std::isfinite(found.greatest_) &&
                          found.least_ <= found.greatest_;
   if (found.count_ > 0 ? !has_range : !(found.least_ == unbounded && found.greatest_ == -unbounded))
-    reader.refuse("a greatest number not below the least, " + detail::number_text(found.least_) +
-                  ", both finite, or -inf of none");
+    reader.refuse("a greatest number not below the least, " +
+                  polhode::detail::number_text(found.least_) + ", both finite, or -inf of none");
   if (found.count_ > exact_) {
     found.cells_.assign(bins_.count() + 2, 0);
     detail::read_cells(reader, found.cells_, found.count_);
@@ -178,8 +178,8 @@ Quantiles Quantiles::restored(std::span<const double> numbers) const {
     for (std::int64_t k = 0; k < found.count_; ++k) {
       found.values_.push_back(reader.number());
       if (!(found.values_.back() >= found.least_ && found.values_.back() <= found.greatest_))
-        reader.refuse("one from " + detail::number_text(found.least_) + " to " +
-                      detail::number_text(found.greatest_));
+        reader.refuse("one from " + polhode::detail::number_text(found.least_) + " to " +
+                      polhode::detail::number_text(found.greatest_));
     }
   }
   found.left_out_ = LeftOut(reader);
@@ -209,7 +209,7 @@ Bounded FirstEvents::survival(double t) const {
 
 std::optional<Bounded> FirstEvents::time_of(double p) const {
   if (!(p >= 0.0 && p <= 1.0))
-    throw DomainError("FirstEvents::time_of: got p = " + detail::number_text(p) +
+    throw DomainError("FirstEvents::time_of: got p = " + polhode::detail::number_text(p) +
                       "; expected 0 to 1");
   // the least number of members that are the part p or more, but for rounding
   const double members = std::ceil(p * (1.0 - 0x1p-50) * static_cast<double>(count()));
@@ -232,5 +232,6 @@ FirstEvents FirstEvents::restored(std::span<const double> numbers) const {
   return found;
 }
 
+}  // namespace ensemble
 }  // namespace v0
 }  // namespace polhode

@@ -13,6 +13,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace ephemeris {
 namespace {
 
 constexpr std::array<std::string_view, 5> names = {"UTC", "TAI", "TT", "TDB", "UT1"};
@@ -26,7 +27,7 @@ constexpr int nanoseconds = 9;
 std::string text(const CalendarTime& t) {
   const auto two = [](int x) { return (x < 10 ? "0" : "") + std::to_string(x); };
   return std::to_string(t.year) + "-" + two(t.month) + "-" + two(t.day) + " " + two(t.hour) + ":" +
-         two(t.minute) + ":" + detail::number_text(t.second);
+         two(t.minute) + ":" + polhode::detail::number_text(t.second);
 }
 
 // The first of its numbers that no date has: ", its month 13 from 1 to 12".
@@ -49,7 +50,7 @@ std::string out_of_range(const CalendarTime& t) {
 // ERFA's answers: negative is an error, 1 a dubious year.
 void require_there(int status, const Date& date) {
   if (status < 0 || !std::isfinite(date.day + date.fraction))
-    fail("converted", "the date " + detail::number_text(date.day + date.fraction) + " " +
+    fail("converted", "the date " + polhode::detail::number_text(date.day + date.fraction) + " " +
                           std::string(name(date.scale)) + " must be one of the calendar");
 }
 
@@ -154,5 +155,6 @@ bool is_dubious(const Date& d) {
   return eraUtctai(d.day, d.fraction, &day, &fraction) == 1;
 }
 
+}  // namespace ephemeris
 }  // namespace v0
 }  // namespace polhode

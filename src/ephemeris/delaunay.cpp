@@ -14,6 +14,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace ephemeris {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
@@ -200,5 +201,6 @@ Vec3 cartesian(const EclipticPosition& p) {
           p.distance * std::sin(p.latitude)};
 }
 
+}  // namespace ephemeris
 }  // namespace v0
 }  // namespace polhode

@@ -18,6 +18,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace ephemeris {
 
 struct DelaunayArguments {
   double l, lp, F, D, Om;
@@ -38,5 +39,6 @@ Vec3 sun_of_date(const DelaunayArguments& arguments, double T);
 // Axis 1 to the equinox, axis 3 to the pole of the ecliptic.
 Vec3 cartesian(const EclipticPosition& position);
 
+}  // namespace ephemeris
 }  // namespace v0
 }  // namespace polhode

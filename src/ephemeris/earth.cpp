@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // The Earth at a date: rotation, nutation, axes of two-line elements (TEME), and the IGRF dipole.
-#include "polhode/ephemeris/earth.hpp"
-
 #include <erfa.h>
 
 #include <algorithm>
@@ -9,12 +7,12 @@
 #include <cmath>
 
 #include "math/number_text.hpp"
-#include "polhode/ephemeris/iau_nutation.hpp"
-#include "polhode/ephemeris/teme_axes.hpp"
+#include "polhode/ephemeris/ephemeris.hpp"
 #include "polhode/error.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace ephemeris {
 
 IauNutation iau_nutation(double T) {
   IauNutation at{};
@@ -78,7 +76,7 @@ Vec3 igrf_dipole(const Date& date) {
   constexpr double j2000_year = 2451544.5, days = 365.25;  // 2000-01-01T00
   const double year = 2000.0 + ((tt.day - j2000_year) + tt.fraction) / days;
   if (!(year >= igrf.front().year && year <= igrf.back().year))
-    throw DomainError("igrf_dipole: the year " + detail::number_text(year) +
+    throw DomainError("igrf_dipole: the year " + polhode::detail::number_text(year) +
                       " must be from 1900 to 2030, which the IGRF-14 covers");
   const auto after = std::find_if(igrf.begin() + 1, igrf.end() - 1,
                                   [&](const DipoleEpoch& one) { return one.year > year; });
@@ -88,5 +86,6 @@ Vec3 igrf_dipole(const Date& date) {
   return {between(a.g10, b.g10), between(a.g11, b.g11), between(a.h11, b.h11)};
 }
 
+}  // namespace ephemeris
 }  // namespace v0
 }  // namespace polhode

@@ -17,6 +17,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace ephemeris {
 namespace {
 
 constexpr double astronomical_unit = 149597870.7;  // IAU 2012
@@ -65,7 +66,7 @@ double centuries(const Date& tdb) { return ((tdb.day - 2451545.0) + tdb.fraction
 // What plan94 is meant for; the Moon and the Earth as far as they were compared with something.
 void require_years(const Date& tdb) {
   if (!(std::fabs(centuries(tdb)) <= 10.0))
-    refuse("planetary_position", "date JD " + detail::number_text(tdb.day + tdb.fraction) +
+    refuse("planetary_position", "date JD " + polhode::detail::number_text(tdb.day + tdb.fraction) +
                                      " must be in the years 1000 to 3000");
 }
 
@@ -292,7 +293,7 @@ EphemerisTable planetary_table(Planetary target, Planetary centre, const Date& e
   planetary_position(target, centre, epoch);  // refuses
   if (!(first < last) || !std::isfinite(last - first))
     refuse("planetary_table",
-           "times " + detail::tuple_text({first, last}) + " must rise and be finite");
+           "times " + polhode::detail::tuple_text({first, last}) + " must rise and be finite");
   const Span span{target, centre, converted(epoch, TimeScale::TT), first, last};
   const double length = (last - first) / day;
   double spacing = std::min(entry(target).first_day, entry(centre).first_day);
@@ -301,7 +302,7 @@ EphemerisTable planetary_table(Planetary target, Planetary centre, const Date& e
   for (;;) {
     const double needed = std::ceil(length / spacing) + 1.0;
     if (needed > static_cast<double>(most_rows))
-      refuse("planetary_table", "a span of " + detail::number_text(length) +
+      refuse("planetary_table", "a span of " + polhode::detail::number_text(length) +
                                     " days must have at most " + std::to_string(most_rows) +
                                     " rows");
     const auto count = std::max(static_cast<std::size_t>(needed), std::size_t{table_order});
@@ -318,5 +319,6 @@ EphemerisTable planetary_table(Planetary target, Planetary centre, const Date& e
   }
 }
 
+}  // namespace ephemeris
 }  // namespace v0
 }  // namespace polhode

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Covariance of the unknowns of a fit, and notes on errors that are not to be trusted.
-#include "polhode/fit/covariance.hpp"
-
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
@@ -15,9 +13,11 @@
 #include "fit/detail/scaling.hpp"
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
+#include "polhode/fit/least_squares.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace fit {
 
 namespace {
 
@@ -227,7 +227,7 @@ std::string bend_within_errors(const LeastSquares& problem, const LeastSquaresRe
   if (worst >= least && worst <= greatest) return {};
   return "residuals are not linear within the errors: one standard error away along " +
          names_along(covariance.names, where) + ", the sum of squares is " +
-         (worst > far ? "more than 100" : detail::rounded_text(worst)) +
+         (worst > far ? "more than 100" : polhode::detail::rounded_text(worst)) +
          " higher instead of 1; draw from the posterior for better errors";
 }
 
@@ -244,5 +244,6 @@ std::vector<std::string> notes_on_errors(const LeastSquares& problem,
   return notes;
 }
 
+}  // namespace fit
 }  // namespace v0
 }  // namespace polhode

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/fit/derived_parameters.hpp"
-
 #include <array>
 #include <cmath>
 #include <limits>
@@ -12,10 +10,12 @@
 #include "fit/free_motion.hpp"
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
+#include "polhode/fit/light_fit.hpp"
 #include "polhode/math/real.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace fit {
 namespace {
 
 using detail::spin_parameters;
@@ -31,7 +31,7 @@ Parts parts_of(std::string_view unknown) {
 }
 
 // Ixx/Izz = (b^2 + c^2) / (1 + b^2), Iyy/Izz = (1 + c^2) / (1 + b^2) by b/a, and by c/b.
-Parts parts_of_shape(std::string_view unknown, const Ellipsoid& shape) {
+Parts parts_of_shape(std::string_view unknown, const light::Ellipsoid& shape) {
   const double b = shape.b / shape.a, ratio = shape.c / shape.b, c = b * ratio;
   const double whole = 1.0 + b * b;
   const double X = (b * b + c * c) / whole, Y = (1.0 + c * c) / whole;
@@ -101,8 +101,8 @@ double error_of(const std::vector<double>& a, const UnknownsCovariance& c) {
 FreeRotation motion_of(const SpinState& s) {
   const Vec3 L = (1.0 / s.inertia_F(2, 2)) * (s.inertia_F * s.w_F);
   if (!(norm(L) > 0.0))
-    throw DomainError("derived_parameters: the momentum " + detail::tuple_text({L.x, L.y, L.z}) +
-                      " must not be 0");
+    throw DomainError("derived_parameters: the momentum " +
+                      polhode::detail::tuple_text({L.x, L.y, L.z}) + " must not be 0");
   return detail::free_rotation_of(s);
 }
 
@@ -239,5 +239,6 @@ std::vector<PredictedAttitude> predicted(const LightSolution& solution,
   return found;
 }
 
+}  // namespace fit
 }  // namespace v0
 }  // namespace polhode

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Fourier series of two frequencies: fits to points, and scans of chi-square over frequencies.
-#include "polhode/fit/fourier_scan.hpp"
-
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
@@ -22,6 +20,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace fit {
 namespace detail {
 
 inline void check_orders(const std::string& who, const ScanPoints& points, FourierOrders orders) {
@@ -142,7 +141,7 @@ class Series {
 void check(const char* who, const ScanPoints& points, double f1, double f2, FourierOrders orders) {
   for (const double f : {f1, f2})
     if (!std::isfinite(f))
-      throw DomainError(std::string(who) + ": frequency " + detail::number_text(f) +
+      throw DomainError(std::string(who) + ": frequency " + polhode::detail::number_text(f) +
                         " is no finite number");
   detail::check_orders(who, points, orders);
 }
@@ -189,7 +188,8 @@ RefinedPair refined_pair(const ScanPoints& points, double f1, double f2, Fourier
                          double reach) {
   check("refined_pair", points, f1, f2, orders);
   if (!(reach > 0.0))
-    throw DomainError("refined_pair: reach " + detail::number_text(reach) + " must be positive");
+    throw DomainError("refined_pair: reach " + polhode::detail::number_text(reach) +
+                      " must be positive");
   constexpr int most_iterations = 60;
   const bool both = orders.first > 0;
   // a step that turns no phase by more
@@ -256,10 +256,11 @@ void check(const std::string& who, const FrequencyGrid& grid) {
   if (grid.count == 0) throw DomainError(who + ": a grid has no frequencies");
   for (const double f : {grid.first, grid.at(grid.count - 1)})
     if (!(f > 0.0) || !std::isfinite(f))
-      throw DomainError(who + ": frequency " + detail::number_text(f) +
+      throw DomainError(who + ": frequency " + polhode::detail::number_text(f) +
                         " must be positive and finite");
   if (!(grid.step > 0.0) && grid.count > 1)
-    throw DomainError(who + ": step " + detail::number_text(grid.step) + " must be positive");
+    throw DomainError(who + ": step " + polhode::detail::number_text(grid.step) +
+                      " must be positive");
 }
 
 struct BlockResult {
@@ -336,7 +337,7 @@ Landscape scanned(const std::string& who, const ScanPoints& points, Landscape of
   of.chi_square.resize(of.first.count * of.second.count);
   const Scan scan(points, of, options.set);
   std::size_t done = 0;
-  ordered_parallel_for(
+  ensemble::ordered_parallel_for(
       options.journal, scan.blocks(), options.threads,
       [&](std::int64_t k) {
         if (options.between) options.between();
@@ -379,8 +380,9 @@ std::vector<std::size_t> spread_rows(std::size_t count) {
 
 FrequencyGrid FrequencyGrid::between(double least, double most, double step) {
   if (!(step > 0.0) || !(least > 0.0) || !(most >= least) || !std::isfinite(most))
-    throw DomainError("FrequencyGrid: from " + detail::number_text(least) + " to " +
-                      detail::number_text(most) + " by " + detail::number_text(step) +
+    throw DomainError("FrequencyGrid: from " + polhode::detail::number_text(least) + " to " +
+                      polhode::detail::number_text(most) + " by " +
+                      polhode::detail::number_text(step) +
                       ": it must rise from a positive frequency by a positive step");
   const double steps = std::floor((most - least) / step * (1.0 + 1e-12));
   if (steps > 1e9)
@@ -435,5 +437,6 @@ Landscape scan_periods(const ScanPoints& points, const FrequencyGrid& grid,
                  options);
 }
 
+}  // namespace fit
 }  // namespace v0
 }  // namespace polhode

@@ -16,6 +16,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace fit {
 namespace detail {
 namespace {
 
@@ -225,5 +226,6 @@ RateDerivatives rate_derivatives(const SpinState& s) {
 }
 
 }  // namespace detail
+}  // namespace fit
 }  // namespace v0
 }  // namespace polhode

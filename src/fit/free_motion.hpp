@@ -11,6 +11,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace fit {
 namespace detail {
 
 // The free rotation of a state, in principal axes and units of Izz.
@@ -47,5 +48,6 @@ struct RateDerivatives {
 RateDerivatives rate_derivatives(const SpinState& s);
 
 }  // namespace detail
+}  // namespace fit
 }  // namespace v0
 }  // namespace polhode

@@ -19,6 +19,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace fit {
 namespace detail {
 namespace {
 
@@ -98,13 +99,14 @@ ChangeOfVariable::ChangeOfVariable(const LeastSquares& problem) : triangle_(prob
       high = is_a ? 1.0 : infinite;
     }
     if (!(low < high)) {
-      throw DomainError("solve: the bounds of " + u.name + ", " + number_text(low) + " and " +
-                        number_text(high) + ", must leave room between them");
+      throw DomainError("solve: the bounds of " + u.name + ", " +
+                        polhode::detail::number_text(low) + " and " +
+                        polhode::detail::number_text(high) + ", must leave room between them");
     }
     const double slack = is_a || is_b ? rounding * (1.0 + std::abs(u.start)) : 0.0;
     if (!std::isfinite(u.start) || !(z[i] >= low - slack) || !(z[i] <= high + slack)) {
       throw DomainError(
-          "solve: the start of " + u.name + ", " + number_text(u.start) +
+          "solve: the start of " + u.name + ", " + polhode::detail::number_text(u.start) +
           ", must lie between its bounds" +
           (is_a || is_b ? ", which are those of the triangle inequality of moments" : ""));
     }
@@ -148,7 +150,7 @@ std::string ChangeOfVariable::bound_text(std::size_t i, bool low) const {
     return low ? a + " is on its bound, 1 + " + b : b + " is on its bound, 1 + " + a;
   }
   const Interval& v = intervals_[i];
-  return names_[i] + " is on its bound, " + number_text(low ? v.low() : v.high());
+  return names_[i] + " is on its bound, " + polhode::detail::number_text(low ? v.low() : v.high());
 }
 
 }  // namespace
@@ -371,7 +373,7 @@ class Solver {
     std::string at;
     for (std::size_t i = 0; i < result.x.size(); ++i) {
       at += (at.empty() ? "" : ", ") + problem_.unknowns[i].name + " = " +
-            detail::rounded_text(result.x[i]);
+            polhode::detail::rounded_text(result.x[i]);
     }
     return "not converged: residuals or their derivatives are not numbers at " + at;
   }
@@ -434,9 +436,9 @@ LeastSquaresResult solve_scaled(LeastSquares& problem) {
     if (!result.is_converged()) break;
     if (!(freedom > no_freedom) || !(result.chi_square > 0.0)) {
       result.sentence += "; errors are as given: they cannot be found from data that leave " +
-                         detail::rounded_text(std::max(freedom, 0.0)) +
+                         polhode::detail::rounded_text(std::max(freedom, 0.0)) +
                          " degrees of freedom and chi-square " +
-                         detail::rounded_text(result.chi_square);
+                         polhode::detail::rounded_text(result.chi_square);
       break;
     }
     const double factor = std::sqrt(result.chi_square / freedom);
@@ -445,7 +447,7 @@ LeastSquaresResult solve_scaled(LeastSquares& problem) {
     if (is_settled) break;
     if (k + 1 == most_scalings) {
       result.sentence += "; the factor of errors did not settle: it is " +
-                         detail::rounded_text(factor) + " or near it";
+                         polhode::detail::rounded_text(factor) + " or near it";
     }
     for (std::size_t i = 0; i < problem.unknowns.size(); ++i)
       problem.unknowns[i].start = result.x[i];
@@ -455,5 +457,6 @@ LeastSquaresResult solve_scaled(LeastSquares& problem) {
   return result;
 }
 
+}  // namespace fit
 }  // namespace v0
 }  // namespace polhode

@@ -5,6 +5,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace fit {
 namespace detail {
 namespace {
 
@@ -122,5 +123,6 @@ Descent levenberg_marquardt(const Numbers& f, const Within& is_within, std::size
 }
 
 }  // namespace detail
+}  // namespace fit
 }  // namespace v0
 }  // namespace polhode

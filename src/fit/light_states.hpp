@@ -12,6 +12,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace fit {
 namespace detail {
 
 // Sums of the directions of all points, and what lies between the first and the last.
@@ -19,7 +20,7 @@ struct LightGeometry {
   Vec3 to_sun, to_observer;
   double time_base;
 };
-LightGeometry geometry_of(std::span<const LightCurve> curves);
+LightGeometry geometry_of(std::span<const light::LightCurve> curves);
 
 // Whether two fits of one body of facets came to one spin state: to two standard errors, as facets
 // bend the light, or where these are small to 0.01 rad and 1e-4 of the rate; with the same counts
@@ -53,5 +54,6 @@ void sort_by_cost(std::vector<Found>& found, const Solution& solution) {
 }
 
 }  // namespace detail
+}  // namespace fit
 }  // namespace v0
 }  // namespace polhode

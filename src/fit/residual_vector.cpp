@@ -14,11 +14,11 @@
 #include "fit/detail/scaling.hpp"
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
-#include "polhode/fit/loss.hpp"
-#include "polhode/fit/residual_function.hpp"
+#include "polhode/fit/least_squares.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace fit {
 
 namespace {
 
@@ -64,7 +64,7 @@ LossValue value(const Loss& loss, double z) {
 
 void check(const Loss& loss) {
   if (!(loss.scale > 0.0) || !std::isfinite(loss.scale)) {
-    throw DomainError("Loss: scale = " + detail::number_text(loss.scale) +
+    throw DomainError("Loss: scale = " + polhode::detail::number_text(loss.scale) +
                       " must be positive, in standard errors of a residual");
   }
 }
@@ -88,7 +88,7 @@ std::vector<double> root_of(const NormalPrior& prior) {
   if (!C.allFinite() || !C.isApprox(C.transpose(), 1e-12) || factor.info() != Eigen::Success) {
     throw DomainError("solve: the covariance of the prior of " + list_text(prior.unknowns) +
                       " must be finite, symmetric and positive definite; its first entry is " +
-                      number_text(C(0, 0)));
+                      polhode::detail::number_text(C(0, 0)));
   }
   const Square root = inverse_root(factor);
   return {root.data(), root.data() + root.size()};
@@ -106,8 +106,9 @@ ResidualVector::ResidualVector(const LeastSquares& problem) : problem_(&problem)
                       std::to_string(residuals.data) + ", as many as there are data");
   }
   if (!(problem.error_factor > 0.0) || !std::isfinite(problem.error_factor)) {
-    throw DomainError("solve: error_factor = " + number_text(problem.error_factor) +
-                      " must be positive and finite");
+    throw DomainError(
+        "solve: error_factor = " + polhode::detail::number_text(problem.error_factor) +
+        " must be positive and finite");
   }
   if (!residuals.at) throw DomainError("solve: there is no function of residuals");
   if (problem.triangle) {
@@ -252,5 +253,6 @@ bool ResidualFunction::at(std::span<const double> x, std::span<double> numbers,
   return numbers_->at(at, numbers.data(), jacobian.empty() ? nullptr : jacobian.data());
 }
 
+}  // namespace fit
 }  // namespace v0
 }  // namespace polhode

@@ -7,6 +7,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace fit {
 namespace detail {
 namespace {
 
@@ -34,7 +35,7 @@ void serialize(Archive& bytes, SpinState& s) { bytes.all(s.t0, s.q, s.w_F, s.ine
 void serialize(Archive& bytes, ConvexShape& shape) {
   int degree = shape.image.degree(), rows = shape.image.rows();
   bytes.all(degree, rows);
-  if (bytes.reads()) shape.image = GaussianImage(degree, rows);
+  if (bytes.reads()) shape.image = light::GaussianImage(degree, rows);
   bytes(shape.coefficients);
 }
 
@@ -42,13 +43,13 @@ void serialize(Archive& bytes, ConvexShape& shape) {
 void serialize(Archive& bytes, LightShape& shape, const KnownBody& known) {
   std::uint64_t place = shape.index();
   bytes(place);
-  if (bytes.reads() && place == 1) shape = ConvexShape{GaussianImage(0, 1), {}};
+  if (bytes.reads() && place == 1) shape = ConvexShape{light::GaussianImage(0, 1), {}};
   if (bytes.reads() && place == 2) {
     if (!known || !known->is_mesh())
       throw DomainError("CellJournal: a result is of a mesh that this search does not have");
     shape = known->shape;
   }
-  if (auto* e = std::get_if<Ellipsoid>(&shape)) bytes.all(e->a, e->b, e->c);
+  if (auto* e = std::get_if<light::Ellipsoid>(&shape)) bytes.all(e->a, e->b, e->c);
   if (auto* c = std::get_if<ConvexShape>(&shape)) serialize(bytes, *c);
 }
 
@@ -105,5 +106,6 @@ void serialize(Archive& bytes, RefinedPair& refined) {
 }
 
 }  // namespace detail
+}  // namespace fit
 }  // namespace v0
 }  // namespace polhode

@@ -5,14 +5,15 @@
 #include <optional>
 
 #include "fit/detail/light_starts.hpp"
+#include "polhode/detail/trajectory/archive.hpp"
 #include "polhode/fit/fourier_fit.hpp"
 #include "polhode/fit/light_fit.hpp"
 #include "polhode/fit/light_search.hpp"
 #include "polhode/fit/spin_fit.hpp"
-#include "polhode/trajectory/archive.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace fit {
 namespace detail {
 
 // A mesh is not among the bytes: that of a body which is read is that of `known`.
@@ -35,5 +36,6 @@ void serialize(Archive& bytes, std::optional<T>& x, const Known&... known) {
 }
 
 }  // namespace detail
+}  // namespace fit
 }  // namespace v0
 }  // namespace polhode

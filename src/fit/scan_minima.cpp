@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Minima of a scan, refined: of one landscape, and of the sum of those of single sessions.
-#include "polhode/fit/scan_minima.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -15,11 +13,11 @@
 #include "fit/session_scan.hpp"
 #include "polhode/ensemble/cell_journal.hpp"
 #include "polhode/error.hpp"
-#include "polhode/fit/fourier_scan.hpp"
-#include "polhode/fit/scan_advice.hpp"
+#include "polhode/fit/fourier_fit.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace fit {
 
 namespace {
 
@@ -81,7 +79,7 @@ std::vector<ScanMinimum> scan_minima(const ScanPoints& points, const Landscape& 
   if (of.second.count > 1) reach = std::min(reach, of.second.step);
   if (!std::isfinite(reach)) reach = 1.0 / points.time_base();
   std::vector<ScanMinimum> found;
-  ordered_parallel_for(
+  ensemble::ordered_parallel_for(
       options.journal, static_cast<std::int64_t>(cells.size()), options.threads,
       [&](std::int64_t k) {
         if (options.between) options.between();
@@ -126,10 +124,10 @@ bool is_known(std::span<const ScanMinimum> found, const ScanMinimum& m, double s
 const std::string who = "scan_sessions: ";
 
 // Sessions that have more points than a series has unknowns.
-std::vector<LightCurve> with_enough_points(std::span<const LightCurve> sessions,
-                                           std::size_t order) {
-  std::vector<LightCurve> enough;
-  for (const LightCurve& one : sessions)
+std::vector<light::LightCurve> with_enough_points(std::span<const light::LightCurve> sessions,
+                                                  std::size_t order) {
+  std::vector<light::LightCurve> enough;
+  for (const light::LightCurve& one : sessions)
     if (one.points.size() > unknowns_of(order)) enough.push_back(one);
   if (enough.empty())
     throw DomainError(who + "no session has more than " + std::to_string(unknowns_of(order)) +
@@ -138,15 +136,16 @@ std::vector<LightCurve> with_enough_points(std::span<const LightCurve> sessions,
 }
 
 // Of a grid as fine as the longest of them asks for.
-double coarse_step(std::span<const LightCurve> sessions, std::size_t order) {
+double coarse_step(std::span<const light::LightCurve> sessions, std::size_t order) {
   double step = std::numeric_limits<double>::infinity();
-  for (const LightCurve& one : sessions) step = std::min(step, scan_advice({&one, 1}, order).step);
+  for (const light::LightCurve& one : sessions)
+    step = std::min(step, scan_advice({&one, 1}, order).step);
   return step;
 }
 
 class SessionScanner {
  public:
-  SessionScanner(std::span<const LightCurve> sessions, const SessionScanOptions& options)
+  SessionScanner(std::span<const light::LightCurve> sessions, const SessionScanOptions& options)
       : sessions_(sessions), options_(options) {
     if (options.windows < 1) throw DomainError(who + "windows = 0 must be 1 or more");
   }
@@ -185,7 +184,7 @@ class SessionScanner {
   // Sums of the landscapes of sessions that have enough points.
   void coarse(const FrequencyGrid& grid) {
     const double own = 0.5 * static_cast<double>(grid.count) * static_cast<double>(grid.count);
-    for (const LightCurve& one : with_enough_points(sessions_, options_.scan.order)) {
+    for (const light::LightCurve& one : with_enough_points(sessions_, options_.scan.order)) {
       const Landscape of =
           scan_pairs(ScanPoints({&one, 1}, options_.quantity), grid, with_progress(own));
       done_ += own;
@@ -224,7 +223,7 @@ class SessionScanner {
     }
   }
 
-  std::span<const LightCurve> sessions_;
+  std::span<const light::LightCurve> sessions_;
   const SessionScanOptions& options_;
   std::optional<SessionScan> result_;
   double work_ = 1.0, done_ = 0.0;  // in pairs that are computed
@@ -232,19 +231,20 @@ class SessionScanner {
 
 }  // namespace
 
-SessionScanSize session_scan_size(std::span<const LightCurve> sessions, double least, double most,
-                                  std::size_t order) {
-  const std::vector<LightCurve> enough = with_enough_points(sessions, order);
+SessionScanSize session_scan_size(std::span<const light::LightCurve> sessions, double least,
+                                  double most, std::size_t order) {
+  const std::vector<light::LightCurve> enough = with_enough_points(sessions, order);
   const double step = coarse_step(enough, order);
   const auto count = static_cast<double>(FrequencyGrid::between(least, most, step).count);
   const double width = 2.0 * reach * step / scan_advice(sessions, order).step + 1.0;
   return {enough.size(), step, count * count, width * width};
 }
 
-SessionScan scan_sessions(std::span<const LightCurve> sessions, double least, double most,
+SessionScan scan_sessions(std::span<const light::LightCurve> sessions, double least, double most,
                           const SessionScanOptions& options) {
   return SessionScanner(sessions, options).found(least, most);
 }
 
+}  // namespace fit
 }  // namespace v0
 }  // namespace polhode

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // The points of a frequency scan, and advice on its range, its step and its aliases.
-#include "polhode/fit/scan_points.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,12 +10,12 @@
 #include "fit/detail/scan_task.hpp"
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
-#include "polhode/fit/scan_advice.hpp"
-#include "polhode/math/number.hpp"
+#include "polhode/fit/fourier_fit.hpp"
 #include "polhode/math/real.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace fit {
 
 namespace {
 
@@ -25,31 +23,32 @@ using detail::ScanTable;
 
 [[noreturn]] void refuse(const std::string& what) { throw DomainError("ScanPoints: " + what); }
 
-void check(const LightCurve& session, ScanQuantity quantity) {
+void check(const light::LightCurve& session, ScanQuantity quantity) {
   const auto refuse_point = [&](std::size_t i, const std::string& what) {
     refuse("point " + std::to_string(i + 1) + " of session \"" + session.name + "\" has " + what);
   };
   for (std::size_t i = 0; i < session.points.size(); ++i) {
-    const LightPoint& p = session.points[i];
+    const light::LightPoint& p = session.points[i];
     if (!std::isfinite(p.t))
-      refuse_point(i, "time " + detail::number_text(p.t) + ": it must be finite");
+      refuse_point(i, "time " + polhode::detail::number_text(p.t) + ": it must be finite");
     if (!std::isfinite(p.flux))
-      refuse_point(i, "flux " + detail::number_text(p.flux) + ": it must be finite");
+      refuse_point(i, "flux " + polhode::detail::number_text(p.flux) + ": it must be finite");
     if (!(p.sigma > 0.0) || !std::isfinite(p.sigma))
-      refuse_point(i, "sigma " + detail::number_text(p.sigma) + ": an error must be positive");
-    if (quantity == ScanQuantity::log_flux && !(p.flux > 0.0))
       refuse_point(
-          i, "flux " + detail::number_text(p.flux) + ", which has no logarithm: scan the flux");
+          i, "sigma " + polhode::detail::number_text(p.sigma) + ": an error must be positive");
+    if (quantity == ScanQuantity::log_flux && !(p.flux > 0.0))
+      refuse_point(i, "flux " + polhode::detail::number_text(p.flux) +
+                          ", which has no logarithm: scan the flux");
   }
 }
 
 // The points of sessions that share a constant.
-using Group = std::vector<const LightCurve*>;
+using Group = std::vector<const light::LightCurve*>;
 
-std::vector<Group> groups_of(std::span<const LightCurve> sessions) {
+std::vector<Group> groups_of(std::span<const light::LightCurve> sessions) {
   Group calibrated;
   std::vector<Group> groups;
-  for (const LightCurve& s : sessions) {
+  for (const light::LightCurve& s : sessions) {
     if (s.points.empty()) continue;
     if (s.is_calibrated) {
       calibrated.push_back(&s);
@@ -66,14 +65,14 @@ std::vector<Group> groups_of(std::span<const LightCurve> sessions) {
 
 double mean_flux(const Group& group) {
   double sum = 0.0, count = 0.0;
-  for (const LightCurve* s : group)
-    for (const LightPoint& p : s->points) {
+  for (const light::LightCurve* s : group)
+    for (const light::LightPoint& p : s->points) {
       sum += p.flux;
       count += 1.0;
     }
   if (!(sum > 0.0))
     refuse("the mean flux of session \"" + group.front()->name + "\" is " +
-           detail::number_text(sum / count) + ": it must be positive");
+           polhode::detail::number_text(sum / count) + ": it must be positive");
   return sum / count;
 }
 
@@ -82,8 +81,8 @@ void add(const Group& group, ScanQuantity quantity, double epoch, ScanTable& to)
   std::vector<double> values;
   const std::size_t begin = to.t.size();
   double weight = 0.0, mean = 0.0;
-  for (const LightCurve* s : group)
-    for (const LightPoint& p : s->points) {
+  for (const light::LightCurve* s : group)
+    for (const light::LightPoint& p : s->points) {
       const bool of_flux = quantity == ScanQuantity::flux;
       const double sigma = p.sigma / (of_flux ? scale : p.flux);
       values.push_back(of_flux ? p.flux / scale : std::log(p.flux));
@@ -105,18 +104,19 @@ void add(const Group& group, ScanQuantity quantity, double epoch, ScanTable& to)
 
 }  // namespace
 
-ScanPoints::ScanPoints(std::span<const LightCurve> sessions, ScanQuantity quantity) {
+ScanPoints::ScanPoints(std::span<const light::LightCurve> sessions, ScanQuantity quantity) {
   double first = std::numeric_limits<double>::infinity(), last = -first;
-  for (const LightCurve& s : sessions) {
+  for (const light::LightCurve& s : sessions) {
     check(s, quantity);
-    for (const LightPoint& p : s.points) {
+    for (const light::LightPoint& p : s.points) {
       first = std::min(first, p.t);
       last = std::max(last, p.t);
     }
   }
   const std::vector<Group> groups = groups_of(sessions);
   if (groups.empty()) refuse("there are no points");
-  if (!(last > first)) refuse("all points have the same time " + detail::number_text(first));
+  if (!(last > first))
+    refuse("all points have the same time " + polhode::detail::number_text(first));
   epoch_ = 0.5 * first + 0.5 * last;
   time_base_ = last - first;
 
@@ -142,9 +142,9 @@ namespace {
 constexpr double least_height = 0.5;
 constexpr std::size_t most_frequencies = 60000, most_peaks = 10;
 
-std::vector<double> sorted_times(const LightCurve& session) {
+std::vector<double> sorted_times(const light::LightCurve& session) {
   std::vector<double> t;
-  for (const LightPoint& p : session.points) t.push_back(p.t);
+  for (const light::LightPoint& p : session.points) t.push_back(p.t);
   std::sort(t.begin(), t.end());
   return t;
 }
@@ -184,13 +184,13 @@ std::vector<WindowPeak> peaks_of(std::span<const double> t, double time_base, do
 
 }  // namespace
 
-ScanAdvice scan_advice(std::span<const LightCurve> sessions, std::size_t order) {
+ScanAdvice scan_advice(std::span<const light::LightCurve> sessions, std::size_t order) {
   const ScanPoints points(sessions);
   if (order == 0) throw DomainError("scan_advice: order 0: it must be positive");
   ScanAdvice advice{};
   std::vector<double> all, gaps;
   std::vector<std::pair<double, double>> spans;
-  for (const LightCurve& s : sessions) {
+  for (const light::LightCurve& s : sessions) {
     const std::vector<double> t = sorted_times(s);
     if (t.empty()) continue;
     double longest = 0.0;
@@ -223,5 +223,6 @@ ScanAdvice scan_advice(std::span<const LightCurve> sessions, std::size_t order) 
   return advice;
 }
 
+}  // namespace fit
 }  // namespace v0
 }  // namespace polhode

@@ -23,11 +23,12 @@
 #include <span>
 #include <vector>
 
-#include "polhode/fit/scan_minima.hpp"
+#include "polhode/fit/fourier_fit.hpp"
 #include "polhode/light/light_curve.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace fit {
 
 struct SessionScanOptions {
   ScanOptions scan;  // its progress is that of all pairs
@@ -54,12 +55,13 @@ struct SessionScanSize {
     return static_cast<double>(sessions) * coarse + static_cast<double>(windows) * fine;
   }
 };
-SessionScanSize session_scan_size(std::span<const LightCurve> sessions, double least, double most,
-                                  std::size_t order = 3);
+SessionScanSize session_scan_size(std::span<const light::LightCurve> sessions, double least,
+                                  double most, std::size_t order = 3);
 
 // Both frequencies from `least` to `most`.
-SessionScan scan_sessions(std::span<const LightCurve> sessions, double least, double most,
+SessionScan scan_sessions(std::span<const light::LightCurve> sessions, double least, double most,
                           const SessionScanOptions& options = {});
 
+}  // namespace fit
 }  // namespace v0
 }  // namespace polhode

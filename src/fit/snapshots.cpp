@@ -18,17 +18,18 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace fit {
 
 namespace {
 
-std::string text(const Vec3& v) { return detail::tuple_text({v.x, v.y, v.z}); }
+std::string text(const Vec3& v) { return polhode::detail::tuple_text({v.x, v.y, v.z}); }
 std::string name(const char* kind, std::size_t i) {
   return "Snapshots: " + std::string(kind) + " " + std::to_string(i + 1);
 }
 
 void require_time(const std::string& what, double t) {
   if (!std::isfinite(t)) {
-    throw DomainError(what + ": t = " + detail::number_text(t) + " must be finite");
+    throw DomainError(what + ": t = " + polhode::detail::number_text(t) + " must be finite");
   }
 }
 
@@ -45,13 +46,14 @@ void require_covariance(const std::string& what, const Mat3& c) {
     const Eigen::LLT<Eigen::Matrix3d> factor(m);
     if (m.isApprox(m.transpose(), 1e-9) && factor.info() == Eigen::Success) return;
   }
-  throw DomainError(what + ": variances " + detail::tuple_text({c(0, 0), c(1, 1), c(2, 2)}) +
-                    " and covariances " + detail::tuple_text({c(0, 1), c(0, 2), c(1, 2)}) +
+  throw DomainError(what + ": variances " +
+                    polhode::detail::tuple_text({c(0, 0), c(1, 1), c(2, 2)}) + " and covariances " +
+                    polhode::detail::tuple_text({c(0, 1), c(0, 2), c(1, 2)}) +
                     " must be finite, symmetric and positive definite");
 }
 
 void require_direction(const std::string& what, const char* which, const Vec3& v) {
-  if (!detail::is_finite(v) || !(norm(v) > 0.0)) {
+  if (!polhode::detail::is_finite(v) || !(norm(v) > 0.0)) {
     throw DomainError(what + ": " + which + " = " + text(v) + " must be finite and not 0");
   }
 }
@@ -67,9 +69,9 @@ void require_measurement(const std::string& what, const Measurement& m) {
                       " errors; expected one error for each number, and one number or more");
   for (std::size_t i = 0; i < m.seen.size(); ++i) {
     if (!std::isfinite(m.seen[i]))
-      throw DomainError(what + ": " + detail::number_text(m.seen[i]) + " must be finite");
+      throw DomainError(what + ": " + polhode::detail::number_text(m.seen[i]) + " must be finite");
     if (!(m.sigmas[i] > 0.0) || !std::isfinite(m.sigmas[i]))
-      throw DomainError(what + ": sigma = " + detail::number_text(m.sigmas[i]) +
+      throw DomainError(what + ": sigma = " + polhode::detail::number_text(m.sigmas[i]) +
                         " must be positive and finite");
   }
 }
@@ -82,7 +84,8 @@ void add_repeated(std::vector<std::string>& found, const char* kind, const std::
     for (std::size_t j = 0; j < i; ++j) {
       if (seen[i].t == seen[j].t && same(seen[i], seen[j])) {
         found.push_back(std::string(kind) + " " + std::to_string(i + 1) + " repeats " +
-                        std::to_string(j + 1) + ", at t = " + detail::number_text(seen[i].t) +
+                        std::to_string(j + 1) +
+                        ", at t = " + polhode::detail::number_text(seen[i].t) +
                         ": counted as two independent ones");
         break;
       }
@@ -116,7 +119,8 @@ void check(const Snapshots& seen) {
     require_time(what, a.t);
     const double size = std::hypot(std::hypot(a.q.w, a.q.x), std::hypot(a.q.y, a.q.z));
     if (!std::isfinite(size) || !(size > 0.0)) {
-      throw DomainError(what + ": quaternion " + detail::tuple_text({a.q.w, a.q.x, a.q.y, a.q.z}) +
+      throw DomainError(what + ": quaternion " +
+                        polhode::detail::tuple_text({a.q.w, a.q.x, a.q.y, a.q.z}) +
                         " must be finite and not 0");
     }
     require_covariance(what, a.covariance);
@@ -128,7 +132,7 @@ void check(const Snapshots& seen) {
     require_direction(what, "axis_F", d.axis_F);
     require_direction(what, "direction_I", d.direction_I);
     if (!(d.sigma > 0.0) || !std::isfinite(d.sigma)) {
-      throw DomainError(what + ": sigma = " + detail::number_text(d.sigma) +
+      throw DomainError(what + ": sigma = " + polhode::detail::number_text(d.sigma) +
                         " must be positive and finite");
     }
   }
@@ -136,7 +140,8 @@ void check(const Snapshots& seen) {
     const ObservedRate& r = seen.rates[i];
     const std::string what = name("rate", i);
     require_time(what, r.t);
-    if (!detail::is_finite(r.w_F)) throw DomainError(what + ": " + text(r.w_F) + " must be finite");
+    if (!polhode::detail::is_finite(r.w_F))
+      throw DomainError(what + ": " + text(r.w_F) + " must be finite");
     require_covariance(what, r.covariance);
   }
   for (std::size_t i = 0; i < seen.measurements.size(); ++i)
@@ -475,5 +480,6 @@ bool SnapshotResiduals::at(std::span<const double> x, std::span<double> numbers,
 }
 
 }  // namespace detail
+}  // namespace fit
 }  // namespace v0
 }  // namespace polhode

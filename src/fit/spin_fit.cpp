@@ -19,6 +19,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace fit {
 
 namespace {
 
@@ -128,8 +129,8 @@ void require_axes(const SpinFit& fit, const Vec3& moments) {
     const double a = moments[i], b = moments[(i + 1) % 3];
     if (std::abs(a - b) > equal_moments * std::max(a, b)) continue;
     throw DomainError(
-        "fit_spin: the start has the principal moments " + detail::number_text(a) + " and " +
-        detail::number_text(b) +
+        "fit_spin: the start has the principal moments " + polhode::detail::number_text(a) +
+        " and " + polhode::detail::number_text(b) +
         ", too near to each other for unknown products of inertia: their axes have no "
         "derivative; start from different moments, or fix the products at 0");
   }
@@ -139,14 +140,15 @@ void require_start(const SpinFit& fit) {
   const SpinState& s = fit.start;
   const double size = std::hypot(std::hypot(s.q.w, s.q.x), std::hypot(s.q.y, s.q.z));
   if (!std::isfinite(s.t0) || !std::isfinite(size) || !(size > 0.0)) {
-    throw DomainError("fit_spin: the start, t0 = " + detail::number_text(s.t0) +
-                      " and quaternion " + detail::tuple_text({s.q.w, s.q.x, s.q.y, s.q.z}) +
+    throw DomainError("fit_spin: the start, t0 = " + polhode::detail::number_text(s.t0) +
+                      " and quaternion " +
+                      polhode::detail::tuple_text({s.q.w, s.q.x, s.q.y, s.q.z}) +
                       ", must be finite, the quaternion not 0");
   }
   const double rate = norm(s.w_F);
   if (!std::isfinite(rate) || !(rate > 0.0)) {
     throw DomainError("fit_spin: the rate at the start, " +
-                      detail::tuple_text({s.w_F.x, s.w_F.y, s.w_F.z}) +
+                      polhode::detail::tuple_text({s.w_F.x, s.w_F.y, s.w_F.z}) +
                       ", must be finite and not 0");
   }
   require_axes(fit, Body::from_tensor(s.inertia_F).moments());  // says what is wrong with it
@@ -291,5 +293,6 @@ std::vector<PredictedAttitude> predicted(const SpinFit& fit, const SpinSolution&
   return found;
 }
 
+}  // namespace fit
 }  // namespace v0
 }  // namespace polhode

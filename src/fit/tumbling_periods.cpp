@@ -12,13 +12,13 @@
 
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
-#include "polhode/fit/inertia_from_periods.hpp"
-#include "polhode/fit/period_labels.hpp"
+#include "polhode/fit/light_fit.hpp"
 #include "polhode/free/tumbler.hpp"
 #include "polhode/math/real.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace fit {
 
 namespace {
 
@@ -56,7 +56,8 @@ int weakness(const PeriodLabel& label) {
 std::vector<PeriodLabel> period_labels(double f1, double f2, int most) {
   for (const double f : {f1, f2})
     if (!(f > 0.0) || !std::isfinite(f))
-      throw DomainError("period_labels: frequency " + detail::number_text(f) + " must be positive");
+      throw DomainError("period_labels: frequency " + polhode::detail::number_text(f) +
+                        " must be positive");
   if (most < 1 || most > 9)
     throw DomainError("period_labels: most " + std::to_string(most) + ": it must be 1 to 9");
   std::vector<PeriodLabel> labels;
@@ -100,9 +101,11 @@ void check(const TumblerPeriods& p, double tilt) {
     throw DomainError(who + "the mode must be short_axis or long_axis");
   for (const double period : {p.precession_period, p.rotation_period})
     if (!(period > 0.0) || !std::isfinite(period))
-      throw DomainError(who + "period " + detail::number_text(period) + " must be positive");
+      throw DomainError(who + "period " + polhode::detail::number_text(period) +
+                        " must be positive");
   if (!(tilt > 0.0) || !(tilt < quarter_turn))
-    throw DomainError(who + "tilt " + detail::number_text(tilt) + " must be between 0 and pi/2");
+    throw DomainError(who + "tilt " + polhode::detail::number_text(tilt) +
+                      " must be between 0 and pi/2");
 }
 
 // Where the axis of circulation leans most, the momentum has no part along the third of the axes
@@ -172,16 +175,17 @@ TumblingBody scaled(const TumblerPeriods& p, double tilt, double least, double m
 TumblingBody body_with_periods(const TumblerPeriods& p, double tilt, double middle) {
   check(p, tilt);
   if (!(middle > 0.5) || !(middle < 1.0))
-    throw DomainError("body_with_periods: I2/I3 " + detail::number_text(middle) +
+    throw DomainError("body_with_periods: I2/I3 " + polhode::detail::number_text(middle) +
                       " must be between 1/2 and 1");
   const Ends ends = ends_of(p.mode, tilt, middle);
   const std::optional<double> least = least_moment(p, tilt, middle, ends);
   if (!least)
-    throw DomainError(
-        "body_with_periods: P_psi/P_phi " +
-        detail::number_text(p.rotation_period / p.precession_period) + ": bodies with tilt " +
-        detail::number_text(tilt) + " and I2/I3 " + detail::number_text(middle) + " have " +
-        detail::number_text(1.0 / ends.flat) + " to " + detail::number_text(1.0 / ends.round));
+    throw DomainError("body_with_periods: P_psi/P_phi " +
+                      polhode::detail::number_text(p.rotation_period / p.precession_period) +
+                      ": bodies with tilt " + polhode::detail::number_text(tilt) + " and I2/I3 " +
+                      polhode::detail::number_text(middle) + " have " +
+                      polhode::detail::number_text(1.0 / ends.flat) + " to " +
+                      polhode::detail::number_text(1.0 / ends.round));
   return scaled(p, tilt, *least, middle);
 }
 
@@ -198,5 +202,6 @@ std::vector<TumblingBody> inertia_from_periods(const TumblerPeriods& p, double t
   return bodies;
 }
 
+}  // namespace fit
 }  // namespace v0
 }  // namespace polhode

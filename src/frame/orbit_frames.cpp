@@ -12,8 +12,7 @@
 #include <vector>
 
 #include "polhode/error.hpp"
-#include "polhode/frame/local_vertical.hpp"
-#include "polhode/frame/orbit_plane.hpp"
+#include "polhode/frame/frame.hpp"
 #include "polhode/math/quaternion.hpp"
 #include "polhode/math/vector.hpp"
 #include "polhode/orbit/table_orbit.hpp"

@@ -13,9 +13,9 @@
 // Cost        that of FreeRotation::at per lane, and in a pack of several forms that of each form.
 #pragma once
 
+#include "polhode/detail/free/free_kernel.hpp"
 #include "polhode/free/detail/phase_arithmetic.hpp"
 #include "polhode/free/detail/state_at.hpp"
-#include "polhode/free/free_kernel.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Evaluation of a FreeKernel in double, compiled for processors with FMA and for those without.
-#include "polhode/free/free_kernel.hpp"
+#include "polhode/detail/free/free_kernel.hpp"
 
 #include "free/detail/evaluated_without_fma.hpp"
 #include "free/evaluate.hpp"

@@ -104,7 +104,7 @@ FreeRotation::Summary FreeRotation::summarized(const Body& body, const Normalize
     s.action =
         c.r2 < T(1.0) ? k.G - s.deficit : k.G * to_double(detail::action_ratio(c.kap2, member));
   }
-  s.modulus = to_double(BasicModulus<T>::from_ratio(c.k2, c.kp2));
+  s.modulus = to_double(elliptic::BasicModulus<T>::from_ratio(c.k2, c.kp2));
   if (!c.separatrix) {
     const T x_rate = abs(detail::phase_rate(c));
     s.polhode_period = std::ldexp(to_double(T(2.0) * pi<T>() / x_rate), -arc.scale.rate());

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "polhode/math/dual.hpp"
-#include "polhode/math/matrix6.hpp"
+#include "polhode/math/vector.hpp"
 #include "polhode/rotor/rotor_state.hpp"
 
 namespace polhode {

@@ -9,11 +9,11 @@
 
 #include "free/detail/lanes_declared.hpp"
 #include "free/prepare.hpp"
+#include "polhode/detail/free/states_at.hpp"
+#include "polhode/detail/free/states_on_grid.hpp"
 #include "polhode/error.hpp"
 #include "polhode/free/detail/normalized_arc.hpp"
 #include "polhode/free/propagate.hpp"
-#include "polhode/free/states_at.hpp"
-#include "polhode/free/states_on_grid.hpp"
 #include "polhode/math/double_double.hpp"
 
 namespace polhode {

@@ -16,9 +16,9 @@
 // Cost        tens of microseconds for a double and per lane, some hundred for a Dual.
 #pragma once
 
+#include "polhode/detail/free/free_kernel.hpp"
 #include "polhode/free/detail/phase_arithmetic.hpp"
 #include "polhode/free/detail/prepared_kernel.hpp"
-#include "polhode/free/free_kernel.hpp"
 #include "polhode/rotor/body.hpp"
 #include "polhode/rotor/rotor_state.hpp"
 

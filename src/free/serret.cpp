@@ -106,7 +106,8 @@ BasicVec3<DD> sorted_momentum(const FreeRotation& m, double t) {
   const detail::PolhodeCurve<DD>& c = arc.curve;
   const detail::MeanPhase phase = detail::mean_phase(m.kernel(), t);
   const DD u = !m.kernel().series.hyperbolic ? DD(2.0) / DD::pi() * phase.x * c.K : phase.u;
-  const Jacobi<DD> f = jacobi(u, BasicModulus<DD>::from_ratio(c.k2, c.kp2));
+  const elliptic::Jacobi<DD> f =
+      elliptic::jacobi(u, elliptic::BasicModulus<DD>::from_ratio(c.k2, c.kp2));
   return detail::restored(detail::primed_axes(c.long_axis, arc.s1, arc.s3),
                           BasicVec3<DD>{c.a1 * f.cn, c.a2 * f.sn, c.a3 * f.dn});
 }

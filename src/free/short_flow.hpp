@@ -11,7 +11,7 @@
 #include "polhode/free/detail/normalized_arc.hpp"
 #include "polhode/free/detail/polhode_curve.hpp"
 #include "polhode/free/detail/signed_order.hpp"
-#include "polhode/math/error_free.hpp"
+#include "polhode/math/double_double.hpp"
 #include "polhode/rotor/body.hpp"
 
 namespace polhode {

@@ -97,6 +97,7 @@ Matrix6 FreeRotation::state_transition(double t) const {
   return stm;
 }
 
+namespace free {
 namespace {
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
@@ -155,5 +156,6 @@ double rounding_sensitivity(const FreeRotation& motion, double t) {
   return largest;
 }
 
+}  // namespace free
 }  // namespace v0
 }  // namespace polhode

@@ -11,14 +11,12 @@
 #include "math/gauss_legendre.hpp"
 #include "polhode/error.hpp"
 #include "polhode/light/facet_brightness.hpp"
-#include "polhode/light/lambert.hpp"
 #include "polhode/light/lommel_seeliger.hpp"
-#include "polhode/light/patch_brightness.hpp"
-#include "polhode/light/shaded_mesh.hpp"
 #include "polhode/math/vector.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace light {
 
 namespace {
 
@@ -255,12 +253,12 @@ constexpr double flat = 1e-12;
 
 using Corners = std::array<Vec3, 3>;
 
-Corners corners(const FacetShape& shape, std::size_t facet) {
-  const FacetShape::Triangle& t = shape.triangles()[facet];
+Corners corners(const shape::FacetShape& shape, std::size_t facet) {
+  const shape::FacetShape::Triangle& t = shape.triangles()[facet];
   return {shape.vertices()[t[0]], shape.vertices()[t[1]], shape.vertices()[t[2]]};
 }
 
-double size_of(const FacetShape& shape) {
+double size_of(const shape::FacetShape& shape) {
   const Vec3& origin = shape.vertices().front();
   double square = 0.0;
   for (const Vec3& v : shape.vertices()) square = std::max(square, dot(v - origin, v - origin));
@@ -302,18 +300,18 @@ struct Obstacle {
 
 // Facets with a part above the plane of facet i. Of a closed mesh those that turn their face to its
 // centre: a ray goes in by one of them before it comes out again.
-std::vector<Obstacle> obstacles_of(const FacetShape& shape, std::size_t i, double least,
+std::vector<Obstacle> obstacles_of(const shape::FacetShape& shape, std::size_t i, double least,
                                    bool is_closed) {
-  const Facet& own = shape.facets()[i];
+  const shape::Facet& own = shape.facets()[i];
   std::vector<Obstacle> found;
   for (std::size_t j = 0; j < shape.facets().size(); ++j) {
     if (j == i) continue;
-    const FacetShape::Triangle& t = shape.triangles()[j];
+    const shape::FacetShape::Triangle& t = shape.triangles()[j];
     double height = 0.0;
     for (const std::uint32_t k : t)
       height = std::max(height, dot(own.normal, shape.vertices()[k] - own.centre));
     if (height <= least) continue;
-    const Facet& other = shape.facets()[j];
+    const shape::Facet& other = shape.facets()[j];
     const Vec3 way = own.centre - other.centre;
     const double turned = dot(other.normal, way);
     if (is_closed && turned <= 0.0) continue;
@@ -329,13 +327,13 @@ std::vector<Obstacle> obstacles_of(const FacetShape& shape, std::size_t i, doubl
 
 }  // namespace
 
-ShadedMesh::ShadedMesh(FacetShape shape) : shape_(std::move(shape)) {
+ShadedMesh::ShadedMesh(shape::FacetShape shape) : shape_(std::move(shape)) {
   const std::size_t count = shape_.facets().size();
   const double least = flat * size_of(shape_);
   const bool is_closed = shape_.is_closed();
   Sky sky{{0}, {}, std::vector<double>(count, 0.0)};
   for (std::size_t i = 0; i < count; ++i) {
-    const Facet& own = shape_.facets()[i];
+    const shape::Facet& own = shape_.facets()[i];
     for (const Obstacle& o : obstacles_of(shape_, i, least, is_closed)) {
       sky.above.push_back(o.facet);
       const double sine = highest(own.centre, own.normal, corners(shape_, o.facet));
@@ -347,7 +345,7 @@ ShadedMesh::ShadedMesh(FacetShape shape) : shape_(std::move(shape)) {
 }
 
 bool ShadedMesh::is_free(std::size_t i, const Vec3& direction) const {
-  const Facet& own = shape_.facets()[i];
+  const shape::Facet& own = shape_.facets()[i];
   constexpr double margin = 1e-9;  // of the horizon, which has roundings
   if (dot(own.normal, direction) > sky_->horizon[i] + margin) return true;
   for (std::size_t k = sky_->first[i]; k < sky_->first[i + 1]; ++k)
@@ -360,7 +358,7 @@ double ShadedMesh::brightness(const Scattering& law, const Vec3& to_sun,
   const Vec3 s = Direction(to_sun).unit, o = Direction(to_observer).unit;
   double sum = 0.0;
   for (std::size_t i = 0; i < shape_.facets().size(); ++i) {
-    const Facet& f = shape_.facets()[i];
+    const shape::Facet& f = shape_.facets()[i];
     const double mu = dot(f.normal, o), mu0 = dot(f.normal, s);
     if (mu <= 0.0 || mu0 <= 0.0) continue;  // NaN goes on
     if (obstacles(i) > 0 && !(is_free(i, s) && is_free(i, o))) continue;
@@ -369,13 +367,14 @@ double ShadedMesh::brightness(const Scattering& law, const Vec3& to_sun,
   return sum;
 }
 
-bool is_convex(const FacetShape& shape) {
+bool is_convex(const shape::FacetShape& shape) {
   const double least = flat * size_of(shape);
-  for (const Facet& f : shape.facets())
+  for (const shape::Facet& f : shape.facets())
     for (const Vec3& v : shape.vertices())
       if (dot(f.normal, v - f.centre) > least) return false;
   return shape.is_closed();
 }
 
+}  // namespace light
 }  // namespace v0
 }  // namespace polhode

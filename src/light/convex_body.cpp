@@ -21,6 +21,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace light {
 
 namespace {
 
@@ -170,7 +171,8 @@ ClosedAreas closed_areas(std::span<const Vec3> normals, std::span<const double> 
   for (std::size_t j = 0; j < areas.size(); ++j) {
     const double taken = normals[j].x * t.x() + normals[j].y * t.y() + normals[j].z * t.z();
     if (!(std::abs(taken) <= most_taken))
-      refuse_body("the sum of areas times normals, " + detail::tuple_text({C.x(), C.y(), C.z()}) +
+      refuse_body("the sum of areas times normals, " +
+                  polhode::detail::tuple_text({C.x(), C.y(), C.z()}) +
                   " mean areas, is too far from 0 for a closed body");
     kept[static_cast<Eigen::Index>(j)] = 1.0 - taken;
   }
@@ -219,7 +221,7 @@ Eigen::VectorXd distances_of(const Polyhedron& body, const Eigen::VectorXd& A,
     }
     if (halvings == most_halvings)
       refuse_body("no step makes the areas more alike; they are off by " +
-                  detail::rounded_text(off.cwiseAbs().maxCoeff()) + " mean areas");
+                  polhode::detail::rounded_text(off.cwiseAbs().maxCoeff()) + " mean areas");
     h += part * d;
     a = body.areas(h, &M);
   }
@@ -229,10 +231,10 @@ Eigen::VectorXd distances_of(const Polyhedron& body, const Eigen::VectorXd& A,
 // Corners this near to each other, of the size of the body, are one.
 constexpr double one_place = 1e-9;
 
-FacetShape meshed(const Polyhedron& body, const Eigen::VectorXd& h) {
+shape::FacetShape meshed(const Polyhedron& body, const Eigen::VectorXd& h) {
   const double same = one_place * h.maxCoeff();
   std::vector<Vec3> vertices;
-  std::vector<FacetShape::Triangle> triangles;
+  std::vector<shape::FacetShape::Triangle> triangles;
   const auto place_of = [&](const Vec3& x) {
     const auto known =
         std::ranges::find_if(vertices, [&](const Vec3& v) { return norm(v - x) <= same; });
@@ -263,7 +265,7 @@ std::vector<Vec3> unit_normals(std::span<const Vec3> normals, std::span<const do
   std::vector<Vec3> unit;
   for (std::size_t j = 0; j < areas.size(); ++j) {
     if (!(areas[j] > 0.0) || !std::isfinite(areas[j]))
-      refuse_body("area " + std::to_string(j + 1) + ", " + detail::number_text(areas[j]) +
+      refuse_body("area " + std::to_string(j + 1) + ", " + polhode::detail::number_text(areas[j]) +
                   ", must be positive and finite");
     const double length = norm(normals[j]);
     if (!(length > 0.0) || !std::isfinite(length))
@@ -307,14 +309,14 @@ Vec3 moments_by(const Integrals& body, const Integrals& d) {
 
 }  // namespace
 
-FacetShape convex_body(std::span<const Vec3> normals, std::span<const double> areas) {
+shape::FacetShape convex_body(std::span<const Vec3> normals, std::span<const double> areas) {
   const std::vector<Vec3> unit = unit_normals(normals, areas);
   double mean = 0.0;
   for (const double A : areas) mean += A / static_cast<double>(areas.size());
   const Polyhedron body(unit);
-  const FacetShape found = meshed(body, distances_of(body, closed_areas(unit, areas).areas));
-  require_closed(found, "convex_body");
-  return found.moved(mass_properties(found, 1.0).centre, std::sqrt(mean));
+  const shape::FacetShape found = meshed(body, distances_of(body, closed_areas(unit, areas).areas));
+  shape::require_closed(found, "convex_body");
+  return found.moved(shape::mass_properties(found, 1.0).centre, std::sqrt(mean));
 }
 
 ConvexMoments convex_moments(std::span<const Vec3> normals, std::span<const double> areas,
@@ -367,5 +369,6 @@ ConvexMoments convex_moments(std::span<const Vec3> normals, std::span<const doub
   return found;
 }
 
+}  // namespace light
 }  // namespace v0
 }  // namespace polhode

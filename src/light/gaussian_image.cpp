@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Gaussian images of convex bodies as series of spherical harmonics.
-#include "polhode/light/gaussian_image.hpp"
-
 #include <Eigen/QR>
 #include <cmath>
 #include <cstddef>
@@ -11,9 +9,11 @@
 #include "light/harmonics.hpp"
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
+#include "polhode/light/convex_body.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace light {
 
 // P_lm / sin^m theta, normalised, by the recurrence in l; sin^m theta e^(i m phi) = (x + i y)^m.
 std::vector<double> spherical_harmonics(int degree, const Vec3& n) {
@@ -152,7 +152,7 @@ std::vector<double> GaussianImage::coefficients(std::span<const double> areas) c
   for (std::size_t j = 0; j < areas.size(); ++j) {
     if (!(areas[j] > 0.0) || !std::isfinite(areas[j]))
       throw DomainError("GaussianImage: area " + std::to_string(j + 1) + ", " +
-                        detail::number_text(areas[j]) + ", must be positive and finite");
+                        polhode::detail::number_text(areas[j]) + ", must be positive and finite");
     const double w = basis_->solid_angles[j], root = std::sqrt(w);
     const auto row = static_cast<Eigen::Index>(j);
     rows.row(row) = root * Eigen::Map<const Eigen::RowVectorXd>(harmonics(j).data(), count);
@@ -219,5 +219,6 @@ std::vector<double> GaussianImage::by_coefficients(std::span<const double> by_ar
   return by;
 }
 
+}  // namespace light
 }  // namespace v0
 }  // namespace polhode

@@ -9,9 +9,11 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace light {
 
 // At a direction of length 1.
 std::vector<double> spherical_harmonics(int degree, const Vec3& direction);
 
+}  // namespace light
 }  // namespace v0
 }  // namespace polhode

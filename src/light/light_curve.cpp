@@ -14,12 +14,11 @@
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
 #include "polhode/light/aspect.hpp"
-#include "polhode/light/light_curve_checks.hpp"
 #include "polhode/light/light_time.hpp"
-#include "polhode/light/magnitudes.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace light {
 namespace detail {
 
 // "light curve NAME", or "light curve" of one without a name.
@@ -35,7 +34,7 @@ inline std::string in_words(const LightCurve& curve, std::size_t point) {
 
 namespace {
 
-using detail::number_text;
+using polhode::detail::number_text;
 
 std::string place(std::size_t index) { return "point " + std::to_string(index + 1); }
 
@@ -45,7 +44,7 @@ std::string not_finite(const char* what, double value) {
 
 // What is wrong with a vector, or nothing.
 std::string flaw_of(const Vec3& v, const char* to, bool needed) {
-  if (!detail::is_finite(v)) return std::string("the vector to ") + to + " is not finite";
+  if (!polhode::detail::is_finite(v)) return std::string("the vector to ") + to + " is not finite";
   if (needed && v == Vec3{})
     return std::string("there is no vector to ") + to +
            "; expected one, in the file or from an orbit";
@@ -167,7 +166,7 @@ LightCurve in_order_of_time(LightCurve curve) {
 
 LightCurve at_unit_distances(LightCurve curve, double unit) {
   if (!(unit > 0.0) || !std::isfinite(unit))
-    throw DomainError("at_unit_distances: unit " + detail::number_text(unit) +
+    throw DomainError("at_unit_distances: unit " + polhode::detail::number_text(unit) +
                       "; expected a length above 0");
   for (std::size_t k = 0; k < curve.points.size(); ++k) {
     LightPoint& p = curve.points[k];
@@ -211,7 +210,7 @@ LightCurve at_body(LightCurve curve, double c) {
 
 LightCurve at_body_after(LightCurve curve, double light_time) {
   if (!(light_time >= 0.0) || !std::isfinite(light_time))
-    throw DomainError("at_body_after: light time " + detail::number_text(light_time) +
+    throw DomainError("at_body_after: light time " + polhode::detail::number_text(light_time) +
                       "; expected a finite time, 0 or more");
   for (LightPoint& p : curve.points) p.t -= light_time;
   return curve;
@@ -223,7 +222,8 @@ double required_mean(const LightCurve& curve, const char* function) {
   const double mean = mean_flux(curve);
   if (!(mean > 0.0) || !std::isfinite(mean))
     throw DomainError(std::string(function) + ": " + detail::in_words(curve) +
-                      ": its mean flux is " + detail::number_text(mean) + "; expected one above 0");
+                      ": its mean flux is " + polhode::detail::number_text(mean) +
+                      "; expected one above 0");
   return mean;
 }
 
@@ -246,12 +246,13 @@ LightCurve normalised(LightCurve curve) {
 
 LightCurve with_relative_sigma(LightCurve curve, double fraction) {
   if (!(fraction > 0.0) || !std::isfinite(fraction))
-    throw DomainError("with_relative_sigma: fraction " + detail::number_text(fraction) +
+    throw DomainError("with_relative_sigma: fraction " + polhode::detail::number_text(fraction) +
                       "; expected one above 0");
   const double sigma = fraction * required_mean(curve, "with_relative_sigma");
   for (LightPoint& p : curve.points) p.sigma = sigma;
   return curve;
 }
 
+}  // namespace light
 }  // namespace v0
 }  // namespace polhode

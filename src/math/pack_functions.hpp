@@ -17,11 +17,11 @@
 #include <concepts>
 #include <type_traits>
 
+#include "polhode/detail/math/pack.hpp"
+#include "polhode/detail/math/trigonometry.hpp"
 #include "polhode/math/detail/circular_sums.hpp"
 #include "polhode/math/detail/near_angle.hpp"
-#include "polhode/math/error_free.hpp"
-#include "polhode/math/pack.hpp"
-#include "polhode/math/trigonometry.hpp"
+#include "polhode/math/double_double.hpp"
 
 namespace polhode {
 inline namespace v0 {

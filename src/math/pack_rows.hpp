@@ -11,8 +11,8 @@
 #include <cstddef>
 #include <cstring>
 
+#include "polhode/detail/math/pack.hpp"
 #include "polhode/math/detail/four_columns.hpp"
-#include "polhode/math/pack.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -11,6 +11,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace ensemble {
 namespace detail {
 namespace {
 
@@ -127,5 +128,6 @@ void Leader::drop_all() {
 }
 
 }  // namespace detail
+}  // namespace ensemble
 }  // namespace v0
 }  // namespace polhode

@@ -15,6 +15,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace ensemble {
 namespace detail {
 
 class Leader {
@@ -52,5 +53,6 @@ class Leader {
 };
 
 }  // namespace detail
+}  // namespace ensemble
 }  // namespace v0
 }  // namespace polhode

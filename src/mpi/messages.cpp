@@ -9,6 +9,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace ensemble {
 namespace detail {
 namespace {
 
@@ -67,5 +68,6 @@ void broadcast(std::string& bytes) {
 }
 
 }  // namespace detail
+}  // namespace ensemble
 }  // namespace v0
 }  // namespace polhode

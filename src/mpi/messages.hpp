@@ -8,6 +8,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace ensemble {
 namespace detail {
 
 // A cell of a stage, and what has become of it.
@@ -41,5 +42,6 @@ std::optional<Message> received();
 void broadcast(std::string& bytes);
 
 }  // namespace detail
+}  // namespace ensemble
 }  // namespace v0
 }  // namespace polhode

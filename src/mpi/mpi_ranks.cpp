@@ -15,6 +15,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace ensemble {
 namespace {
 
 using detail::Cell;
@@ -109,5 +110,6 @@ std::unique_ptr<Ranks> mpi_ranks(int threads) {
   return ranks;
 }
 
+}  // namespace ensemble
 }  // namespace v0
 }  // namespace polhode

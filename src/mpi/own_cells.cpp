@@ -10,6 +10,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace ensemble {
 namespace detail {
 namespace {
 
@@ -64,5 +65,6 @@ void Patience::wait() {
 }
 
 }  // namespace detail
+}  // namespace ensemble
 }  // namespace v0
 }  // namespace polhode

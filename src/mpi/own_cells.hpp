@@ -16,6 +16,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace ensemble {
 namespace detail {
 
 class OwnCells {
@@ -59,5 +60,6 @@ class Patience {
 };
 
 }  // namespace detail
+}  // namespace ensemble
 }  // namespace v0
 }  // namespace polhode

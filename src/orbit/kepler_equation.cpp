@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/orbit/kepler_equation.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "orbit/detail/elliptic_anomaly.hpp"
 #include "orbit/detail/sine_excess.hpp"
+#include "polhode/orbit/kepler_orbit.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -14,8 +14,6 @@
 #include "orbit/detail/tabulated_ellipse.hpp"
 #include "orbit/mean_ellipse.hpp"
 #include "polhode/error.hpp"
-#include "polhode/orbit/kepler_equation.hpp"
-#include "polhode/orbit/turned_kepler_orbit.hpp"
 
 namespace polhode {
 inline namespace v0 {

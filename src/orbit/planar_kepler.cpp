@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Kepler motion in its plane: at one time, by a table of the ellipse, and at many times.
-#include "polhode/orbit/planar_kepler.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "orbit/detail/orbit_lanes.hpp"
 #include "orbit/detail/tabulated_ellipse.hpp"
+#include "polhode/orbit/kepler_orbit.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/orbit/precessing_kepler_orbit.hpp"
-
 #include <cmath>
 #include <limits>
 
@@ -8,6 +6,7 @@
 #include "orbit/detail/kepler_elements.hpp"
 #include "orbit/detail/orbit_lanes.hpp"
 #include "polhode/error.hpp"
+#include "polhode/orbit/kepler_orbit.hpp"
 
 namespace polhode {
 inline namespace v0 {

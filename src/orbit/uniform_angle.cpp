@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/orbit/uniform_angle.hpp"
+#include "polhode/detail/orbit/uniform_angle.hpp"
 
 #include <cmath>
 

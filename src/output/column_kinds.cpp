@@ -15,14 +15,15 @@
 #include "polhode/free/tumbler.hpp"
 #include "polhode/output/column_kind.hpp"
 #include "polhode/rotor/andoyer.hpp"
+#include "polhode/rotor/attitude.hpp"
 #include "polhode/rotor/euler.hpp"
-#include "polhode/rotor/roll_pitch_yaw.hpp"
 #include "polhode/system/axes.hpp"
 #include "polhode/system/osculation.hpp"
 #include "text/words.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 namespace {
 
@@ -31,7 +32,7 @@ using Six = std::array<double, 6>;
 
 Six numbers_of(const EulerState& e) { return {e.phi, e.theta, e.psi, e.Phi, e.Theta, e.Psi}; }
 Six numbers_of(const AndoyerState& a) { return {a.l, a.g, a.h, a.L, a.G, a.H}; }
-Six numbers_of(const RotorAxes& a) {
+Six numbers_of(const charts::RotorAxes& a) {
   return {a.figure.I, a.figure.h, a.momentum.I, a.momentum.h, a.rotation.I, a.rotation.h};
 }
 
@@ -61,14 +62,14 @@ Vec3 convective(const RowSample& s) { return in_body_axes(s, effect(s.system, s.
 Vec3 damper(const RowSample& s) { return in_body_axes(s, s.damper_rate); }
 Vec3 body_momentum(const RowSample& s) { return in_body_axes(s, s.state.g); }
 Six osculating_euler(const RowSample& s) {
-  return numbers_of(to_euler(osculating_state(s.system, s.t, s.state)));
+  return numbers_of(to_euler(charts::osculating_state(s.system, s.t, s.state)));
 }
 Six osculating_andoyer_numbers(const RowSample& s) {
-  return numbers_of(osculating_andoyer(s.system, s.t, s.state));
+  return numbers_of(charts::osculating_andoyer(s.system, s.t, s.state));
 }
-Six axes(const RowSample& s) { return numbers_of(inertial_axes(s.system, s.t, s.state)); }
+Six axes(const RowSample& s) { return numbers_of(charts::inertial_axes(s.system, s.t, s.state)); }
 Six relative_axes_numbers(const RowSample& s) {
-  return numbers_of(relative_axes(s.system, s.t, s.state));
+  return numbers_of(charts::relative_axes(s.system, s.t, s.state));
 }
 std::array<double, 2> energies(const RowSample& s) {
   const double E = polhode::energy(s.system, s.t, s.state);
@@ -398,5 +399,6 @@ std::string markdown_columns(const ColumnKinds& kinds) {
   return text;
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // The rows of a run in the columns that it asks for.
-#include "polhode/output/columns.hpp"
-
 #include <algorithm>
 #include <span>
 #include <string_view>
@@ -9,10 +7,12 @@
 #include <vector>
 
 #include "polhode/error.hpp"
+#include "polhode/output/column_kind.hpp"
 #include "text/words.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 
 namespace {
 
@@ -144,5 +144,6 @@ void RowLayout::write_rows(const RowOrigin& origin, std::span<const Sample> samp
            [&](const RowSample& row) { write_row(row, {}, out.subspan(k * width_, width_)); });
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -9,6 +9,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 std::vector<std::string> attribute_texts(hid_t object, const char* name) {
@@ -135,5 +136,6 @@ hid_t access_to(JournaledFile& file) {
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -13,13 +13,14 @@
 #include <vector>
 
 #include "output/part_file.hpp"
+#include "polhode/detail/trajectory/archive.hpp"
 #include "polhode/error.hpp"
 #include "polhode/output/sink.hpp"
-#include "polhode/trajectory/archive.hpp"
 #include "text/file_bytes.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 namespace {
 
@@ -296,5 +297,6 @@ void JournaledFile::forget_savepoints() {
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

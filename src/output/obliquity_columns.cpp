@@ -9,6 +9,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 namespace {
 
@@ -23,7 +24,7 @@ constexpr SpinColumn columns_table[] = {
     {"pericentre", "pericentre", Dimension::angle,
      [](const SpinRow& r) { return r.angles.pericentre; }},
     {"eccentricity", "eccentricity", Dimension::number,
-     [](const SpinRow& r) { return eccentricity(r.orbit); }},
+     [](const SpinRow& r) { return secular::eccentricity(r.orbit); }},
     {"spin", "sx", Dimension::number, [](const SpinRow& r) { return r.axis.s.x; }},
     {"spin", "sy", Dimension::number, [](const SpinRow& r) { return r.axis.s.y; }},
     {"spin", "sz", Dimension::number, [](const SpinRow& r) { return r.axis.s.z; }},
@@ -42,11 +43,12 @@ constexpr SpinColumn columns_table[] = {
 
 }  // namespace
 
-SpinRow spin_row(const TidalSpin& axis, const OrbitElements& orbit,
-                 const std::optional<InsolationPlace>& place) {
-  const SpinAngles angles = spin_angles({axis.s}, orbit);
+SpinRow spin_row(const secular::TidalSpin& axis, const secular::OrbitElements& orbit,
+                 const std::optional<secular::InsolationPlace>& place) {
+  const secular::SpinAngles angles = secular::spin_angles({axis.s}, orbit);
   return {axis, orbit, angles,
-          place ? daily_insolation(angles, eccentricity(orbit), *place) : std::nan("")};
+          place ? secular::daily_insolation(angles, secular::eccentricity(orbit), *place)
+                : std::nan("")};
 }
 
 std::string unit_of(const SpinColumn& column, const Units& units) {
@@ -96,5 +98,6 @@ void SpinLayout::write(double t, const SpinRow& row, std::span<double> out) cons
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

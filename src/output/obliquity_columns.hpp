@@ -9,24 +9,25 @@
 #include <string_view>
 #include <vector>
 
-#include "polhode/output/columns.hpp"
+#include "polhode/output/column_kind.hpp"
 #include "polhode/secular/insolation.hpp"
 #include "polhode/secular/tides.hpp"
-#include "polhode/trajectory/sample.hpp"
+#include "polhode/trajectory/trajectory.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 // What a row is of.
 struct SpinRow {
-  TidalSpin axis;
-  OrbitElements orbit;
-  SpinAngles angles;
+  secular::TidalSpin axis;
+  secular::OrbitElements orbit;
+  secular::SpinAngles angles;
   double insolation;
 };
-SpinRow spin_row(const TidalSpin& axis, const OrbitElements& orbit,
-                 const std::optional<InsolationPlace>& place);
+SpinRow spin_row(const secular::TidalSpin& axis, const secular::OrbitElements& orbit,
+                 const std::optional<secular::InsolationPlace>& place);
 
 struct SpinColumn {
   std::string_view group;
@@ -63,5 +64,6 @@ class SpinLayout {
 };
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -12,6 +12,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace {
 
 std::string shown(const std::string& path) { return detail::printable(path, path.size()); }
@@ -162,5 +163,6 @@ std::unique_ptr<Sink> open_sink(const std::string& path, const std::vector<Colum
   return format.open(request);
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -10,6 +10,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 constexpr std::string_view scenario_lead = "| ";
@@ -40,5 +41,6 @@ inline void close_with(Sink& sink, const std::string& name, const std::vector<st
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

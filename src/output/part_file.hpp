@@ -14,6 +14,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 // The name to write under before `path` is complete: PATH.part, or the path itself for a device or
@@ -85,5 +86,6 @@ class PartFile {
 void replace_file(const std::string& path, std::string_view bytes);
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/output/row_dates.hpp"
+#include "polhode/detail/output/row_dates.hpp"
 
 #include <cmath>
 
 #include "polhode/ephemeris/date.hpp"
 #include "polhode/error.hpp"
-#include "polhode/text/epoch.hpp"
+#include "polhode/text/units.hpp"
 #include "text/dates.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace {
 
 constexpr double day = 86400.0;
@@ -19,9 +20,9 @@ constexpr double farthest = 3e11;  // in seconds: more than 9999 years
 [[noreturn]] void refuse() { throw DomainError("date: expected the years 0 to 9999"); }
 
 // TDB - TT in s, `seconds` of TT after the epoch.
-double tdb_offset(const Date& epoch, double seconds) {
-  const Date tt = date_after(epoch, seconds);
-  const Date tdb = converted(tt, TimeScale::TDB);
+double tdb_offset(const ephemeris::Date& epoch, double seconds) {
+  const ephemeris::Date tt = ephemeris::date_after(epoch, seconds);
+  const ephemeris::Date tdb = ephemeris::converted(tt, ephemeris::TimeScale::TDB);
   return day * ((tdb.day - tt.day) + (tdb.fraction - tt.fraction));
 }
 
@@ -51,7 +52,7 @@ struct RowDates::Clock {
 
   std::string scale;
   detail::CivilTime epoch;
-  Date date;
+  ephemeris::Date date;
   double seconds;
   double offset;
 };
@@ -75,5 +76,6 @@ RowDates::RowDates(const std::vector<ColumnGroup>& groups, const RunFacts& run) 
 
 std::string RowDates::text(double t) const { return clock_->text(t); }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

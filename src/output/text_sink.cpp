@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/output/text_sink.hpp"
-
 #include <algorithm>
 #include <fstream>
 #include <sstream>
@@ -8,9 +6,11 @@
 
 #include "output/output_notes.hpp"
 #include "output/part_file.hpp"
+#include "polhode/output/output_format.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace {
 
 using detail::Origin;
@@ -137,5 +137,6 @@ std::unique_ptr<Sink> text_sink(const SinkRequest& request, const std::string& h
   return std::make_unique<TextSink>(request, head, std::move(row), std::move(end), closing);
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -13,14 +13,14 @@
 #include "output/part_file.hpp"
 #include "polhode/error.hpp"
 #include "polhode/output/light_curves.hpp"
-#include "polhode/tables/lc.hpp"
-#include "polhode/tables/light_columns.hpp"
+#include "polhode/tables/light_curve_file.hpp"
 #include "tables/number_table.hpp"
 #include "tables/table_header.hpp"
 #include "text/words.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 
 namespace {
 
@@ -137,14 +137,16 @@ void write_whole(const std::string& path, std::string_view text) {
 
 }  // namespace
 
-void write_lc(const std::string& path, std::span<const LightCurve> curves, const Date& epoch) {
+void write_lc(const std::string& path, std::span<const light::LightCurve> curves,
+              const ephemeris::Date& epoch) {
   write_whole(path, lc_text(curves, epoch));
 }
 
-void write_light_csv(const std::string& path, std::span<const LightCurve> curves,
+void write_light_csv(const std::string& path, std::span<const light::LightCurve> curves,
                      std::span<const std::string> notes) {
   write_whole(path, light_csv(curves, notes));
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

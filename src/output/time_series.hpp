@@ -19,6 +19,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 
 struct TimeSeries {
   std::string file;                          // as messages show it
@@ -28,5 +29,6 @@ struct TimeSeries {
 
 TimeSeries read_time_series(const std::string& path, std::span<const std::string> columns);
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

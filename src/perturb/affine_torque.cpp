@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/perturb/affine_torque.hpp"
+#include "polhode/detail/perturb/affine_torque.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -12,7 +12,6 @@
 #include "polhode/error.hpp"
 #include "polhode/perturb/internal_damping.hpp"
 #include "polhode/perturb/kane_damper.hpp"
-#include "polhode/perturb/linear_damping.hpp"
 
 namespace polhode {
 inline namespace v0 {

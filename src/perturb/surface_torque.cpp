@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "math/number_text.hpp"
+#include "polhode/detail/perturb/facet_stream.hpp"
 #include "polhode/error.hpp"
 #include "polhode/perturb/atmospheric_drag.hpp"
-#include "polhode/perturb/facet_stream.hpp"
 #include "polhode/perturb/solar_pressure.hpp"
 
 namespace polhode {

@@ -9,7 +9,6 @@
 #include <initializer_list>
 
 #include "polhode/math/double_double.hpp"
-#include "polhode/rotor/rate_jacobian.hpp"
 #include "rotor/detail/chart_jacobian_kernel.hpp"
 
 namespace polhode {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/rotor/roll_pitch_yaw.hpp"
-
 #include <cmath>
 #include <limits>
 #include <numbers>
+
+#include "polhode/rotor/attitude.hpp"
 
 namespace polhode {
 inline namespace v0 {

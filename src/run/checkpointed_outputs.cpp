@@ -17,8 +17,8 @@
 #include <variant>
 
 #include "output/part_file.hpp"
+#include "polhode/detail/trajectory/archive.hpp"
 #include "polhode/error.hpp"
-#include "polhode/trajectory/archive.hpp"
 #include "polhode/version.hpp"
 #include "run/detail/experiments.hpp"
 #include "run/detail/output_checks.hpp"
@@ -27,6 +27,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 // The part of a checkpoint in front of the state.
@@ -381,5 +382,6 @@ CheckpointSetup setup_of_tables(CheckpointKind kind, const Scenario& scenario,
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/citations.hpp"
-
 #include <algorithm>
 #include <span>
 #include <string_view>
 #include <variant>
 
-#include "polhode/scenario/fit_plan.hpp"
+#include "polhode/detail/scenario/fit_plan.hpp"
+#include "polhode/run/run.hpp"
 #include "polhode/scenario/schema.hpp"
 #include "run/detail/experiments.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace {
 
 struct Paper {
@@ -183,7 +183,8 @@ std::vector<std::string> parts_of(const Scenario& scenario) {
   if (scenario.map && scenario.map->kind == MapKind::chaos) parts.push_back("chaos");
   if (scenario.ensemble) parts.push_back("ensemble");
   if (scenario.fit != nullptr) parts.push_back("fit");
-  if (scenario.ensemble && scenario.ensemble->source == DrawSource::sobol) parts.push_back("sobol");
+  if (scenario.ensemble && scenario.ensemble->source == ensemble::DrawSource::sobol)
+    parts.push_back("sobol");
   return parts;
 }
 
@@ -267,5 +268,6 @@ std::vector<Citation> citations(const Scenario& scenario) {
   return result;
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

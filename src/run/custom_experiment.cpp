@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // How an experiment from outside of the library is run and described.
-#include "polhode/scenario/custom_experiment.hpp"
-
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -14,11 +12,13 @@
 #include "polhode/error.hpp"
 #include "polhode/run/detail/integrated_run.hpp"
 #include "polhode/run/detail/rows_maker.hpp"
+#include "polhode/scenario/experiment_kind.hpp"
 #include "run/detail/experiments.hpp"
 #include "run/detail/summary_lines.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 namespace {
@@ -111,5 +111,6 @@ std::vector<SummaryLine> report_lines(const CustomExperiment& own, const Scenari
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

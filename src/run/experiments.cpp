@@ -10,15 +10,16 @@
 #include <variant>
 #include <vector>
 
+#include "polhode/detail/scenario/obliquity.hpp"
 #include "polhode/error.hpp"
-#include "polhode/run/citations.hpp"
 #include "polhode/run/detail/integrated_run.hpp"
-#include "polhode/scenario/obliquity.hpp"
+#include "polhode/run/run.hpp"
 #include "polhode/version.hpp"
 #include "text/number_text.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 
 RowLayout row_layout(const Scenario& scenario) {
   return detail::row_layout(scenario.rotation(), scenario);
@@ -74,7 +75,7 @@ std::string stop_note(const Scenario& scenario) {
   const std::optional<SaveAt>& rows = row_times(scenario);
   if (!rows || rows->end() == (*rows)[rows->size() - 1]) return {};
   const auto time = [&](double t) {
-    return detail::number_text(scenario.units().from_core(t, Dimension::time)) + " " +
+    return polhode::detail::number_text(scenario.units().from_core(t, Dimension::time)) + " " +
            scenario.units().time();
   };
   return "the last row, at t = " + time((*rows)[rows->size() - 1]) +
@@ -133,5 +134,6 @@ RunReport run(const Scenario& scenario, std::span<const std::unique_ptr<Sink>> s
   return detail::run_rows(scenario, sinks, {.progress = progress});
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -27,6 +27,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 namespace {
@@ -345,7 +346,7 @@ Numbers numbers(const Vec3& v) { return {v.x, v.y, v.z}; }
 Numbers numbers(const Quaternion& q) { return {q.w, q.x, q.y, q.z}; }
 
 std::string joined(const Numbers& values, std::string_view comma,
-                   std::string (*text)(double) = detail::number_text) {
+                   std::string (*text)(double) = polhode::detail::number_text) {
   std::string line;
   for (const double value : values) {
     if (!line.empty()) line += comma;
@@ -354,7 +355,8 @@ std::string joined(const Numbers& values, std::string_view comma,
   return line;
 }
 
-std::string array(const Numbers& values, std::string (*text)(double) = detail::number_text) {
+std::string array(const Numbers& values,
+                  std::string (*text)(double) = polhode::detail::number_text) {
   return "[" + joined(values, ", ", text) + "]";
 }
 
@@ -403,7 +405,7 @@ std::string golden_json(const std::vector<GoldenCase>& cases) {
     std::string rows;
     for (const GoldenSample& s : c.samples)
       rows += (rows.empty() ? "" : ",") + std::string("\n      {\"t\": ") +
-              detail::number_text(s.t) + ", \"q\": " + array(numbers(s.q), digits17) +
+              polhode::detail::number_text(s.t) + ", \"q\": " + array(numbers(s.q), digits17) +
               ", \"omega\": " + array(numbers(s.omega), digits17) + "}";
     json.key("samples").raw("[" + rows + "\n    ]").end_object();
   }
@@ -423,13 +425,14 @@ std::string golden_csv(const std::vector<GoldenCase>& cases) {
     const std::string start = c.name + "," + regime_name(c.regime) + "," +
                               joined(numbers(c.moments), ",") + "," + joined(numbers(c.q0), ",") +
                               "," + joined(numbers(c.omega0), ",") + "," +
-                              detail::number_text(c.bound) + ",";
+                              polhode::detail::number_text(c.bound) + ",";
     for (const GoldenSample& s : c.samples)
-      csv += start + detail::number_text(s.t) + "," + joined(numbers(s.q), ",", digits17) + "," +
-             joined(numbers(s.omega), ",", digits17) + "\n";
+      csv += start + polhode::detail::number_text(s.t) + "," + joined(numbers(s.q), ",", digits17) +
+             "," + joined(numbers(s.omega), ",", digits17) + "\n";
   }
   return csv;
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -5,10 +5,11 @@
 #include <cmath>
 #include <utility>
 
-#include "polhode/trajectory/archive.hpp"
+#include "polhode/detail/trajectory/archive.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 namespace {
 
@@ -57,5 +58,6 @@ CheckpointSetup with_machine(CheckpointSetup setup, const RunOptions& options) {
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // The cells of a map: each is the run of an experiment, of which a few numbers are kept.
-#include "polhode/run/map.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,17 +18,19 @@
 #include "polhode/analysis/chaos_indicator.hpp"
 #include "polhode/analysis/section.hpp"
 #include "polhode/analysis/spectrum.hpp"
+#include "polhode/detail/scenario/obliquity.hpp"
+#include "polhode/detail/scenario/varied_scenario.hpp"
 #include "polhode/dynamics/integrate.hpp"
 #include "polhode/dynamics/integrate_model.hpp"
 #include "polhode/error.hpp"
-#include "polhode/output/columns.hpp"
+#include "polhode/output/column_kind.hpp"
+#include "polhode/run/map_run.hpp"
 #include "polhode/scenario/changes.hpp"
-#include "polhode/scenario/obliquity.hpp"
-#include "polhode/scenario/varied_scenario.hpp"
 #include "text/words.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 namespace {
@@ -75,8 +75,8 @@ MapCell ended(std::vector<double> numbers, const Outcome& outcome, std::size_t w
 
 // Of a system without a damper: chaos_indicator says so.
 MapCell chaos_cell(const Problem& problem, const Progress& progress) {
-  const ChaosIndicator found =
-      chaos_indicator(problem, SaveAt::times({problem.stop}), {}, progress);
+  const analysis::ChaosIndicator found =
+      analysis::chaos_indicator(problem, SaveAt::times({problem.stop}), {}, progress);
   return ended({found.mean_megno(), found.lyapunov()}, found.outcome, 2);
 }
 
@@ -111,9 +111,9 @@ class Rows {
 MapCell andoyer_cell(const Problem& problem, const CellContext& of, const Progress& progress) {
   using enum Dimension;
   Rows rows(of.units);
-  const AndoyerSection end = andoyer_section(
+  const analysis::AndoyerSection end = analysis::andoyer_section(
       problem, of.plan.surface,
-      [&](const AndoyerPoint& at) {
+      [&](const analysis::AndoyerPoint& at) {
         const AndoyerState& a = at.andoyer;
         rows.push({{at.t, time},
                    {a.l, angle},
@@ -139,9 +139,9 @@ MapCell spin_orbit_cell(const Problem& problem, const PrecessingKeplerOrbit& orb
                         const CellContext& of, const Progress& progress) {
   using enum Dimension;
   Rows rows(of.units);
-  const SpinOrbitSection end = spin_orbit_section(
+  const analysis::SpinOrbitSection end = analysis::spin_orbit_section(
       problem, orbit,
-      [&](const SpinOrbitPoint& at) {
+      [&](const analysis::SpinOrbitPoint& at) {
         rows.push(
             {{at.t, time}, {at.angle, angle}, {at.spin, Dimension::number}, {at.tilt, angle}});
       },
@@ -204,7 +204,7 @@ template <class Seen>
 Outcome run_rows_of(const Obliquity& obliquity, const Progress& progress, const Seen& seen) {
   return with_problem(obliquity, [&]<class Model>(const BasicProblem<Model>& problem) {
     const auto each = [&](std::span<const BasicSample<typename Model::State>> samples) {
-      for (const auto& one : samples) seen(one.t, tidal_spin(one.s));
+      for (const auto& one : samples) seen(one.t, secular::tidal_spin(one.s));
     };
     return integrate(problem, *obliquity.time, each, progress).outcome();
   });
@@ -213,15 +213,16 @@ Outcome run_rows_of(const Obliquity& obliquity, const Progress& progress, const 
 MapCell column_cell(const Obliquity& obliquity, const CellContext& of, const Progress& progress) {
   const SpinColumn& column = *spin_column(of.plan.column);
   Extremes extremes;
-  const Outcome outcome = run_rows_of(obliquity, progress, [&](double t, const TidalSpin& at) {
-    extremes.add(column.value(spin_row(at, obliquity.history.at(t), obliquity.insolation)));
-  });
+  const Outcome outcome =
+      run_rows_of(obliquity, progress, [&](double t, const secular::TidalSpin& at) {
+        extremes.add(column.value(spin_row(at, obliquity.history.at(t), obliquity.insolation)));
+      });
   return ended(extremes.in(of.units, column.dimension), outcome, 3);
 }
 
 // The largest line of sin(obliquity) exp(i psi), which has no singularity.
 double precession_frequency(std::span<const std::complex<double>> equinox, double interval) {
-  const Spectrum found = spectrum(0.0, interval, equinox, {.lines = 1});
+  const analysis::Spectrum found = analysis::spectrum(0.0, interval, equinox, {.lines = 1});
   return found.lines.empty() ? std::nan("") : found.lines.front().frequency;
 }
 
@@ -252,11 +253,12 @@ MapCell frequency_cell(const Obliquity& obliquity, const CellContext& of,
       frequency_obstacle(std::fabs(obliquity.rates.torque(0.0, 0.0)), *obliquity.time, of.units);
   if (!obstacle.empty()) return failed_cell(3, obstacle);
   std::vector<std::complex<double>> equinox;
-  const Outcome outcome = run_rows_of(obliquity, progress, [&](double t, const TidalSpin& at) {
-    const SpinAngles angles = spin_angles({at.s}, obliquity.history.at(t));
-    const double size = std::sin(angles.obliquity);
-    equinox.push_back(size > 0.0 ? std::polar(size, angles.precession) : 0.0);
-  });
+  const Outcome outcome =
+      run_rows_of(obliquity, progress, [&](double t, const secular::TidalSpin& at) {
+        const secular::SpinAngles angles = secular::spin_angles({at.s}, obliquity.history.at(t));
+        const double size = std::sin(angles.obliquity);
+        equinox.push_back(size > 0.0 ? std::polar(size, angles.precession) : 0.0);
+      });
   if (!outcome.ok()) return failed_cell(3, outcome.advice);
   const SaveAt& rows = *obliquity.time;
   const double interval = rows[1] - rows[0];
@@ -381,5 +383,6 @@ MapCell ScenarioMap::cell(std::int64_t index, const Progress& progress) const {
   }
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -15,6 +15,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace {
 
 constexpr std::size_t longest_reason = 1000;
@@ -164,9 +165,10 @@ MapRun::MapRun(const ScenarioMap& map, const std::vector<std::string>& outputs, 
     : ResumableRun(std::make_unique<Parts>(map, outputs, std::move(options))) {}
 MapReport MapRun::run() { return static_cast<Parts&>(*sweep_).run(); }
 
-std::unique_ptr<ExecutorWork> map_work(Scenario scenario, bool any_machine) {
+std::unique_ptr<ensemble::ExecutorWork> map_work(Scenario scenario, bool any_machine) {
   return detail::work_of<MapCells, ScenarioMap>(std::move(scenario), any_machine);
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

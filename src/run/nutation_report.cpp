@@ -18,27 +18,28 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace {
 
 constexpr double mas = std::numbers::pi / 648000.0e3;
 constexpr double day = 86400.0;
 constexpr double year = 365.25 * day;
 
-const std::vector<NutationTerm>& terms_of(const NutationReport& report) {
+const std::vector<secular::NutationTerm>& terms_of(const NutationReport& report) {
   const NutationRequest& of = report.request;
   return of.part == NutationPart::oppolzer ? report.theory.oppolzer_terms(of.axis)
                                            : report.theory.terms(of.axis);
 }
 
-NutationOffset offset_of(const NutationReport& report) {
+secular::NutationOffset offset_of(const NutationReport& report) {
   const NutationRequest& of = report.request;
-  NutationOffset offset = report.theory.offset(of.axis);
+  secular::NutationOffset offset = report.theory.offset(of.axis);
   if (of.part == NutationPart::oppolzer) {
-    const NutationOffset momentum = report.theory.offset(PlanetAxis::momentum);
+    const secular::NutationOffset momentum = report.theory.offset(secular::PlanetAxis::momentum);
     offset = {offset.longitude - momentum.longitude, offset.obliquity - momentum.obliquity};
   }
   if (of.relative) {
-    const NutationOffset by_ecliptic = report.theory.relative_offset();
+    const secular::NutationOffset by_ecliptic = report.theory.relative_offset();
     offset = {offset.longitude + by_ecliptic.longitude, offset.obliquity + by_ecliptic.obliquity};
   }
   return offset;
@@ -46,9 +47,9 @@ NutationOffset offset_of(const NutationReport& report) {
 
 std::string what(const NutationRequest& of) {
   std::string text = of.part == NutationPart::oppolzer
-                         ? fmt::format("Oppolzer terms of the axis of {}", name(of.axis))
-                         : fmt::format("nutation of the axis of {}", name(of.axis));
-  if (of.axis == PlanetAxis::rotation)
+                         ? fmt::format("Oppolzer terms of the axis of {}", secular::name(of.axis))
+                         : fmt::format("nutation of the axis of {}", secular::name(of.axis));
+  if (of.axis == secular::PlanetAxis::rotation)
     text +=
         of.relative ? ", of the rate relative to the ecliptic of date" : ", of the inertial rate";
   return text;
@@ -57,8 +58,8 @@ std::string what(const NutationRequest& of) {
 // Lines without an end.
 std::vector<std::string> notes(const NutationReport& report) {
   const PlanetNutation& of = report.request.of;
-  const NutationTheory& theory = report.theory;
-  const NutationOffset precession = theory.precession(), offset = offset_of(report);
+  const secular::NutationTheory& theory = report.theory;
+  const secular::NutationOffset precession = theory.precession(), offset = offset_of(report);
   const double degree = std::numbers::pi / 180.0;
   std::vector<std::string> lines = {
       fmt::format("{}, rigid: {}", of.planet, what(report.request)),
@@ -82,8 +83,8 @@ std::vector<std::string> notes(const NutationReport& report) {
       fmt::format("offset from the mean axis of momentum {:.6f} mas in longitude, "
                   "{:.6f} mas in obliquity",
                   offset.longitude / mas, offset.obliquity / mas));
-  if (report.request.axis == PlanetAxis::rotation && !report.request.relative) {
-    const NutationOffset by_ecliptic = theory.relative_offset();
+  if (report.request.axis == secular::PlanetAxis::rotation && !report.request.relative) {
+    const secular::NutationOffset by_ecliptic = theory.relative_offset();
     lines.push_back(
         fmt::format("the rate relative to the ecliptic of date is another {:.3f} uas in longitude "
                     "and {:.3f} uas in obliquity away",
@@ -92,7 +93,7 @@ std::vector<std::string> notes(const NutationReport& report) {
   return lines;
 }
 
-std::string coefficients(const NutationWave& of, double unit) {
+std::string coefficients(const secular::NutationWave& of, double unit) {
   return fmt::format(",{:.6f},{:.6f},{:.6f},{:.6f}", of.longitude_sine * unit,
                      of.longitude_cosine * unit, of.obliquity_cosine * unit,
                      of.obliquity_sine * unit);
@@ -101,23 +102,23 @@ std::string coefficients(const NutationWave& of, double unit) {
 }  // namespace
 
 NutationReport nutation_report(const NutationRequest& request) {
-  if (request.relative && request.axis != PlanetAxis::rotation)
+  if (request.relative && request.axis != secular::PlanetAxis::rotation)
     throw DomainError("nutation: a relative rate has the axis of rotation alone; got the axis of " +
-                      std::string(name(request.axis)));
-  if (request.part == NutationPart::oppolzer && request.axis == PlanetAxis::momentum)
+                      std::string(secular::name(request.axis)));
+  if (request.part == NutationPart::oppolzer && request.axis == secular::PlanetAxis::momentum)
     throw DomainError(
         "nutation: Oppolzer terms are those of figure or rotation against the momentum; got the "
         "axis of momentum");
   NutationRequest all = request;
   all.of = completed(request.of);
-  NutationTheory theory = nutation_theory(all.of);
+  secular::NutationTheory theory = nutation_theory(all.of);
   return {std::move(all), std::move(theory)};
 }
 
 std::string nutation_text(const NutationReport& report) {
   std::string text;
   for (const std::string& line : notes(report)) text += line + "\n";
-  const std::vector<NutationTerm>& terms = terms_of(report);
+  const std::vector<secular::NutationTerm>& terms = terms_of(report);
   text += "\n";
   for (const std::string& argument : report.theory.arguments())
     text += fmt::format("{:>4}", argument);
@@ -126,7 +127,7 @@ std::string nutation_text(const NutationReport& report) {
   const std::size_t shown =
       std::min(terms.size(), static_cast<std::size_t>(std::max(report.request.lines, 0)));
   for (std::size_t i = 0; i < shown; ++i) {
-    const NutationTerm& term = terms[i];
+    const secular::NutationTerm& term = terms[i];
     for (const int k : term.multipliers) text += fmt::format("{:>4}", k);
     text += fmt::format("{:>14.4f} {:>14.4f} {:>12.4f} {:>14.4f} {:>12.4f}\n",
                         2.0 * std::numbers::pi / term.rate / day, term.wave.longitude_sine / mas,
@@ -147,7 +148,7 @@ std::string nutation_csv(const NutationReport& report) {
   text += "period,dpsi_sin,dpsi_cos,deps_cos,deps_sin";
   const bool changes = report.request.changes;
   text += changes ? ",dpsi_sin_t,dpsi_cos_t,deps_cos_t,deps_sin_t\n" : "\n";
-  for (const NutationTerm& term : terms_of(report)) {
+  for (const secular::NutationTerm& term : terms_of(report)) {
     for (const int k : term.multipliers) text += fmt::format("{},", k);
     text += fmt::format("{:.6f}{}", 2.0 * std::numbers::pi / term.rate / day,
                         coefficients(term.wave, 1.0 / mas));
@@ -162,5 +163,6 @@ void write_nutation_csv(const NutationReport& report, const std::string& path) {
   file.commit();
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

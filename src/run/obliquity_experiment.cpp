@@ -9,15 +9,16 @@
 #include <vector>
 
 #include "output/obliquity_columns.hpp"
+#include "polhode/detail/scenario/obliquity.hpp"
 #include "polhode/run/detail/integrated_run.hpp"
 #include "polhode/run/detail/rows_maker.hpp"
-#include "polhode/scenario/obliquity.hpp"
 #include "polhode/secular/planet.hpp"
 #include "run/detail/experiments.hpp"
 #include "run/detail/summary_lines.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 std::vector<ColumnGroup> row_groups(const Obliquity& of, const Scenario& scenario) {
@@ -35,7 +36,7 @@ std::vector<std::string> notes_of(const Obliquity& of, const Scenario& scenario)
                                     "orbit: " + of.orbit_text};
   if (!of.planet.empty())
     notes.push_back("planet: " + of.planet + ", unless the scenario says otherwise from " +
-                    std::string(planet_spin(of.planet)->source));
+                    std::string(secular::planet_spin(of.planet)->source));
   for (std::string& note : file_notes(scenario)) notes.push_back(std::move(note));
   notes.push_back("method: " + propagation_text(of, scenario.units()));
   return notes;
@@ -61,7 +62,8 @@ RunReport rows_of(const Obliquity& of, const Scenario& scenario,
                            std::span<double> numbers) {
       for (std::size_t k = 0; k < samples.size(); ++k) {
         const double t = samples[k].t;
-        layout.write(t, spin_row(tidal_spin(samples[k].s), of.history.at(t), of.insolation),
+        layout.write(t,
+                     spin_row(secular::tidal_spin(samples[k].s), of.history.at(t), of.insolation),
                      numbers.subspan(k * layout.width(), layout.width()));
       }
     };
@@ -76,7 +78,8 @@ namespace {
 void add_tides(Lines& lines, const Obliquity& of) {
   if (!of.tides) return;
   const TidalSpinOnHistory model(of.history, of.rates, *of.tides);
-  const auto change = model.rates(DoubleDouble(0.0), model.values<double>(tidal_spin(of.initial)));
+  const auto change =
+      model.rates(DoubleDouble(0.0), model.values<double>(secular::tidal_spin(of.initial)));
   lines.number("spin_growth", "growth of the spin by tides, of itself", change[3],
                Dimension::growth);
   if (of.tides->satellite > 0.0)
@@ -92,10 +95,11 @@ std::vector<SummaryLine> summary(const Obliquity& of, const Scenario& scenario) 
   lines.text("kind", "kind", "obliquity");
   lines.text("planet", "planet", of.planet);
   lines.text("orbit", "orbit " + of.orbit, of.orbit_text);
-  const OrbitElements start = of.history.at(0.0);
-  const SpinAngles angles = spin_angles(of.initial, start);
+  const secular::OrbitElements start = of.history.at(0.0);
+  const secular::SpinAngles angles = secular::spin_angles(of.initial, start);
   const double rate =
-      of.rates.torque(0.0, orbit_plane(start).e2) * std::cos(angles.obliquity) - of.rates.geodetic;
+      of.rates.torque(0.0, secular::orbit_plane(start).e2) * std::cos(angles.obliquity) -
+      of.rates.geodetic;
   lines.number("obliquity", "obliquity at t = 0", angles.obliquity, Dimension::angle);
   lines.number("precession_constant", "precession constant, on a circle",
                of.rates.star + of.rates.satellites, Dimension::rate);
@@ -117,5 +121,6 @@ std::vector<SummaryLine> report_lines(const Obliquity&, const Scenario& scenario
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -12,12 +12,12 @@
 #include <variant>
 
 #include "polhode/error.hpp"
-#include "polhode/run/disk_space.hpp"
 #include "polhode/run/run.hpp"
 #include "text/words.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 namespace {
@@ -127,5 +127,6 @@ std::string disk_text(const Scenario& scenario, const DiskNeed& need, double byt
          " numbers, " + whole(need.available) + " bytes free there";
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "dynamics/free_run.hpp"
-#include "polhode/dynamics/resume.hpp"
+#include "polhode/dynamics/integrate.hpp"
 #include "polhode/error.hpp"
 #include "polhode/run/detail/integrated_run.hpp"
 #include "polhode/run/detail/row_writer.hpp"
@@ -23,6 +23,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace {
 
 using detail::completed;
@@ -84,9 +85,9 @@ RunReport run_free(const Scenario& scenario, const RowLayout& layout, RowWriter&
     if (is_inertial) return layout.write_rows(motion, samples, numbers);
     layout.write_rows(origin, samples, numbers);
   };
-  const detail::RowsOfMotion<detail::FreeMotion> free{
-      detail::free_problem(motion, rotation.frame, rows[0], rows.end(),
-                           events_of(scenario, problem.system, origin.initial_energy)),
+  const detail::RowsOfMotion<polhode::detail::FreeMotion> free{
+      polhode::detail::free_problem(motion, rotation.frame, rows[0], rows.end(),
+                                    events_of(scenario, problem.system, origin.initial_energy)),
       rows, write};
   RunReport report = detail::integrated_run(free, writer, control).report;
   report.statistics = {};  // looks for events are no steps
@@ -162,8 +163,8 @@ std::vector<std::string> detail::notes_of(const Rotation& rotation, const Scenar
     notes.push_back(
         "q, g and the body components of vectors refer to the axes of the tensor, charts to "
         "principal axes, q_FB = [" +
-        detail::number_text(q.w) + ", " + detail::number_text(q.x) + ", " +
-        detail::number_text(q.y) + ", " + detail::number_text(q.z) + "]");
+        polhode::detail::number_text(q.w) + ", " + polhode::detail::number_text(q.x) + ", " +
+        polhode::detail::number_text(q.y) + ", " + polhode::detail::number_text(q.z) + "]");
   for (const AnyPerturbation& term : rotation.terms)
     notes.push_back("perturbation: " + term.name());
   if (rotation.damper) notes.push_back("perturbation: Kane damper");
@@ -186,5 +187,6 @@ RunReport detail::rows_of(const Rotation& rotation, const Scenario& scenario,
                    writer);
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

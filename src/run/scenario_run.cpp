@@ -11,7 +11,6 @@
 #include "output/part_file.hpp"
 #include "polhode/error.hpp"
 #include "polhode/run/detail/run_state.hpp"
-#include "polhode/run/disk_space.hpp"
 #include "polhode/run/run.hpp"
 #include "run/detail/output_checks.hpp"
 #include "run/detail/sweep.hpp"
@@ -20,6 +19,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace {
 
 const std::string& csv_path(const std::string& path) {
@@ -228,7 +228,7 @@ class ScenarioRun::Parts final : public detail::Sweep {
   }
 
   std::string time_text(double t) const {
-    return detail::number_text(scenario_.units().from_core(t, Dimension::time)) + " " +
+    return polhode::detail::number_text(scenario_.units().from_core(t, Dimension::time)) + " " +
            scenario_.units().time();
   }
 
@@ -262,5 +262,6 @@ ScenarioRun::ScenarioRun(const Scenario& scenario, RunFiles files, RunOptions op
           std::make_unique<Parts>(with_rows(scenario), std::move(files), std::move(options))) {}
 RunReport ScenarioRun::run() { return static_cast<Parts&>(*sweep_).run(); }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

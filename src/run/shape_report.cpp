@@ -10,6 +10,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace {
 
 std::string power(const std::string& unit, int exponent) {
@@ -18,7 +19,8 @@ std::string power(const std::string& unit, int exponent) {
 
 }  // namespace
 
-std::vector<SummaryLine> shape_summary(const FacetShape& shape, const MassProperties& properties,
+std::vector<SummaryLine> shape_summary(const shape::FacetShape& shape,
+                                       const shape::MassProperties& properties,
                                        const Units& units) {
   const auto count = [](std::size_t n) { return static_cast<double>(n); };
   const auto unit = [&](Dimension dimension) {
@@ -26,11 +28,11 @@ std::vector<SummaryLine> shape_summary(const FacetShape& shape, const MassProper
     if (label == "1") return std::string();
     return label == "kg m2/m2" ? std::string("kg") : label;
   };
-  const Body principal = body(properties);
+  const Body principal = shape::body(properties);
   const Vec3& I = principal.moments();
   const Quaternion& q = principal.q_FB();
   const Vec3& c = properties.centre;
-  const MassMoments m = principal_moments(properties, principal);
+  const shape::MassMoments m = shape::principal_moments(properties, principal);
   const std::string length = units.length();
   return {
       {"vertices", "vertices", {count(shape.vertices().size())}, "", ""},
@@ -62,17 +64,19 @@ std::vector<SummaryLine> shape_summary(const FacetShape& shape, const MassProper
   };
 }
 
-std::string body_table(const MassProperties& properties, const Units& units) {
+std::string body_table(const shape::MassProperties& properties, const Units& units) {
   const Mat3& I = properties.inertia;
   const bool is_plain = units.moment() == "1";
   std::string table = std::string("[body]\ntensor = ") + (is_plain ? "[" : "{ value = [");
   for (int i = 0; i < 3; ++i) {
     table += i == 0 ? "[" : ", [";
-    for (int j = 0; j < 3; ++j) table += (j == 0 ? "" : ", ") + detail::number_text(I(i, j));
+    for (int j = 0; j < 3; ++j)
+      table += (j == 0 ? "" : ", ") + polhode::detail::number_text(I(i, j));
     table += "]";
   }
   return table + (is_plain ? "]\n" : "], unit = \"" + units.moment() + "\" }\n");
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -6,6 +6,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 namespace {
 
@@ -58,5 +59,6 @@ std::string SourceWork::cell(std::int64_t index, const std::function<void()>& lo
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -22,6 +22,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace {
 
 constexpr double uneven = 1e-6;  // of the interval
@@ -85,13 +86,14 @@ double interval_of(const TimeSeries& series) {
   for (std::size_t k = 0; k < t.size(); ++k)
     if (!(std::fabs(t[k] - (t.front() + static_cast<double>(k) * mean)) <=
           uneven * std::fabs(mean)))
-      throw DomainError(
-          series.file + ": row " + std::to_string(k + 1) + ": time " + detail::number_text(t[k]) +
-          " is not evenly spaced from those before; expected one interval " + "throughout");
+      throw DomainError(series.file + ": row " + std::to_string(k + 1) + ": time " +
+                        polhode::detail::number_text(t[k]) +
+                        " is not evenly spaced from those before; expected one interval " +
+                        "throughout");
   return mean;
 }
 
-std::string line_text(const SpectralLine& line, double unit, double resolution) {
+std::string line_text(const analysis::SpectralLine& line, double unit, double resolution) {
   return fmt::format("{:>18.10f}{} {:>14.6g} {:>14.7g} {:>10.4f} {:>9.1e} {:>9.1e} {:>9.1e}\n",
                      line.frequency / unit, line.isolation < resolution ? "*" : " ",
                      2.0 * std::numbers::pi / line.frequency, line.amplitude,
@@ -113,20 +115,20 @@ SpectrumReport spectrum_report(const SpectrumRequest& request) {
     for (std::vector<double>& column : series.columns) std::reverse(column.begin(), column.end());
   const double start = series.columns[0].front(), step = std::fabs(interval);
   if (request.imaginary.empty()) {
-    report.spectrum =
-        spectrum(start, step, std::span<const double>(series.columns[1]), request.options);
+    report.spectrum = analysis::spectrum(start, step, std::span<const double>(series.columns[1]),
+                                         request.options);
     return report;
   }
   std::vector<std::complex<double>> samples;
   for (std::size_t k = 0; k < series.columns[0].size(); ++k)
     samples.emplace_back(series.columns[1][k], series.columns[2][k]);
-  report.spectrum =
-      spectrum(start, step, std::span<const std::complex<double>>(samples), request.options);
+  report.spectrum = analysis::spectrum(start, step, std::span<const std::complex<double>>(samples),
+                                       request.options);
   return report;
 }
 
 std::string spectrum_text(const SpectrumReport& report) {
-  const Spectrum& of = report.spectrum;
+  const analysis::Spectrum& of = report.spectrum;
   const std::string unit =
       report.column_unit.empty() || report.column_unit == "1" ? "" : " " + report.column_unit;
   std::string text;
@@ -135,8 +137,9 @@ std::string spectrum_text(const SpectrumReport& report) {
                       report.time_unit.empty() ? "the unit of t" : report.time_unit);
   text += fmt::format("{:>18}  {:>14} {:>14} {:>10} {:>9} {:>9} {:>9}\n", "frequency", "period",
                       "amplitude", "phase", "error of", "amplitude", "phase");
-  for (const SpectralLine& line : of.lines) text += line_text(line, report.per_unit, of.resolution);
-  if (unresolved(of) > 0)
+  for (const analysis::SpectralLine& line : of.lines)
+    text += line_text(line, report.per_unit, of.resolution);
+  if (analysis::unresolved(of) > 0)
     text += fmt::format(
         "* closer than {:.4g}, 10 turns over the samples, to another line or to its own mirror "
         "image at the negative frequency: not free of it\n",
@@ -150,7 +153,7 @@ std::string spectrum_csv(const SpectrumReport& report) {
                      (report.time_unit.empty() ? "1" : report.time_unit) +
                      "], phase [rad]\nfrequency,period,amplitude,phase,frequency_error,"
                      "amplitude_error,phase_error,isolation\n";
-  for (const SpectralLine& line : report.spectrum.lines)
+  for (const analysis::SpectralLine& line : report.spectrum.lines)
     text += fmt::format("{},{},{},{},{},{},{},{}\n", line.frequency / report.per_unit,
                         2.0 * std::numbers::pi / line.frequency, line.amplitude, line.phase,
                         line.frequency_error / report.per_unit, line.amplitude_error,
@@ -158,5 +161,6 @@ std::string spectrum_csv(const SpectrumReport& report) {
   return text;
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -14,13 +14,14 @@
 #include "polhode/free/rounding_sensitivity.hpp"
 #include "polhode/free/tumbler.hpp"
 #include "polhode/scenario/scenario.hpp"
-#include "polhode/text/epoch.hpp"
+#include "polhode/text/units.hpp"
 #include "run/detail/experiments.hpp"
 #include "run/detail/summary_lines.hpp"
 #include "text/json.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 namespace {
@@ -263,7 +264,7 @@ void add_sensitivity(Lines& lines, const Rotation& rotation, const Units& units,
   const SaveAt& time = *rotation.time;
   if (time.size() == 0) return;
   const double moved =
-      units.from_core(rounding_sensitivity(motion, time[time.size() - 1]), Dimension::angle);
+      units.from_core(free::rounding_sensitivity(motion, time[time.size() - 1]), Dimension::angle);
   // Of an order of magnitude one digit is known.
   lines.number("rounding_sensitivity", "an input rounding moves the end by",
                units.to_core(std::stod(fmt::format("{:.0e}", moved)), Dimension::angle),
@@ -274,7 +275,7 @@ void add_sensitivity(Lines& lines, const Rotation& rotation, const Units& units,
 std::string after_number(const std::string& unit) { return unit == "1" ? "" : " " + unit; }
 
 // "3 x 2 x 1 m, area 22 m2, 12 facets"
-std::string size_text(const FacetShape& mesh, const Units& units) {
+std::string size_text(const shape::FacetShape& mesh, const Units& units) {
   Vec3 least = mesh.vertices().front(), most = least;
   for (const Vec3& x : mesh.vertices())
     for (int i = 0; i < 3; ++i) {
@@ -377,7 +378,7 @@ std::vector<SummaryLine> detail::summary(const Rotation& rotation, const Scenari
   lines.number("complement", "its complement 1 - m", motion.modulus().m1(), Dimension::number);
   add_sensitivity(lines, rotation, scenario.units(), motion);
   lines.text("epoch", "epoch (t = 0)", rotation.epoch);
-  if (!rotation.epoch.empty() && is_dubious(epoch_date(rotation.epoch)))
+  if (!rotation.epoch.empty() && ephemeris::is_dubious(epoch_date(rotation.epoch)))
     lines.text("epoch_note", "of the epoch",
                "leap seconds of UTC are not known for this year; give the epoch in TT or TDB to be "
                "free of them");
@@ -474,5 +475,6 @@ std::string summary_json(const std::vector<SummaryLine>& lines) {
   return json.text();
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -7,6 +7,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 namespace {
@@ -52,7 +53,9 @@ void Sweep::interrupt() {
                        outputs_.keeps());
 }
 
-int Sweep::threads() const { return options_.threads > 0 ? options_.threads : hardware_threads(); }
+int Sweep::threads() const {
+  return options_.threads > 0 ? options_.threads : ensemble::hardware_threads();
+}
 
 int Sweep::workers() const {
   return options_.executor == nullptr ? threads() : options_.executor->at_a_time();
@@ -110,5 +113,6 @@ bool ResumableRun::is_complete() const { return sweep_->outputs().is_complete();
 double ResumableRun::reached() const { return sweep_->reached_before(); }
 std::int64_t ResumableRun::rows() const { return sweep_->rows_before(); }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

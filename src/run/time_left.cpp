@@ -8,6 +8,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 
 double seconds_left(std::span<const double> ends, std::int64_t done, double left) {
   const auto workers = static_cast<std::int64_t>(ends.size());
@@ -45,5 +46,6 @@ double CellClock::part(double left) const {
   return passed / (passed + seconds_left(ends_, done_, left));
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

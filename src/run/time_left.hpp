@@ -21,6 +21,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 
 // `ends`: when the last cells ended, in order, one for each worker, 0 for those that have ended
 // none; the last one is now. `done` cells have ended; `left` have not, where the last one may be a
@@ -48,5 +49,6 @@ class CellClock {
   std::int64_t done_ = 0;
 };
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -7,7 +7,7 @@
 
 #include "polhode/error.hpp"
 #include "polhode/scenario/scenario.hpp"
-#include "polhode/text/epoch.hpp"
+#include "polhode/text/units.hpp"
 #include "scenario/tables/state.hpp"
 #include "text/dates.hpp"
 #include "text/number_text.hpp"
@@ -15,6 +15,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace {
 
 constexpr std::size_t longest_word = 100;
@@ -31,11 +32,11 @@ Clock clock_of(const FileValues& file, std::string_view path) {
   const double second = built(file.values, path, file.name,
                               [&] { return file.units.to_core(1.0, "s", Dimension::time); });
   if (state->dut1) dut1 = *state->dut1 / second;
-  const Date epoch = state.built<&StateTable::epoch>([&] {
-    const Date own = epoch_date(*state->epoch);
-    if (own.scale == TimeScale::UT1 && !dut1)
+  const ephemeris::Date epoch = state.built<&StateTable::epoch>([&] {
+    const ephemeris::Date own = epoch_date(*state->epoch);
+    if (own.scale == ephemeris::TimeScale::UT1 && !dut1)
       throw DomainError("expected a key state.dut1 as well: UT1 - UTC, which is observed");
-    return converted(own, TimeScale::TT, dut1);
+    return ephemeris::converted(own, ephemeris::TimeScale::TT, dut1);
   });
   return {epoch, dut1, second};
 }
@@ -47,7 +48,8 @@ double time_of_date(const FileValues& file, const std::string& date) {
   const double second = file.units.to_core(1.0, "s", Dimension::time);
   std::optional<double> dut1;
   if (state->dut1) dut1 = *state->dut1 / second;
-  return second * seconds_between(epoch_date(epoch), epoch_date(with_scale(date, epoch)), dut1);
+  return second *
+         ephemeris::seconds_between(epoch_date(epoch), epoch_date(with_scale(date, epoch)), dut1);
 }
 
 namespace {
@@ -58,19 +60,20 @@ std::string two_digits(int x) { return (x < 10 ? "0" : "") + std::to_string(x); 
 
 std::string time_and_date(const FileValues& file, double t) {
   const Units& units = file.units;
-  std::string text = "t = " + number_text(units.from_core(t, Dimension::time)) +
+  std::string text = "t = " + polhode::detail::number_text(units.from_core(t, Dimension::time)) +
                      (units.time() == "1" ? "" : " " + units.time());
   const std::optional<std::string> dated = state_table(file)->epoch;
   if (!dated || !std::isfinite(t)) return text;
   try {
-    const Date epoch = epoch_date(*dated);
-    const TimeScale scale = epoch.scale == TimeScale::UT1 ? TimeScale::TT : epoch.scale;
+    const ephemeris::Date epoch = epoch_date(*dated);
+    const ephemeris::TimeScale scale =
+        epoch.scale == ephemeris::TimeScale::UT1 ? ephemeris::TimeScale::TT : epoch.scale;
     const Clock clock = clock_of(file, "state.epoch");
-    const CalendarTime at =
-        calendar_time(converted(date_after(clock.epoch, t / clock.second), scale));
+    const ephemeris::CalendarTime at = ephemeris::calendar_time(
+        ephemeris::converted(ephemeris::date_after(clock.epoch, t / clock.second), scale));
     text += ", " + std::to_string(at.year) + "-" + two_digits(at.month) + "-" + two_digits(at.day) +
             "T" + two_digits(at.hour) + ":" + two_digits(at.minute) + " " +
-            std::string(name(scale));
+            std::string(ephemeris::name(scale));
   } catch (const DomainError&) {  // a year without a calendar
   }
   return text;
@@ -102,5 +105,6 @@ std::string date_of_time(const Scenario& scenario, double t) {
   return comma == std::string::npos ? "" : text.substr(comma + 2);
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -19,6 +19,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 namespace {
 
@@ -104,5 +105,6 @@ void ExperimentContext::require_method(bool is_frozen) const {
           ", since kind \"" + path() + "\" has a state of its own");
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -6,6 +6,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 namespace {
@@ -124,5 +125,6 @@ std::vector<std::string> number_keys(const Values& values, std::string_view key)
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -13,6 +13,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 struct NumberLocation {
@@ -49,5 +50,6 @@ bool is_number(const Value& value);
 bool is_matrix(const Value& value);
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -17,6 +17,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 namespace {
 
@@ -174,5 +175,6 @@ MadeRotation made_rotation(const KindContext& at, const MadeRotation* base,
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

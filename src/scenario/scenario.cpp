@@ -15,8 +15,8 @@
 #include <set>
 #include <utility>
 
+#include "polhode/detail/trajectory/archive.hpp"
 #include "polhode/scenario/schema.hpp"
-#include "polhode/trajectory/archive.hpp"
 #include "scenario/detail/experiment_kinds.hpp"
 #include "scenario/detail/schema_table.hpp"
 #include "scenario/ensemble/ensemble_plan.hpp"
@@ -31,6 +31,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 namespace {
 
@@ -244,5 +245,6 @@ Scenario read_scenario(const std::string& path, const Kinds& kinds,
                             path == "-" ? "<stdin>" : path, kinds);
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

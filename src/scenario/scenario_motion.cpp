@@ -18,6 +18,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 namespace {
 
@@ -159,7 +160,7 @@ void check_frame(const Rotation& rotation, const FileValues& file) {
     refuse(file.values, path, file.name,
            "expected a frame that is known for all of the run and at t = 0; nothing is known of it "
            "at t = " +
-               number_text(t));
+               polhode::detail::number_text(t));
   }
 }
 
@@ -198,5 +199,6 @@ const ScenarioOrbit& FrameContext::orbit(std::string_view key) const {
   return detail::orbit_named(orbits_, values(), key_path(key), file());
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

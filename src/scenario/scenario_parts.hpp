@@ -17,6 +17,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 // Each throws a ScenarioError at the place of what is wrong. `name` stands for the file.
@@ -54,5 +55,6 @@ void prepare_motion(Rotation& rotation, const FileValues& file);
 void check_motion(const Rotation& rotation, const KindContext& at);
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

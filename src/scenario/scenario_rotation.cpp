@@ -19,6 +19,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 const KeplerElements* kepler_elements(const ScenarioOrbit& orbit) {
   if (const auto* fixed = std::get_if<KeplerOrbit>(&orbit.motion)) return &fixed->elements();
   if (const auto* moving = std::get_if<PrecessingKeplerOrbit>(&orbit.motion))
@@ -187,5 +188,6 @@ Problem problem(const Experiment& experiment) {
   return rotor_problem(detail::rotation_of(experiment));
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -20,6 +20,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 template <class A>
@@ -162,5 +163,6 @@ std::vector<Placed<A>> placed_tables(const Table<A>& table, const FileValues& fi
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

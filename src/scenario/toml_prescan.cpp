@@ -7,6 +7,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 namespace {
 
@@ -156,5 +157,6 @@ std::string hint_for(std::string_view complaint) {
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -9,7 +9,7 @@
 
 #include "polhode/error.hpp"
 #include "polhode/scenario/document.hpp"
-#include "polhode/text/epoch.hpp"
+#include "polhode/text/units.hpp"
 #include "scenario/detail/clock.hpp"
 #include "scenario/detail/misplaced_keys.hpp"
 #include "scenario/detail/other_names.hpp"
@@ -21,6 +21,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 namespace {
 
@@ -501,5 +502,6 @@ std::optional<std::string> why_not(const Key& key, std::string_view toml) {
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -17,6 +17,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 
 namespace detail {
 
@@ -52,5 +53,6 @@ std::optional<std::string> why_not(const Key& key, std::string_view toml);
 
 }  // namespace detail
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/scenario/varied_scenario.hpp"
+#include "polhode/detail/scenario/varied_scenario.hpp"
 
 #include <cstddef>
 #include <mutex>
@@ -16,6 +16,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 namespace {
 
@@ -48,7 +49,7 @@ std::string with_fallbacks(std::string text, const Values& values,
 std::string with_number(const std::string& text, const Value& value, const NumberLocation& at,
                         std::size_t element, double number) {
   const std::string& unit = value.units[at.index];
-  const std::string plain = number_text(number);
+  const std::string plain = polhode::detail::number_text(number);
   const std::vector<std::string> places = places_of(value, at.path, element);
   try {
     return changed(text, places.front(), unit.empty() ? plain : "\"" + plain + " " + unit + "\"");
@@ -112,7 +113,7 @@ struct VariedScenario::Parts {
       const std::string& unit = value.units[locations[i].index];
       const double number = detail::to_core(value, locations[i].index, numbers[i], file().units);
       for (const std::size_t element : locations[i].elements()) value.numbers[element] = number;
-      value.shown = detail::number_text(numbers[i]) + (unit.empty() ? "" : " " + unit);
+      value.shown = polhode::detail::number_text(numbers[i]) + (unit.empty() ? "" : " " + unit);
       value.is_explicit = true;
     }
   }
@@ -172,5 +173,6 @@ Scenario VariedScenario::scenario(std::span<const double> numbers, std::string t
   });
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -11,16 +11,17 @@
 #include "math/number_text.hpp"
 #include "polhode/dynamics/integrate_model.hpp"
 #include "polhode/series/compiled_series.hpp"
-#include "polhode/series/expanded.hpp"
+#include "polhode/series/taylor_coefficient.hpp"
 #include "secular/gravity_gradient_transform.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace secular {
 namespace {
 
-using detail::number_text;
 using detail::refuse_theory;
-using Local = Series<detail::ActionTaylor>;
+using polhode::detail::number_text;
+using Local = series::Series<detail::ActionTaylor>;
 using Six = std::array<double, 6>;
 
 constexpr std::array<const char*, 6> element_names = {"phi_l", "phi_g", "phi_h",
@@ -36,11 +37,11 @@ SadovState with_elements(const SadovState& s, const MeanRotation& m) {
 }
 
 // What is of order N + 1 at most, displacements of the actions being of order 1.
-Series<double> in_displacements(const Local& series, int order) {
-  Series<double> sum(series.symbols());
+series::Series<double> in_displacements(const Local& series, int order) {
+  series::Series<double> sum(series.symbols());
   for (int n = 0; n <= order; ++n)
-    sum += expanded(part_of_order(series, detail::gradient_orders(order), n),
-                    std::min<int>(detail::action_degree, order + 1 - n));
+    sum += series::expanded(series::part_of_order(series, detail::gradient_orders(order), n),
+                            std::min<int>(detail::action_degree, order + 1 - n));
   return sum;
 }
 
@@ -60,27 +61,27 @@ struct GravityGradientTheory::Parts {
   Quaternion orbit_axes;  // to inertial axes
   std::size_t term_count;
   double rate_error;
-  Series<double> mean_hamiltonian;
-  std::vector<CompiledSeries> rates;          // of phi_l, phi_g, phi_h, and -I_h
-  std::vector<CompiledSeries> short_periods;  // of the elements, in their order
+  series::Series<double> mean_hamiltonian;
+  std::vector<series::CompiledSeries> rates;          // of phi_l, phi_g, phi_h, and -I_h
+  std::vector<series::CompiledSeries> short_periods;  // of the elements, in their order
 
   static std::shared_ptr<const Parts> of(const detail::GravityGradientRequest& request) {
     const auto [transform, term_count, largest_angle, left_out] = detail::transformed(request);
     const int order = request.options.order;
     const auto compiled = [&](const Local& series) {
-      return CompiledSeries(in_displacements(series, order));
+      return series::CompiledSeries(in_displacements(series, order));
     };
     const Local& K = transform.mean_hamiltonian();
-    std::vector<CompiledSeries> rates, short_periods;
+    std::vector<series::CompiledSeries> rates, short_periods;
     for (const char* const symbol : {"I_l", "I_g", "I_h", "phi_h"})
-      rates.push_back(compiled(derivative(K, symbol)));
+      rates.push_back(compiled(series::derivative(K, symbol)));
     // The next order: smaller than the last one by the largest short period, and some more.
     constexpr double more = 3.0;
     double truncated = 0.0;
     for (const char* const symbol : {"I_l", "I_g", "I_h"}) {
       double rate = 0.0;
-      const Local last =
-          part_of_order(derivative(K, symbol), detail::gradient_orders(order), order);
+      const Local last = series::part_of_order(series::derivative(K, symbol),
+                                               detail::gradient_orders(order), order);
       for (const auto& term : last.terms()) rate += std::abs(term.c.constant());
       truncated = std::max<double>(truncated, more * rate * largest_angle);
     }
@@ -248,11 +249,12 @@ std::vector<RotorState> GravityGradientTheory::states(double t0, const MeanRotat
 }
 
 MeanRotation GravityGradientTheory::reference() const { return rotation_of(parts_->request.at); }
-const Series<double>& GravityGradientTheory::mean_hamiltonian() const {
+const series::Series<double>& GravityGradientTheory::mean_hamiltonian() const {
   return parts_->mean_hamiltonian;
 }
 double GravityGradientTheory::rate_error() const { return parts_->rate_error; }
 std::size_t GravityGradientTheory::term_count() const { return parts_->term_count; }
 
+}  // namespace secular
 }  // namespace v0
 }  // namespace polhode

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "polhode/free/sadov.hpp"
-#include "polhode/orbit/kepler_equation.hpp"
+#include "polhode/orbit/kepler_orbit.hpp"
 #include "polhode/rotor/body.hpp"
 #include "polhode/secular/gravity_gradient_theory.hpp"
 #include "polhode/secular/lie_transform.hpp"
@@ -14,11 +14,12 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace secular {
 namespace detail {
 
 // A function of I_l, I_g and I_h about chosen values.
 constexpr int action_degree = 3;
-using ActionTaylor = TaylorCoefficient<double, 3, action_degree>;
+using ActionTaylor = series::TaylorCoefficient<double, 3, action_degree>;
 
 struct ActionVariables {
   ActionTaylor I_l, I_g, I_h;
@@ -59,9 +60,9 @@ struct OrbitWaves {
 OrbitWaves orbit_waves(const Eccentricity& e, double least);
 
 // 3 gm/(2 a^3) times a^3/r^3 n.I n, in phi_l, phi_g, phi_h and M, times k.
-Series<ActionTaylor> gradient_series(const Symbols& symbols, const TurningTensor& tensor,
-                                     const OrbitWaves& orbit, const SadovState& at,
-                                     double strength);
+series::Series<ActionTaylor> gradient_series(const series::Symbols& symbols,
+                                             const TurningTensor& tensor, const OrbitWaves& orbit,
+                                             const SadovState& at, double strength);
 
 // What is asked for, and the actions to expand about.
 struct GravityGradientRequest {
@@ -81,11 +82,12 @@ struct GravityGradientTransform {
 };
 // In the variables I_l, I_g, I_h and k, and the angles phi_l, phi_g, phi_h and M. k counts orders.
 GravityGradientTransform transformed(const GravityGradientRequest& request);
-Truncation gradient_orders(int order);
+series::Truncation gradient_orders(int order);
 
 // What GravityGradientTheory says when it refuses.
 [[noreturn]] void refuse_theory(const std::string& why);
 
 }  // namespace detail
+}  // namespace secular
 }  // namespace v0
 }  // namespace polhode

@@ -15,11 +15,12 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace secular {
 namespace detail {
 
 namespace {
 
-const Truncation no_limit{{}, 0, std::numeric_limits<std::size_t>::max()};
+const series::Truncation no_limit{{}, 0, std::numeric_limits<std::size_t>::max()};
 
 // How many dimensions keys, with both signs of their angles, take up. At most 24.
 int rank(const std::vector<Keys>& all) {
@@ -38,13 +39,14 @@ int rank(const std::vector<Keys>& all) {
     rows.push_back(std::move(row));
   };
   for (const Keys& keys : all) {
-    const Symbols& symbols = keys.symbols();
+    const series::Symbols& symbols = keys.symbols();
     const int variables = symbols.exponents().count(), angles = symbols.multipliers().count();
     for (const auto& term : keys.terms())
       for (const double sign : {1.0, -1.0}) {
         std::vector<double> row;
-        for (int i = 0; i < variables; ++i) row.push_back(exponent(symbols, term.key, i));
-        for (int i = 0; i < angles; ++i) row.push_back(sign * multiplier(symbols, term.key, i));
+        for (int i = 0; i < variables; ++i) row.push_back(series::exponent(symbols, term.key, i));
+        for (int i = 0; i < angles; ++i)
+          row.push_back(sign * series::multiplier(symbols, term.key, i));
         if (rows.size() < row.size()) add(std::move(row));
       }
   }
@@ -55,10 +57,10 @@ int rank(const std::vector<Keys>& all) {
 // such exponents, and rates have exponent 0.
 std::vector<int> polynomial_variables(const std::vector<const std::vector<Keys>*>& of,
                                       const Keys& over_rates) {
-  const Symbols& symbols = over_rates.symbols();
+  const series::Symbols& symbols = over_rates.symbols();
   std::vector<int> found;
   for (int i = 0; i < symbols.exponents().count(); ++i) {
-    const auto at = [&](const auto& term) { return exponent(symbols, term.key, i); };
+    const auto at = [&](const auto& term) { return series::exponent(symbols, term.key, i); };
     bool is_one = std::all_of(over_rates.terms().begin(), over_rates.terms().end(),
                               [&](const auto& term) { return at(term) == 0; });
     for (const std::vector<Keys>* parts : of)
@@ -71,9 +73,9 @@ std::vector<int> polynomial_variables(const std::vector<const std::vector<Keys>*
 }
 
 Keys without_negative(const Keys& keys, const std::vector<int>& variables) {
-  return selected(keys, [&](const TermKey& key) {
+  return series::selected(keys, [&](const series::TermKey& key) {
     return std::all_of(variables.begin(), variables.end(),
-                       [&](int i) { return exponent(keys.symbols(), key, i) >= 0; });
+                       [&](int i) { return series::exponent(keys.symbols(), key, i) >= 0; });
   });
 }
 
@@ -90,12 +92,14 @@ double terms(const Keys& keys) {
 // keys; whether a term does is seen when it is made.
 std::optional<Keys> stepped(const std::vector<Keys>& reached, const std::vector<Keys>& steps,
                             std::size_t n) {
-  std::vector<Pairing<KeyFunctions>> pairings;
+  std::vector<series::detail::Pairing<KeyFunctions>> pairings;
   for (std::size_t a = 1; a <= n; ++a)
     pairings.push_back({reached[n - a].terms(), steps[a].terms(), KeyFunctions(1)});
-  const Symbols& symbols = reached[0].symbols();
+  const series::Symbols& symbols = reached[0].symbols();
   try {
-    return Keys(symbols, Products<KeyFunctions>(symbols, no_limit, std::move(pairings)).terms());
+    return Keys(
+        symbols,
+        series::detail::Products<KeyFunctions>(symbols, no_limit, std::move(pairings)).terms());
   } catch (const DomainError&) {
     return std::nullopt;
   }
@@ -135,7 +139,8 @@ std::vector<double> bytes_by_order(const std::vector<double>& terms, std::size_t
     const double t = terms[n];
     stored += static_cast<double>(n + 3) * t * static_cast<double>(term);
     // The table of a product: as it begins, or as it counts itself (products.hpp).
-    const double slots = std::max(6.0 * t, std::min(4.0 * t * t, 2.0 * most_expected_terms));
+    const double slots =
+        std::max(6.0 * t, std::min(4.0 * t * t, 2.0 * series::detail::most_expected_terms));
     bytes.push_back(stored + slots * static_cast<double>(slot) + t * static_cast<double>(term));
   }
   return bytes;
@@ -145,13 +150,14 @@ void require_room(const std::string& what, const KeyCount& count, const std::vec
                   std::size_t most_bytes) {
   const auto most = static_cast<double>(most_bytes);
   if (!(bytes.back() > most)) return;
-  const auto gb = [](double x) { return rounded_text(x / 1e9) + " GB"; };
+  const auto gb = [](double x) { return polhode::detail::rounded_text(x / 1e9) + " GB"; };
   const std::size_t last = bytes.size() - 1;
   std::size_t fits = last;
   while (fits > 0 && bytes[fits] > most) --fits;
   std::string message = "LieTransform: " + what + "order " + std::to_string(last) + " may have " +
-                        rounded_text(count.terms[last]) + " terms in a series and take " +
-                        gb(bytes[last]) + ", more than the " + gb(most) + " allowed; ";
+                        polhode::detail::rounded_text(count.terms[last]) +
+                        " terms in a series and take " + gb(bytes[last]) + ", more than the " +
+                        gb(most) + " allowed; ";
   if (fits > 0) message += "order " + std::to_string(fits) + " takes " + gb(bytes[fits]) + ": ";
   throw DomainError(message + "lower the order, or raise Truncation::most_bytes");
 }
@@ -161,8 +167,8 @@ LieKeys::LieKeys(std::vector<Keys> hamiltonian, const Keys& rates, int variables
       integrable_(terms(h_[0])),
       over_rates_(h_[0].symbols()),
       variables_of_coefficients_(variables_of_coefficients) {
-  const Symbols& symbols = h_[0].symbols();
-  std::vector<Term<KeyFunctions>> inverses;
+  const series::Symbols& symbols = h_[0].symbols();
+  std::vector<series::Term<KeyFunctions>> inverses;
   for (const auto& term : rates.terms())
     inverses.push_back({{symbols.exponents().negative(term.key.exponents), term.key.multipliers},
                         KeyFunctions(1)});
@@ -171,13 +177,14 @@ LieKeys::LieKeys(std::vector<Keys> hamiltonian, const Keys& rates, int variables
 }
 
 LieKeys::Flags LieKeys::coordinates(const std::vector<Keys>& parts) const {
-  const Symbols& symbols = over_rates_.symbols();
+  const series::Symbols& symbols = over_rates_.symbols();
   Flags has;
-  for (const ConjugatePair& pair : symbols.pairs()) {
+  for (const series::ConjugatePair& pair : symbols.pairs()) {
     const bool is_angle = symbols.has_angle(pair.coordinate);
     const int i = is_angle ? symbols.angle(pair.coordinate) : symbols.variable(pair.coordinate);
     const auto is_there = [&](const auto& term) {
-      return (is_angle ? multiplier(symbols, term.key, i) : exponent(symbols, term.key, i)) != 0;
+      return (is_angle ? series::multiplier(symbols, term.key, i)
+                       : series::exponent(symbols, term.key, i)) != 0;
     };
     has.push_back((!is_angle && i < variables_of_coefficients_) ||
                   std::any_of(parts.begin(), parts.end(), [&](const Keys& keys) {
@@ -188,17 +195,17 @@ LieKeys::Flags LieKeys::coordinates(const std::vector<Keys>& parts) const {
 }
 
 Keys LieKeys::falls(const Flags& has_coordinate) const {
-  const Symbols& symbols = over_rates_.symbols();
-  const Keys one = constant(symbols, KeyFunctions(1));
+  const series::Symbols& symbols = over_rates_.symbols();
+  const Keys one = series::constant(symbols, KeyFunctions(1));
   const auto fall = [&](const std::string& name) {
-    const Keys less = monomial(symbols, KeyFunctions(1), {{name, -1}});
+    const Keys less = series::monomial(symbols, KeyFunctions(1), {{name, -1}});
     return symbols.variable(name) < variables_of_coefficients_ ? less + one : less;
   };
   Keys sum(symbols);
   for (std::size_t i = 0; i < symbols.pairs().size(); ++i) {
     const auto& [q, p] = symbols.pairs()[i];
     // The generator has sines for cosines; the derivative by an angle turns them back.
-    const Keys odd = constant(symbols, KeyFunctions::of(Trigonometric::sine));
+    const Keys odd = series::constant(symbols, KeyFunctions::of(series::Trigonometric::sine));
     if (has_coordinate[i]) sum += symbols.has_angle(q) ? fall(p) : odd * fall(q) * fall(p);
   }
   return sum;
@@ -207,7 +214,7 @@ Keys LieKeys::falls(const Flags& has_coordinate) const {
 KeyCount LieKeys::walk(std::vector<Keys> parts, const Flags& has_coordinate, double pairs) const {
   const Keys shifts = falls(has_coordinate) * over_rates_;
   std::vector<Keys> steps;
-  for (const Keys& part : h_) steps.push_back(product(part, shifts, no_limit));
+  for (const Keys& part : h_) steps.push_back(series::product(part, shifts, no_limit));
   const std::vector<int> polynomial = polynomial_variables({&h_, &parts}, over_rates_);
   KeyCount found{{}, 0};
   double done = 0.0;
@@ -239,11 +246,12 @@ KeyCount LieKeys::count_of(std::vector<Keys> parts) const {
 
 // An angle stands as the sine of 0, a key that no term has: odd, as the angle is.
 KeyCount LieKeys::count_of(std::string_view symbol) const {
-  const Symbols& symbols = over_rates_.symbols();
+  const series::Symbols& symbols = over_rates_.symbols();
   const std::string name(symbol);
   std::vector<Keys> parts(h_.size(), Keys(symbols));
-  parts[0] = symbols.has_angle(name) ? constant(symbols, KeyFunctions::of(Trigonometric::sine))
-                                     : monomial(symbols, KeyFunctions(1), {{name, 1}});
+  parts[0] = symbols.has_angle(name)
+                 ? series::constant(symbols, KeyFunctions::of(series::Trigonometric::sine))
+                 : series::monomial(symbols, KeyFunctions(1), {{name, 1}});
   Flags has = coordinates(h_);
   for (std::size_t i = 0; i < has.size(); ++i)
     has[i] = has[i] || symbols.pairs()[i].coordinate == name;
@@ -257,28 +265,28 @@ namespace {
 constexpr int most_orders = 30;
 }  // namespace
 
-void require_small(const Symbols& symbols, const Truncation& keep) {
+void require_small(const series::Symbols& symbols, const series::Truncation& keep) {
   if (keep.weights.empty())
     throw DomainError("LieTransform: no small parameters; keep.weights must name them");
   if (keep.order < 0 || keep.order > most_orders)
     throw DomainError("LieTransform: the order " + std::to_string(keep.order) + " is out of [0, " +
                       std::to_string(most_orders) + "]");
   for (const auto& [name, weight] : keep.weights)
-    for (const ConjugatePair& pair : symbols.pairs())
+    for (const series::ConjugatePair& pair : symbols.pairs())
       if (weight != 0 && (pair.coordinate == name || pair.momentum == name))
         throw DomainError("LieTransform: the small parameter " + name +
                           " has a conjugate; brackets would change the order");
 }
 
-void require_symbol(const Symbols& symbols, std::string_view name) {
+void require_symbol(const series::Symbols& symbols, std::string_view name) {
   if (!symbols.has_angle(name)) symbols.variable(name);
 }
 
-void require_turning(const Symbols& symbols, const std::vector<std::string>& angles,
+void require_turning(const series::Symbols& symbols, const std::vector<std::string>& angles,
                      const std::set<std::string>& clocks) {
   for (const std::string& angle : angles) {
     symbols.angle(angle);  // throws for an unknown one
-    const auto is_of = [&](const ConjugatePair& pair) { return pair.coordinate == angle; };
+    const auto is_of = [&](const series::ConjugatePair& pair) { return pair.coordinate == angle; };
     if (!clocks.contains(angle) && std::ranges::none_of(symbols.pairs(), is_of))
       throw DomainError("LieTransform: the angle " + angle +
                         " is to be eliminated, and has neither a momentum nor a clock");
@@ -287,11 +295,11 @@ void require_turning(const Symbols& symbols, const std::vector<std::string>& ang
 
 void require_bound(const char* name, double bound) {
   if (!(bound >= 0.0))
-    throw DomainError("LieTransform: " + std::string(name) + " = " + number_text(bound) +
-                      " must not be negative");
+    throw DomainError("LieTransform: " + std::string(name) + " = " +
+                      polhode::detail::number_text(bound) + " must not be negative");
 }
 
-KeptAngles::KeptAngles(const Symbols& symbols, const std::vector<std::string>& angles,
+KeptAngles::KeptAngles(const series::Symbols& symbols, const std::vector<std::string>& angles,
                        const std::vector<std::vector<std::pair<std::string, int>>>& resonances)
     : symbols_(symbols) {
   for (const std::string& name : angles) places_.push_back(symbols.angle(name));
@@ -308,9 +316,9 @@ KeptAngles::KeptAngles(const Symbols& symbols, const std::vector<std::string>& a
   }
 }
 
-bool KeptAngles::keeps(const TermKey& key) const {
+bool KeptAngles::keeps(const series::TermKey& key) const {
   std::vector<int> k;
-  for (const int place : places_) k.push_back(multiplier(symbols_, key, place));
+  for (const int place : places_) k.push_back(series::multiplier(symbols_, key, place));
   if (std::all_of(k.begin(), k.end(), [](int n) { return n == 0; })) return true;
   // k = (p / q) r: cross products are zero, and the quotient is an integer.
   return std::any_of(resonances_.begin(), resonances_.end(), [&](const std::vector<int>& r) {
@@ -326,5 +334,6 @@ bool KeptAngles::keeps(const TermKey& key) const {
 }
 
 }  // namespace detail
+}  // namespace secular
 }  // namespace v0
 }  // namespace polhode

@@ -17,6 +17,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace secular {
 namespace detail {
 
 namespace {
@@ -29,22 +30,22 @@ std::vector<std::string> names_of(const NutationProblem& problem) {
   return names;
 }
 
-Symbols symbols_of(const std::vector<std::string>& arguments, bool has_phi) {
+series::Symbols symbols_of(const std::vector<std::string>& arguments, bool has_phi) {
   std::vector<std::string> angles{NutationSymbols::h};
   angles.insert(angles.end(), arguments.begin(), arguments.end());
   std::vector<std::string> variables{NutationSymbols::x, NutationSymbols::k};
-  std::vector<ConjugatePair> pairs{{NutationSymbols::h, NutationSymbols::x}};
+  std::vector<series::ConjugatePair> pairs{{NutationSymbols::h, NutationSymbols::x}};
   if (has_phi) {
     variables.emplace_back(NutationSymbols::y);
     pairs.push_back({"Phi", NutationSymbols::y});
   }
-  return Symbols(std::move(variables), std::move(angles), std::move(pairs));
+  return series::Symbols(std::move(variables), std::move(angles), std::move(pairs));
 }
 
-FourierSeries analysed(const NutationProblem& problem, const NutationSymbols& names) {
-  std::vector<FourierAngle> angles;
+series::FourierSeries analysed(const NutationProblem& problem, const NutationSymbols& names) {
+  std::vector<series::FourierAngle> angles;
   for (const NutationArgument& one : problem.arguments) angles.push_back({one.name, one.points});
-  return fourier_series(names.symbols(), angles, [&](std::span<const double> at) {
+  return series::fourier_series(names.symbols(), angles, [&](std::span<const double> at) {
     std::vector<double> q(5, 0.0);
     for (const NutationBody& body : problem.bodies) {
       const Vec3 r = body.position(at);
@@ -61,21 +62,21 @@ FourierSeries analysed(const NutationProblem& problem, const NutationSymbols& na
 }
 
 // Without what makes less than a tenth of the smallest term, and without the dust of the transform.
-Series<double> sifted(const Series<double>& q, const NutationProblem& problem, double dust,
-                      const std::vector<double>& rates) {
+series::Series<double> sifted(const series::Series<double>& q, const NutationProblem& problem,
+                              double dust, const std::vector<double>& rates) {
   const double per_torque = 3.0 / problem.spin_rate / std::sin(problem.obliquity);
-  std::vector<Term<double>> kept;
-  for (const Term<double>& term : q.terms()) {
+  std::vector<series::Term<double>> kept;
+  for (const series::Term<double>& term : q.terms()) {
     const double rate = std::abs(rate_of(q.symbols(), term.key, rates));
     const bool matters = std::abs(term.c) * per_torque >= 0.1 * problem.least * rate;
     if (std::abs(term.c) > dust && matters) kept.push_back(term);
   }
-  return Series<double>(q.symbols(), std::move(kept));
+  return series::Series<double>(q.symbols(), std::move(kept));
 }
 
-double largest(const Series<double>& q) {
+double largest(const series::Series<double>& q) {
   double size = 0.0;
-  for (const Term<double>& term : q.terms()) size = std::max(size, std::abs(term.c));
+  for (const series::Term<double>& term : q.terms()) size = std::max(size, std::abs(term.c));
   return size;
 }
 
@@ -86,22 +87,24 @@ NutationSymbols::NutationSymbols(const NutationProblem& problem)
       given_(problem.arguments.size()),
       symbols_(symbols_of(arguments_, has_phi())) {}
 
-double rate_of(const Symbols& symbols, const TermKey& key, const std::vector<double>& rates) {
+double rate_of(const series::Symbols& symbols, const series::TermKey& key,
+               const std::vector<double>& rates) {
   double sum = 0.0;
   for (std::size_t i = 0; i < rates.size(); ++i)
-    sum += multiplier(symbols, key, static_cast<int>(i) + 1) * rates[i];  // after h
+    sum += series::multiplier(symbols, key, static_cast<int>(i) + 1) * rates[i];  // after h
   return sum;
 }
 
 NutationTorque::NutationTorque(const NutationProblem& problem, const NutationSymbols& names,
                                const std::vector<double>& rates)
     : q0(names.symbols()), q1{q0, q0}, q2{q0, q0}, folding(0.0) {
-  FourierSeries found = analysed(problem, names);
+  series::FourierSeries found = analysed(problem, names);
   double size = 0.0;
-  for (const Series<double>& one : found.series) size = std::max(size, largest(one));
+  for (const series::Series<double>& one : found.series) size = std::max(size, largest(one));
   folding = found.at_border / size;
   constexpr double rounding = 1e-14;
-  for (Series<double>& one : found.series) one = sifted(one, problem, rounding * size, rates);
+  for (series::Series<double>& one : found.series)
+    one = sifted(one, problem, rounding * size, rates);
   q0 = found.series[0];
   q1 = {found.series[1], found.series[2]};
   q2 = {found.series[3], found.series[4]};
@@ -111,7 +114,7 @@ NutationTorque::NutationTorque(const NutationProblem& problem, const NutationSym
 
 namespace {
 
-using detail::number_text;
+using polhode::detail::number_text;
 
 void require(const NutationProblem& problem) {
   const auto refuse = [](const std::string& why) { throw DomainError("NutationTheory: " + why); };
@@ -293,5 +296,6 @@ NutationTheory NutationTheory::changing(const NutationTheory& before, const Nuta
   return with;
 }
 
+}  // namespace secular
 }  // namespace v0
 }  // namespace polhode

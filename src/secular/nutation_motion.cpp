@@ -12,47 +12,49 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace secular {
 namespace detail {
 
 namespace {
 
 constexpr int most_powers = 3;  // of x and y: second-order terms take three derivatives at most
 
-using Number = Series<double>;
+using Number = series::Series<double>;
 
 // c = cos I = (cos I0 + x) / (1 + y), s = sin I and I itself less I0, as polynomials in x and y.
 struct Inclination {
   Number c, s, I;
-  Truncation keep;
+  series::Truncation keep;
 };
 
 Inclination inclination(const NutationSymbols& names, double I0) {
-  const Symbols& symbols = names.symbols();
-  Truncation keep{{{NutationSymbols::x, 1}}, most_powers};
+  const series::Symbols& symbols = names.symbols();
+  series::Truncation keep{{{NutationSymbols::x, 1}}, most_powers};
   const double c0 = std::cos(I0), s0 = std::sin(I0);
-  Number c = constant(symbols, c0) + monomial(symbols, 1.0, {{NutationSymbols::x, 1}});
+  Number c =
+      series::constant(symbols, c0) + series::monomial(symbols, 1.0, {{NutationSymbols::x, 1}});
   if (names.has_phi()) {
     keep.weights.emplace_back(NutationSymbols::y, 1);
     Number inverse(symbols);
     for (int n = 0; n <= most_powers; ++n)
-      inverse += monomial(symbols, n % 2 == 0 ? 1.0 : -1.0, {{NutationSymbols::y, n}});
-    c = product(c, inverse, keep);
+      inverse += series::monomial(symbols, n % 2 == 0 ? 1.0 : -1.0, {{NutationSymbols::y, n}});
+    c = series::product(c, inverse, keep);
   }
   // s = s0 sqrt(1 + e), e = (c0^2 - c^2) / s0^2.
-  const Number e = (constant(symbols, c0 * c0) - product(c, c, keep)) / (s0 * s0);
-  Number s = constant(symbols, s0), term = s;
+  const Number e = (series::constant(symbols, c0 * c0) - series::product(c, c, keep)) / (s0 * s0);
+  Number s = series::constant(symbols, s0), term = s;
   for (int n = 1; n <= most_powers; ++n) {
-    term = product(term, e, keep) * ((1.5 - n) / n);
+    term = series::product(term, e, keep) * ((1.5 - n) / n);
     s += term;
   }
   // dI/dc = -1/s, d(1/s)/dc = c/s^3.
   const std::array<double, 3> derivatives = {-1.0 / s0, -c0 / (s0 * s0 * s0),
                                              -(1.0 + 3.0 * c0 * c0 / (s0 * s0)) / (s0 * s0 * s0)};
-  const Number of_c = c - constant(symbols, c0);
-  Number I(symbols), power = constant(symbols, 1.0);
+  const Number of_c = c - series::constant(symbols, c0);
+  Number I(symbols), power = series::constant(symbols, 1.0);
   double factorial = 1.0;
   for (int n = 1; n <= most_powers; ++n) {
-    power = product(power, of_c, keep);
+    power = series::product(power, of_c, keep);
     factorial *= n;
     I += (derivatives[static_cast<std::size_t>(n - 1)] / factorial) * power;
   }
@@ -66,15 +68,17 @@ struct PullAtNode {
   ComplexSeries q1, q2;
 };
 
-PullAtNode at_node(const NutationTorque& torque, const Truncation& keep) {
+PullAtNode at_node(const NutationTorque& torque, const series::Truncation& keep) {
   return {torque.q0, turned(torque.q1, {{NutationSymbols::h, -1}}, keep),
           turned(torque.q2, {{NutationSymbols::h, -2}}, keep)};
 }
 
 // u3^2 - 1/3, weighted with gm / r^3.
 Number of_the_bulge(const PullAtNode& pull, const Inclination& at) {
-  const auto times = [&](const Number& a, const Number& b) { return product(a, b, at.keep); };
-  const Number c2 = times(at.c, at.c), one = constant(at.c.symbols(), 1.0);
+  const auto times = [&](const Number& a, const Number& b) {
+    return series::product(a, b, at.keep);
+  };
+  const Number c2 = times(at.c, at.c), one = series::constant(at.c.symbols(), 1.0);
   return times(1.5 * c2 - 0.5 * one, pull.q0) + 2.0 * times(times(at.c, at.s), pull.q1.im) -
          0.5 * times(one - c2, pull.q2.re);
 }
@@ -82,9 +86,11 @@ Number of_the_bulge(const PullAtNode& pull, const Inclination& at) {
 // The real part of exp(-2 i Phi) (u . (X + i Y))^2, X along the node and Y across it, normal to the
 // momentum, with the same weights.
 Number of_the_equator(const PullAtNode& pull, const Inclination& at) {
-  const Number one = constant(at.c.symbols(), 1.0);
+  const Number one = series::constant(at.c.symbols(), 1.0);
   const Number plus = one + at.c, minus = one - at.c;
-  const auto times = [&](const Number& a, const Number& b) { return product(a, b, at.keep); };
+  const auto times = [&](const Number& a, const Number& b) {
+    return series::product(a, b, at.keep);
+  };
   ComplexSeries sum = product(0.25 * times(plus, plus), pull.q2, at.keep) +
                       product(0.25 * times(minus, minus), conj(pull.q2), at.keep);
   sum = sum - times_i(product(times(at.s, plus), pull.q1, at.keep));
@@ -100,7 +106,7 @@ struct Pull {
 
 Pull pull(const NutationProblem& problem, const NutationSymbols& names,
           const NutationTorque& torque, const Inclination& at) {
-  const Symbols& symbols = names.symbols();
+  const series::Symbols& symbols = names.symbols();
   const Vec3& m = problem.body.moments();
   const double per_G = 1.5 / (m.z * problem.spin_rate);
   const PullAtNode turned_pull = at_node(torque, at.keep);
@@ -108,52 +114,52 @@ Pull pull(const NutationProblem& problem, const NutationSymbols& names,
   if (names.has_phi()) bodies += per_G * 0.5 * (m.x - m.y) * of_the_equator(turned_pull, at);
   const Vec3& mu = problem.ecliptic_rate;
   // -mu.n, n = (-s sin h_, s cos h_, c)
-  const Number wave = mu.x * sine(symbols, 1.0, {}, {{NutationSymbols::h, 1}}) -
-                      mu.y * cosine(symbols, 1.0, {}, {{NutationSymbols::h, 1}});
-  return {bodies, product(at.s, wave, at.keep) - mu.z * at.c};
+  const Number wave = mu.x * series::sine(symbols, 1.0, {}, {{NutationSymbols::h, 1}}) -
+                      mu.y * series::cosine(symbols, 1.0, {}, {{NutationSymbols::h, 1}});
+  return {bodies, series::product(at.s, wave, at.keep) - mu.z * at.c};
 }
 
 // At the mean axis: x = y = h_ = 0.
 Number at_mean(const Number& a) {
-  const Symbols& symbols = a.symbols();
+  const series::Symbols& symbols = a.symbols();
   const int k = symbols.variable(NutationSymbols::k), h = symbols.angle(NutationSymbols::h);
-  std::vector<Term<double>> terms;
-  for (const Term<double>& term : a.terms()) {
+  std::vector<series::Term<double>> terms;
+  for (const series::Term<double>& term : a.terms()) {
     const auto exponents =
-        symbols.exponents().with(term.key.exponents, k, -exponent(symbols, term.key, k));
+        symbols.exponents().with(term.key.exponents, k, -series::exponent(symbols, term.key, k));
     if (exponents != symbols.exponents().zero()) continue;
-    const auto multipliers =
-        symbols.multipliers().with(term.key.multipliers, h, -multiplier(symbols, term.key, h));
+    const auto multipliers = symbols.multipliers().with(term.key.multipliers, h,
+                                                        -series::multiplier(symbols, term.key, h));
     terms.push_back({{exponents, multipliers}, term.c});
   }
   return Number(symbols, std::move(terms));
 }
 // What does not turn, and what turns slowly as it stands at the epoch.
 double at_epoch(const Number& a, const NutationProblem& problem) {
-  const Symbols& symbols = a.symbols();
+  const series::Symbols& symbols = a.symbols();
   double sum = 0.0;
-  for (const Term<double>& term : a.terms()) {
+  for (const series::Term<double>& term : a.terms()) {
     double theta = 0.0;
     for (std::size_t i = 0; i < problem.arguments.size(); ++i)
-      theta +=
-          multiplier(symbols, term.key, static_cast<int>(i) + 1) * problem.arguments[i].at_epoch;
-    sum +=
-        term.c * (term.key.function() == Trigonometric::sine ? std::sin(theta) : std::cos(theta));
+      theta += series::multiplier(symbols, term.key, static_cast<int>(i) + 1) *
+               problem.arguments[i].at_epoch;
+    sum += term.c *
+           (term.key.function() == series::Trigonometric::sine ? std::sin(theta) : std::cos(theta));
   }
   return sum;
 }
 
 // k counts orders. A term so small that its product with the largest falls below `least` is of the
 // second order itself: it then enters alone, and products with it are left out.
-Number with_orders(const Number& of_bodies, const Truncation& of_momenta,
+Number with_orders(const Number& of_bodies, const series::Truncation& of_momenta,
                    const NutationProblem& problem, const std::vector<double>& rates) {
-  const Symbols& symbols = of_bodies.symbols();
+  const series::Symbols& symbols = of_bodies.symbols();
   constexpr double largest = 1e-3;  // rad: of the nutation of any planet
   const double first = problem.least / largest;
   const int k = symbols.variable(NutationSymbols::k);
-  const Orders degree(symbols, of_momenta);
-  std::vector<Term<double>> terms;
-  for (const Term<double>& term : of_bodies.terms()) {
+  const series::detail::Orders degree(symbols, of_momenta);
+  std::vector<series::Term<double>> terms;
+  for (const series::Term<double>& term : of_bodies.terms()) {
     const double rate = std::abs(rate_of(symbols, term.key, rates));
     const bool small = problem.order == 2 && std::abs(term.c) < 0.1 * first * rate;
     if (small && degree.of(term.key) > 1) continue;
@@ -165,15 +171,15 @@ Number with_orders(const Number& of_bodies, const Truncation& of_momenta,
 }
 
 Waves waves(const Number& longitude, const Number& obliquity) {
-  const Symbols& symbols = longitude.symbols();
+  const series::Symbols& symbols = longitude.symbols();
   Waves found;
   const auto each = [&](const Number& of, bool is_longitude) {
-    for (const Term<double>& term : of.terms()) {
+    for (const series::Term<double>& term : of.terms()) {
       std::vector<int> multipliers;
       for (int i = 1; i < symbols.multipliers().count(); ++i)
-        multipliers.push_back(multiplier(symbols, term.key, i));
+        multipliers.push_back(series::multiplier(symbols, term.key, i));
       NutationWave& wave = found[multipliers];
-      const bool is_sine = term.key.function() == Trigonometric::sine;
+      const bool is_sine = term.key.function() == series::Trigonometric::sine;
       (is_longitude ? (is_sine ? wave.longitude_sine : wave.longitude_cosine)
                     : (is_sine ? wave.obliquity_sine : wave.obliquity_cosine)) += term.c;
     }
@@ -187,35 +193,37 @@ Waves waves(const Number& longitude, const Number& obliquity) {
 
 MomentumMotion momentum_motion(const NutationProblem& problem, const NutationSymbols& names,
                                const NutationTorque& torque, const std::vector<double>& rates) {
-  const Symbols& symbols = names.symbols();
+  const series::Symbols& symbols = names.symbols();
   const Inclination at = inclination(names, problem.obliquity);
   const auto [of_bodies, of_ecliptic] = pull(problem, names, torque, at);
-  const Truncation keep{{{NutationSymbols::k, 1}}, problem.order};
-  Number h = with_orders(of_bodies, at.keep, problem, rates) +
-             product(monomial(symbols, 1.0, {{NutationSymbols::k, 1}}), of_ecliptic);
+  const series::Truncation keep{{{NutationSymbols::k, 1}}, problem.order};
+  Number h =
+      with_orders(of_bodies, at.keep, problem, rates) +
+      series::product(series::monomial(symbols, 1.0, {{NutationSymbols::k, 1}}), of_ecliptic);
   // The arguments are counted from the mean equinox: h_ has no mean motion of the first order.
-  const double turn =
-      at_epoch(at_mean(derivative(mean(h, names.arguments()), NutationSymbols::x)), problem);
-  h -= monomial(symbols, turn, {{NutationSymbols::x, 1}, {NutationSymbols::k, 1}});
+  const double turn = at_epoch(
+      at_mean(series::derivative(series::mean(h, names.arguments()), NutationSymbols::x)), problem);
+  h -= series::monomial(symbols, turn, {{NutationSymbols::x, 1}, {NutationSymbols::k, 1}});
   if (names.has_phi()) {  // G^2 / (2 C) over G0; y is small
-    h += monomial(symbols, problem.spin_rate, {{NutationSymbols::y, 1}}) +
-         monomial(symbols, 0.5 * problem.spin_rate,
-                  {{NutationSymbols::y, 2}, {NutationSymbols::k, 1}});
+    h += series::monomial(symbols, problem.spin_rate, {{NutationSymbols::y, 1}}) +
+         series::monomial(symbols, 0.5 * problem.spin_rate,
+                          {{NutationSymbols::y, 2}, {NutationSymbols::k, 1}});
   }
   Elimination<double> elimination{h, keep, names.arguments()};
   elimination.slowest = problem.slowest;
   for (std::size_t i = 0; i < problem.arguments.size(); ++i)
-    elimination.clocks.push_back({names.arguments()[i], constant(symbols, rates[i])});
+    elimination.clocks.push_back({names.arguments()[i], series::constant(symbols, rates[i])});
   const LieTransform<double> transform(std::move(elimination));
   const Number& mean_h = transform.mean_hamiltonian();
   const NutationOffset precession{
-      -turn - at_epoch(at_mean(derivative(mean_h, NutationSymbols::x)), problem),
-      at_epoch(at_mean(derivative(mean_h, NutationSymbols::h)), problem) /
+      -turn - at_epoch(at_mean(series::derivative(mean_h, NutationSymbols::x)), problem),
+      at_epoch(at_mean(series::derivative(mean_h, NutationSymbols::h)), problem) /
           std::sin(problem.obliquity)};
   const Number longitude = -at_mean(transform.short_period(NutationSymbols::h));
   const Number obliquity = at_mean(transform.in_mean(at.I));
   const double phi_rate =
-      names.has_phi() ? at_epoch(at_mean(derivative(mean_h, NutationSymbols::y)), problem) : 0.0;
+      names.has_phi() ? at_epoch(at_mean(series::derivative(mean_h, NutationSymbols::y)), problem)
+                      : 0.0;
   return {precession, phi_rate, waves(longitude, obliquity)};
 }
 
@@ -232,13 +240,13 @@ std::vector<int> opposite(std::vector<int> k) {
   return k;
 }
 
-void add(Phasors& sum, const Series<double>& a, Complex factor) {
-  const Symbols& symbols = a.symbols();
-  for (const Term<double>& term : a.terms()) {
+void add(Phasors& sum, const series::Series<double>& a, Complex factor) {
+  const series::Symbols& symbols = a.symbols();
+  for (const series::Term<double>& term : a.terms()) {
     std::vector<int> k;
     for (int j = 1; j < symbols.multipliers().count(); ++j)
-      k.push_back(multiplier(symbols, term.key, j));
-    const bool is_sine = term.key.function() == Trigonometric::sine;
+      k.push_back(series::multiplier(symbols, term.key, j));
+    const bool is_sine = term.key.function() == series::Trigonometric::sine;
     const Complex half = 0.5 * term.c * factor;
     sum[k] += is_sine ? -i * half : half;
     sum[opposite(k)] += is_sine ? i * half : half;
@@ -280,11 +288,11 @@ void require_no_resonance(double determinant, const NutationSymbols& names,
                           const std::vector<int>& k) {
   constexpr double least = 1e-12;
   if (std::abs(determinant) > least) return;
-  Multiples multiples;
+  series::Multiples multiples;
   for (std::size_t j = 0; j < k.size(); ++j) multiples.emplace_back(names.arguments()[j], k[j]);
-  throw DomainError(
-      "NutationTheory: a resonance: the free wobble turns with the torque of " +
-      text(names.symbols(), packed(names.symbols(), {}, multiples, Trigonometric::cosine)));
+  throw DomainError("NutationTheory: a resonance: the free wobble turns with the torque of " +
+                    series::text(names.symbols(), series::packed(names.symbols(), {}, multiples,
+                                                                 series::Trigonometric::cosine)));
 }
 
 }  // namespace
@@ -333,5 +341,6 @@ WobbleMotion wobble_motion(const NutationProblem& problem, const NutationSymbols
 }
 
 }  // namespace detail
+}  // namespace secular
 }  // namespace v0
 }  // namespace polhode

@@ -14,11 +14,12 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace secular {
 namespace detail {
 
 // Two real series as one complex series, for what turns with angles.
 struct ComplexSeries {
-  Series<double> re, im;
+  series::Series<double> re, im;
 };
 
 inline ComplexSeries operator+(const ComplexSeries& a, const ComplexSeries& b) {
@@ -30,17 +31,18 @@ inline ComplexSeries operator-(const ComplexSeries& a, const ComplexSeries& b) {
 inline ComplexSeries conj(const ComplexSeries& a) { return {a.re, -a.im}; }
 inline ComplexSeries times_i(const ComplexSeries& a) { return {-a.im, a.re}; }
 
-inline ComplexSeries product(const Series<double>& a, const ComplexSeries& b,
-                             const Truncation& keep) {
-  return {product(a, b.re, keep), product(a, b.im, keep)};
+inline ComplexSeries product(const series::Series<double>& a, const ComplexSeries& b,
+                             const series::Truncation& keep) {
+  return {series::product(a, b.re, keep), series::product(a, b.im, keep)};
 }
 
 // a exp(i n angle).
-inline ComplexSeries turned(const ComplexSeries& a, const Multiples& by, const Truncation& keep) {
-  const Series<double> c = cosine(a.re.symbols(), 1.0, {}, by),
-                       s = sine(a.re.symbols(), 1.0, {}, by);
-  return {product(a.re, c, keep) - product(a.im, s, keep),
-          product(a.re, s, keep) + product(a.im, c, keep)};
+inline ComplexSeries turned(const ComplexSeries& a, const series::Multiples& by,
+                            const series::Truncation& keep) {
+  const series::Series<double> c = series::cosine(a.re.symbols(), 1.0, {}, by),
+                               s = series::sine(a.re.symbols(), 1.0, {}, by);
+  return {series::product(a.re, c, keep) - series::product(a.im, s, keep),
+          series::product(a.re, s, keep) + series::product(a.im, c, keep)};
 }
 
 // The symbols of the pull on a planet's bulge. Pairs: h, less its mean, with x = H / G0 - cos I0;
@@ -50,7 +52,7 @@ class NutationSymbols {
   explicit NutationSymbols(const NutationProblem& problem);
   const std::vector<std::string>& arguments() const { return arguments_; }
   bool has_phi() const { return arguments_.size() > given_; }
-  const Symbols& symbols() const { return symbols_; }
+  const series::Symbols& symbols() const { return symbols_; }
 
   static constexpr const char* x = "x_";
   static constexpr const char* y = "y_";
@@ -60,7 +62,7 @@ class NutationSymbols {
  private:
   std::vector<std::string> arguments_;
   std::size_t given_;
-  Symbols symbols_;
+  series::Symbols symbols_;
 };
 
 // Sums over bodies of gm / r^3 times u_z^2 - 1/3, u_z (u_x + i u_y), (u_x + i u_y)^2; u points at
@@ -68,13 +70,14 @@ class NutationSymbols {
 struct NutationTorque {
   NutationTorque(const NutationProblem& problem, const NutationSymbols& names,
                  const std::vector<double>& rates);
-  Series<double> q0;
+  series::Series<double> q0;
   ComplexSeries q1, q2;
   double folding;
 };
 
 // The rate of the arguments in a key.
-double rate_of(const Symbols& symbols, const TermKey& key, const std::vector<double>& rates);
+double rate_of(const series::Symbols& symbols, const series::TermKey& key,
+               const std::vector<double>& rates);
 
 // By multipliers, of which the first that is not zero is positive.
 using Waves = std::map<std::vector<int>, NutationWave>;
@@ -98,5 +101,6 @@ WobbleMotion wobble_motion(const NutationProblem& problem, const NutationSymbols
                            const NutationTorque& torque, const std::vector<double>& rates);
 
 }  // namespace detail
+}  // namespace secular
 }  // namespace v0
 }  // namespace polhode

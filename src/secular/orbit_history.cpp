@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Histories of an orbit: rows of its elements, interpolated, and the orbit that follows them.
+#include "polhode/secular/orbit_history.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,13 +11,11 @@
 
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
-#include "polhode/orbit/kepler_equation.hpp"
 #include "polhode/orbit/kepler_orbit.hpp"
-#include "polhode/secular/history_orbit.hpp"
-#include "polhode/secular/orbit_elements.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace secular {
 
 namespace {
 
@@ -43,19 +43,20 @@ void require_rows(const std::vector<double>& times, std::span<const OrbitElement
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const OrbitElements& o = rows[k];
     if (!std::isfinite(times[k]))
-      refuse_row(k, "got time " + detail::number_text(times[k]) + "; expected a finite one");
+      refuse_row(k,
+                 "got time " + polhode::detail::number_text(times[k]) + "; expected a finite one");
     if (k > 0 && !(times[k] > times[k - 1]))
-      refuse_row(k, "got time " + detail::number_text(times[k]) + " after " +
-                        detail::number_text(times[k - 1]) + "; expected rising times");
+      refuse_row(k, "got time " + polhode::detail::number_text(times[k]) + " after " +
+                        polhode::detail::number_text(times[k - 1]) + "; expected rising times");
     if (!(eccentricity(o) < 1.0))
-      refuse_row(k, "got eccentricity " + detail::number_text(eccentricity(o)) +
+      refuse_row(k, "got eccentricity " + polhode::detail::number_text(eccentricity(o)) +
                         "; expected 0 to below 1");
     if (!(o.q * o.q + o.p * o.p < 1.0))
-      refuse_row(k, "got q^2 + p^2 = " + detail::number_text(o.q * o.q + o.p * o.p) +
+      refuse_row(k, "got q^2 + p^2 = " + polhode::detail::number_text(o.q * o.q + o.p * o.p) +
                         "; expected below 1, an inclination below 180 degrees");
   }
   if (const std::size_t row = row_after_gap(times))
-    refuse_row(row, "a gap of " + detail::number_text(times[row] - times[row - 1]) +
+    refuse_row(row, "a gap of " + polhode::detail::number_text(times[row] - times[row - 1]) +
                         " before this row; expected a table without gaps");
 }
 
@@ -93,14 +94,16 @@ std::size_t row_after_gap(std::span<const double> times) {
 OrbitElements orbit_elements(double eccentricity, double inclination, double node,
                              double argument) {
   if (!(eccentricity >= 0.0 && eccentricity < 1.0))
-    throw DomainError("orbit_elements: got eccentricity " + detail::number_text(eccentricity) +
-                      "; expected 0 to below 1");
+    throw DomainError("orbit_elements: got eccentricity " +
+                      polhode::detail::number_text(eccentricity) + "; expected 0 to below 1");
   if (!(inclination >= 0.0 && inclination < pi<double>()))
-    throw DomainError("orbit_elements: got inclination " + detail::number_text(inclination) +
+    throw DomainError("orbit_elements: got inclination " +
+                      polhode::detail::number_text(inclination) +
                       "; expected 0 to below pi, in rad");
   if (!std::isfinite(node) || !std::isfinite(argument))
-    throw DomainError("orbit_elements: got node " + detail::number_text(node) + " and argument " +
-                      detail::number_text(argument) + "; expected finite angles");
+    throw DomainError("orbit_elements: got node " + polhode::detail::number_text(node) +
+                      " and argument " + polhode::detail::number_text(argument) +
+                      "; expected finite angles");
   const double varpi = node + argument, s = std::sin(0.5 * inclination);
   return {eccentricity * std::cos(varpi), eccentricity * std::sin(varpi), s * std::cos(node),
           s * std::sin(node)};
@@ -157,14 +160,14 @@ ElementSeries::ElementSeries(std::vector<SeriesTerm> ellipse, std::vector<Series
     double most = 0.0;
     for (const SeriesTerm& term : *terms) {
       if (!std::isfinite(term.frequency) || !std::isfinite(term.phase))
-        throw DomainError("ElementSeries: got frequency " + detail::number_text(term.frequency) +
-                          " and phase " + detail::number_text(term.phase) +
-                          "; expected finite ones");
+        throw DomainError("ElementSeries: got frequency " +
+                          polhode::detail::number_text(term.frequency) + " and phase " +
+                          polhode::detail::number_text(term.phase) + "; expected finite ones");
       most += std::abs(term.amplitude);
     }
     if (!(most < 1.0))
       throw DomainError("ElementSeries: got amplitudes that add up to " +
-                        detail::number_text(most) +
+                        polhode::detail::number_text(most) +
                         "; expected below 1, so that each orbit is an ellipse");
   }
 }
@@ -173,7 +176,7 @@ namespace {
 
 double required(double x, bool is_valid, const char* what, const char* requirement) {
   if (!is_valid || !std::isfinite(x))
-    throw DomainError(std::string("HistoryOrbit: ") + what + " " + detail::number_text(x) +
+    throw DomainError(std::string("HistoryOrbit: ") + what + " " + polhode::detail::number_text(x) +
                       " must be " + requirement);
   return x;
 }
@@ -220,5 +223,6 @@ BasicVec3<DoubleDouble> HistoryOrbit::position(const DoubleDouble& t) const {
   return placed(elements_.at(t), angle_.at(t), a_);
 }
 
+}  // namespace secular
 }  // namespace v0
 }  // namespace polhode

@@ -9,11 +9,12 @@
 #include <string>
 
 #include "polhode/error.hpp"
-#include "polhode/orbit/turned_kepler_orbit.hpp"
+#include "polhode/orbit/kepler_orbit.hpp"
 #include "polhode/secular/insolation.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace secular {
 
 namespace {
 
@@ -115,5 +116,6 @@ double daily_insolation(const SpinAngles& angles, double eccentricity,
   return place.flux / half_turn * nearness * nearness * (H * sines + cosines * std::sin(H));
 }
 
+}  // namespace secular
 }  // namespace v0
 }  // namespace polhode

@@ -13,6 +13,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace secular {
 namespace detail {
 namespace {
 
@@ -233,7 +234,7 @@ struct Attraction {
 
 class GradientTerms {
  public:
-  GradientTerms(const Symbols& symbols, const OrbitWaves& orbit)
+  GradientTerms(const series::Symbols& symbols, const OrbitWaves& orbit)
       : symbols_(symbols), orbit_(orbit) {}
 
   // The real part of c exp(i (-k phi_l - m phi_g)) times the pull.
@@ -246,26 +247,28 @@ class GradientTerms {
                x * turned);
     }
   }
-  Series<ActionTaylor> series() && { return Series<ActionTaylor>(symbols_, std::move(terms_)); }
+  series::Series<ActionTaylor> series() && {
+    return series::Series<ActionTaylor>(symbols_, std::move(terms_));
+  }
 
  private:
   // Re (re + i im) exp(i angle).
-  void add_wave(const Multiples& angle, const ComplexTaylor& c) {
-    const Powers first = {{"k", 1}};
-    terms_.push_back({packed(symbols_, first, angle, Trigonometric::cosine), c.re});
-    terms_.push_back({packed(symbols_, first, angle, Trigonometric::sine), -c.im});
+  void add_wave(const series::Multiples& angle, const ComplexTaylor& c) {
+    const series::Powers first = {{"k", 1}};
+    terms_.push_back({series::packed(symbols_, first, angle, series::Trigonometric::cosine), c.re});
+    terms_.push_back({series::packed(symbols_, first, angle, series::Trigonometric::sine), -c.im});
   }
 
-  const Symbols& symbols_;
+  const series::Symbols& symbols_;
   const OrbitWaves& orbit_;
-  std::vector<Term<ActionTaylor>> terms_;
+  std::vector<series::Term<ActionTaylor>> terms_;
 };
 
 }  // namespace
 
-Series<ActionTaylor> gradient_series(const Symbols& symbols, const TurningTensor& tensor,
-                                     const OrbitWaves& orbit, const SadovState& at,
-                                     double strength) {
+series::Series<ActionTaylor> gradient_series(const series::Symbols& symbols,
+                                             const TurningTensor& tensor, const OrbitWaves& orbit,
+                                             const SadovState& at, double strength) {
   const auto number = [](double x) { return ActionTaylor(x); };
   const ActionVariables actions(at);
   const ActionTaylor c = actions.I_h / actions.I_g, s2 = number(1.0) - c * c, s = sqrt(s2);
@@ -288,5 +291,6 @@ Series<ActionTaylor> gradient_series(const Symbols& symbols, const TurningTensor
 }
 
 }  // namespace detail
+}  // namespace secular
 }  // namespace v0
 }  // namespace polhode

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // The files of data/orbits stand in the library itself, so that it finds them wherever it lies.
-#include "polhode/secular/shipped_orbit.hpp"
-
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -9,6 +7,7 @@
 #include <vector>
 
 #include "polhode/error.hpp"
+#include "polhode/secular/orbit_history.hpp"
 
 // POLHODE_ORBITS is the folder.
 #define POLHODE_FILE(symbol, file)                                                             \
@@ -21,6 +20,7 @@ POLHODE_FILE(polhode_orbit_of_mars, "mars.i32");
 
 namespace polhode {
 inline namespace v0 {
+namespace secular {
 namespace {
 
 constexpr std::array<std::string_view, 2> names = {"earth", "mars"};
@@ -60,5 +60,6 @@ ElementTable shipped_orbit(std::string_view name, double year) {
   throw DomainError("shipped_orbit: got \"" + std::string(name) + "\"; expected earth or mars");
 }
 
+}  // namespace secular
 }  // namespace v0
 }  // namespace polhode

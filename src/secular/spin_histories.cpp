@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Histories of many spin axes on one orbit.
-#include "polhode/secular/spin_histories.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -24,6 +22,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace secular {
 namespace detail {
 namespace {
 
@@ -107,7 +106,8 @@ Turned turned_by([[maybe_unused]] InstructionSet set) {
 void require_finite(const PrecessionRates& rates) {
   for (const double rate : {rates.star, rates.satellites, rates.geodetic, rates.drift})
     if (!std::isfinite(rate))
-      throw DomainError("rates: got " + detail::number_text(rate) + "; expected finite rates");
+      throw DomainError("rates: got " + polhode::detail::number_text(rate) +
+                        "; expected finite rates");
 }
 
 // One that starts, under its index among all; its axis as it was given.
@@ -244,9 +244,10 @@ void require_fitting(const char* what, std::size_t got, std::size_t bodies) {
 // Rows on the other side of the epoch, or beyond a later one, would not be met.
 void require_outward(const SaveAt& times, double epoch) {
   const auto fail = [&](double t, double later, const char* how) {
-    throw DomainError("spin_histories: got times " + detail::number_text(t) + " and " +
-                      detail::number_text(later) + ", " + how + " the epoch " +
-                      detail::number_text(epoch) + "; expected times that run away from it");
+    throw DomainError("spin_histories: got times " + polhode::detail::number_text(t) + " and " +
+                      polhode::detail::number_text(later) + ", " + how + " the epoch " +
+                      polhode::detail::number_text(epoch) +
+                      "; expected times that run away from it");
   };
   const double last = times[times.size() - 1];
   for (std::int64_t k = 0; k < times.size(); ++k)
@@ -267,7 +268,7 @@ std::vector<LostSpin> spin_histories(const OrbitHistory& orbit,
   if (!supports(set))
     throw DomainError("spin_histories: got " + std::string(instruction_set_name(set)) +
                       "; expected instructions that this processor has");
-  require_valid(Method(method));
+  polhode::require_valid(Method(method));
   const auto rows = static_cast<std::size_t>(times.size());
   if (rows == 0) throw DomainError("spin_histories: got no times; expected one or more");
   require_outward(times, epoch);
@@ -283,5 +284,6 @@ std::vector<LostSpin> spin_histories(const OrbitHistory& orbit,
   return Histories(orbit, epoch, times, method, results, progress, set).of(rates, starts);
 }
 
+}  // namespace secular
 }  // namespace v0
 }  // namespace polhode

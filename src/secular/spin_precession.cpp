@@ -10,17 +10,20 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace secular {
 namespace {
 
 void require_positive(const char* what, double x) {
   if (!(x > 0.0) || !std::isfinite(x))
-    throw DomainError(std::string(what) + " " + detail::number_text(x) + " must be positive");
+    throw DomainError(std::string(what) + " " + polhode::detail::number_text(x) +
+                      " must be positive");
 }
 
 void require_spin(const char* of, double ellipticity, double spin_rate) {
   if (spin_rate == 0.0 || !std::isfinite(spin_rate) || !std::isfinite(ellipticity))
-    throw DomainError(std::string(of) + ": got ellipticity " + detail::number_text(ellipticity) +
-                      " and spin_rate " + detail::number_text(spin_rate) +
+    throw DomainError(std::string(of) + ": got ellipticity " +
+                      polhode::detail::number_text(ellipticity) + " and spin_rate " +
+                      polhode::detail::number_text(spin_rate) +
                       "; expected finite numbers, the rate other than 0");
 }
 
@@ -38,8 +41,9 @@ PrecessionRates rates_of_precession(double rate, double X, double e2, double sha
   if (!std::isfinite(rate) || !(std::fabs(X) <= 1.0 + 1e-15) || !(e2 >= 0.0 && e2 < 1.0) ||
       !(share >= 0.0) || !std::isfinite(share))
     throw DomainError(
-        "precession rate: got " + detail::number_text(rate) + " at X " + detail::number_text(X) +
-        " and e^2 " + detail::number_text(e2) + ", satellites " + detail::number_text(share) +
+        "precession rate: got " + polhode::detail::number_text(rate) + " at X " +
+        polhode::detail::number_text(X) + " and e^2 " + polhode::detail::number_text(e2) +
+        ", satellites " + polhode::detail::number_text(share) +
         "; expected finite numbers, X from -1 to 1, e^2 from 0 to below 1, satellites "
         "0 or more");
   const double star =
@@ -50,8 +54,8 @@ PrecessionRates rates_of_precession(double rate, double X, double e2, double sha
 void require_drift(const PrecessionRates& rates, double first, double last) {
   for (const double t : {first, last})
     if (!(1.0 + rates.drift * t > 0.0))
-      throw DomainError("a drift of " + detail::number_text(rates.drift) +
-                        " turns the torques round before t = " + detail::number_text(t) +
+      throw DomainError("a drift of " + polhode::detail::number_text(rates.drift) +
+                        " turns the torques round before t = " + polhode::detail::number_text(t) +
                         "; expected a smaller one");
 }
 
@@ -69,7 +73,7 @@ double satellite_precession(double ellipticity, double spin_rate, double gm, dou
   require_spin("satellite_precession", ellipticity, spin_rate);
   if (!(eccentricity >= 0.0 && eccentricity < 1.0))
     throw DomainError("satellite_precession: got eccentricity " +
-                      detail::number_text(eccentricity) + "; expected 0 to below 1");
+                      polhode::detail::number_text(eccentricity) + "; expected 0 to below 1");
   const double r = 1.0 / (1.0 - eccentricity * eccentricity), s = std::sin(inclination);
   return precession_on_a_circle(ellipticity, spin_rate, gm, semi_major_axis) * r * std::sqrt(r) *
          (1.0 - 1.5 * s * s);
@@ -107,8 +111,8 @@ double inner_satellites_factor(double J2, double inertia_factor,
 SpinAxis spin_axis(const Vec3& direction) {
   const double length = norm(direction);
   if (!(length > 0.0))
-    throw DomainError("spin_axis: got a direction of length " + detail::number_text(length) +
-                      "; expected one that has a length");
+    throw DomainError("spin_axis: got a direction of length " +
+                      polhode::detail::number_text(length) + "; expected one that has a length");
   return {(1.0 / length) * direction};
 }
 
@@ -132,5 +136,6 @@ SpinAngles spin_angles(const SpinAxis& axis, const OrbitElements& orbit) {
   return {std::atan2(tilt, s.z), -equinox, pericentre, eccentricity(orbit) * std::sin(pericentre)};
 }
 
+}  // namespace secular
 }  // namespace v0
 }  // namespace polhode

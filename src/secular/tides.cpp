@@ -12,11 +12,12 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace secular {
 
 namespace {
 
 [[noreturn]] void refuse(const char* what, double got, const char* expected) {
-  throw DomainError(std::string("TidalRates: ") + what + " " + detail::number_text(got) +
+  throw DomainError(std::string("TidalRates: ") + what + " " + polhode::detail::number_text(got) +
                     " must be " + expected);
 }
 
@@ -28,11 +29,11 @@ double tidal_rate(double k2, double lag, double gm, double mass_ratio, double ra
        {std::pair("gm", gm), std::pair("mass_ratio", mass_ratio), std::pair("radius", radius),
         std::pair("inertia_factor", inertia_factor), std::pair("semi_major_axis", semi_major_axis)})
     if (!(x > 0.0) || !std::isfinite(x))
-      throw DomainError(std::string("tidal_rate: ") + name + " " + detail::number_text(x) +
+      throw DomainError(std::string("tidal_rate: ") + name + " " + polhode::detail::number_text(x) +
                         " must be positive");
   for (const auto& [name, x] : {std::pair("k2", k2), std::pair("lag", lag)})
     if (!(x >= 0.0) || !std::isfinite(x))
-      throw DomainError(std::string("tidal_rate: ") + name + " " + detail::number_text(x) +
+      throw DomainError(std::string("tidal_rate: ") + name + " " + polhode::detail::number_text(x) +
                         " must not be negative");
   const double a = semi_major_axis, ratio = radius / a;
   return 3.0 * k2 * lag * (gm / (a * a * a)) * mass_ratio * (ratio * ratio * ratio) /
@@ -71,5 +72,6 @@ TidalSpin tidal_change(const TidalRates& tides, double e2, const Vec3& n, const 
 }
 
 }  // namespace detail
+}  // namespace secular
 }  // namespace v0
 }  // namespace polhode

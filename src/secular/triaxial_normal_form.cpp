@@ -16,35 +16,42 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace secular {
 namespace {
 
-Symbols symbols() { return Symbols({"L", "G", "e"}, {"l", "g"}, {{"l", "L"}, {"g", "G"}}); }
+series::Symbols symbols() {
+  return series::Symbols({"L", "G", "e"}, {"l", "g"}, {{"l", "L"}, {"g", "G"}});
+}
 
-LieTransform<Rational> transform_of(int order) {
+LieTransform<series::Rational> transform_of(int order) {
   if (order < 1 || order > 16)
     throw DomainError("TriaxialNormalForm: order " + std::to_string(order) +
                       " must be from 1 to 16");
-  const Symbols s = symbols();
-  const auto G2_less_L2 =
-      monomial(s, Rational(1), {{"G", 2}}) - monomial(s, Rational(1), {{"L", 2}});
-  const auto wave = cosine(s, Rational(1, 2), {{"e", 1}}, {{"l", 2}});
-  return LieTransform<Rational>(
-      {monomial(s, Rational(-1, 2), {{"L", 2}}) - wave * G2_less_L2, {{{"e", 1}}, order}, {"l"}});
+  const series::Symbols s = symbols();
+  const auto G2_less_L2 = series::monomial(s, series::Rational(1), {{"G", 2}}) -
+                          series::monomial(s, series::Rational(1), {{"L", 2}});
+  const auto wave = series::cosine(s, series::Rational(1, 2), {{"e", 1}}, {{"l", 2}});
+  return LieTransform<series::Rational>(
+      {series::monomial(s, series::Rational(-1, 2), {{"L", 2}}) - wave * G2_less_L2,
+       {{{"e", 1}}, order},
+       {"l"}});
 }
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-CompiledSeries compiled(const Series<Rational>& a) { return CompiledSeries(to_doubles(a)); }
+series::CompiledSeries compiled(const series::Series<series::Rational>& a) {
+  return series::CompiledSeries(series::to_doubles(a));
+}
 
 }  // namespace
 
 struct TriaxialNormalForm::Parts {
-  LieTransform<Rational> transform;
+  LieTransform<series::Rational> transform;
   int order;
 
-  Expansion expansion(const Series<Rational>& a) const {
+  Expansion expansion(const series::Series<series::Rational>& a) const {
     const auto part = [&](int n) {
-      return compiled(part_of_order(a, Truncation{{{"e", 1}}, order}, n));
+      return compiled(series::part_of_order(a, series::Truncation{{{"e", 1}}, order}, n));
     };
     return {compiled(a), part(order), part(order - 1)};
   }
@@ -71,14 +78,14 @@ TriaxialNormalForm::TriaxialNormalForm(const Body& body, const Parts& parts)
       e_(0.5 * (1.0 / body.moments().x - 1.0 / body.moments().y) / b_),
       series_(parts.transform.mean_hamiltonian()),
       h_(compiled(series_)),
-      dh_dL_(parts.expansion(derivative(series_, "L"))),
-      dh_dG_(parts.expansion(derivative(series_, "G"))),
+      dh_dL_(parts.expansion(series::derivative(series_, "L"))),
+      dh_dG_(parts.expansion(series::derivative(series_, "G"))),
       to_mean_(parts.map(true)),
       to_osculating_(parts.map(false)) {
   const Vec3& m = body.moments();
   if (!(m.x <= m.y && m.y < m.z))
-    throw DomainError("TriaxialNormalForm: moments (" + detail::number_text(m.x) + ", " +
-                      detail::number_text(m.y) + ", " + detail::number_text(m.z) +
+    throw DomainError("TriaxialNormalForm: moments (" + polhode::detail::number_text(m.x) + ", " +
+                      polhode::detail::number_text(m.y) + ", " + polhode::detail::number_text(m.z) +
                       ") must rise, A <= B < C");
 }
 
@@ -132,9 +139,9 @@ double TriaxialNormalForm::remainder(const AndoyerState& s, const Map& of, doubl
 AndoyerState TriaxialNormalForm::mean(const AndoyerState& s) const {
   const double G2 = s.G * s.G, L2 = s.L * s.L;
   if (L2 < e_ * (G2 - (G2 - L2) * std::cos(2.0 * s.l)))
-    throw DomainError(
-        "TriaxialNormalForm: the state (l, L, G) = " + detail::tuple_text({s.l, s.L, s.G}) +
-        " is in long-axis mode; the series are those of short-axis mode");
+    throw DomainError("TriaxialNormalForm: the state (l, L, G) = " +
+                      polhode::detail::tuple_text({s.l, s.L, s.G}) +
+                      " is in long-axis mode; the series are those of short-axis mode");
   return displaced(s, to_mean_, ratio_of_osculating(s));
 }
 AndoyerState TriaxialNormalForm::osculating(const AndoyerState& mean) const {
@@ -147,5 +154,6 @@ double TriaxialNormalForm::osculating_error(const AndoyerState& mean) const {
   return remainder(mean, to_osculating_, ratio_of_mean(mean.L, mean.G));
 }
 
+}  // namespace secular
 }  // namespace v0
 }  // namespace polhode

@@ -12,6 +12,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace secular {
 namespace {
 
 constexpr std::size_t nodes = 32;
@@ -43,7 +44,7 @@ struct TurningFacet {
 Mat3 axes_about(const Vec3& axis) {
   const double length = norm(axis);
   if (!(length > 0.0) || !std::isfinite(length))
-    throw DomainError("yorp_torque: axis " + detail::tuple_text({axis.x, axis.y, axis.z}) +
+    throw DomainError("yorp_torque: axis " + polhode::detail::tuple_text({axis.x, axis.y, axis.z}) +
                       " must have a direction");
   const Vec3 z = (1.0 / length) * axis;
   const Vec3 other = std::fabs(z.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
@@ -116,7 +117,7 @@ YorpTorque orbit_mean(const TurningFacet& facet, const Tilt& tilt, const Rule& r
 
 YorpTorque yorp_torque(const Surface& surface, double obliquity, const Vec3& axis) {
   if (!std::isfinite(obliquity))
-    throw DomainError("yorp_torque: obliquity " + detail::number_text(obliquity) +
+    throw DomainError("yorp_torque: obliquity " + polhode::detail::number_text(obliquity) +
                       " must be finite");
   static const Rule rule = gauss_legendre<double, nodes>();
   const Mat3 axes = axes_about(axis);
@@ -131,14 +132,16 @@ YorpTorque yorp_torque(const Surface& surface, double obliquity, const Vec3& axi
 
 double mean_pressure(const Sunlight& light, double semi_major_axis, double eccentricity) {
   if (!(semi_major_axis > 0.0) || !std::isfinite(semi_major_axis))
-    throw DomainError("mean_pressure: semi_major_axis " + detail::number_text(semi_major_axis) +
+    throw DomainError("mean_pressure: semi_major_axis " +
+                      polhode::detail::number_text(semi_major_axis) +
                       " must be positive and finite");
   if (!(eccentricity >= 0.0 && eccentricity < 1.0))
-    throw DomainError("mean_pressure: eccentricity " + detail::number_text(eccentricity) +
+    throw DomainError("mean_pressure: eccentricity " + polhode::detail::number_text(eccentricity) +
                       " must be at least 0 and below 1");
   const double ratio = light.distance / semi_major_axis;
   return light.pressure * (ratio * ratio) / std::sqrt((1.0 - eccentricity) * (1.0 + eccentricity));
 }
 
+}  // namespace secular
 }  // namespace v0
 }  // namespace polhode

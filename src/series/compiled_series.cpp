@@ -12,6 +12,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace series {
 
 namespace {
 // Points that go together.
@@ -186,5 +187,6 @@ std::vector<double> CompiledSeries::at_each(std::span<const double> points) cons
   return values;
 }
 
+}  // namespace series
 }  // namespace v0
 }  // namespace polhode

@@ -12,9 +12,10 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace series {
 namespace {
 
-using detail::number_text;
+using polhode::detail::number_text;
 using Complex = std::complex<double>;
 
 constexpr std::size_t most_points = std::size_t{1} << 26;
@@ -182,5 +183,6 @@ FourierSeries fourier_series(const Symbols& symbols, const std::vector<FourierAn
   return found;
 }
 
+}  // namespace series
 }  // namespace v0
 }  // namespace polhode

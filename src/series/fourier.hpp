@@ -24,6 +24,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace series {
 
 struct FourierAngle {
   std::string name;
@@ -41,5 +42,6 @@ FourierSeries fourier_series(const Symbols& symbols, const std::vector<FourierAn
                              const std::function<std::vector<double>(std::span<const double>)>& f,
                              double least = 0.0);
 
+}  // namespace series
 }  // namespace v0
 }  // namespace polhode

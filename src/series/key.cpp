@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Keys of terms: symbols, and exponents and multipliers packed into words.
-#include "polhode/series/key.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -10,14 +8,15 @@
 #include <utility>
 
 #include "polhode/error.hpp"
-#include "polhode/series/coefficient.hpp"
 #include "polhode/series/detail/canonical_terms.hpp"
 #include "polhode/series/detail/term_text.hpp"
 #include "polhode/series/detail/words.hpp"
+#include "polhode/series/series.hpp"
 #include "polhode/series/symbols.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace series {
 
 namespace {
 
@@ -240,5 +239,6 @@ void require_same(const Symbols& a, const Symbols& b) {
 
 }  // namespace detail
 
+}  // namespace series
 }  // namespace v0
 }  // namespace polhode

@@ -11,6 +11,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace series {
 namespace detail {
 namespace {
 
@@ -34,12 +35,15 @@ Orders::Orders(const Symbols& symbols, const Truncation& keep) : fields_(symbols
 
 void require_room(const ProductSize& size, std::size_t most_bytes) {
   if (size.bytes <= static_cast<double>(most_bytes)) return;
-  throw DomainError("product: " + rounded_text(size.pairs) + " pairs of terms may become " +
-                    rounded_text(size.terms) + " terms and take " + rounded_text(size.bytes / 1e9) +
-                    " GB, more than the " + rounded_text(static_cast<double>(most_bytes) / 1e9) +
+  throw DomainError("product: " + polhode::detail::rounded_text(size.pairs) +
+                    " pairs of terms may become " + polhode::detail::rounded_text(size.terms) +
+                    " terms and take " + polhode::detail::rounded_text(size.bytes / 1e9) +
+                    " GB, more than the " +
+                    polhode::detail::rounded_text(static_cast<double>(most_bytes) / 1e9) +
                     " GB allowed; lower the order, or raise Truncation::most_bytes");
 }
 
 }  // namespace detail
+}  // namespace series
 }  // namespace v0
 }  // namespace polhode

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/series/rational.hpp"
-
 #include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <charconv>
@@ -10,9 +8,11 @@
 #include <utility>
 
 #include "polhode/error.hpp"
+#include "polhode/series/symbols.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace series {
 
 // Without expression templates.
 using Integer = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>,
@@ -246,5 +246,6 @@ std::string Rational::text() const {
   return d_ == 1 ? std::to_string(n_) : std::to_string(n_) + "/" + std::to_string(d_);
 }
 
+}  // namespace series
 }  // namespace v0
 }  // namespace polhode

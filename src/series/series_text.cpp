@@ -15,6 +15,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace series {
 namespace detail {
 
 namespace {
@@ -260,5 +261,6 @@ std::string latex_number(const std::string& number) {
 }
 
 }  // namespace detail
+}  // namespace series
 }  // namespace v0
 }  // namespace polhode

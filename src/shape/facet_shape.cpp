@@ -11,11 +11,12 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace shape {
 namespace {
 
 using Triangle = FacetShape::Triangle;
 
-std::string text(const Vec3& v) { return detail::tuple_text({v.x, v.y, v.z}); }
+std::string text(const Vec3& v) { return polhode::detail::tuple_text({v.x, v.y, v.z}); }
 
 void require_vertices(const std::vector<Vec3>& vertices) {
   for (std::size_t i = 0; i < vertices.size(); ++i) {
@@ -146,7 +147,7 @@ std::string FacetShape::open_edge() const {
 
 FacetShape FacetShape::moved(const Vec3& origin, double factor) const {
   if (!(factor > 0.0) || !std::isfinite(factor))
-    throw DomainError("FacetShape: factor " + detail::number_text(factor) +
+    throw DomainError("FacetShape: factor " + polhode::detail::number_text(factor) +
                       " must be positive and finite");
   std::vector<Vec3> moved;
   moved.reserve(mesh_->vertices.size());
@@ -159,5 +160,6 @@ void require_closed(const FacetShape& shape, const std::string& function) {
   if (!edge.empty()) throw DomainError(function + ": the mesh is not closed: " + edge);
 }
 
+}  // namespace shape
 }  // namespace v0
 }  // namespace polhode

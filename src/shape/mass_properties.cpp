@@ -9,6 +9,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace shape {
 namespace {
 
 // Six points of a triangle by their weights of two corners, the third weight being what is left
@@ -117,14 +118,14 @@ std::array<double, size> scaled(std::array<double, size> m, double factor) {
 MassProperties mass_properties(const FacetShape& shape, double density) {
   const std::string function = "mass_properties";
   if (!(density > 0.0) || !std::isfinite(density))
-    throw DomainError(function + ": density " + detail::number_text(density) +
+    throw DomainError(function + ": density " + polhode::detail::number_text(density) +
                       " must be positive and finite");
   require_closed(shape, function);
   const Vec3 near = middle(shape);
   const Powers from_near = integrals(shape, near, false);
   const double volume = from_near.zero;
   if (!(volume > 0.0))
-    throw DomainError(function + ": volume " + detail::number_text(volume) +
+    throw DomainError(function + ": volume " + polhode::detail::number_text(volume) +
                       " must be positive: corners run counterclockwise as seen from outside");
   const Vec3 centre = near + (1.0 / volume) * from_near.one;
   const Powers about = integrals(shape, centre, true);
@@ -141,5 +142,6 @@ MassMoments principal_moments(const MassProperties& properties, const Body& body
   return rotated(properties.moments, rotation_matrix(conj(body.q_FB())));
 }
 
+}  // namespace shape
 }  // namespace v0
 }  // namespace polhode

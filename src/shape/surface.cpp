@@ -51,10 +51,11 @@ Surface::Surface(std::vector<SurfaceFacet> facets) : facets_(std::move(facets)) 
   for (std::size_t i = 0; i < facets_.size(); ++i) facets_[i] = checked(facets_[i], i + 1);
 }
 
-Surface Surface::of_shape(const FacetShape& shape, const Vec3& centre, const Finish& finish) {
+Surface Surface::of_shape(const shape::FacetShape& shape, const Vec3& centre,
+                          const Finish& finish) {
   std::vector<SurfaceFacet> facets;
   facets.reserve(shape.facets().size());
-  for (const Facet& f : shape.facets())
+  for (const shape::Facet& f : shape.facets())
     facets.push_back({f.centre - centre, f.normal, f.area, finish});
   return Surface(std::move(facets));
 }

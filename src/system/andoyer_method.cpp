@@ -11,6 +11,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace rates {
 namespace detail {
 namespace {
 
@@ -52,7 +53,7 @@ std::size_t pivot_row(const Matrix6& A, const Six& row_size, std::size_t c) {
 Six solved(Matrix6 A, Six b) {
   Six row_size{};
   for (std::size_t i = 0; i < 6; ++i)
-    for (const double x : A.a[i]) row_size[i] = detail::larger(row_size[i], std::abs(x));
+    for (const double x : A.a[i]) row_size[i] = polhode::detail::larger(row_size[i], std::abs(x));
   for (std::size_t c = 0; c < 6; ++c) {
     const std::size_t p = pivot_row(A, row_size, c);
     std::swap(A.a[c], A.a[p]);
@@ -92,9 +93,9 @@ double canonical_defect(const VariablesAt& at) {
     for (int l = k + 1; l < 6; ++l) {
       const Pair a = column(at.B, k), b = column(at.B, l);
       const double J = l == k + 3 ? 1.0 : 0.0;
-      const double size = detail::larger(J, bracket_size(a, b, at.s.g));
+      const double size = polhode::detail::larger(J, bracket_size(a, b, at.s.g));
       const double defect = std::abs(bracket(a, b, at.s.g) - J);
-      if (defect != 0.0) worst = detail::larger(worst, defect / size);
+      if (defect != 0.0) worst = polhode::detail::larger(worst, defect / size);
     }
   }
   return worst;
@@ -113,5 +114,6 @@ std::array<double, 6> equations_of_motion(const VariablesAt& at, const System& s
 }
 
 }  // namespace detail
+}  // namespace rates
 }  // namespace v0
 }  // namespace polhode

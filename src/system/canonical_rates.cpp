@@ -8,12 +8,12 @@
 #include <limits>
 
 #include "polhode/free/free_rotation.hpp"
-#include "polhode/math/matrix6.hpp"
+#include "polhode/math/vector.hpp"
 #include "polhode/rotor/body.hpp"
-#include "polhode/system/modified_andoyer.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace rates {
 
 namespace {
 
@@ -78,24 +78,6 @@ std::array<double, 3> convective_term(const System& system, double t, const Roto
   return {z[0], z[1], z[2]};
 }
 
-AndoyerState modified_andoyer(const Body& body, double t, const RotorState& s, double t0) {
-  return to_andoyer(FreeRotation(body, s, t).at(t0));
-}
-
-RotorState from_modified_andoyer(const Body& body, double t, const AndoyerState& C, double t0) {
-  return FreeRotation(body, to_rotor(C), t0).at(t);
-}
-
-AndoyerRates modified_andoyer_rates(const System& system, double t, const RotorState& s,
-                                    double t0) {
-  const FreeRotation motion(system.body(), s, t);
-  const std::array<double, 6> at_epoch =
-      motion.state_transition(t0) * tangent(perturbation_rates(system, t, s));
-  CanonicalRates z = inverse_chart_jacobian(motion.at(t0), {CanonicalSet::andoyer}) * at_epoch;
-  for (double& rate : z)
-    if (!std::isfinite(rate)) rate = std::numeric_limits<double>::quiet_NaN();
-  return {z[0], z[1], z[2], z[3], z[4], z[5]};
-}
-
+}  // namespace rates
 }  // namespace v0
 }  // namespace polhode

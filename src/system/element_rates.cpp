@@ -11,7 +11,7 @@
 #include "polhode/error.hpp"
 #include "polhode/free/free_rotation.hpp"
 #include "polhode/math/double_double.hpp"
-#include "polhode/math/matrix6.hpp"
+#include "polhode/math/vector.hpp"
 #include "polhode/rotor/chart_jacobian.hpp"
 #include "polhode/system/canonical_rates.hpp"
 #include "polhode/system/osculation.hpp"
@@ -19,12 +19,13 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace rates {
 namespace {
 
-using detail::by_inertia;
-using detail::Convection;
-using detail::convection_of;
-using Numbers = detail::ElementNumbers;
+using polhode::detail::by_inertia;
+using polhode::detail::Convection;
+using polhode::detail::convection_of;
+using Numbers = polhode::detail::ElementNumbers;
 
 Vec3 over(const Vec3& x, const Vec3& I) { return {x.x / I.x, x.y / I.y, x.z / I.z}; }
 
@@ -102,7 +103,7 @@ template <class C>
   const Numbers z = numbers(elements);
   const SetName of = name(elements);
   throw DomainError("element_rates: the rates of " +
-                    detail::tuple_text({z[0], z[1], z[2], z[3], z[4], z[5]}) +
+                    polhode::detail::tuple_text({z[0], z[1], z[2], z[3], z[4], z[5]}) +
                     " do not exist: a singularity of " + of.set + "; " + of.alternative);
 }
 
@@ -163,7 +164,7 @@ RotorState osculating_of(const Body& body, double t, const C& elements, const Ga
 template <RotorElements C>
 RotorState element_state(const System& system, double t, const C& elements, const Gauge& gauge) {
   if (gauge.is_canonical()) return free_state(system.body(), t, elements);
-  return canonical_state(system, t, osculating_of(system.body(), t, elements, gauge));
+  return charts::canonical_state(system, t, osculating_of(system.body(), t, elements, gauge));
 }
 
 template <RotorElements C>
@@ -171,9 +172,9 @@ C elements_of_state(const System& system, double t, const RotorState& canonical,
                     const Gauge& gauge) {
   const Body& body = system.body();
   if (gauge.is_canonical()) return of_free_state(body, t, canonical, like);
-  const RotorState osculating = osculating_state(system, t, canonical);
+  const RotorState osculating = charts::osculating_state(system, t, canonical);
   const auto free = [&](const Vec3& gamma) { return RotorState{osculating.q, gamma}; };
-  const Vec3 gamma = detail::unperturbed_momentum(
+  const Vec3 gamma = polhode::detail::unperturbed_momentum(
       gauge, t, body.moments(), osculating.g,
       [&](const Vec3& g) { return numbers(of_free_state(body, t, free(g), like)); },
       [&](const Vec3& g) {
@@ -205,8 +206,8 @@ std::array<double, 6> element_rates(const System& system, double t, const C& ele
   const Vec3 free_w = over(free.g, I), free_torque = cross(free.g, free_w);
   if (gauge.is_canonical()) {
     const HubRates added = perturbation_rates(system, t, free);
-    if constexpr (are_constants<C>) return inverse * detail::tangent(added.theta, added.g);
-    return inverse * detail::tangent(free_w + added.theta, free_torque + added.g);
+    if constexpr (are_constants<C>) return inverse * polhode::detail::tangent(added.theta, added.g);
+    return inverse * polhode::detail::tangent(free_w + added.theta, free_torque + added.g);
   }
 
   const Numbers z = numbers(elements);
@@ -217,9 +218,9 @@ std::array<double, 6> element_rates(const System& system, double t, const C& ele
   const double fastest = norm(w) + norm(system.frame().at(t).mu_S);
   const Vec3 dv = convection_rate(system, t, state, rate, fastest > 0.0 ? fastest : 1.0);
   const Vec3 force = rate.g + by_inertia(I, dv);
-  return are_constants<C>
-             ? detail::gauge_rates(gauge, I, z, phi, inverse, {}, phi.value, force - free_torque)
-             : detail::gauge_rates(gauge, I, z, phi, inverse, {}, w, force);
+  return are_constants<C> ? polhode::detail::gauge_rates(gauge, I, z, phi, inverse, {}, phi.value,
+                                                         force - free_torque)
+                          : polhode::detail::gauge_rates(gauge, I, z, phi, inverse, {}, w, force);
 }
 
 #define POLHODE_ELEMENTS(C)                                                                       \
@@ -234,5 +235,6 @@ POLHODE_ELEMENTS(SerretState)
 POLHODE_ELEMENTS(SadovState)
 #undef POLHODE_ELEMENTS
 
+}  // namespace rates
 }  // namespace v0
 }  // namespace polhode

@@ -15,7 +15,6 @@
 
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
-#include "polhode/math/matrix6.hpp"
 #include "polhode/math/vector.hpp"
 #include "polhode/system/element_rates.hpp"
 
@@ -52,9 +51,9 @@ struct Convection {
   std::array<Vec3, 6> by_elements;
   Vec3 by_time;
 };
-inline Convection convection_of(const Gauge& gauge, const ElementNumbers& z, double t) {
+inline Convection convection_of(const rates::Gauge& gauge, const ElementNumbers& z, double t) {
   if (!gauge.phi()) return {};
-  Gauge::Elements C;
+  rates::Gauge::Elements C;
   for (std::size_t k = 0; k < 6; ++k) C[k] = Tangent::variable(z[k], static_cast<int>(k));
   const BasicVec3<Tangent> phi = gauge.phi()(C, Tangent(t));
   Convection out{{phi.x.value, phi.y.value, phi.z.value}, {}, {}};
@@ -101,7 +100,7 @@ class GaugeMatrix {
 
 // dC/dt of elements z: the rates of the unperturbed motion, and those caused by additions to it,
 // `velocity` to dq/dt and `force` to dy/dt.
-inline ElementNumbers gauge_rates(const Gauge& gauge, const Vec3& I, const ElementNumbers& z,
+inline ElementNumbers gauge_rates(const rates::Gauge& gauge, const Vec3& I, const ElementNumbers& z,
                                   const Convection& phi, const Matrix6& inverse,
                                   const ElementNumbers& unperturbed, const Vec3& velocity,
                                   const Vec3& force) {
@@ -121,7 +120,7 @@ inline ElementNumbers gauge_rates(const Gauge& gauge, const Vec3& I, const Eleme
 // The momentum gamma with gamma + I Phi(C(gamma), t) = y, by Newton's method. `numbers_of(gamma)`
 // gives the elements, `inverse_of(gamma)` B^-1.
 template <class NumbersOf, class InverseOf>
-Vec3 unperturbed_momentum(const Gauge& gauge, double t, const Vec3& I, const Vec3& y,
+Vec3 unperturbed_momentum(const rates::Gauge& gauge, double t, const Vec3& I, const Vec3& y,
                           const NumbersOf& numbers_of, const InverseOf& inverse_of) {
   Vec3 gamma = y;
   if (!gauge.phi()) return gamma;

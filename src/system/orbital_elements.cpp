@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Equations of motion of Delaunay's and Kepler's elements in any gauge.
-#include "polhode/system/orbital_elements.hpp"
-
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -11,23 +9,24 @@
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
 #include "polhode/math/double_double.hpp"
-#include "polhode/math/matrix6.hpp"
-#include "polhode/orbit/kepler_equation.hpp"
+#include "polhode/math/vector.hpp"
 #include "polhode/orbit/kepler_orbit.hpp"
+#include "polhode/system/satellite_system.hpp"
 #include "system/gauge.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace satellites {
 namespace {
 
-using detail::Convection;
-using detail::convection_of;
+using polhode::detail::Convection;
+using polhode::detail::convection_of;
 using std::sqrt;
 
 constexpr Vec3 unit_inertia{1.0, 1.0, 1.0};
 
 std::string text_of(const OrbitalElements& C) {
-  return detail::tuple_text({C[0], C[1], C[2], C[3], C[4], C[5]});
+  return polhode::detail::tuple_text({C[0], C[1], C[2], C[3], C[4], C[5]});
 }
 const char* name_of(OrbitalSet set) {
   return set == OrbitalSet::delaunay ? "Delaunay's elements" : "Keplerian elements";
@@ -106,8 +105,9 @@ OrbitalElements elements_of_orbit(OrbitalSet set, double gm, const Vec3& r, cons
   const double G = norm(momentum);
   const double a = 1.0 / (2.0 / norm(r) - dot(u, u) / gm);
   if (!(a > 0.0) || !std::isfinite(a) || !(G > 0.0))
-    not_bound("elements_of_state", "the position " + detail::tuple_text({r.x, r.y, r.z}) +
-                                       " and the velocity " + detail::tuple_text({u.x, u.y, u.z}));
+    not_bound("elements_of_state", "the position " + polhode::detail::tuple_text({r.x, r.y, r.z}) +
+                                       " and the velocity " +
+                                       polhode::detail::tuple_text({u.x, u.y, u.z}));
   const KeplerElements k = KeplerOrbit::from_state(r, u, gm).elements();
   if (set == OrbitalSet::keplerian)
     return {a, k.eccentricity, k.inclination, k.node, k.argument, k.mean_anomaly};
@@ -205,17 +205,18 @@ Vec3 canonical_momentum(const SatelliteSystem& system, double t, const Vec3& r,
       columns[static_cast<std::size_t>(j)] =
           unit + convection_slope(system, t, s, 0.0, {}, unit, h);
     }
-    s.p = s.p + detail::solve_columns(columns, missing);
+    s.p = s.p + polhode::detail::solve_columns(columns, missing);
   }
   throw DomainError("element_state: no canonical momentum found for the velocity " +
-                    detail::tuple_text({velocity.x, velocity.y, velocity.z}) +
+                    polhode::detail::tuple_text({velocity.x, velocity.y, velocity.z}) +
                     ": dH'/dp changes too fast with the momentum");
 }
 
 }  // namespace
 
 SatelliteState element_state(const SatelliteSystem& system, double t,
-                             const OrbitalElements& elements, OrbitalSet set, const Gauge& gauge) {
+                             const OrbitalElements& elements, OrbitalSet set,
+                             const rates::Gauge& gauge) {
   const SatelliteState free = unperturbed_state(set, system.gm(), elements, "element_state");
   if (gauge.is_canonical()) return free;
   const Vec3 velocity = free.p + convection_of(gauge, elements, t).value;
@@ -224,18 +225,19 @@ SatelliteState element_state(const SatelliteSystem& system, double t,
 
 OrbitalElements elements_of_state(const SatelliteSystem& system, double t,
                                   const SatelliteState& canonical, OrbitalSet set,
-                                  const Gauge& gauge) {
+                                  const rates::Gauge& gauge) {
   const double gm = system.gm();
   const auto elements = [&](const Vec3& u) { return elements_of_orbit(set, gm, canonical.r, u); };
   if (gauge.is_canonical()) return elements(canonical.p);
   const Vec3 velocity = satellite_rates(system, t, canonical).r;
-  return elements(detail::unperturbed_momentum(
+  return elements(polhode::detail::unperturbed_momentum(
       gauge, t, unit_inertia, velocity, elements,
       [&](const Vec3& u) { return inverse_jacobian(set, gm, elements(u)); }));
 }
 
 Vec3 element_convective_term(const SatelliteSystem& system, double t,
-                             const OrbitalElements& elements, OrbitalSet set, const Gauge& gauge) {
+                             const OrbitalElements& elements, OrbitalSet set,
+                             const rates::Gauge& gauge) {
   const SatelliteState free =
       unperturbed_state(set, system.gm(), elements, "element_convective_term");
   return gauge.is_canonical() ? convection(system, t, free)
@@ -243,7 +245,8 @@ Vec3 element_convective_term(const SatelliteSystem& system, double t,
 }
 
 OrbitalElements element_rates(const SatelliteSystem& system, double t,
-                              const OrbitalElements& elements, OrbitalSet set, const Gauge& gauge) {
+                              const OrbitalElements& elements, OrbitalSet set,
+                              const rates::Gauge& gauge) {
   const SatelliteState free = unperturbed_state(set, system.gm(), elements, "element_rates");
   const Matrix6 inverse = inverse_jacobian(set, system.gm(), elements);
   const SatelliteState state = element_state(system, t, elements, set, gauge);
@@ -253,16 +256,17 @@ OrbitalElements element_rates(const SatelliteSystem& system, double t,
   const double a = ellipse_of(set, system.gm(), elements).a;
   mean_motion[set == OrbitalSet::delaunay ? 0 : 5] = sqrt(system.gm() / a) / a;
   if (gauge.is_canonical())
-    return detail::gauge_rates(gauge, unit_inertia, elements, {}, inverse, mean_motion, added.r,
-                               added.p);
+    return polhode::detail::gauge_rates(gauge, unit_inertia, elements, {}, inverse, mean_motion,
+                                        added.r, added.p);
   const Convection phi = convection_of(gauge, elements, t);
   const SatelliteState rate = satellite_rates(system, t, state);
   const double fastest = norm(free.p) / norm(free.r) + norm(system.frame().at(t).mu_S);
   const Vec3 dv =
       convection_slope(system, t, state, 1.0, rate.r, rate.p, std::ldexp(1.0, -30) / fastest);
-  return detail::gauge_rates(gauge, unit_inertia, elements, phi, inverse, mean_motion, phi.value,
-                             added.p + dv);
+  return polhode::detail::gauge_rates(gauge, unit_inertia, elements, phi, inverse, mean_motion,
+                                      phi.value, added.p + dv);
 }
 
+}  // namespace satellites
 }  // namespace v0
 }  // namespace polhode

@@ -16,6 +16,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace charts {
 namespace {
 
 using D = Tangent;
@@ -39,14 +40,14 @@ struct Residual {
   std::array<Vec3, 3> by_g;
   double size;
 
-  Vec3 step() const { return detail::solve_columns(by_g, value); }
+  Vec3 step() const { return polhode::detail::solve_columns(by_g, value); }
 };
 
 Residual residual(const System& system, const Setting& at, const Vec3& mu_B, const Vec3& g_osc) {
   const DualVec v = terms_rate(system, at);
   const Vec3& I = system.body().moments();
   const Vec3 w = value_of(v) - mu_B;
-  const Vec3 lag = detail::by_inertia(I, w);
+  const Vec3 lag = polhode::detail::by_inertia(I, w);
   Residual r{(at.s.g - g_osc) + lag, {}, norm(at.s.g) + norm(lag) + norm(g_osc)};
   for (int j = 0; j < 3; ++j) {
     const auto k = static_cast<std::size_t>(j) + 3;
@@ -59,8 +60,8 @@ Residual residual(const System& system, const Setting& at, const Vec3& mu_B, con
 
 [[noreturn]] void no_canonical_momentum(const Vec3& g_osc, const Residual& r) {
   throw DomainError("canonical_state: no canonical momentum found for the osculating one " +
-                    detail::tuple_text({g_osc.x, g_osc.y, g_osc.z}) + ", nearest misses by " +
-                    detail::number_text(norm(r.value)) +
+                    polhode::detail::tuple_text({g_osc.x, g_osc.y, g_osc.z}) +
+                    ", nearest misses by " + polhode::detail::number_text(norm(r.value)) +
                     ": the perturbation's v changes too fast with the momentum");
 }
 
@@ -150,8 +151,9 @@ BasicRotorState<T> canonical_state(const System& system, double t,
     BasicRotorState<T> canonical{osculating.q, {T(g.x), T(g.y), T(g.z)}};
     const std::size_t steps = derivative_order<T> + (epsilon<T>() < epsilon<double>() ? 2 : 0);
     for (std::size_t k = 0; k < steps; ++k)
-      canonical.g = canonical.g - detail::solve_columns(by_g, (canonical.g - osculating.g) +
-                                                                  lag(system, t, canonical));
+      canonical.g =
+          canonical.g - polhode::detail::solve_columns(
+                            by_g, (canonical.g - osculating.g) + lag(system, t, canonical));
     return canonical;
   }
 }
@@ -184,5 +186,6 @@ AndoyerState canonical_andoyer(const System& system, double t, const AndoyerStat
   return to_andoyer(canonical_state(system, t, to_rotor(osculating)));
 }
 
+}  // namespace charts
 }  // namespace v0
 }  // namespace polhode

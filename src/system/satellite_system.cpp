@@ -9,13 +9,15 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace satellites {
 
 OrbitalPerturbation oblateness(double gm, double J2, double radius) {
   const double size = gm * J2 * radius * radius;
   if (!(radius > 0.0) || !std::isfinite(size))
-    throw DomainError(
-        "oblateness: got gm = " + detail::number_text(gm) + ", J2 = " + detail::number_text(J2) +
-        ", radius = " + detail::number_text(radius) + "; expected finite numbers, radius > 0");
+    throw DomainError("oblateness: got gm = " + polhode::detail::number_text(gm) +
+                      ", J2 = " + polhode::detail::number_text(J2) +
+                      ", radius = " + polhode::detail::number_text(radius) +
+                      "; expected finite numbers, radius > 0");
   return OrbitalPerturbation([size]<class T>(const T&, const BasicSatelliteState<T>& s) {
     using std::sqrt;
     const T r2 = dot(s.r, s.r);
@@ -27,7 +29,7 @@ OrbitalPerturbation oblateness(double gm, double J2, double radius) {
 SatelliteSystem::SatelliteSystem(double gm, Frame frame, std::vector<OrbitalPerturbation> terms)
     : gm_(gm), frame_(std::move(frame)), terms_(std::move(terms)) {
   if (!(gm > 0.0) || !std::isfinite(gm))
-    throw DomainError("SatelliteSystem: got gm = " + detail::number_text(gm) +
+    throw DomainError("SatelliteSystem: got gm = " + polhode::detail::number_text(gm) +
                       "; expected a positive finite number");
 }
 
@@ -67,5 +69,6 @@ double energy(const SatelliteSystem& system, double t, const SatelliteState& s) 
   return H - dot(system.frame().at(t).mu_S, cross(s.r, s.p));
 }
 
+}  // namespace satellites
 }  // namespace v0
 }  // namespace polhode

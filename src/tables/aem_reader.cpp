@@ -15,6 +15,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace {
 
 using detail::KvnLine;
@@ -242,7 +243,8 @@ void AemReader::add(const std::array<double, 8>& n, AemSegment& segment) {
     q = quaternion(n, 0);
     const double length = std::hypot(std::hypot(q.w, q.x), std::hypot(q.y, q.z));
     if (!(std::fabs(length - 1.0) < length_error))
-      lines_.fail("a quaternion of length " + detail::number_text(length) + "; expected 1");
+      lines_.fail("a quaternion of length " + polhode::detail::number_text(length) +
+                  "; expected 1");
   } else if (layout_.angles == Angles::euler) {
     // three turns of the axes, one after the other, each about an axis already turned
     q = about(sequence_[0], degree * n[0]) * about(sequence_[1], degree * n[1]) *
@@ -328,20 +330,21 @@ std::string aem_csv(const AttitudeEphemeris& ephemeris) {
     for (std::size_t k = 0; k < segments[i].t.size(); ++k) {
       const AemSegment& s = segments[i];
       const Quaternion& q = s.q_AB[k];
-      out += detail::number_text(s.t[k]);
-      for (const double x : {q.w, q.x, q.y, q.z}) out += "," + detail::number_text(x);
+      out += polhode::detail::number_text(s.t[k]);
+      for (const double x : {q.w, q.x, q.y, q.z}) out += "," + polhode::detail::number_text(x);
       // a rate that this segment has not is an empty field
       const bool known = !s.w_AB_B.empty();
       for (int j = 0; rates && j < 2; ++j)
-        out += "," + (known ? detail::number_text(s.w_AB_B[k][j]) : "");
+        out += "," + (known ? polhode::detail::number_text(s.w_AB_B[k][j]) : "");
       if (third)
-        out += "," + (known          ? detail::number_text(s.w_AB_B[k].z)
+        out += "," + (known          ? polhode::detail::number_text(s.w_AB_B[k].z)
                       : s.w3.empty() ? ""
-                                     : detail::number_text(s.w3[k]));
+                                     : polhode::detail::number_text(s.w3[k]));
       out += several ? "," + std::to_string(i + 1) + "\n" : "\n";
     }
   return out;
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Light curves in the ALCDEF format.
-#include "polhode/tables/alcdef.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,7 +8,8 @@
 
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
-#include "polhode/light/magnitudes.hpp"
+#include "polhode/light/light_curve.hpp"
+#include "polhode/tables/light_curve_file.hpp"
 #include "tables/detail/gzip_file.hpp"
 #include "tables/detail/kvn_reader.hpp"
 #include "tables/detail/light_sessions.hpp"
@@ -19,6 +18,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace {
 
 using detail::KvnLine;
@@ -39,10 +39,10 @@ constexpr std::string_view read_keywords[] = {
 
 class AlcdefReader {
  public:
-  AlcdefReader(std::string_view text, const std::string& shown, const std::optional<Date>& epoch,
-               std::span<const std::size_t> leave_out)
+  AlcdefReader(std::string_view text, const std::string& shown,
+               const std::optional<ephemeris::Date>& epoch, std::span<const std::size_t> leave_out)
       : lines_(text, shown),
-        times_(detail::light_times(shown, TimeScale::UTC, epoch)),
+        times_(detail::light_times(shown, ephemeris::TimeScale::UTC, epoch)),
         leave_out_(leave_out) {
     result_.file = shown;
   }
@@ -172,7 +172,7 @@ class AlcdefReader {
       lines_.fail("got " + std::to_string(fields.size()) +
                   " fields; expected DATA=JD, magnitude, its error and airmass, of which the last "
                   "two may be missing");
-    LightPoint p;
+    light::LightPoint p;
     try {
       p.t = times_.of_julian_date(fields[0]);
     } catch (const DomainError& error) {
@@ -198,8 +198,8 @@ class AlcdefReader {
       return way == "AVERAGE" || way == "POINT";
     };
     const std::string applied = word("LTCAPP"), reduced = word("REDUCEDMAGS");
-    if (applied == "NONE") session.times = LightTime::at_observer;
-    if (is_applied(applied)) session.times = LightTime::at_body;
+    if (applied == "NONE") session.times = light::LightTime::at_observer;
+    if (is_applied(applied)) session.times = light::LightTime::at_body;
     if (reduced == "NONE") session.distances = Distances::of_the_time;
     if (is_applied(reduced)) session.distances = Distances::unit;
     if (const std::string days = value(session, "LTCDAYS"); !days.empty()) {
@@ -236,8 +236,8 @@ class AlcdefReader {
 }
 
 // When a session begins, to a second.
-std::string began_text(const Date& date) {
-  const CalendarTime t = calendar_time(date);
+std::string began_text(const ephemeris::Date& date) {
+  const ephemeris::CalendarTime t = ephemeris::calendar_time(date);
   std::array<char, 80> text;
   std::snprintf(text.data(), text.size(),
                 "SESSIONDATE=%04d-%02d-%02d\nSESSIONTIME=%02d:%02d:%02d\n", t.year, t.month, t.day,
@@ -248,34 +248,34 @@ std::string began_text(const Date& date) {
 }  // namespace
 
 LightCurveFile alcdef_from_text(std::string_view text, const std::string& name,
-                                const std::optional<Date>& epoch,
+                                const std::optional<ephemeris::Date>& epoch,
                                 std::span<const std::size_t> leave_out) {
   const std::string shown = detail::printable(name, detail::longest_path);
   detail::require_size(text, shown);
   return AlcdefReader(text, shown, epoch, leave_out).read();
 }
 
-LightCurveFile read_alcdef(const std::string& path, const std::optional<Date>& epoch,
+LightCurveFile read_alcdef(const std::string& path, const std::optional<ephemeris::Date>& epoch,
                            std::span<const std::size_t> leave_out) {
   return alcdef_from_text(detail::text_of_file(path, detail::largest_light_file), path, epoch,
                           leave_out);
 }
 
-std::string alcdef_text(std::span<const LightCurve> curves, const Date& epoch,
+std::string alcdef_text(std::span<const light::LightCurve> curves, const ephemeris::Date& epoch,
                         const AlcdefHead& head) {
   if (curves.empty())
     throw DomainError("alcdef_text: there are no light curves; expected one or more");
   std::string text;
   for (std::size_t c = 0; c < curves.size(); ++c) {
-    const std::vector<LightPoint>& points = curves[c].points;
+    const std::vector<light::LightPoint>& points = curves[c].points;
     if (points.empty()) fail_to_write(c, " has no points; expected one or more");
-    const auto date = [&](const LightPoint& p) {
-      return converted(date_after(epoch, p.t), TimeScale::UTC);
+    const auto date = [&](const light::LightPoint& p) {
+      return ephemeris::converted(ephemeris::date_after(epoch, p.t), ephemeris::TimeScale::UTC);
     };
     text += "STARTMETADATA\nOBJECTNAME=" + detail::printable(head.object, longest_line) + "\n";
     for (std::size_t k = 0; k < points.size(); ++k) {
-      const LightPoint& p = points[k];
-      const Magnitude m = magnitude_of({p.flux, p.sigma});
+      const light::LightPoint& p = points[k];
+      const light::Magnitude m = light::magnitude_of({p.flux, p.sigma});
       if (!std::isfinite(p.t) || !std::isfinite(m.value) || !std::isfinite(m.sigma))
         fail_to_write(c, ": point " + std::to_string(k + 1) +
                              ": expected a finite time and a flux above 0, which has a magnitude");
@@ -283,19 +283,21 @@ std::string alcdef_text(std::span<const LightCurve> curves, const Date& epoch,
         text += began_text(date(p));
         text += curves[c].is_calibrated ? "DIFFERMAGS=FALSE\nSTANDARD=OTHER\n"
                                         : "DIFFERMAGS=TRUE\nSTANDARD=NONE\n";
-        text += std::string("LTCAPP=") + (head.times == LightTime::at_body ? "POINT" : "NONE") +
+        text += std::string("LTCAPP=") +
+                (head.times == light::LightTime::at_body ? "POINT" : "NONE") +
                 "\nREDUCEDMAGS=" + (head.is_of_the_time ? "NONE" : "POINT") + "\n";
         for (const std::string& note : head.notes)
           text += "COMMENT=" + detail::printable(note, longest_line) + "\n";
         text += "DELIMITER=PIPE\nENDMETADATA\n";
       }
-      text += "DATA=" + detail::julian_text(date(p)) + "|" + detail::number_text(m.value) + "|" +
-              detail::number_text(m.sigma) + "\n";
+      text += "DATA=" + detail::julian_text(date(p)) + "|" + polhode::detail::number_text(m.value) +
+              "|" + polhode::detail::number_text(m.sigma) + "\n";
     }
     text += "ENDDATA\n";
   }
   return text;
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -17,7 +17,6 @@
 #include <utility>
 
 #include "polhode/error.hpp"
-#include "polhode/tables/chart_kind.hpp"
 #include "polhode/text/separated.hpp"
 #include "tables/detail/gzip_file.hpp"
 #include "tables/detail/line_reader.hpp"
@@ -26,6 +25,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 // What the comments of a table that `polhode run` wrote say of its columns: units, and the options
@@ -449,5 +449,6 @@ void convert(const Conversion& conversion, const std::string& name, const ByteSo
   converter.finish(reader.too_long());
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -16,6 +16,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 namespace {
 
@@ -73,5 +74,6 @@ std::string text_of_file(const std::string& path, std::size_t largest) {
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -13,6 +13,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 namespace {
@@ -192,5 +193,6 @@ double KvnEphemerisReader::read_seconds(std::string_view text) {
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

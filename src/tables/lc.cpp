@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Light curves in the lc format of DAMIT.
-#include "polhode/tables/lc.hpp"
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -10,6 +8,7 @@
 
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
+#include "polhode/tables/light_curve_file.hpp"
 #include "tables/detail/gzip_file.hpp"
 #include "tables/detail/kvn_reader.hpp"
 #include "tables/detail/light_sessions.hpp"
@@ -17,6 +16,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace {
 
 using detail::KvnLine;
@@ -26,8 +26,8 @@ constexpr std::size_t point_fields = 8;
 
 class LcReader {
  public:
-  LcReader(std::string_view text, const std::string& shown, TimeScale scale,
-           const std::optional<Date>& epoch, std::span<const std::size_t> leave_out)
+  LcReader(std::string_view text, const std::string& shown, ephemeris::TimeScale scale,
+           const std::optional<ephemeris::Date>& epoch, std::span<const std::size_t> leave_out)
       : lines_(text, shown),
         times_(detail::light_times(shown, scale, epoch)),
         leave_out_(leave_out) {
@@ -88,7 +88,7 @@ class LcReader {
     LightSession session;
     session.curve.name = std::to_string(place);
     session.curve.is_calibrated = head[1] == "1";
-    session.times = LightTime::at_body;
+    session.times = light::LightTime::at_body;
     if (session.curve.is_calibrated) session.distances = Distances::unit;
     session.line = lines_.line_number();
     for (std::uint64_t k = 1; k <= points; ++k)
@@ -107,7 +107,7 @@ class LcReader {
     if (row.size() != point_fields)
       refuse(row, "8 in " + which +
                       ": Julian date, flux, x y z from the body to the Sun, x y z to the Earth");
-    LightPoint p;
+    light::LightPoint p;
     try {
       p.t = times_.of_julian_date(row[0]);
     } catch (const DomainError& error) {
@@ -142,44 +142,47 @@ bool is_vector(const Vec3& v) { return v != Vec3{} && std::isfinite(v.x + v.y + 
 
 }  // namespace
 
-LightCurveFile lc_from_text(std::string_view text, const std::string& name, TimeScale scale,
-                            const std::optional<Date>& epoch,
+LightCurveFile lc_from_text(std::string_view text, const std::string& name,
+                            ephemeris::TimeScale scale, const std::optional<ephemeris::Date>& epoch,
                             std::span<const std::size_t> leave_out) {
   const std::string shown = detail::printable(name, detail::longest_path);
   detail::require_size(text, shown);
   return LcReader(text, shown, scale, epoch, leave_out).read();
 }
 
-LightCurveFile read_lc(const std::string& path, TimeScale scale, const std::optional<Date>& epoch,
+LightCurveFile read_lc(const std::string& path, ephemeris::TimeScale scale,
+                       const std::optional<ephemeris::Date>& epoch,
                        std::span<const std::size_t> leave_out) {
   return lc_from_text(detail::text_of_file(path, detail::largest_light_file), path, scale, epoch,
                       leave_out);
 }
 
-std::string lc_text(std::span<const LightCurve> curves, const Date& epoch) {
+std::string lc_text(std::span<const light::LightCurve> curves, const ephemeris::Date& epoch) {
   if (curves.empty()) throw DomainError("lc_text: there are no light curves; expected one or more");
   std::string text = std::to_string(curves.size()) + "\n";
   for (std::size_t c = 0; c < curves.size(); ++c) {
-    const std::vector<LightPoint>& points = curves[c].points;
+    const std::vector<light::LightPoint>& points = curves[c].points;
     if (points.empty())
       throw DomainError("lc_text: light curve " + std::to_string(c + 1) +
                         " has no points; expected one or more");
     text += std::to_string(points.size()) + (curves[c].is_calibrated ? " 1\n" : " 0\n");
     for (std::size_t k = 0; k < points.size(); ++k) {
-      const LightPoint& p = points[k];
+      const light::LightPoint& p = points[k];
       if (!std::isfinite(p.t) || !std::isfinite(p.flux))
         fail_to_write(c, k, "its time or flux is not finite");
       if (!is_vector(p.to_sun) || !is_vector(p.to_observer))
         fail_to_write(c, k, "expected its vectors to the Sun and to the observer, in au");
-      text += detail::julian_text(converted(date_after(epoch, p.t), epoch.scale));
+      text +=
+          detail::julian_text(ephemeris::converted(ephemeris::date_after(epoch, p.t), epoch.scale));
       for (const double x : {p.flux, p.to_sun.x, p.to_sun.y, p.to_sun.z, p.to_observer.x,
                              p.to_observer.y, p.to_observer.z})
-        text += " " + detail::number_text(x);
+        text += " " + polhode::detail::number_text(x);
       text += "\n";
     }
   }
   return text;
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: MIT
 // Light curves as columns of a table.
-#include "polhode/tables/light_columns.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
-#include "polhode/light/magnitudes.hpp"
+#include "polhode/light/light_curve.hpp"
+#include "polhode/tables/light_curve_file.hpp"
 #include "tables/detail/light_sessions.hpp"
 #include "tables/number_table.hpp"
 #include "text/words.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace {
 
 using Three = LightColumns::Three;
@@ -24,9 +24,9 @@ constexpr std::size_t longest_note = 10000;
 const Three csv_to_sun = {"sun_x", "sun_y", "sun_z"};
 const Three csv_to_observer = {"observer_x", "observer_y", "observer_z"};
 
-bool has_vectors(std::span<const LightCurve> curves) {
-  return std::any_of(curves.begin(), curves.end(), [](const LightCurve& curve) {
-    return std::any_of(curve.points.begin(), curve.points.end(), [](const LightPoint& p) {
+bool has_vectors(std::span<const light::LightCurve> curves) {
+  return std::any_of(curves.begin(), curves.end(), [](const light::LightCurve& curve) {
+    return std::any_of(curve.points.begin(), curve.points.end(), [](const light::LightPoint& p) {
       return p.to_sun != Vec3{} || p.to_observer != Vec3{};
     });
   });
@@ -37,32 +37,32 @@ bool has_vectors(std::span<const LightCurve> curves) {
 }
 
 // What the columns cannot hold would come back as something else.
-void require_writable(std::span<const LightCurve> curves) {
+void require_writable(std::span<const light::LightCurve> curves) {
   if (curves.empty()) fail_to_write("there are no light curves; expected one or more");
   for (std::size_t c = 0; c < curves.size(); ++c) {
     const std::string which = "light curve " + std::to_string(c + 1);
-    const LightCurve& curve = curves[c];
+    const light::LightCurve& curve = curves[c];
     if (curve.points.empty()) fail_to_write(which + " has no points; expected one or more");
     if (curve.is_calibrated != curves[0].is_calibrated)
       fail_to_write(which + " is " + (curve.is_calibrated ? "calibrated" : "relative") +
                     ", light curve 1 is not; expected the same of all in one table");
     for (std::size_t k = 0; k < curve.points.size(); ++k) {
-      const LightPoint& p = curve.points[k];
+      const light::LightPoint& p = curve.points[k];
       for (const double x : {p.t, p.flux, p.sigma, p.to_sun.x, p.to_sun.y, p.to_sun.z,
                              p.to_observer.x, p.to_observer.y, p.to_observer.z})
         if (!std::isfinite(x))
           fail_to_write(which + ": point " + std::to_string(k + 1) + ": got " +
-                        detail::number_text(x) + "; expected finite numbers");
+                        polhode::detail::number_text(x) + "; expected finite numbers");
     }
   }
 }
 
 // In place of a flux, in the same members.
-Flux magnitude_in_place(std::size_t curve, const Flux& flux) {
-  const Magnitude m = magnitude_of(flux);
+light::Flux magnitude_in_place(std::size_t curve, const light::Flux& flux) {
+  const light::Magnitude m = light::magnitude_of(flux);
   if (!std::isfinite(m.value))
     fail_to_write("light curve " + std::to_string(curve + 1) + " has the flux " +
-                  detail::number_text(flux.value) +
+                  polhode::detail::number_text(flux.value) +
                   ", which has no magnitude; expected less noise");
   return {m.value, m.sigma};
 }
@@ -178,7 +178,7 @@ class ColumnReader {
   std::size_t place_of_session(std::string_view field) {
     std::string name(field);
     try {
-      name = detail::number_text(number_from_field(field));
+      name = polhode::detail::number_text(number_from_field(field));
     } catch (const DomainError&) {
       if (name.empty()) throw DomainError("is empty; expected the name of a session");
     }
@@ -231,12 +231,13 @@ LightCurveFile read_light_columns(const std::string& path, const LightColumns& c
   return ColumnReader(path, columns).read();
 }
 
-std::string light_csv(std::span<const LightCurve> curves, std::span<const std::string> notes) {
+std::string light_csv(std::span<const light::LightCurve> curves,
+                      std::span<const std::string> notes) {
   return light_csv(curves, notes, light_csv_columns(has_vectors(curves)),
-                   [](double t) { return detail::number_text(t); });
+                   [](double t) { return polhode::detail::number_text(t); });
 }
 
-std::string light_csv(std::span<const LightCurve> curves, std::span<const std::string> notes,
+std::string light_csv(std::span<const light::LightCurve> curves, std::span<const std::string> notes,
                       const LightColumns& columns,
                       const std::function<std::string(double t)>& time_text) {
   require_writable(curves);
@@ -261,18 +262,18 @@ std::string light_csv(std::span<const LightCurve> curves, std::span<const std::s
     for (const std::string& name : *three) add(name, name);
   end_row();
   for (std::size_t c = 0; c < curves.size(); ++c)
-    for (const LightPoint& p : curves[c].points) {
+    for (const light::LightPoint& p : curves[c].points) {
       add(columns.session, std::to_string(c + 1));
       add(columns.time, time_text(p.t));
-      const Flux seen{p.flux, p.sigma};
-      const Flux written = columns.flux.empty() ? magnitude_in_place(c, seen) : seen;
-      add(value, detail::number_text(written.value));
-      add(columns.sigma, detail::number_text(written.sigma));
+      const light::Flux seen{p.flux, p.sigma};
+      const light::Flux written = columns.flux.empty() ? magnitude_in_place(c, seen) : seen;
+      add(value, polhode::detail::number_text(written.value));
+      add(columns.sigma, polhode::detail::number_text(written.sigma));
       for (int i = 0; i < 3; ++i)
-        add(columns.to_sun[static_cast<std::size_t>(i)], detail::number_text(p.to_sun[i]));
+        add(columns.to_sun[static_cast<std::size_t>(i)], polhode::detail::number_text(p.to_sun[i]));
       for (int i = 0; i < 3; ++i)
         add(columns.to_observer[static_cast<std::size_t>(i)],
-            detail::number_text(p.to_observer[i]));
+            polhode::detail::number_text(p.to_observer[i]));
       end_row();
     }
   return text;
@@ -291,5 +292,6 @@ LightColumns light_csv_columns(bool has_vectors, bool is_calibrated) {
   return columns;
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

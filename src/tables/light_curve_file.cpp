@@ -11,13 +11,14 @@
 
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
-#include "polhode/light/magnitudes.hpp"
+#include "polhode/light/light_curve.hpp"
 #include "tables/detail/light_sessions.hpp"
 #include "text/dates.hpp"
 #include "text/words.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 namespace {
@@ -26,19 +27,20 @@ constexpr double last_julian_date = 5373484.5;  // the end of the year 9999
 
 }  // namespace
 
-LightTimes::LightTimes(TimeScale scale, const std::optional<Date>& epoch, double julian_zero)
+LightTimes::LightTimes(ephemeris::TimeScale scale, const std::optional<ephemeris::Date>& epoch,
+                       double julian_zero)
     : scale_(scale), julian_zero_(julian_zero), epoch_(epoch) {
-  for (const TimeScale given : {scale, epoch ? epoch->scale : scale})
-    if (given == TimeScale::UT1)
+  for (const ephemeris::TimeScale given : {scale, epoch ? epoch->scale : scale})
+    if (given == ephemeris::TimeScale::UT1)
       throw DomainError(
           "times of light curves in UT1; expected UTC, TAI, TT or TDB, as UT1 - UTC "
           "is observed");
-  if (epoch) epoch_in_tt_ = converted(*epoch, TimeScale::TT);
+  if (epoch) epoch_in_tt_ = ephemeris::converted(*epoch, ephemeris::TimeScale::TT);
 }
 
 double LightTimes::of_julian_date(std::string_view field) {
   if (field.starts_with('+')) field.remove_prefix(1);
-  const Date date = julian_date(field, scale_, julian_zero_);
+  const ephemeris::Date date = julian_date(field, scale_, julian_zero_);
   const double sum = date.day + date.fraction;
   if (!(sum >= 0.0 && sum <= last_julian_date))
     throw DomainError("is no Julian date from 0 to 5373484.5");
@@ -47,16 +49,16 @@ double LightTimes::of_julian_date(std::string_view field) {
 
 double LightTimes::of_date(std::string_view field) { return seconds(date_in(field, scale_)); }
 
-double LightTimes::seconds(const Date& date) {
+double LightTimes::seconds(const ephemeris::Date& date) {
   if (!epoch_) {
-    epoch_ = Date{scale_, std::floor(date.day + date.fraction - 0.5) + 0.5, 0.0};
-    epoch_in_tt_ = converted(*epoch_, TimeScale::TT);
+    epoch_ = ephemeris::Date{scale_, std::floor(date.day + date.fraction - 0.5) + 0.5, 0.0};
+    epoch_in_tt_ = ephemeris::converted(*epoch_, ephemeris::TimeScale::TT);
   }
-  return seconds_between(*epoch_in_tt_, date);
+  return ephemeris::seconds_between(*epoch_in_tt_, date);
 }
 
-LightTimes light_times(const std::string& shown, TimeScale scale,
-                       const std::optional<Date>& epoch) {
+LightTimes light_times(const std::string& shown, ephemeris::TimeScale scale,
+                       const std::optional<ephemeris::Date>& epoch) {
   try {
     return {scale, epoch};
   } catch (const DomainError& error) {
@@ -64,7 +66,7 @@ LightTimes light_times(const std::string& shown, TimeScale scale,
   }
 }
 
-std::string julian_text(const Date& date) {
+std::string julian_text(const ephemeris::Date& date) {
   constexpr int decimals = 12;  // 0.1 us
   double whole = std::floor(date.day);
   double part = (date.day - whole) + date.fraction;
@@ -101,7 +103,8 @@ const char* in_words(Distances distances) {
 // " (JD 2459274.5)" of a time of a file with dates.
 std::string dated(const LightCurveFile& file, double t) {
   if (!file.epoch || !std::isfinite(t)) return {};
-  const Date date = converted(date_after(*file.epoch, t), file.epoch->scale);
+  const ephemeris::Date date =
+      ephemeris::converted(ephemeris::date_after(*file.epoch, t), file.epoch->scale);
   char text[32];
   std::snprintf(text, sizeof text, " (JD %.6f)", date.day + date.fraction);
   return text;
@@ -133,16 +136,16 @@ void require_one_scale(const LightCurveFile& file) {
 
 }  // namespace
 
-std::vector<LightCurve> light_curves(const LightCurveFile& file) {
-  std::vector<LightCurve> curves;
+std::vector<light::LightCurve> light_curves(const LightCurveFile& file) {
+  std::vector<light::LightCurve> curves;
   curves.reserve(file.sessions.size());
   for (const LightSession& session : file.sessions) curves.push_back(session.curve);
   return curves;
 }
 
-void require_sound(const LightCurveFile& file, const LightCurveNeeds& needs) {
-  const std::vector<LightCurve> curves = light_curves(file);
-  if (const std::optional<LightCurveFlaw> flaw = first_flaw(curves, needs)) {
+void require_sound(const LightCurveFile& file, const light::LightCurveNeeds& needs) {
+  const std::vector<light::LightCurve> curves = light_curves(file);
+  if (const std::optional<light::LightCurveFlaw> flaw = light::first_flaw(curves, needs)) {
     const LightSession& session = file.sessions[flaw->curve];
     const std::string which = "light curve " + std::to_string(flaw->curve + 1);
     const bool has_line = flaw->point && *flaw->point < session.lines.size();
@@ -165,21 +168,22 @@ void require_size(std::string_view text, const std::string& shown) {
 
 std::string magnitude_flaw(double magnitude) {
   if (std::abs(magnitude) <= faintest) return {};
-  return "magnitude " + number_text(magnitude) + "; expected one from -100 to 100";
+  return "magnitude " + polhode::detail::number_text(magnitude) + "; expected one from -100 to 100";
 }
 
 void take_magnitudes(LightSession& session) {
-  std::vector<LightPoint>& points = session.curve.points;
+  std::vector<light::LightPoint>& points = session.curve.points;
   double zero = 0.0;
   if (!session.curve.is_calibrated && !points.empty()) {
     const auto count = static_cast<double>(points.size());
-    for (const LightPoint& p : points) zero += p.flux / count;
+    for (const light::LightPoint& p : points) zero += p.flux / count;
     double mean = 0.0;
-    for (const LightPoint& p : points) mean += flux_of({p.flux, 0.0}, zero).value / count;
+    for (const light::LightPoint& p : points)
+      mean += light::flux_of({p.flux, 0.0}, zero).value / count;
     zero -= 2.5 * std::log10(mean);
   }
-  for (LightPoint& p : points) {
-    const Flux flux = flux_of({p.flux, p.sigma}, zero);
+  for (light::LightPoint& p : points) {
+    const light::Flux flux = light::flux_of({p.flux, p.sigma}, zero);
     p.flux = flux.value;
     p.sigma = flux.sigma;
   }
@@ -188,5 +192,6 @@ void take_magnitudes(LightSession& session) {
 
 }  // namespace detail
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -18,6 +18,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace {
 
 using Fields = std::vector<std::string_view>;
@@ -300,14 +301,15 @@ void require_rising(const NumberTable& table, std::size_t column, std::string_vi
   for (std::size_t k = 1; k < x.size(); ++k) {
     if (x[k] > x[k - 1]) continue;
     const std::string at = table.file + ":" + std::to_string(table.lines[k]) + ": " +
-                           std::string(what) + " " + detail::number_text(x[k]);
+                           std::string(what) + " " + polhode::detail::number_text(x[k]);
     throw DomainError(at +
-                      (x[k] == x[k - 1]
-                           ? " stands twice, here and in line "
-                           : " comes after " + detail::number_text(x[k - 1]) + " of line ") +
+                      (x[k] == x[k - 1] ? " stands twice, here and in line "
+                                        : " comes after " + polhode::detail::number_text(x[k - 1]) +
+                                              " of line ") +
                       std::to_string(table.lines[k - 1]) + "; expected rising values");
   }
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

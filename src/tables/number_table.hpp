@@ -29,6 +29,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 
 struct NumberTable {
   // What stands above the first row: a comment without its #, or a line of the banner of Horizons.
@@ -70,5 +71,6 @@ NumberTable read_number_table(const std::string& path, std::span<const std::stri
 // what the column holds.
 void require_rising(const NumberTable& table, std::size_t column, std::string_view what);
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -19,6 +19,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace {
 
 constexpr std::size_t largest_mesh = std::size_t{256} << 20;
@@ -248,7 +249,7 @@ class ObjReader {
  public:
   ObjReader(std::string_view text, const std::string& name) : statements_(text), name_(name) {}
 
-  FacetShape read() {
+  shape::FacetShape read() {
     std::vector<std::string_view> fields;
     while (statements_.next(fields)) {
       const std::string_view word = fields.front();
@@ -262,7 +263,7 @@ class ObjReader {
       }
     }
     if (faces_.empty()) throw DomainError(name_ + ": has no facets; expected a Wavefront OBJ file");
-    std::vector<FacetShape::Triangle> all = triangles();
+    std::vector<shape::FacetShape::Triangle> all = triangles();
     return {std::move(vertices_), std::move(all)};
   }
 
@@ -330,8 +331,8 @@ class ObjReader {
     for (std::size_t i = 1; i < fields.size(); ++i) corners_.push_back(corner(fields[i]));
   }
 
-  std::vector<FacetShape::Triangle> triangles() const {
-    std::vector<FacetShape::Triangle> all;
+  std::vector<shape::FacetShape::Triangle> triangles() const {
+    std::vector<shape::FacetShape::Triangle> all;
     all.reserve(corners_.size() - 2 * faces_.size());
     for (const Face& face : faces_) {
       for (std::size_t k = 0; k < face.count; ++k) {
@@ -391,13 +392,13 @@ class ObjReader {
     return text + (face.count > most ? ", ..." : "");
   }
 
-  void add_triangle(std::vector<FacetShape::Triangle>& all, const Face& face,
+  void add_triangle(std::vector<shape::FacetShape::Triangle>& all, const Face& face,
                     const FlatPolygon::Ear& ear) const {
     const auto place = [&](std::size_t i) {
       return static_cast<std::uint32_t>(corners_[face.first + i].vertex);
     };
-    const FacetShape::Triangle t{place(ear[0]), place(ear[1]), place(ear[2])};
-    const double area = facet(vertices_[t[0]], vertices_[t[1]], vertices_[t[2]]).area;
+    const shape::FacetShape::Triangle t{place(ear[0]), place(ear[1]), place(ear[2])};
+    const double area = shape::facet(vertices_[t[0]], vertices_[t[1]], vertices_[t[2]]).area;
     if (!(area > 0.0) || !std::isfinite(area))
       fail(face.line, std::string("a facet ") +
                           (area > 0.0 ? "beyond the range of double" : "with no area") +
@@ -417,19 +418,19 @@ class ObjReader {
 
 }  // namespace
 
-FacetShape shape_from_obj(std::string_view text, const std::string& name) {
+shape::FacetShape shape_from_obj(std::string_view text, const std::string& name) {
   const std::string shown = detail::printable(name, detail::longest_path);
   if (text.size() > largest_mesh)
     throw DomainError(shown + ": more than 256 MB; expected a smaller mesh");
   return ObjReader(text, shown).read();
 }
 
-std::string obj_text(const FacetShape& shape) {
+std::string obj_text(const shape::FacetShape& shape) {
   std::string text;
   for (const Vec3& v : shape.vertices())
-    text += "v " + detail::number_text(v.x) + " " + detail::number_text(v.y) + " " +
-            detail::number_text(v.z) + "\n";
-  for (const FacetShape::Triangle& t : shape.triangles()) {
+    text += "v " + polhode::detail::number_text(v.x) + " " + polhode::detail::number_text(v.y) +
+            " " + polhode::detail::number_text(v.z) + "\n";
+  for (const shape::FacetShape::Triangle& t : shape.triangles()) {
     text += "f";
     for (const std::uint32_t k : t) text += " " + std::to_string(std::uint64_t{k} + 1);
     text += "\n";
@@ -437,9 +438,10 @@ std::string obj_text(const FacetShape& shape) {
   return text;
 }
 
-FacetShape read_obj(const std::string& path) {
+shape::FacetShape read_obj(const std::string& path) {
   return shape_from_obj(detail::text_of_file(path, largest_mesh), path);
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -10,6 +10,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace {
 
 using detail::KvnLine;
@@ -114,5 +115,6 @@ OrbitEphemeris read_oem(const std::string& path) {
                        path == "-" ? "<stdin>" : path);
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -14,6 +14,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 struct TableHeader {
@@ -45,5 +46,6 @@ std::optional<std::string_view> scale_of_column(std::string_view name);
 bool has_two_line_elements(const std::string& path);
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

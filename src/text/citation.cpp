@@ -8,6 +8,7 @@ extern "C" const char polhode_references[] __attribute__((visibility("hidden")))
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace {
 
 // From `@type{key,` up to the brace in the first column that ends it; empty for an unknown key.
@@ -45,5 +46,6 @@ std::string bibtex(const Citation& citation) {
          "}\n}\n";
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

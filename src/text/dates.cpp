@@ -15,11 +15,12 @@
 
 #include "polhode/ephemeris/date.hpp"
 #include "polhode/error.hpp"
-#include "polhode/text/epoch.hpp"
+#include "polhode/text/units.hpp"
 #include "text/words.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 
 namespace detail {
 namespace {
@@ -45,7 +46,7 @@ bool take(std::string_view& text, char c) {
 }
 
 // 2013-01-05 or, by the number of digits before the T, 2013-005.
-CalendarTime taken_day(std::string_view& text) {
+ephemeris::CalendarTime taken_day(std::string_view& text) {
   const auto year = take_number(text, 4);
   const bool dash = take(text, '-');
   const auto refuse = [](const char* what, int x, unsigned last) {
@@ -74,7 +75,7 @@ CalendarTime taken_day(std::string_view& text) {
 }
 
 // hh:mm, hh:mm:ss or hh:mm:ss.fff; a 60th second only where UTC may have one.
-void read_clock(CalendarTime& time, std::string_view text, bool utc) {
+void read_clock(ephemeris::CalendarTime& time, std::string_view text, bool utc) {
   const auto hour = take_number(text, 2);
   const bool colon = take(text, ':');
   const auto minute = take_number(text, 2);
@@ -161,8 +162,8 @@ void require_epoch(std::string_view text) {
   calendar_in(text, scale == "UTC");
 }
 
-CalendarTime calendar_in(std::string_view text, bool utc) {
-  CalendarTime time = taken_day(text);
+ephemeris::CalendarTime calendar_in(std::string_view text, bool utc) {
+  ephemeris::CalendarTime time = taken_day(text);
   if (text.empty()) return time;  // midnight
   if (!take(text, 'T') && !take(text, ' '))
     throw DomainError("between date and time there is no T");
@@ -170,14 +171,14 @@ CalendarTime calendar_in(std::string_view text, bool utc) {
   return time;
 }
 
-Date date_in(std::string_view text, TimeScale scale) {
-  const bool utc = scale == TimeScale::UTC;
+ephemeris::Date date_in(std::string_view text, ephemeris::TimeScale scale) {
+  const bool utc = scale == ephemeris::TimeScale::UTC;
   if (utc && text.ends_with('Z')) text.remove_suffix(1);
-  return calendar_date(scale, calendar_in(text, utc));
+  return ephemeris::calendar_date(scale, calendar_in(text, utc));
 }
 
 // Whole days and their fraction apart: a double of both keeps 40 us.
-Date julian_date(std::string_view text, TimeScale scale, double zero) {
+ephemeris::Date julian_date(std::string_view text, ephemeris::TimeScale scale, double zero) {
   const std::size_t point = text.find('.');
   const bool plain = text.find_first_of("eE-") == std::string_view::npos;
   if (point == std::string_view::npos || !plain || point == 0)
@@ -190,12 +191,12 @@ Date julian_date(std::string_view text, TimeScale scale, double zero) {
 
 }  // namespace detail
 
-Date epoch_date(std::string_view given) {
+ephemeris::Date epoch_date(std::string_view given) {
   const std::string whole = detail::with_scale(given);
   std::string_view text = whole;
   detail::require_epoch(text);
   const std::size_t space = text.rfind(' ');
-  const TimeScale scale = *time_scale(text.substr(space + 1));
+  const ephemeris::TimeScale scale = *ephemeris::time_scale(text.substr(space + 1));
   text = text.substr(0, space);
   return text.starts_with("JD ") ? detail::julian_date(text.substr(3), scale)
                                  : detail::date_in(text, scale);
@@ -210,7 +211,7 @@ constexpr std::int64_t nano_per_day = 86400 * nano_per_second;
 constexpr std::int64_t furthest_day = 4'000'000;
 constexpr std::chrono::sys_days origin{std::chrono::year{2000} / 1 / 1};
 
-CivilTime civil_of(const CalendarTime& t) {
+CivilTime civil_of(const ephemeris::CalendarTime& t) {
   const std::chrono::sys_days on{std::chrono::year(t.year) /
                                  std::chrono::month(static_cast<unsigned>(t.month)) /
                                  std::chrono::day(static_cast<unsigned>(t.day))};
@@ -228,10 +229,11 @@ std::int64_t leap_nano(std::int64_t day) {
   const std::chrono::year_month_day on = date_of(day);
   if (on.year() < std::chrono::year{1972})
     throw DomainError("UTC has whole leap seconds from 1972 on only; expected TT, TDB or TAI");
-  const Date utc = polhode::calendar_date(
-      TimeScale::UTC, {static_cast<int>(on.year()), static_cast<int>(unsigned{on.month()}),
-                       static_cast<int>(unsigned{on.day()})});
-  const Date tai = converted(utc, TimeScale::TAI);
+  const ephemeris::Date utc =
+      ephemeris::calendar_date(ephemeris::TimeScale::UTC,
+                               {static_cast<int>(on.year()), static_cast<int>(unsigned{on.month()}),
+                                static_cast<int>(unsigned{on.day()})});
+  const ephemeris::Date tai = ephemeris::converted(utc, ephemeris::TimeScale::TAI);
   const double days = (tai.day - utc.day) + (tai.fraction - utc.fraction);
   return std::llround(86400.0 * days) * nano_per_second;
 }
@@ -259,7 +261,7 @@ std::string_view scale_of_epoch(std::string_view epoch) {
 }
 
 CivilTime time_of_epoch(std::string_view epoch) {
-  return civil_of(calendar_time(epoch_date(epoch)));
+  return civil_of(ephemeris::calendar_time(epoch_date(epoch)));
 }
 
 std::optional<CivilTime> civil_time(std::string_view text, bool leap) {
@@ -321,5 +323,6 @@ CivilTime after(std::string_view scale, const CivilTime& from, double seconds) {
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

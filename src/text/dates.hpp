@@ -7,10 +7,11 @@
 #include <string>
 #include <string_view>
 
-#include "polhode/text/epoch.hpp"
+#include "polhode/text/units.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 // Dates of a calendar with 86400 s a day: TT, TDB and TAI by plain arithmetic, UTC through its leap
@@ -48,13 +49,14 @@ std::string with_scale(std::string_view text, std::string_view epoch);
 // Requires a date with its scale.
 void require_epoch(std::string_view text);
 // "2013-01-05", "2013-01-05T00:00:00.25", "2013-005T00:00:00.25"; a 60th second only of UTC.
-CalendarTime calendar_in(std::string_view text, bool utc);
+ephemeris::CalendarTime calendar_in(std::string_view text, bool utc);
 // The same as an instant; a Z at the end says what UTC says.
-Date date_in(std::string_view text, TimeScale scale);
+ephemeris::Date date_in(std::string_view text, ephemeris::TimeScale scale);
 // "2456297.5", to all its digits; `zero` is what 0 stands for. Of UTC a quasi-JD as in Date, in
 // which a day that ends in a leap second has 86401 s.
-Date julian_date(std::string_view text, TimeScale scale, double zero = 0.0);
+ephemeris::Date julian_date(std::string_view text, ephemeris::TimeScale scale, double zero = 0.0);
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

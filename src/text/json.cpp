@@ -7,6 +7,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 namespace {
 
@@ -94,7 +95,7 @@ JsonWriter& JsonWriter::value(std::string_view text) {
 }
 
 JsonWriter& JsonWriter::value(double number) {
-  return raw(std::isfinite(number) ? number_text(number) : "null");
+  return raw(std::isfinite(number) ? polhode::detail::number_text(number) : "null");
 }
 
 JsonWriter& JsonWriter::raw(std::string_view json) {
@@ -104,5 +105,6 @@ JsonWriter& JsonWriter::raw(std::string_view json) {
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -15,6 +15,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 
 const detail::Value& KeyValues::at(std::string_view key) const {
   return detail::value_at(values_, key_path(key));
@@ -109,5 +110,6 @@ void require_allowed(const KeyValues& at, const Key& key) {
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -12,6 +12,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace {
 
 using u64 = std::uint64_t;
@@ -216,5 +217,6 @@ char* detail::write_number(char* out, double value) {
   return is_fixed ? fixed(out, d) : scientific(out, d);
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

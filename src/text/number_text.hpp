@@ -6,6 +6,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 constexpr int longest_number = 32;  // "-2.2250738585072014e-308" has 24 characters
@@ -15,5 +16,6 @@ constexpr int longest_number = 32;  // "-2.2250738585072014e-308" has 24 charact
 char* write_number(char* out, double value);
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -20,6 +20,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 
 namespace {
 
@@ -511,5 +512,6 @@ Quantity quantity_from_text(std::string_view text) {
   return {value, std::string(unit)};
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

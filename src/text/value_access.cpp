@@ -10,6 +10,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace {
 
 constexpr std::size_t longest_text = 600;
@@ -185,5 +186,6 @@ void require_range(const Values& values, std::string_view path, const std::strin
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

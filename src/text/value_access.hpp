@@ -9,11 +9,11 @@
 
 #include "polhode/error.hpp"
 #include "polhode/text/key_values.hpp"
-#include "polhode/text/place.hpp"
 #include "text/values.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 // "perturbation[0]", ... of the tables of an array.
@@ -58,5 +58,6 @@ auto built(const Values& values, std::string_view path, const std::string& name,
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -11,6 +11,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 
 std::vector<std::string_view> separated(std::string_view joined, char separator) {
   std::vector<std::string_view> parts;
@@ -136,5 +137,6 @@ std::string did_you_mean(std::string_view word, std::span<const std::string_view
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -9,6 +9,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 // Printable ASCII, one line, cut to `longest`.
@@ -35,5 +36,6 @@ std::string_view nearest(std::string_view word, std::span<const std::string_view
 std::string did_you_mean(std::string_view word, std::span<const std::string_view> known);
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

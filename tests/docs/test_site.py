@@ -107,7 +107,7 @@ def test_the_index_of_the_search_can_be_read_from_a_disk(site):
 def test_every_public_header_is_in_the_reference(pages, site):
     for header in (ROOT / "include/polhode").rglob("*.hpp"):
         layer = header.parent.name if header.parent.name != "polhode" else "index"
-        if header.name == "polhode.hpp" or layer == "detail":
+        if header.name == "polhode.hpp" or "detail" in header.parts:
             continue
         anchor = header.name.replace(".", "-").replace("_", "-")
         assert anchor in pages[site / f"reference/cpp/{layer}.html"].anchors, header

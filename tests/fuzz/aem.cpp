@@ -12,9 +12,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace polhode;
   using fuzz::require;
   try {
-    const AttitudeEphemeris read = aem_from_text(fuzz::text_of(data, size), "fuzz");
+    const io::AttitudeEphemeris read = io::aem_from_text(fuzz::text_of(data, size), "fuzz");
     require(!read.segments.empty());
-    for (const AemSegment& s : read.segments) {
+    for (const io::AemSegment& s : read.segments) {
       require(!s.t.empty() && s.q_AB.size() == s.t.size() && s.epochs.size() == s.t.size());
       require(s.w_AB_B.empty() || s.w_AB_B.size() == s.t.size());
       require(s.w3.empty() || s.w3.size() == s.t.size());
@@ -24,7 +24,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       }
     }
     try {
-      require(aem_csv(read).ends_with('\n'));
+      require(io::aem_csv(read).ends_with('\n'));
     } catch (const DomainError&) {
       require(read.segments.size() > 1);  // of different objects or frames
     }

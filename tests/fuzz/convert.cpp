@@ -16,7 +16,7 @@
 namespace {
 
 std::string chart(std::uint8_t byte) {
-  const auto& charts = polhode::default_charts();
+  const auto& charts = polhode::io::default_charts();
   return std::string(charts[byte % charts.size()].name);
 }
 
@@ -25,12 +25,12 @@ std::string chart(std::uint8_t byte) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace polhode;
   if (size < 3) return -1;
-  const Conversion conversion{chart(data[0]), chart(data[1]), Body(1.0, 2.0, 2.5)};
+  const io::Conversion conversion{chart(data[0]), chart(data[1]), Body(1.0, 2.0, 2.5)};
   const std::size_t piece = std::size_t{1} + data[2];
   std::string_view rest = fuzz::text_of(data + 3, size - 3);
   std::string out;
   try {
-    convert(
+    io::convert(
         conversion, "fuzz",
         [&](std::span<char> buffer) {
           const std::size_t count = std::min<std::size_t>({piece, buffer.size(), rest.size()});

@@ -13,11 +13,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace polhode;
   using fuzz::require;
   try {
-    const FacetShape shape = shape_from_obj(fuzz::text_of(data, size), "fuzz");
-    for (const Facet& facet : shape.facets()) require(facet.area > 0.0);
+    const shape::FacetShape shape = io::shape_from_obj(fuzz::text_of(data, size), "fuzz");
+    for (const shape::Facet& facet : shape.facets()) require(facet.area > 0.0);
     if (shape.is_closed() && shape.area() > 1e-30 && shape.area() < 1e30) {
       try {
-        require(mass_properties(shape, 1.0).volume > 0.0);
+        require(shape::mass_properties(shape, 1.0).volume > 0.0);
       } catch (const DomainError& error) {
         require(std::string_view(error.what()).find("volume") != std::string_view::npos);
       }

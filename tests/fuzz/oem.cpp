@@ -12,9 +12,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace polhode;
   using fuzz::require;
   try {
-    const OrbitEphemeris read = oem_from_text(fuzz::text_of(data, size), "fuzz");
+    const io::OrbitEphemeris read = io::oem_from_text(fuzz::text_of(data, size), "fuzz");
     require(!read.segments.empty());
-    for (const OemSegment& s : read.segments) {
+    for (const io::OemSegment& s : read.segments) {
       require(!s.t.empty() && s.position.size() == s.t.size() && s.velocity.size() == s.t.size());
       for (std::size_t k = 0; k < s.t.size(); ++k)
         require(std::isfinite(s.t[k]) && std::isfinite(s.position[k].x) &&

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "fuzz.hpp"
-#include "polhode/output/columns.hpp"
+#include "polhode/output/column_kind.hpp"
 #include "polhode/run/run.hpp"
 #include "polhode/run/summary.hpp"
 
@@ -25,7 +25,7 @@ void check_message(std::string_view message) {
 }
 
 // Axes of a body at rest are NaN, and so may be what an orbit gives at times beyond double.
-bool has_every_number(const polhode::Scenario& scenario) {
+bool has_every_number(const polhode::io::Scenario& scenario) {
   const auto asked = [&](const char* group) {
     return std::find(scenario.output.columns.begin(), scenario.output.columns.end(), group) !=
            scenario.output.columns.end();
@@ -40,11 +40,11 @@ bool has_every_number(const polhode::Scenario& scenario) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace polhode;
   try {
-    const Scenario scenario = scenario_from_text(fuzz::text_of(data, size), "fuzz");
-    const FreeRotation motion = free_rotation(scenario);
-    require(!summary_table(summary(scenario)).empty());
-    require(!provenance(scenario).notes.empty());
-    const RowLayout layout = row_layout(scenario);
+    const io::Scenario scenario = io::scenario_from_text(fuzz::text_of(data, size), "fuzz");
+    const FreeRotation motion = io::free_rotation(scenario);
+    require(!io::summary_table(io::summary(scenario)).empty());
+    require(!io::provenance(scenario).notes.empty());
+    const io::RowLayout layout = io::row_layout(scenario);
     const double last = scenario.rotation().time
                             ? (*scenario.rotation().time)[scenario.rotation().time->size() - 1]
                             : 1.0;
@@ -55,15 +55,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       layout.write_rows(motion, times, rows);
     } else {
       // the terms and the frame at both times, without the integration
-      const System system = rotor_system(scenario);
-      const RotorState s = initial_state(scenario);
+      const System system = io::rotor_system(scenario);
+      const RotorState s = io::initial_state(scenario);
       const SystemState damped{s.q, s.g, scenario.rotation().damper_rate};
       const Sample samples[] = {{0.0, damped}, {last, damped}};
       layout.write_rows({system, 0.0}, samples, rows);
     }
     if (has_every_number(scenario))
       for (const double number : rows) require(!std::isnan(number));
-  } catch (const ScenarioError& error) {
+  } catch (const io::ScenarioError& error) {
     check_message(error.what());
   }
   return 0;

@@ -13,18 +13,18 @@ namespace {
 using namespace polhode;
 using fuzz::require;
 
-const Symbols& symbols() {
-  static const Symbols all({"e", "G", "a'"}, {"l", "g_1"}, {{"l", "G"}});
+const series::Symbols& symbols() {
+  static const series::Symbols all({"e", "G", "a'"}, {"l", "g_1"}, {{"l", "G"}});
   return all;
 }
 
 template <class T>
-void require_same(const Series<T>& a) {
-  for (const Term<T>& term : a.terms())
+void require_same(const series::Series<T>& a) {
+  for (const series::Term<T>& term : a.terms())
     if (!std::isfinite(to_double(term.c))) return;
-  require(series_from_text<T>(symbols(), text(a)) == a);
-  require(series_from_csv<T>(symbols(), csv(a)) == a);
-  require(!latex(a).empty());
+  require(series::series_from_text<T>(symbols(), text(a)) == a);
+  require(series::series_from_csv<T>(symbols(), series::csv(a)) == a);
+  require(!series::latex(a).empty());
 }
 
 template <class Read>
@@ -40,7 +40,7 @@ void read(const Read& series) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view input = fuzz::text_of(data, size);
-  read([&] { return series_from_text<double>(symbols(), input); });
-  read([&] { return series_from_csv<Rational>(symbols(), input); });
+  read([&] { return series::series_from_text<double>(symbols(), input); });
+  read([&] { return series::series_from_csv<series::Rational>(symbols(), input); });
   return 0;
 }

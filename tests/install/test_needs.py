@@ -19,7 +19,7 @@ SOURCES = {
     "core": '#include <cstdio>\n#include "polhode/version.hpp"\n'
             "int main() { std::puts(polhode::version()); }\n",
     "io": '#include <cstdio>\n#include "polhode/text/units.hpp"\n'
-          'int main() { std::puts(polhode::Units("h").time().c_str()); }\n',
+          'int main() { std::puts(polhode::io::Units("h").time().c_str()); }\n',
 }
 
 

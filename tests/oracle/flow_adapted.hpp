@@ -23,7 +23,7 @@
 #include <vector>
 
 #include "oracle/wide_real.hpp"
-#include "polhode/math/matrix6.hpp"
+#include "polhode/math/vector.hpp"
 
 namespace oracle {
 

@@ -13,7 +13,7 @@
 #include <cstdlib>
 
 #include "oracle/free_body.hpp"
-#include "polhode/math/matrix6.hpp"
+#include "polhode/math/vector.hpp"
 #include "worst.hpp"
 
 namespace oracle {

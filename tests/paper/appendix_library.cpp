@@ -90,7 +90,7 @@ TEST(PaperAppendix, LibraryAmplitudeOfTime) {
       const Mp a2 = (P2 - 1 / e.I[2]) / (1 / e.I[0] - 1 / e.I[2]);
       const Mp b2 = (P2 - 1 / e.I[2]) / (1 / e.I[1] - 1 / e.I[2]);
       const Mp n = G * root((1 / e.I[0] - P2) * (1 / e.I[1] - 1 / e.I[2]));
-      const Mp K = complete_k(motion.modulus());
+      const Mp K = elliptic::complete_k(motion.modulus());
       frequency.add(4 * K / Mp(motion.polhode_period()), n);
       const double t0 = to_serret(motion, 0.0).t0;
       for (const double t : {0.4, -1.6}) {
@@ -103,7 +103,7 @@ TEST(PaperAppendix, LibraryAmplitudeOfTime) {
         rate.add(xi_rate, n * Delta);
         rate.add(xi_rate, root(b2 / a2) * root(1 - a2) * (1 / e.I[1] - 1 / e.I[2]) * G * Delta);
         const Mp u = n * (Mp(t) - Mp(t0));
-        const Mp F = legendre_f(static_cast<double>(xi), motion.modulus());
+        const Mp F = elliptic::legendre_f(static_cast<double>(xi), motion.modulus());
         time.add(turned((u - F) * pi() / (2 * K)), Mp(0));  // modulo 4 K
       }
     }
@@ -119,15 +119,15 @@ TEST(PaperAppendix, LibraryJacobiFunctions) {
   Random random(40);
   for (int i = 0; i < 40; ++i) {
     const double m = random.number(0.01, 0.95), u = random.number(-5, 5);
-    const Modulus modulus = Modulus::from_pair(m, 1.0 - m);
+    const elliptic::Modulus modulus = elliptic::Modulus::from_pair(m, 1.0 - m);
     const Mp k = root(Mp(m));
     const Jacobi expected = jacobi(Mp(u), k);
-    const auto found = polhode::jacobi(u, modulus);
+    const auto found = elliptic::jacobi(u, modulus);
     functions.add(Vec{Mp(found.sn), Mp(found.cn), Mp(found.dn)},
                   Vec{expected.sn, expected.cn, expected.dn});
-    const double xi = amplitude(u, modulus);
+    const double xi = elliptic::amplitude(u, modulus);
     amplitudes.add(Mp(xi), expected.am);
-    integrals.add(Mp(legendre_f(xi, modulus)), ellint_F(Mp(xi), k));
+    integrals.add(Mp(elliptic::legendre_f(xi, modulus)), ellint_F(Mp(xi), k));
   }
   EXPECT_LT(functions.size(), budget::paper_library);
   EXPECT_LT(amplitudes.size(), budget::paper_library);

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "paper/support.hpp"
-#include "polhode/math/matrix6.hpp"
+#include "polhode/math/vector.hpp"
 #include "polhode/rotor/andoyer.hpp"
 #include "polhode/rotor/body.hpp"
 #include "polhode/rotor/euler.hpp"

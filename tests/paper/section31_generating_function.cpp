@@ -25,14 +25,14 @@ Mp defined(const Vec& moments, const Phase& euler, const Mp& t) {
 
 // S at the attitude of a state and its constants, both rounded, on the branch of its motion.
 struct Rounded {
-  GeneratingFunction f;
+  free::GeneratingFunction f;
   Phase x;  // the arguments' angles, and the momenta that f returns
 };
 Rounded library(const Vec& moments, const RotorState& s0, double t) {
   const Body body = body_of(moments);
   const EulerAngles q = euler_angles(s0.q);
-  const GeneratingFunction f =
-      generating_function(body, q, to_serret(FreeRotation(body, s0, t), t), t);
+  const free::GeneratingFunction f =
+      free::generating_function(body, q, to_serret(FreeRotation(body, s0, t), t), t);
   return {f, {Mp(q.phi), Mp(q.theta), Mp(q.psi), Mp(f.Phi), Mp(f.Theta), Mp(f.Psi)}};
 }
 
@@ -61,7 +61,7 @@ TEST(PaperSerret, LibraryGeneratingFunctionDerivatives) {
     const RotorState s0 = hub_state(e);
     const double t = -0.7;
     const Rounded r = library(e.I, s0, t);
-    const GeneratingFunction& f = r.f;
+    const free::GeneratingFunction& f = r.f;
     const Phase& x = r.x;
     for (int n = 0; n < 7; ++n) {
       Phase d{};

@@ -204,7 +204,7 @@ TEST(PaperAndoyer, LibraryNodeRates) {
     const TwoCharts k(start);
     const Vec I = random.moments();
     const Body body = body_of(I);
-    const AndoyerRates r = andoyer_rates(System(body), 0.0, k.state);
+    const rates::AndoyerRates r = rates::andoyer_rates(System(body), 0.0, k.state);
     const Vec omega = exact(angular_velocity(body, k.state));
     const Mp &l = k.a[0], &G = k.a[4], J_rate = -Mp(r.L) / (G * k.sJ);
     body_rates.add(omega, Vec{r.g * k.sJ * s(l) + J_rate * c(l), r.g * k.sJ * c(l) - J_rate * s(l),
@@ -228,8 +228,9 @@ bool is_near_caustic(const Body& body, const RotorState& s) {
 }
 
 // S and its derivatives along a motion.
-GeneratingFunction generated(const FreeRotation& motion, double t) {
-  return generating_function(motion.body(), euler_angles(motion.at(t).q), to_serret(motion, t), t);
+free::GeneratingFunction generated(const FreeRotation& motion, double t) {
+  return free::generating_function(motion.body(), euler_angles(motion.at(t).q),
+                                   to_serret(motion, t), t);
 }
 
 // [SA (45), (46), (47), (48)] S - T t - Phi phi is a line integral of Theta dtheta + Psi dpsi, here
@@ -241,11 +242,11 @@ TEST(PaperSerret, LibrarySeparationOfTheGeneratingFunction) {
     const Body body = body_of(e.I);
     const double t = 0.3, later = 0.8, angle = 0.4, span = 0.2;
     const FreeRotation motion(body, start, t);
-    const GeneratingFunction f = generated(motion, t);
-    const GeneratingFunction delayed = generated(FreeRotation(body, start, later), later);
+    const free::GeneratingFunction f = generated(motion, t);
+    const free::GeneratingFunction delayed = generated(FreeRotation(body, start, later), later);
     by_time.add(Mp(delayed.S) - Mp(f.S), Mp(f.minus_T) * (Mp(later) - Mp(t)));
     const RotorState about_s3{rotation_z(angle) * start.q, start.g};
-    const GeneratingFunction rotated = generated(FreeRotation(body, about_s3, t), t);
+    const free::GeneratingFunction rotated = generated(FreeRotation(body, about_s3, t), t);
     by_node.add(turned((Mp(rotated.S) - Mp(f.S)) / Mp(f.Phi) - Mp(angle)) * Mp(f.Phi), Mp(0));
     const auto integrand = [&](const Mp& x) {
       const RotorState at = motion.at(static_cast<double>(x));
@@ -254,7 +255,7 @@ TEST(PaperSerret, LibrarySeparationOfTheGeneratingFunction) {
       return Mp(p.Theta) * q.theta_dot + Mp(p.Psi) * q.psi_dot;
     };
     const RotorState moved = motion.at(t + span);
-    const GeneratingFunction end = generated(FreeRotation(body, moved, t), t);
+    const free::GeneratingFunction end = generated(FreeRotation(body, moved, t), t);
     const Mp passed = Mp(end.minus_t0) - Mp(f.minus_t0);
     if (magnitude(passed - Mp(span)) > Mp("1e-6")) continue;
     const Mp phi = turned(Mp(to_euler(moved).phi) - Mp(to_euler(start).phi));
@@ -276,9 +277,9 @@ TEST(PaperSerret, LibraryGeneratingFunctionAlongTheMotion) {
     const RotorState start = hub_state(e);
     const FreeRotation motion(body, start);
     const double t = 0.5;
-    const GeneratingFunction f = generated(motion, 0.0);
-    const GeneratingFunction later =  // on the branch of f
-        generating_function(body, euler_angles(motion.at(t).q), to_serret(motion, 0.0), t);
+    const free::GeneratingFunction f = generated(motion, 0.0);
+    const free::GeneratingFunction later =  // on the branch of f
+        free::generating_function(body, euler_angles(motion.at(t).q), to_serret(motion, 0.0), t);
     if (is_near_caustic(body, start) || is_near_caustic(body, motion.at(t))) continue;
     elapsed_gap.add(Mp(later.minus_t0), Mp(f.minus_t0));
     ++count;

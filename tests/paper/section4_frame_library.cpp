@@ -11,8 +11,8 @@
 #include "polhode/free/free_rotation.hpp"
 #include "polhode/rotor/chart_jacobian.hpp"
 #include "polhode/system/canonical_rates.hpp"
-#include "polhode/system/modified_andoyer.hpp"
-#include "polhode/system/orbital_elements.hpp"
+#include "polhode/system/osculation.hpp"
+#include "polhode/system/satellite_system.hpp"
 
 namespace polhode::paper {
 namespace {
@@ -26,7 +26,7 @@ struct Potential {
   }
 };
 
-Vec angle_rates(const EulerPhaseRates& r) { return {Mp(r.phi), Mp(r.theta), Mp(r.psi)}; }
+Vec angle_rates(const rates::EulerPhaseRates& r) { return {Mp(r.phi), Mp(r.theta), Mp(r.psi)}; }
 
 // [SA (112), (113), (114), (115)] momenta and kinetic energy by omega + mu
 TEST(PaperSection4, LibraryMomentaInAFrame) {
@@ -34,7 +34,8 @@ TEST(PaperSection4, LibraryMomentaInAFrame) {
   for (const PerturbedCase& e : perturbed_cases(421, 8)) {
     const System moving(body_of(e.I), e.frame.frame);
     const Phase x = e.euler(), found = paper::exact(to_euler(e.s));
-    const Vec omega = body_rate(first_half(x), angle_rates(euler_phase_rates(moving, e.t, e.s)));
+    const Vec omega =
+        body_rate(first_half(x), angle_rates(rates::euler_phase_rates(moving, e.t, e.s)));
     const Vec sum = omega + euler_matrix(first_half(x)) * e.mu_S;
     const Mp st = paper::s(x[1]), ct = c(x[1]), sp = paper::s(x[2]), cp = c(x[2]);
     const Vec g = scaled(e.I, sum);
@@ -60,7 +61,7 @@ TEST(PaperSection4, LibraryHamiltonianInAFrame) {
     const Phase x = e.euler(), a = paper::exact(to_andoyer(e.s));
     const Mp H = energy(system, e.t, e.s), V = Potential{}(Mp(e.t), wide_state(x));
     const Mp T = kinetic(e.I, exact(e.s.g));
-    const Vec rates = angle_rates(euler_phase_rates(system, e.t, e.s));
+    const Vec rates = angle_rates(rates::euler_phase_rates(system, e.t, e.s));
     legendre.add(H, dot(second_half(x), rates) - Mp(kinetic_energy(body_of(e.I), e.s)) + V);
     const Vec mu = euler_matrix(first_half(x)) * e.mu_S;
     const Mp lean = (x[3] - x[5] * c(x[1])) / paper::s(x[1]);
@@ -82,11 +83,11 @@ TEST(PaperSection4, LibraryUnperturbedVelocity) {
   for (const PerturbedCase& e : perturbed_cases(423, 6)) {
     const Body body = body_of(e.I);
     const Matrix6 M = canonical_transformation(e.s, {CanonicalSet::andoyer}, {CanonicalSet::euler});
-    const AndoyerRates n = andoyer_rates(System(body), e.t, e.s);
+    const rates::AndoyerRates n = rates::andoyer_rates(System(body), e.t, e.s);
     const std::array<double, 6> velocity = M * std::array<double, 6>{n.l, n.g, n.h, n.L, n.G, n.H};
     const Phase dT = gradient([&](const Phase& y) { return euler_energy(e.I, y); }, e.euler());
-    const EulerPhaseRates all = euler_phase_rates(e.system(), e.t, e.s);
-    const auto added = convective_term(e.system(), e.t, e.s, {CanonicalSet::euler});
+    const rates::EulerPhaseRates all = rates::euler_phase_rates(e.system(), e.t, e.s);
+    const auto added = rates::convective_term(e.system(), e.t, e.s, {CanonicalSet::euler});
     for (std::size_t i = 0; i < 3; ++i) {
       gap.add(Mp(velocity[i]), dT[i + 3]);
       gap.add(Mp(velocity[i]) + Mp(added[i]), angle_rates(all)[i]);
@@ -102,13 +103,13 @@ TEST(PaperSection4, LibraryVariablesOfConstants) {
   for (const PerturbedCase& e : perturbed_cases(424, 4)) {
     const Body body = body_of(e.I);
     const double t0 = e.t - 0.75;
-    const Phase C = paper::exact(modified_andoyer(body, e.t, e.s, t0));
+    const Phase C = paper::exact(charts::modified_andoyer(body, e.t, e.s, t0));
     const FreeRotation motion(body, e.s, e.t);
     const auto change = [&](std::size_t i) {
       return integral(
           [&](const Mp& x) {
             const auto time = static_cast<double>(x);
-            const AndoyerRates r = andoyer_rates(System(body), time, motion.at(time));
+            const rates::AndoyerRates r = rates::andoyer_rates(System(body), time, motion.at(time));
             return Mp(std::array<double, 6>{r.l, r.g, r.h, r.L, r.G, r.H}[i]);
           },
           Mp(t0), Mp(e.t));
@@ -116,12 +117,12 @@ TEST(PaperSection4, LibraryVariablesOfConstants) {
     const Phase A = paper::exact(to_andoyer(e.s));
     for (std::size_t i = 0; i < 3; ++i) integrals.add(turned(A[i] - C[i] - change(i)), Mp(0));
     for (std::size_t i = 3; i < 6; ++i) integrals.add(A[i] - C[i], change(i));
-    const AndoyerState constants = modified_andoyer(body, e.t, e.s, t0);
-    const Phase x = paper::exact(to_euler(from_modified_andoyer(body, e.t, constants, t0)));
+    const AndoyerState constants = charts::modified_andoyer(body, e.t, e.s, t0);
+    const Phase x = paper::exact(to_euler(charts::from_modified_andoyer(body, e.t, constants, t0)));
     const AndoyerCase k = andoyer_case(e.I, A);
     for (std::size_t i = 0; i < 3; ++i) euler.add(turned(x[i] - k.q[i]), Mp(0));
     euler.add(second_half(x), k.p);
-    const AndoyerRates r = modified_andoyer_rates(System(body), e.t, e.s, t0);
+    const rates::AndoyerRates r = charts::modified_andoyer_rates(System(body), e.t, e.s, t0);
     rest.add(Vec{Mp(r.l), Mp(r.g), Mp(r.h)}, Vec{});
     rest.add(Vec{Mp(r.L), Mp(r.G), Mp(r.H)}, Vec{});
   }
@@ -155,21 +156,24 @@ TEST(PaperSection4, LibraryDelaunayElements) {
   for (int n = 0; n < 20; ++n) {
     const double gm = random.number(0.8, 1.5);
     const auto unit = [&random](double size) { return random.number(-size, size); };
-    const SatelliteState start{{1.0 + unit(0.2), unit(0.3), unit(0.3)},
-                               {unit(0.2), 0.9 + unit(0.1), 0.3 + unit(0.1)}};
+    const satellites::SatelliteState start{{1.0 + unit(0.2), unit(0.3), unit(0.3)},
+                                           {unit(0.2), 0.9 + unit(0.1), 0.3 + unit(0.1)}};
     const Phase x{Mp(start.r.x), Mp(start.r.y), Mp(start.r.z),
                   Mp(start.p.x), Mp(start.p.y), Mp(start.p.z)};
     const auto formula = [gm](const Phase& y) { return delaunay_of(Mp(gm), y); };
     EXPECT_LT(symplectic_defect(jacobian(formula, x)), budget::paper_derivative);
-    const SatelliteSystem system(gm);
-    const OrbitalElements C = elements_of_state(system, 0.0, start, OrbitalSet::delaunay);
+    const satellites::SatelliteSystem system(gm);
+    const satellites::OrbitalElements C =
+        elements_of_state(system, 0.0, start, satellites::OrbitalSet::delaunay);
     const Phase expected = formula(x);
     for (std::size_t i = 0; i < 3; ++i) elements.add(turned(Mp(C[i]) - expected[i]), Mp(0));
     for (std::size_t i = 3; i < 6; ++i) elements.add(Mp(C[i]), expected[i]);
-    const SatelliteState back = element_state(system, 0.0, C, OrbitalSet::delaunay);
+    const satellites::SatelliteState back =
+        element_state(system, 0.0, C, satellites::OrbitalSet::delaunay);
     elements.add(exact(back.r), first_half(x));
     elements.add(exact(back.p), second_half(x));
-    const OrbitalElements found = element_rates(system, 0.0, C, OrbitalSet::delaunay);
+    const satellites::OrbitalElements found =
+        element_rates(system, 0.0, C, satellites::OrbitalSet::delaunay);
     const Mp motion = derivative([&](const Mp& L) { return -squared(Mp(gm)) / (2 * L * L); }, C[3]);
     rates.add(Mp(found[0]), motion);
     for (std::size_t i = 1; i < 6; ++i) rates.add(Mp(found[i]), Mp(0));

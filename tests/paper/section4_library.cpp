@@ -11,7 +11,6 @@
 #include "polhode/system/andoyer_method.hpp"
 #include "polhode/system/axes.hpp"
 #include "polhode/system/canonical_rates.hpp"
-#include "polhode/system/modified_andoyer.hpp"
 #include "polhode/system/osculation.hpp"
 
 namespace polhode::paper {
@@ -25,8 +24,10 @@ Vec momenta(const Phase& x) { return {x[3], x[4], x[5]}; }
 Vec exact(const std::array<double, 3>& a) { return {Mp(a[0]), Mp(a[1]), Mp(a[2])}; }
 using paper::exact;
 Phase phase(const AndoyerState& a) { return {a.l, a.g, a.h, a.L, a.G, a.H}; }
-Phase phase(const AndoyerRates& a) { return {a.l, a.g, a.h, a.L, a.G, a.H}; }
-Phase phase(const EulerPhaseRates& e) { return {e.phi, e.theta, e.psi, e.Phi, e.Theta, e.Psi}; }
+Phase phase(const rates::AndoyerRates& a) { return {a.l, a.g, a.h, a.L, a.G, a.H}; }
+Phase phase(const rates::EulerPhaseRates& e) {
+  return {e.phi, e.theta, e.psi, e.Phi, e.Theta, e.Psi};
+}
 
 void add(Gap& gap, const Phase& a, const Phase& b) {
   gap.add(coordinates(a), coordinates(b));
@@ -56,7 +57,7 @@ TEST(PaperSection4, LibraryHamiltonsEquations) {
     const Phase x = e.euler(), x_rates = e.euler_rates();
     const Vec w_SB = body_rate(coordinates(x), coordinates(x_rates));
     const Vec g_rate = along(e, [](const Phase& y) { return euler_body_momentum(y); });
-    const HubRates hub = hub_rates(system, e.t, e.s);
+    const rates::HubRates hub = rates::hub_rates(system, e.t, e.s);
     rates.add(exact(hub.theta), w_SB);
     rates.add(exact(hub.g), g_rate);
     const RotorRates direct = rotor_rates(system, e.t, e.s);
@@ -102,11 +103,11 @@ TEST(PaperSection4, LibraryCanonicalRates) {
   Gap gap;
   for (const PerturbedCase& e : perturbed_cases(403, 8)) {
     const System system = e.system();
-    add(gap, phase(euler_phase_rates(system, e.t, e.s)), e.euler_rates());
-    add(gap, phase(andoyer_rates(system, e.t, e.s)), along(e, andoyer_of_euler));
+    add(gap, phase(rates::euler_phase_rates(system, e.t, e.s)), e.euler_rates());
+    add(gap, phase(rates::andoyer_rates(system, e.t, e.s)), along(e, andoyer_of_euler));
     const Phase a = andoyer_of_euler(e.euler());
     const Phase d = gradient([&](const Phase& y) { return andoyer_energy(e.I, y); }, a);
-    add(gap, phase(andoyer_rates(System(body_of(e.I)), e.t, e.s)),
+    add(gap, phase(rates::andoyer_rates(System(body_of(e.I)), e.t, e.s)),
         {d[3], d[4], d[5], -d[0], -d[1], -d[2]});
   }
   EXPECT_LT(gap.size(), budget::paper_perturbed);
@@ -119,7 +120,7 @@ TEST(PaperSection4, LibraryConvectiveTerm) {
   for (const PerturbedCase& e : perturbed_cases(404, 8)) {
     const System system = e.system();
     const Phase x = e.euler(), a = andoyer_of_euler(x);
-    const Vec euler_term = exact(convective_term(system, e.t, e.s, euler_chart));
+    const Vec euler_term = exact(rates::convective_term(system, e.t, e.s, euler_chart));
     gap.add(euler_term, momenta(gradient([&](const Phase& y) { return e.delta_H(y); }, x)));
     const Phase unperturbed = gradient([&](const Phase& y) { return euler_energy(e.I, y); }, x);
     gap.add(momenta(unperturbed) + euler_term, coordinates(e.euler_rates()));
@@ -127,7 +128,7 @@ TEST(PaperSection4, LibraryConvectiveTerm) {
       const AndoyerCase k = andoyer_case(e.I, y);
       return e.delta_H({k.q[0], k.q[1], k.q[2], k.p[0], k.p[1], k.p[2]});
     };
-    gap.add(exact(convective_term(system, e.t, e.s, andoyer_chart)),
+    gap.add(exact(rates::convective_term(system, e.t, e.s, andoyer_chart)),
             momenta(gradient(delta_of_andoyer, a)));
   }
   EXPECT_LT(gap.size(), budget::paper_perturbed);
@@ -144,11 +145,11 @@ TEST(PaperSection4, LibraryConvectiveTermOfAFrame) {
     const Vec mu = euler_matrix(coordinates(x)) * e.mu_S;
     const Mp st = paper::s(x[1]), ct = c(x[1]), sp = paper::s(x[2]), cp = c(x[2]);
     const Mp across = mu[0] * sp + mu[1] * cp;
-    const Vec term = exact(convective_term(moving, e.t, e.s, euler_chart));
+    const Vec term = exact(rates::convective_term(moving, e.t, e.s, euler_chart));
     frame_part.add(term, {-across / st, -mu[0] * cp + mu[1] * sp, across * ct / st - mu[2]});
     frame_part.add(exact(effect(moving, e.t, e.s).v), Mp(-1) * mu);
-    sum.add(exact(convective_term(e.system(), e.t, e.s, euler_chart)),
-            term + exact(convective_term(resting, e.t, e.s, euler_chart)));
+    sum.add(exact(rates::convective_term(e.system(), e.t, e.s, euler_chart)),
+            term + exact(rates::convective_term(resting, e.t, e.s, euler_chart)));
   }
   EXPECT_LT(frame_part.size(), budget::paper_perturbed);
   EXPECT_LT(sum.size(), budget::paper_perturbed);
@@ -163,8 +164,8 @@ TEST(PaperSection4, LibraryFrameRatesOfAndoyersVariables) {
     const Mp cI = a[5] / a[4], sI = root(1 - cI * cI), sh = paper::s(a[2]), ch = c(a[2]);
     const Vec& mu = e.mu_S;
     const Mp A = mu[0] * sh - mu[1] * ch;
-    const CanonicalRates r =
-        perturbation_rates(System(body_of(e.I), e.frame.frame), e.t, e.s, andoyer_chart);
+    const rates::CanonicalRates r =
+        rates::perturbation_rates(System(body_of(e.I), e.frame.frame), e.t, e.s, andoyer_chart);
     add(gap, {r[0], r[1], r[2], r[3], r[4], r[5]},
         {Mp(0), -A / sI, cI / sI * A - mu[2], Mp(0), Mp(0), a[4] * sI * (mu[0] * ch + mu[1] * sh)});
   }
@@ -189,8 +190,8 @@ TEST(PaperSection4, LibraryModifiedSetAxisymmetric) {
     };
     const Phase d = gradient(delta_star, C);
     const System system = e.system();
-    add_elements(elements, phase(modified_andoyer(system.body(), e.t, e.s, t0)), C);
-    add(rates, phase(modified_andoyer_rates(system, e.t, e.s, t0)),
+    add_elements(elements, phase(charts::modified_andoyer(system.body(), e.t, e.s, t0)), C);
+    add(rates, phase(charts::modified_andoyer_rates(system, e.t, e.s, t0)),
         {d[3], d[4], d[5], -d[0], -d[1], -d[2]});
   }
   EXPECT_LT(elements.size(), budget::paper_perturbed);
@@ -204,7 +205,7 @@ TEST(PaperSection4, LibraryConvectiveTermThroughTheModifiedSet) {
   for (const PerturbedCase& e : perturbed_cases(408, 6)) {
     const System system = e.system();
     const double t0 = e.t + 2.5;
-    const AndoyerRates r = modified_andoyer_rates(system, e.t, e.s, t0);
+    const rates::AndoyerRates r = charts::modified_andoyer_rates(system, e.t, e.s, t0);
     const double C_rates[6] = {r.l, r.g, r.h, r.L, r.G, r.H};
     const FreeRotation motion(system.body(), e.s, e.t);
     const FreeRotation from_epoch(system.body(), motion.at(t0), t0);
@@ -218,7 +219,8 @@ TEST(PaperSection4, LibraryConvectiveTermThroughTheModifiedSet) {
     const Phase x = e.euler();
     gap.add(convective, momenta(gradient([&](const Phase& y) { return e.delta_H(y); }, x)));
     // constants where nothing perturbs
-    add(nothing, phase(modified_andoyer_rates(System(body_of(e.I)), e.t, e.s, t0)), Phase{});
+    add(nothing, phase(charts::modified_andoyer_rates(System(body_of(e.I)), e.t, e.s, t0)),
+        Phase{});
   }
   EXPECT_LT(gap.size(), budget::paper_modified);
   EXPECT_EQ(nothing.size(), 0.0);
@@ -233,14 +235,14 @@ TEST(PaperSection4, LibraryOsculatingElements) {
     const Phase x = e.euler();
     const Vec w_SB = body_rate(coordinates(x), coordinates(e.euler_rates()));
     const Vec g_osc = scaled(e.I, w_SB);
-    const RotorState osculating = osculating_state(system, e.t, e.s);
+    const RotorState osculating = charts::osculating_state(system, e.t, e.s);
     momentum.add(exact(osculating.g), g_osc);
     const Vec p = euler_momenta(coordinates(x), g_osc);
-    add_elements(elements, phase(osculating_andoyer(system, e.t, e.s)),
+    add_elements(elements, phase(charts::osculating_andoyer(system, e.t, e.s)),
                  andoyer_of_euler({x[0], x[1], x[2], p[0], p[1], p[2]}));
     const System moving(body_of(e.I), e.frame.frame);
-    const RotorState touched = osculating_state(moving, e.t, e.s);
-    back.add(exact(canonical_state(moving, e.t, touched).g), exact(e.s.g));
+    const RotorState touched = charts::osculating_state(moving, e.t, e.s);
+    back.add(exact(charts::canonical_state(moving, e.t, touched).g), exact(e.s.g));
     const Vec mu = euler_matrix(coordinates(x)) * e.mu_S;
     frame_alone.add(exact(touched.g), exact(e.s.g) - scaled(e.I, mu));
   }
@@ -260,12 +262,12 @@ TEST(PaperSection4, LibraryAxes) {
     const Mat S_from_B = transposed(euler_matrix(coordinates(x)));
     const Mat I_from_S = transposed(e.frame.matrix(Mp(e.t)));
     const Vec w_S = S_from_B * body_rate(coordinates(x), coordinates(e.euler_rates()));
-    const auto add_axis = [&](const AxisAngles& axis, const Vec& v) {
+    const auto add_axis = [&](const charts::AxisAngles& axis, const Vec& v) {
       gap.add(Mp(axis.I), angle(root(v[0] * v[0] + v[1] * v[1]), v[2]));
       gap.add(turned(Mp(axis.h) - angle(v[0], -v[1])), Mp(0));
     };
-    const RotorAxes relative = relative_axes(system, e.t, e.s);
-    const RotorAxes inertial = inertial_axes(system, e.t, e.s);
+    const charts::RotorAxes relative = charts::relative_axes(system, e.t, e.s);
+    const charts::RotorAxes inertial = charts::inertial_axes(system, e.t, e.s);
     const Vec b3{Mp(0), Mp(0), Mp(1)}, g = exact(e.s.g);
     add_axis(relative.figure, S_from_B * b3);
     add_axis(relative.momentum, S_from_B * g);
@@ -284,7 +286,7 @@ TEST(PaperSection4, LibraryAxes) {
 // (l, g, h, J, G, I): not canonical.
 struct Inclinations {
   template <Real T>
-  BasicRotorState<T> operator()(const Variables<T>& z) const {
+  BasicRotorState<T> operator()(const rates::Variables<T>& z) const {
     using std::cos;
     return to_rotor(BasicAndoyerState<T>{z[0], z[1], z[2], T(z[4] * T(cos(z[3]))), z[4],
                                          T(z[4] * T(cos(z[5])))});
@@ -301,11 +303,12 @@ TEST(PaperAppendix, LibraryLagrangeBrackets) {
         andoyer_case(equal_moments, {z[0], z[1], z[2], z[4] * c(z[3]), z[4], z[4] * c(z[5])});
     return Phase{k.q[0], k.q[1], k.q[2], k.p[0], k.p[1], k.p[2]};
   };
-  for (const Variables<double>& at : {Variables<double>{0.7, -1.1, 2.0, 1.2, 1.3, 0.8},
-                                      Variables<double>{-2.1, 0.4, 0.9, 2.2, 0.9, 1.7}}) {
+  for (const rates::Variables<double>& at :
+       {rates::Variables<double>{0.7, -1.1, 2.0, 1.2, 1.3, 0.8},
+        rates::Variables<double>{-2.1, 0.4, 0.9, 2.2, 0.9, 1.7}}) {
     Phase z;
     for (std::size_t i = 0; i < 6; ++i) z[i] = at[i];
-    const Matrix6 found = lagrange_brackets(Inclinations{}, at);
+    const Matrix6 found = rates::lagrange_brackets(Inclinations{}, at);
     const auto rows = jacobian(euler_of, z);
     const auto J = [&](const Phase& y) {
       const auto by = jacobian(euler_of, y);
@@ -340,9 +343,9 @@ TEST(PaperAppendix, LibraryAndoyersMethod) {
       return Phase{a[0], a[1], a[2], arc(a[3]), a[4], arc(a[5])};
     };
     const Phase z = inclined(e.euler());
-    Variables<double> near{};
+    rates::Variables<double> near{};
     for (std::size_t i = 0; i < 6; ++i) near[i] = static_cast<double>(z[i]);
-    const auto r = equations_of_motion(e.system(), e.t, near, Inclinations{});
+    const auto r = rates::equations_of_motion(e.system(), e.t, near, Inclinations{});
     add(gap, {r[0], r[1], r[2], r[3], r[4], r[5]}, along(e, inclined));
   }
   EXPECT_LT(gap.size(), budget::paper_perturbed);

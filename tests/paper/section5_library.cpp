@@ -91,7 +91,7 @@ TEST(PaperSadov, LibraryActionByQuadrature) {
     for (int n = 0; n < nodes; ++n) {
       const double t = k.motion.polhode_period() * n / nodes;
       const RotorState at = k.motion.at(t);
-      loop += Mp(at.g.z) * Mp(andoyer_rates(System(k.body), t, at).l);
+      loop += Mp(at.g.z) * Mp(rates::andoyer_rates(System(k.body), t, at).l);
     }
     loop *= Mp(k.motion.polhode_period()) / nodes;
     // l falls where L > 0; the action has the sign of L around b3, -b3

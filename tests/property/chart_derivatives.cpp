@@ -7,7 +7,7 @@
 
 #include "budgets.hpp"
 #include "polhode/math/dual.hpp"
-#include "polhode/rotor/rate_jacobian.hpp"
+#include "polhode/rotor/chart_jacobian.hpp"
 #include "property/chart_support.hpp"
 #include "property/wide_jacobian.hpp"
 

@@ -21,7 +21,7 @@
 #include "polhode/free/serret.hpp"
 #include "polhode/free/tumbler.hpp"
 #include "polhode/rotor/attitude.hpp"
-#include "polhode/system/modified_andoyer.hpp"
+#include "polhode/system/osculation.hpp"
 #include "property/chart_support.hpp"
 #include "property/edge_cases.hpp"
 #include "worst.hpp"
@@ -414,8 +414,8 @@ Result tumbler_result(const Known& k) {
 
 Result modified_result(const Known& k) {
   try {
-    const auto a = modified_andoyer(k.body, k.c.t, k.c.state, k.c.t);
-    return judged(loss_of(from_modified_andoyer(k.body, k.c.t, a, k.c.t), k.c.state),
+    const auto a = charts::modified_andoyer(k.body, k.c.t, k.c.state, k.c.t);
+    return judged(loss_of(charts::from_modified_andoyer(k.body, k.c.t, a, k.c.t), k.c.state),
                   budget::serret_edge + pole_loss(k.place.J3) + pole_loss(k.place.I),
                   "modified andoyer");
   } catch (const DomainError& error) {

@@ -19,7 +19,6 @@
 #include "polhode/free/free_rotation.hpp"
 #include "polhode/perturb/user_terms.hpp"
 #include "polhode/system/canonical_rates.hpp"
-#include "polhode/system/modified_andoyer.hpp"
 #include "worst.hpp"
 
 namespace {
@@ -135,7 +134,7 @@ TEST(Osculation, BothAngularVelocitiesAfterTenThousandTurns) {
       for (const double t : times(r)) {
         const RotorState s = reference_state(system, t, motion.at(t));
         const RotorState canonical = to_rotor(to_andoyer(s));
-        const RotorState osculating = to_rotor(osculating_andoyer(system, t, s));
+        const RotorState osculating = to_rotor(charts::osculating_andoyer(system, t, s));
         const Quaternion q_IS = o.frame.at(t).q_IS;
         const auto inertial_axes = [&](const RotorState& x, const Vec3& w) {
           return rotate(q_IS, rotate(x.q, w));
@@ -176,7 +175,8 @@ TEST(Osculation, CanonicalElementsObeyHamiltonsEquationsInTheFrame) {
           return std::array<Wide, 6>{a.l, a.g, a.h, a.L, a.G, a.H};
         };
         const auto before = elements(Wide(t) - h), after = elements(Wide(t) + h);
-        const AndoyerRates a = andoyer_rates(system, t, reference_state(system, t, motion.at(t)));
+        const rates::AndoyerRates a =
+            rates::andoyer_rates(system, t, reference_state(system, t, motion.at(t)));
         const double rates[6] = {a.l, a.g, a.h, a.L, a.G, a.H};
         for (std::size_t i = 0; i < 6; ++i) {
           Wide change = after[i] - before[i];
@@ -207,7 +207,8 @@ TEST(Osculation, OsculatingMeansTouching) {
         return std::log2(leaves(from, 0x1p-8) / leaves(from, 0x1p-9));
       };
       const std::string where = r.name + ", " + o.name;
-      EXPECT_NEAR(slope(osculating_state(system, t, s)), 2.0, budget::osculation_slope) << where;
+      EXPECT_NEAR(slope(charts::osculating_state(system, t, s)), 2.0, budget::osculation_slope)
+          << where;
       EXPECT_NEAR(slope(s), 1.0, budget::osculation_slope) << where;
     }
   }
@@ -222,21 +223,21 @@ TEST(Osculation, ModifiedSetMovesAtItsRates) {
       const double t = 2.0, t0 = -1.5, h = 0x1p-6;
       const auto elements = [&](double time) {
         const RotorState s = reference_state(system, time, motion.at(time));
-        const AndoyerState a = modified_andoyer(r.body(), time, s, t0);
+        const AndoyerState a = charts::modified_andoyer(r.body(), time, s, t0);
         return std::array<double, 6>{a.l, a.g, a.h, a.L, a.G, a.H};
       };
       const auto m2 = elements(t - 2 * h), m1 = elements(t - h);
       const auto p1 = elements(t + h), p2 = elements(t + 2 * h);
       const RotorState s = reference_state(system, t, motion.at(t));
-      const AndoyerRates a = modified_andoyer_rates(system, t, s, t0);
+      const rates::AndoyerRates a = charts::modified_andoyer_rates(system, t, s, t0);
       const double rates[6] = {a.l, a.g, a.h, a.L, a.G, a.H};
       for (std::size_t i = 0; i < 6; ++i) {
         const double rate = (8.0 * (p1[i] - m1[i]) - (p2[i] - m2[i])) / (12.0 * h);
         EXPECT_NEAR(rate, rates[i], budget::osculation_differences)
             << r.name << ", " << o.name << ", element " << i;
       }
-      const RotorState back =
-          from_modified_andoyer(r.body(), t, modified_andoyer(r.body(), t, s, t0), t0);
+      const RotorState back = charts::from_modified_andoyer(
+          r.body(), t, charts::modified_andoyer(r.body(), t, s, t0), t0);
       EXPECT_LT(norm(back.g - s.g) / norm(s.g), budget::osculation_round_trip) << r.name;
     }
   }
@@ -268,11 +269,12 @@ TEST(Osculation, CanonicalFromOsculating) {
         normalized(Quaternion{draw.normal(), draw.normal(), draw.normal(), draw.normal()}),
         {draw.normal(), draw.normal(), draw.normal()}};
     const double t = draw.uniform(-3.0, 3.0);
-    const RotorState back = canonical_state(system, t, osculating_state(system, t, s));
+    const RotorState back =
+        charts::canonical_state(system, t, charts::osculating_state(system, t, s));
     worst.add(norm(back.g - s.g) / norm(s.g));
     const AndoyerState a = to_andoyer(s);
     const RotorState through =
-        to_rotor(canonical_andoyer(system, t, osculating_andoyer(system, t, a)));
+        to_rotor(charts::canonical_andoyer(system, t, charts::osculating_andoyer(system, t, a)));
     worst.add(norm(through.g - s.g) / norm(s.g));
   }
   EXPECT_LT(worst.value(), budget::osculation_round_trip);

@@ -44,9 +44,9 @@ void print_andoyer(const Record& out, const Case& c, const Body& body, const Rot
   out.state("to_rotor(andoyer)", to_rotor(a));
   out.matrix("chart_jacobian(andoyer)", chart_jacobian(a), 6);
   const double t = c.t0 + 3.3 * c.turn;
-  const AndoyerState m = modified_andoyer(body, t, s, c.t0);
+  const AndoyerState m = charts::modified_andoyer(body, t, s, c.t0);
   print_numbers(out, "modified_andoyer", {m.l, m.g, m.h, m.L, m.G, m.H});
-  out.state("from_modified_andoyer", from_modified_andoyer(body, t, m, c.t0));
+  out.state("from_modified_andoyer", charts::from_modified_andoyer(body, t, m, c.t0));
 }
 
 void print_poincare(const Record& out, const std::string& name, const PoincareState& p) {
@@ -86,7 +86,7 @@ void print_rates(const Record& out, const Body& body, const RotorState& s) {
   out.matrix("inverse_body_rate_jacobian", inverse_body_rate_jacobian(body), 6);
   out.matrix("inertial_rate_jacobian", inertial_rate_jacobian(body, s), 6);
   out.matrix("inverse_inertial_rate_jacobian", inverse_inertial_rate_jacobian(body, s), 6);
-  const RotorAxes axes = inertial_axes(System(body), 0.0, s);
+  const charts::RotorAxes axes = charts::inertial_axes(System(body), 0.0, s);
   print_numbers(out, "axes",
                 {axes.figure.I, axes.figure.h, axes.momentum.I, axes.momentum.h, axes.rotation.I,
                  axes.rotation.h});

@@ -32,7 +32,8 @@ void print_constants(const Record& out, const FreeRotation& motion) {
 
 void print_generating_function(const Record& out, const FreeRotation& motion, double t) {
   const EulerAngles q = euler_angles(motion.at(t).q);
-  const GeneratingFunction f = generating_function(motion.body(), q, to_serret(motion, t), t);
+  const free::GeneratingFunction f =
+      free::generating_function(motion.body(), q, to_serret(motion, t), t);
   const double values[] = {f.S, f.Phi, f.Theta, f.Psi, f.g0, f.h, f.minus_t0, f.minus_T};
   for (int i = 0; i < 8; ++i)
     out.value("generating_function[" + std::to_string(i) + "]", values[i]);

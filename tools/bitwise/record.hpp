@@ -7,12 +7,9 @@
 #include <cstdio>
 #include <exception>
 #include <polhode/free/generating_function.hpp>
-#include <polhode/free/sadov_generating_function.hpp>
 #include <polhode/polhode.hpp>
 #include <polhode/rotor/chart_jacobian.hpp>
-#include <polhode/rotor/rate_jacobian.hpp>
 #include <polhode/system/axes.hpp>
-#include <polhode/system/modified_andoyer.hpp>
 #include <polhode/system/osculation.hpp>
 #include <string>
 #include <utility>

@@ -51,7 +51,7 @@ static void other_forces(struct reb_simulation* r) {
   }
 }
 
-// a, and k, h, q, p as in polhode/secular/orbit_elements.hpp.
+// a, and k, h, q, p as in polhode/secular/orbit_history.hpp.
 static void elements(const struct reb_particle* sun, const struct reb_particle* body, double* out) {
   const double mu = sun->m + body->m;
   const double x = body->x - sun->x, y = body->y - sun->y, z = body->z - sun->z;

@@ -7,7 +7,7 @@ than some 4,000 years.
 
 OUT_FOLDER gets earth.i32 and mars.i32, little-endian 32-bit integers, four in a row: the number of
 rows, the time of the first (kyr), the years between two, 0; then for every row k, h, q, p
-(polhode/secular/orbit_elements.hpp) in units of 1e-9. FUTURE - leaves the future out: rows end
+(polhode/secular/orbit_history.hpp) in units of 1e-9. FUTURE - leaves the future out: rows end
 before 0."""
 
 import pathlib

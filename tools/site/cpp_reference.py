@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: MIT
 """The C++ reference: the directive `cpp-layer`, which shows the public headers of a layer.
 
-Of each header it shows the labels of its first comment and what it declares, as clang sees it, in
-the C++ domain of Sphinx. A comment belongs to the declaration that it stands before or behind.
-Bodies of functions, private members, namespaces detail and explicit instantiations are left out."""
+Of each header it shows the labels of its first comment, or of each of its parts, and what it
+declares, as clang sees it, in the C++ domain of Sphinx. A comment belongs to the declaration that
+it stands before or behind. Bodies of functions, private members, namespaces detail and explicit
+instantiations are left out."""
 
 import functools
+import itertools
 import pathlib
 import re
 import sys
@@ -239,12 +241,10 @@ def declarations_of(paths: list[pathlib.Path]) -> dict[str, list[Cursor]]:
     return found
 
 
-def labels(path: pathlib.Path) -> list[tuple[str, str]]:
-    """Of the first comment: ("", what it is), then each label with its text."""
+def labels(lines: Iterable[str]) -> list[tuple[str, str]]:
+    """Of a comment: ("", what it is), then each label with its text."""
     found = [["", ""]]
-    for line in path.read_text(encoding="utf-8").splitlines()[1:]:
-        if not line.startswith("//"):
-            break
+    for line in lines:
         line = line.removeprefix("//").removeprefix(" ")
         match = LABEL.match(line)
         if match:
@@ -254,21 +254,51 @@ def labels(path: pathlib.Path) -> list[tuple[str, str]]:
     return [(label, " ".join(text.split())) for label, text in found]
 
 
+def parts(path: pathlib.Path) -> list[tuple[int, list[tuple[str, str]]]]:
+    """The first comment and each later one with labels: its line and what it says."""
+    text = path.read_text(encoding="utf-8").partition("\n")[2]
+    found = []
+    for comment in re.finditer(r"(?:^//[^\n]*\n)+", text, re.MULTILINE):
+        said = labels(comment[0].splitlines())
+        if not found or said[1:]:
+            found.append((text.count("\n", 0, comment.start()), said))
+    return found
+
+
 def prose(text: str) -> str:
     """The text of a label; pages that it names become links."""
     return PAGE.sub(r":doc:`\1 </\1>`", escaped(text))
 
 
+def part_text(said: list[tuple[str, str]]) -> str:
+    (_, what), *rest = said
+    fields = "".join(f"   :{label}: {prose(text)}\n" for label, text in rest
+                     if text.rstrip(".") != "none")  # fmt: skip
+    return f"{prose(what)}\n\n" + (f".. container:: labels\n\n{fields}\n\n" if fields else "")
+
+
+def scope(cursor: Cursor) -> str:
+    """The namespace of a declaration; inline ones are left out."""
+    names, at = [], cursor.lexical_parent
+    while at is not None and at.kind == CursorKind.NAMESPACE:
+        names += [] if re.fullmatch(r"v\d+", at.spelling) else [at.spelling]
+        at = at.lexical_parent
+    return "::".join(reversed(names))
+
+
 def header_text(path: pathlib.Path) -> str:
-    (_, what), *rest = labels(path)
-    fields = "".join(f"   :{label}: {prose(said)}\n" for label, said in rest
-                     if said.rstrip(".") != "none")  # fmt: skip
+    (_, first), *later = parts(path)
     name = path.relative_to(INCLUDE.parent)
-    shown = text_of(declarations()[str(path)])
-    fields = f".. container:: labels\n\n{fields}" if fields else ""
-    return (f"{prose(what)}\n\n{fields}\n\n"
-            f".. code-block:: cpp\n\n   #include \"{name}\"\n\n"
-            f".. cpp:namespace:: polhode\n\n{shown}")  # fmt: skip
+    text = part_text(first) + f".. code-block:: cpp\n\n   #include \"{name}\"\n\n"
+    ends = [line for line, _ in later] + [sys.maxsize]
+    begin = 0
+    for end, said in zip(ends, [None, *(said for _, said in later)], strict=True):
+        text += part_text(said) if said else ""
+        shown = [c for c in declarations()[str(path)] if begin <= c.location.line < end]
+        for within, some in itertools.groupby(shown, scope):
+            text += f".. cpp:namespace:: {within}\n\n{text_of(some)}"
+        begin = end
+    return text
 
 
 class CppLayer(SphinxDirective):
@@ -302,12 +332,14 @@ class Types(SphinxPostTransform):
 
 
 def types_of(env) -> dict[str, tuple[str, str]]:
-    """Classes, aliases, concepts and enumerations of namespace polhode: name -> page and anchor."""
+    """Classes, aliases, concepts and enumerations of namespace polhode: name, with and without the
+    namespaces in it -> page and anchor."""
     if not hasattr(env, "polhode_types"):
         objects = env.domains.cpp_domain.get_objects()
-        env.polhode_types = {name.removeprefix("polhode::"): (page, anchor)
-                             for name, _, kind, page, anchor, _ in objects
-                             if kind in ("class", "type", "concept", "enum")}  # fmt: skip
+        places = {name.removeprefix("polhode::"): (page, anchor)
+                  for name, _, kind, page, anchor, _ in objects
+                  if kind in ("class", "type", "concept", "enum")}  # fmt: skip
+        env.polhode_types = {name.rpartition("::")[2]: at for name, at in places.items()} | places
     return env.polhode_types
 
 

@@ -8,7 +8,6 @@
 #include "polhode/rotor/attitude.hpp"
 #include "polhode/rotor/euler.hpp"
 #include "polhode/rotor/poincare.hpp"
-#include "polhode/rotor/roll_pitch_yaw.hpp"
 #include "polhode_web.h"
 #include "refusals.hpp"
 

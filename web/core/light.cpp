@@ -10,14 +10,14 @@ using namespace polhode::web;
 
 double polhode_brightness(const double* light, const double* q) {
   const Quaternion back = conj(normalized(quaternion(q)));
-  return lommel_seeliger_brightness(Ellipsoid{light[0], light[1], light[2]},
-                                    rotate(back, vector(light + 3)),
-                                    rotate(back, vector(light + 6)));
+  return light::lommel_seeliger_brightness(light::Ellipsoid{light[0], light[1], light[2]},
+                                           rotate(back, vector(light + 3)),
+                                           rotate(back, vector(light + 6)));
 }
 
 double polhode_phase_angle(const double* to_sun, const double* to_observer) {
-  LightPoint point;
+  light::LightPoint point;
   point.to_sun = vector(to_sun);
   point.to_observer = vector(to_observer);
-  return aspect(point).phase_angle;
+  return light::aspect(point).phase_angle;
 }

@@ -41,7 +41,7 @@ InvariableAxes invariable_axes(const Vec3& momentum) {
 }
 
 struct Light {
-  Ellipsoid body;
+  light::Ellipsoid body;
   Vec3 to_sun, to_observer;
 };
 
@@ -64,8 +64,8 @@ struct RowMaker {
   }
   double brightness(const RotorState& s) const {
     const Quaternion back = conj(normalized(s.q));
-    return lommel_seeliger_brightness(light.body, rotate(back, light.to_sun),
-                                      rotate(back, light.to_observer));
+    return light::lommel_seeliger_brightness(light.body, rotate(back, light.to_sun),
+                                             rotate(back, light.to_observer));
   }
 
   double* rows(std::span<const RotorState> states, double* to) const {
@@ -132,7 +132,7 @@ int polhode_motion_chart(const polhode_motion* motion, int chart, double t, doub
 }
 
 double polhode_motion_sensitivity(const polhode_motion* motion, double t) {
-  return rounding_sensitivity(motion->rotation, t);
+  return free::rounding_sensitivity(motion->rotation, t);
 }
 
 int polhode_motion_flips(const polhode_motion* motion, double start, double stop, uint32_t most,

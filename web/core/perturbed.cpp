@@ -11,16 +11,15 @@
 #include <string>
 
 #include "numbers.hpp"
+#include "polhode/detail/ode/adaptive_runge_kutta.hpp"
+#include "polhode/detail/ode/verner98.hpp"
 #include "polhode/dynamics/method.hpp"
 #include "polhode/error.hpp"
 #include "polhode/frame/frame.hpp"
 #include "polhode/free/free_rotation.hpp"
-#include "polhode/ode/adaptive_runge_kutta.hpp"
-#include "polhode/ode/verner98.hpp"
 #include "polhode/orbit/kepler_orbit.hpp"
 #include "polhode/perturb/gravity_gradient.hpp"
 #include "polhode/perturb/internal_damping.hpp"
-#include "polhode/perturb/linear_damping.hpp"
 #include "polhode/rotor/andoyer.hpp"
 #include "polhode/system/system.hpp"
 #include "polhode_web.h"

@@ -52,13 +52,14 @@ int polhode_body_of_tensor(const double* tensor, double* result) {
 
 int polhode_ellipsoid_moments(const double* semi_axes, double mass, double* moments) {
   return guarded([&] {
-    const Vec3 I = homogeneous_moments(Ellipsoid{semi_axes[0], semi_axes[1], semi_axes[2]}, mass);
+    const Vec3 I = light::homogeneous_moments(
+        light::Ellipsoid{semi_axes[0], semi_axes[1], semi_axes[2]}, mass);
     put(moments, Body(I.x, I.y, I.z).moments());
   });
 }
 
 void polhode_semi_axes(const double* moments, double mass, double* semi_axes) {
-  const Ellipsoid e = homogeneous_ellipsoid(vector(moments), mass);
+  const light::Ellipsoid e = light::homogeneous_ellipsoid(vector(moments), mass);
   put(semi_axes, Vec3{e.a, e.b, e.c});
 }
 

@@ -162,7 +162,7 @@ void print_curves(const polhode_motion* motion, const double* moments, const cha
   print("curve", curve, end);
 }
 
-void print_case(const polhode::GoldenCase& golden, bool is_last) {
+void print_case(const polhode::io::GoldenCase& golden, bool is_last) {
   const polhode::Vec3& I = golden.moments;
   const polhode::Vec3& w = golden.omega0;
   const polhode::Quaternion& q = golden.q0;
@@ -170,7 +170,7 @@ void print_case(const polhode::GoldenCase& golden, bool is_last) {
   Numbers state(7), times, at, exact;
   polhode_state_of_rate(moments.data(), q0.data(), omega.data(), 0, state.data());
   polhode_motion* const motion = polhode_motion_of(moments.data(), state.data(), 0.0);
-  for (const polhode::GoldenSample& s : golden.samples) {
+  for (const polhode::io::GoldenSample& s : golden.samples) {
     Numbers found(7);
     polhode_motion_at(motion, s.t, found.data());
     at.insert(at.end(), found.begin(), found.end());
@@ -196,11 +196,11 @@ void print_case(const polhode::GoldenCase& golden, bool is_last) {
 }  // namespace
 
 int main() {
-  const std::vector<polhode::GoldenCase> cases = polhode::golden_cases();
+  const std::vector<polhode::io::GoldenCase> cases = polhode::io::golden_cases();
   std::printf(
       "{\"instructions\": \"%s\",\n\"cases\": [\n",
       std::string(polhode::instruction_set_name(polhode::widest_instruction_set())).c_str());
-  for (const polhode::GoldenCase& golden : cases) print_case(golden, &golden == &cases.back());
+  for (const polhode::io::GoldenCase& golden : cases) print_case(golden, &golden == &cases.back());
   std::printf("],\n");
   // Envisat in its orbit, in a frame that precesses, damped
   const Numbers problem{17023.3, 124825.7, 129112.2, 0.9, 0.1,    -0.3,  0.2,

@@ -4,5 +4,5 @@
 #include "spherical.hpp"
 
 int main(int argc, char** argv) {
-  return polhode::command_line(argc, argv, polhode::default_kinds().with(spherical::chart));
+  return polhode::command_line(argc, argv, polhode::io::default_kinds().with(spherical::chart));
 }

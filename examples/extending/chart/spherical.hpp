@@ -5,16 +5,16 @@
 #include <cmath>
 
 #include "polhode/rotor/andoyer.hpp"
-#include "polhode/tables/chart_kind.hpp"
+#include "polhode/tables/convert.hpp"
 
 namespace spherical {
 
-using polhode::ChartNumbers;
-using polhode::ChartPlace;
-using polhode::Dimension;
+using polhode::io::ChartNumbers;
+using polhode::io::ChartPlace;
+using polhode::io::Dimension;
 
 // A number without a dimension, a sentence or an example does not compile.
-constexpr polhode::ChartVariable variables[] = {
+constexpr polhode::io::ChartVariable variables[] = {
     {"l", Dimension::angle, "Andoyer's l.", "70"},
     {"g", Dimension::angle, "Andoyer's g.", "20"},
     {"h", Dimension::angle, "Andoyer's h.", "40"},
@@ -33,7 +33,7 @@ inline ChartNumbers from_hub(const polhode::RotorState& s, const ChartPlace&) {
   return {a.l, a.g, a.h, std::log(a.G), a.L / a.G, a.H / a.G};
 }
 
-constexpr polhode::ChartKind chart{
+constexpr polhode::io::ChartKind chart{
     .name = "spherical",
     .help = "Andoyer's angles, the logarithm of the momentum and two cosines.",
     .variables = variables,

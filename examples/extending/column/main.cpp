@@ -7,8 +7,8 @@
 
 namespace {
 
-using polhode::Dimension;
-using polhode::RowSample;
+using polhode::io::Dimension;
+using polhode::io::RowSample;
 
 // Rate of rotation, and the angle from the angular momentum to the axis of rotation.
 std::array<double, 2> numbers(const RowSample& row) {
@@ -20,8 +20,8 @@ std::array<double, 2> numbers(const RowSample& row) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const polhode::ColumnKind wobble = polhode::column_kind(
+  const polhode::io::ColumnKind wobble = polhode::io::column_kind(
       "wobble", "Rate of rotation, and the angle from the angular momentum to its axis.",
       {{"spin_rate", Dimension::rate}, {"wobble_angle", Dimension::angle}}, numbers);
-  return polhode::command_line(argc, argv, polhode::default_kinds().with(wobble));
+  return polhode::command_line(argc, argv, polhode::io::default_kinds().with(wobble));
 }

@@ -8,9 +8,9 @@
 
 namespace {
 
-using polhode::Dimension;
-using polhode::KindKey;
-using polhode::quantity_key;
+using polhode::io::Dimension;
+using polhode::io::KindKey;
+using polhode::io::quantity_key;
 
 struct Arguments {
   double precession;
@@ -34,11 +34,11 @@ constexpr KindKey<Arguments> keys[] = {
         .example("\"25 deg\""),
 };
 
-polhode::CustomExperiment made(const Arguments& a, const polhode::ExperimentContext& at) {
+polhode::io::CustomExperiment made(const Arguments& a, const polhode::io::ExperimentContext& at) {
   const ColombosTop top{a.precession, a.inclination, a.node_rate};
   const double tilt = a.obliquity - a.inclination;  // n leans the other way
   const SpinAxis start{{0.0, std::sin(tilt), std::cos(tilt)}};
-  return polhode::custom_experiment<ColombosTop>(
+  return polhode::io::custom_experiment<ColombosTop>(
       "colombos-top", at,
       {.model = top,
        .initial = start,
@@ -61,8 +61,8 @@ polhode::CustomExperiment made(const Arguments& a, const polhode::ExperimentCont
                   Dimension::time}}});
 }
 
-polhode::ExperimentKind colombos_top() {
-  return polhode::experiment_kind<Arguments>(
+polhode::io::ExperimentKind colombos_top() {
+  return polhode::io::experiment_kind<Arguments>(
       "colombos-top", "The spin axis of a planet whose orbit precesses at a constant rate.", keys,
       made,
       {{"colombo1966",
@@ -74,5 +74,5 @@ polhode::ExperimentKind colombos_top() {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return polhode::command_line(argc, argv, polhode::default_kinds().with(colombos_top()));
+  return polhode::command_line(argc, argv, polhode::io::default_kinds().with(colombos_top()));
 }

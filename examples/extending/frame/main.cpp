@@ -8,8 +8,8 @@
 
 namespace {
 
-using polhode::Dimension;
-using polhode::KindKey;
+using polhode::io::Dimension;
+using polhode::io::KindKey;
 
 struct Arguments {
   double inclination;
@@ -19,23 +19,24 @@ struct Arguments {
 };
 
 constexpr KindKey<Arguments> keys[] = {
-    polhode::quantity_key<&Arguments::inclination>("inclination", Dimension::angle, "The mean one.")
+    polhode::io::quantity_key<&Arguments::inclination>("inclination", Dimension::angle,
+                                                       "The mean one.")
         .required()
         .example("\"5.145 deg\"")
         .positive(),
-    polhode::quantity_key<&Arguments::sway>("sway", Dimension::angle,
-                                            "By how much it grows and shrinks.")
+    polhode::io::quantity_key<&Arguments::sway>("sway", Dimension::angle,
+                                                "By how much it grows and shrinks.")
         .otherwise("0"),
-    polhode::quantity_key<&Arguments::period>("period", Dimension::time, "Of the sway.")
+    polhode::io::quantity_key<&Arguments::period>("period", Dimension::time, "Of the sway.")
         .required()
         .example("\"173.3 d\"")
         .positive(),
-    polhode::quantity_key<&Arguments::node_rate>("node_rate", Dimension::rate, "Of its node.")
+    polhode::io::quantity_key<&Arguments::node_rate>("node_rate", Dimension::rate, "Of its node.")
         .otherwise("0"),
 };
 
 // Functions of any number type: the rate of the frame is their derivative.
-polhode::MadeFrame made(const Arguments& a, const polhode::FrameContext& at) {
+polhode::io::MadeFrame made(const Arguments& a, const polhode::io::FrameContext& at) {
   if (!(a.sway < a.inclination)) at.refuse("sway", "expected less than the inclination");
   const double turning = 2.0 * std::numbers::pi / a.period;
   const auto node = [a](const auto& t) { return a.node_rate * t; };
@@ -46,13 +47,13 @@ polhode::MadeFrame made(const Arguments& a, const polhode::FrameContext& at) {
   return {polhode::Frame::orbit_plane(node, inclination), "a plane that sways"};
 }
 
-polhode::FrameKind swaying_plane() {
-  return polhode::frame_kind<Arguments>(
+polhode::io::FrameKind swaying_plane() {
+  return polhode::io::frame_kind<Arguments>(
       "swaying-plane", "The plane of an orbit whose inclination swings about a mean.", keys, made);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  return polhode::command_line(argc, argv, polhode::default_kinds().with(swaying_plane()));
+  return polhode::command_line(argc, argv, polhode::io::default_kinds().with(swaying_plane()));
 }

@@ -7,28 +7,28 @@
 
 namespace {
 
-using polhode::Dimension;
-using polhode::KindKey;
+using polhode::io::Dimension;
+using polhode::io::KindKey;
 
 struct Arguments {
   double step;
 };
 
 constexpr KindKey<Arguments> keys[] = {
-    polhode::quantity_key<&Arguments::step>("step", Dimension::time, "The step.")
+    polhode::io::quantity_key<&Arguments::step>("step", Dimension::time, "The step.")
         .required()
         .example("0.01")
         .positive(),
 };
 
-polhode::Method made(const Arguments& a, const polhode::KeyValues&) {
+polhode::Method made(const Arguments& a, const polhode::io::KeyValues&) {
   return polhode::custom_method({"lie-midpoint", a.step, lie_midpoint});
 }
 
-polhode::MethodKind lie_midpoint_kind() {
-  return polhode::method_kind<Arguments>(
+polhode::io::MethodKind lie_midpoint_kind() {
+  return polhode::io::method_kind<Arguments>(
       "lie-midpoint", "The explicit midpoint rule on the rotation group.", keys, made,
-      [](const polhode::Method&) -> std::vector<polhode::Citation> {
+      [](const polhode::Method&) -> std::vector<polhode::io::Citation> {
         return {{"author2026", "A. Author (2026). On midpoints. Journal of Examples 1, 3-4.",
                  "the midpoint rule"}};
       });
@@ -37,5 +37,5 @@ polhode::MethodKind lie_midpoint_kind() {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return polhode::command_line(argc, argv, polhode::default_kinds().with(lie_midpoint_kind()));
+  return polhode::command_line(argc, argv, polhode::io::default_kinds().with(lie_midpoint_kind()));
 }

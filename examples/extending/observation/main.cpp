@@ -7,10 +7,10 @@
 
 namespace {
 
-using polhode::Dimension;
-using polhode::KindKey;
-using polhode::quantity_key;
 using polhode::Vec3;
+using polhode::io::Dimension;
+using polhode::io::KindKey;
+using polhode::io::quantity_key;
 
 struct SunAngle {
   Vec3 axis;
@@ -30,7 +30,7 @@ constexpr KindKey<SunAngle> keys[] = {
         .example("\"0.1 deg\""),
 };
 
-polhode::ObservedRows made(const SunAngle& a, const polhode::TermContext& at) {
+polhode::io::ObservedRows made(const SunAngle& a, const polhode::io::TermContext& at) {
   if (!(norm(a.sun) > 0.0)) at.refuse("sun", "expected a vector that is not 0");
   // q takes body axes of the file to inertial ones
   const auto angle = [a](double, const polhode::Quaternion& q, const Vec3&,
@@ -45,7 +45,7 @@ polhode::ObservedRows made(const SunAngle& a, const polhode::TermContext& at) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const polhode::ObservationKind sun_angle = polhode::observation_kind<SunAngle>(
+  const polhode::io::ObservationKind sun_angle = polhode::io::observation_kind<SunAngle>(
       "sun-angle", "Angles from a body axis to the Sun.", keys, made);
-  return polhode::command_line(argc, argv, polhode::default_kinds().with(sun_angle));
+  return polhode::command_line(argc, argv, polhode::io::default_kinds().with(sun_angle));
 }

@@ -9,8 +9,8 @@
 
 namespace {
 
-using polhode::Dimension;
-using polhode::KindKey;
+using polhode::io::Dimension;
+using polhode::io::KindKey;
 
 struct Arguments {
   double gm;
@@ -22,32 +22,33 @@ struct Arguments {
 };
 
 constexpr KindKey<Arguments> keys[] = {
-    polhode::quantity_key<&Arguments::gm>("gm", Dimension::gm, "Of the planet.")
+    polhode::io::quantity_key<&Arguments::gm>("gm", Dimension::gm, "Of the planet.")
         .required()
         .example("\"398600.4418 km3/s2\"")
         .positive(),
-    polhode::quantity_key<&Arguments::radius>("radius", Dimension::length, "Of its equator.")
+    polhode::io::quantity_key<&Arguments::radius>("radius", Dimension::length, "Of its equator.")
         .required()
         .example("\"6378.137 km\"")
         .positive(),
-    polhode::quantity_key<&Arguments::J2>("J2", Dimension::number, "Its oblateness.")
+    polhode::io::quantity_key<&Arguments::J2>("J2", Dimension::number, "Its oblateness.")
         .required()
         .example("1.0826e-3")
         .positive(),
-    polhode::quantity_key<&Arguments::altitude>("altitude", Dimension::length,
-                                                "Of the circle above the equator.")
+    polhode::io::quantity_key<&Arguments::altitude>("altitude", Dimension::length,
+                                                    "Of the circle above the equator.")
         .required()
         .example("\"700 km\"")
         .positive(),
-    polhode::quantity_key<&Arguments::year>("year", Dimension::time,
-                                            "In which the node turns once.")
+    polhode::io::quantity_key<&Arguments::year>("year", Dimension::time,
+                                                "In which the node turns once.")
         .otherwise("\"365.2422 d\"")
         .positive(),
-    polhode::quantity_key<&Arguments::node>("node", Dimension::angle, "At t = 0.").otherwise("0"),
+    polhode::io::quantity_key<&Arguments::node>("node", Dimension::angle, "At t = 0.")
+        .otherwise("0"),
 };
 
 // The inclination at which J2 turns the node as the Sun moves: -3/2 n J2 (R/a)^2 cos i.
-polhode::ScenarioOrbit made(const Arguments& a, const polhode::OrbitContext& at) {
+polhode::io::ScenarioOrbit made(const Arguments& a, const polhode::io::OrbitContext& at) {
   const double axis = a.radius + a.altitude, n = std::sqrt(a.gm / (axis * axis * axis));
   const double ratio = a.radius / axis, wanted = 2.0 * std::numbers::pi / a.year;
   const double cosine = -wanted / (1.5 * n * a.J2 * ratio * ratio);
@@ -61,8 +62,8 @@ polhode::ScenarioOrbit made(const Arguments& a, const polhode::OrbitContext& at)
           .gm = a.gm};
 }
 
-polhode::OrbitKind sun_synchronous() {
-  return polhode::orbit_kind<Arguments>(
+polhode::io::OrbitKind sun_synchronous() {
+  return polhode::io::orbit_kind<Arguments>(
       "sun-synchronous", "A circle whose plane follows the Sun.", keys, made,
       {{"author2026", "A. Author (2026). On dawn and dusk. Journal of Examples 1, 5-6.",
         "the orbit that follows the Sun"}});
@@ -71,6 +72,7 @@ polhode::OrbitKind sun_synchronous() {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const polhode::Kinds kinds = polhode::default_kinds().with(sun_synchronous()).with(spiral());
+  const polhode::io::Kinds kinds =
+      polhode::io::default_kinds().with(sun_synchronous()).with(spiral());
   return polhode::command_line(argc, argv, kinds);
 }

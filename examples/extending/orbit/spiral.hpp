@@ -15,18 +15,19 @@ struct SpiralArguments {
   double descent;
 };
 
-inline constexpr polhode::KindKey<SpiralArguments> spiral_keys[] = {
-    polhode::quantity_key<&SpiralArguments::gm>("gm", polhode::Dimension::gm, "Of the planet.")
+inline constexpr polhode::io::KindKey<SpiralArguments> spiral_keys[] = {
+    polhode::io::quantity_key<&SpiralArguments::gm>("gm", polhode::io::Dimension::gm,
+                                                    "Of the planet.")
         .required()
         .example("\"398600.4418 km3/s2\"")
         .positive(),
-    polhode::quantity_key<&SpiralArguments::start>("start", polhode::Dimension::length,
-                                                   "Its radius at t = 0.")
+    polhode::io::quantity_key<&SpiralArguments::start>("start", polhode::io::Dimension::length,
+                                                       "Its radius at t = 0.")
         .required()
         .example("\"7000 km\"")
         .positive(),
-    polhode::quantity_key<&SpiralArguments::descent>("descent", polhode::Dimension::speed,
-                                                     "By how much the radius shrinks.")
+    polhode::io::quantity_key<&SpiralArguments::descent>("descent", polhode::io::Dimension::speed,
+                                                         "By how much the radius shrinks.")
         .required()
         .example("{ value = 0.1, unit = \"km/d\" }")
         .positive(),
@@ -41,9 +42,9 @@ inline polhode::Vec3 position(const SpiralArguments& a, double t) {
   return {r * std::cos(angle), r * std::sin(angle), 0.0};
 }
 
-inline polhode::ScenarioOrbit made_spiral(const SpiralArguments& a,
-                                          const polhode::OrbitContext& at) {
-  const std::optional<polhode::TimeSpan> span = at.run_span();
+inline polhode::io::ScenarioOrbit made_spiral(const SpiralArguments& a,
+                                              const polhode::io::OrbitContext& at) {
+  const std::optional<polhode::io::TimeSpan> span = at.run_span();
   if (!span) at.refuse("start", "expected a table [time], whose rows the positions are to cover");
   const double lowest = a.start - a.descent * span->last;
   if (!(lowest > 0.0)) at.refuse("descent", "expected less: a radius above 0 to the last row");
@@ -57,7 +58,7 @@ inline polhode::ScenarioOrbit made_spiral(const SpiralArguments& a,
   return {.motion = polhode::TableOrbit(std::move(table)), .gm = a.gm, .text = "a spiral"};
 }
 
-inline polhode::OrbitKind spiral() {
-  return polhode::orbit_kind<SpiralArguments>("spiral", "A circle that shrinks at a constant rate.",
-                                              spiral_keys, made_spiral);
+inline polhode::io::OrbitKind spiral() {
+  return polhode::io::orbit_kind<SpiralArguments>(
+      "spiral", "A circle that shrinks at a constant rate.", spiral_keys, made_spiral);
 }

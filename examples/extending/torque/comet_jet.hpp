@@ -45,24 +45,24 @@ struct JetArguments {
   polhode::Vec3 torque;
 };
 
-inline constexpr polhode::KindKey<JetArguments> jet_keys[] = {
-    polhode::name_key<&JetArguments::orbit>("orbit",
-                                            "The name of a table [orbit.NAME]: the path "
-                                            "of the body round the Sun.")
+inline constexpr polhode::io::KindKey<JetArguments> jet_keys[] = {
+    polhode::io::name_key<&JetArguments::orbit>("orbit",
+                                                "The name of a table [orbit.NAME]: the path "
+                                                "of the body round the Sun.")
         .required()
         .example("\"comet\""),
-    polhode::quantity_key<&JetArguments::normal>("normal", polhode::Dimension::number,
-                                                 "Of the surface, outwards, along the body axes.")
+    polhode::io::quantity_key<&JetArguments::normal>(
+        "normal", polhode::io::Dimension::number, "Of the surface, outwards, along the body axes.")
         .required()
         .example("[1.0, 0.0, 0.0]"),
-    polhode::quantity_key<&JetArguments::torque>("torque", polhode::Dimension::torque,
-                                                 "At the pericentre at noon, along the body axes.")
+    polhode::io::quantity_key<&JetArguments::torque>(
+        "torque", polhode::io::Dimension::torque, "At the pericentre at noon, along the body axes.")
         .required()
         .example("[0.0, 0.0, 0.01]"),
 };
 
-inline polhode::MadeTerms made_jet(const JetArguments& a, const polhode::TermContext& at) {
-  const polhode::ScenarioOrbit& orbit = at.orbit("orbit");
+inline polhode::io::MadeTerms made_jet(const JetArguments& a, const polhode::io::TermContext& at) {
+  const polhode::io::ScenarioOrbit& orbit = at.orbit("orbit");
   const polhode::KeplerElements* elements = kepler_elements(orbit);
   if (elements == nullptr) at.refuse("orbit", "expected an orbit with elements");
   if (a.normal == polhode::Vec3{}) at.refuse("normal", "expected a vector that has a direction");
@@ -72,7 +72,7 @@ inline polhode::MadeTerms made_jet(const JetArguments& a, const polhode::TermCon
       CometJet(sun, at.principal(a.normal), at.principal(a.torque), elements->pericentre));
 }
 
-inline polhode::PerturbationKind comet_jet() {
-  return polhode::perturbation_kind<JetArguments>(
+inline polhode::io::PerturbationKind comet_jet() {
+  return polhode::io::perturbation_kind<JetArguments>(
       "comet-jet", "The jet of one place of a comet, which the Sun drives.", jet_keys, made_jet);
 }

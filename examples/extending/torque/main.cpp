@@ -9,9 +9,9 @@
 
 namespace {
 
-using polhode::Dimension;
-using polhode::KindKey;
-using polhode::quantity_key;
+using polhode::io::Dimension;
+using polhode::io::KindKey;
+using polhode::io::quantity_key;
 
 struct Arguments {
   polhode::Vec3 axis;
@@ -32,14 +32,14 @@ constexpr KindKey<Arguments> keys[] = {
         .positive(),
 };
 
-polhode::MadeTerms made(const Arguments& a, const polhode::TermContext& at) {
+polhode::io::MadeTerms made(const Arguments& a, const polhode::io::TermContext& at) {
   if (a.axis == polhode::Vec3{}) at.refuse("axis", "expected a vector that has a direction");
   return polhode::AnyPerturbation("spin brake",
                                   SpinBrake(at.principal(a.axis), a.damping, a.limit));
 }
 
-polhode::PerturbationKind spin_brake() {
-  return polhode::perturbation_kind<Arguments>(
+polhode::io::PerturbationKind spin_brake() {
+  return polhode::io::perturbation_kind<Arguments>(
       "spin-brake", "A brake about one axis of the body, of a limited torque.", keys, made,
       {{"brake2026", "A. Author (2026). On brakes. Journal of Examples 1, 1-2.", "the brake"}});
 }
@@ -47,6 +47,7 @@ polhode::PerturbationKind spin_brake() {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const polhode::Kinds kinds = polhode::default_kinds().with(spin_brake()).with(comet_jet());
+  const polhode::io::Kinds kinds =
+      polhode::io::default_kinds().with(spin_brake()).with(comet_jet());
   return polhode::command_line(argc, argv, kinds);
 }

@@ -31,6 +31,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace analysis {
 
 // A small turn about the body axes (rad) and a change of the momentum over the scale of momentum.
 struct Deviation {
@@ -80,5 +81,6 @@ struct ChaosIndicator {
 ChaosIndicator chaos_indicator(const Problem& problem, const SaveAt& samples,
                                const ChaosOptions& options = {}, const Progress& progress = {});
 
+}  // namespace analysis
 }  // namespace v0
 }  // namespace polhode

@@ -31,11 +31,12 @@
 #include <vector>
 
 #include "polhode/dynamics/integrate.hpp"
-#include "polhode/orbit/precessing_kepler_orbit.hpp"
+#include "polhode/orbit/kepler_orbit.hpp"
 #include "polhode/rotor/andoyer.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace analysis {
 
 enum class AndoyerAngle { l, g, h };
 
@@ -105,5 +106,6 @@ SpinOrbitSection spin_orbit_section(const Problem& problem, const PrecessingKepl
 // DomainError unless an orbit has a pericentre that comes again.
 void require_pericentres(const KeplerElements& elements, const char* function);
 
+}  // namespace analysis
 }  // namespace v0
 }  // namespace polhode

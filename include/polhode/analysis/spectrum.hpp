@@ -28,6 +28,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace analysis {
 
 struct SpectralLine {
   double frequency;
@@ -64,5 +65,6 @@ Spectrum spectrum(double start, double interval, std::span<const double> samples
 Spectrum spectrum(double start, double interval, std::span<const std::complex<double>> samples,
                   const SpectrumOptions& options = {});
 
+}  // namespace analysis
 }  // namespace v0
 }  // namespace polhode

@@ -23,9 +23,9 @@ inline namespace v0 {
 
 // The processes that a command may use besides its own, each with this many threads; none: there
 // are none. polhode::mpi_ranks is one.
-using MakeRanks = std::function<std::unique_ptr<Ranks>(int threads)>;
+using MakeRanks = std::function<std::unique_ptr<ensemble::Ranks>(int threads)>;
 
-int command_line(int argc, const char* const* argv, const Kinds& kinds = default_kinds(),
+int command_line(int argc, const char* const* argv, const io::Kinds& kinds = io::default_kinds(),
                  const MakeRanks& ranks = {});
 
 }  // namespace v0

@@ -31,7 +31,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "polhode/trajectory/sample.hpp"
+#include "polhode/trajectory/trajectory.hpp"
 
 namespace polhode {
 inline namespace v0 {

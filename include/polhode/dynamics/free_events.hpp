@@ -20,7 +20,6 @@
 #include "polhode/dynamics/event.hpp"
 #include "polhode/frame/frame.hpp"
 #include "polhode/free/free_rotation.hpp"
-#include "polhode/trajectory/progress.hpp"
 #include "polhode/trajectory/trajectory.hpp"
 
 namespace polhode {

@@ -2,7 +2,7 @@
 // Model: what a run needs to know of a motion of your own: a state, and how it changes.
 //
 // Equations   dy/dt = rates(t, y), y the numbers of the state as an array. A model M has
-//               State                       a MotionState (polhode/trajectory/sample.hpp)
+//               State                       a MotionState (polhode/trajectory/trajectory.hpp)
 //               static constexpr name       "a gyrostat": what messages and checkpoints call it
 //               values<T>(s)                the numbers of a state, as std::array<T, N>
 //               state(y)                    the state of such numbers, in double, normalised
@@ -45,8 +45,8 @@
 #include <string_view>
 #include <tuple>
 
-#include "polhode/ode/runge_kutta.hpp"
-#include "polhode/trajectory/sample.hpp"
+#include "polhode/detail/ode/runge_kutta.hpp"
+#include "polhode/trajectory/trajectory.hpp"
 
 namespace polhode {
 inline namespace v0 {

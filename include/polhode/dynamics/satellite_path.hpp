@@ -12,11 +12,11 @@
 
 #include "polhode/dynamics/method.hpp"
 #include "polhode/system/satellite_system.hpp"
-#include "polhode/trajectory/progress.hpp"
 #include "polhode/trajectory/trajectory.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace satellites {
 
 inline constexpr Collocation default_path_method{.tolerance = 1e-15};
 
@@ -26,5 +26,6 @@ BasicTrajectory<SatelliteState> satellite_path(const SatelliteSystem& system,
                                                const Method& method = default_path_method,
                                                const Progress& progress = {});
 
+}  // namespace satellites
 }  // namespace v0
 }  // namespace polhode

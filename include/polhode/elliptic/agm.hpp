@@ -18,10 +18,15 @@
 //             12 in double and 13 in DoubleDouble.
 #pragma once
 
+#include <cmath>
+
+#include "polhode/detail/math/trigonometry.hpp"
 #include "polhode/elliptic/modulus.hpp"
+#include "polhode/math/real.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace elliptic {
 
 template <Number T>
 T agm(T a, T b);
@@ -39,7 +44,60 @@ T complete_d(const BasicModulus<T>& mod);
 template <Number T>
 T complete_pi(const T& n, const BasicModulus<T>& mod);
 
+// The nome q and the complementary nome q1.
+//
+// Equations   q = exp(-pi K'/K), q1 = exp(-pi K/K'), ln q ln q1 = pi^2. The smaller of the two by
+//             q = l + 2 l^5 + 15 l^9 + 150 l^13 + ..., l = (1 - sqrt k')/(2 (1 + sqrt k')), with
+//             1 - sqrt k' from m; not from K'/K, whose exponential loses the digits of ln q.
+// Domain      any m <= 1; q = 0 at m = 0, q = 1 at m1 = 0. m < 0: -q(-m/m1), theta functions of
+//             argument shifted by a half period. m > 1: NaN, as q is complex.
+// Accuracy    budget elliptic_nome: relative, however small; 1 - q near m1 = 0 is as a double is.
+// Cost        two roots, a division and a polynomial; for m > 1/2 also log and exp.
+
+template <Number T>
+T nome(const BasicModulus<T>& mod);
+
+template <Number T>
+T complementary_nome(const BasicModulus<T>& mod);
+
+// HalfTurns: any angle as a number of half turns and what is left, for integrals that are
+// quasi-periodic.
+//
+// Equations   phi = turns pi + atan2(s, c), c >= 0: s = (-1)^turns sin phi, c = |cos phi|. The sine
+//             and cosine are those of phi itself, never of a rounded phi - turns pi.
+// Units       phi in radians.
+// Domain      any phi; NaN for infinities. Beyond 2^52 half turns the number is good to its own
+//             rounding, its parity is that of the cosine.
+// Accuracy    that of sincos, for every phi in double and for |phi| <= 1e10 in DoubleDouble.
+// Cost        one sincos and a division.
+
+template <Number T>
+struct HalfTurns {
+  T turns;
+  T s;
+  T c;
+};
+
+template <Number T>
+HalfTurns<T> half_turns(const T& phi) {
+  using std::floor;
+  using std::round;
+  const T zero(0.0), one(1.0);
+  const auto [s, c] = sincos(phi);
+  const T turns = round(phi / pi<T>());
+  const auto odd = !(turns == 2.0 * floor(T(0.5 * turns)));
+  const auto left = c < zero;
+  // At an odd quarter the quotient can round to the wrong side: the cosine knows.
+  const T mended = where(
+      odd != left,
+      [&]() -> T { return select(phi - turns * pi<T>() < zero, T(turns - one), T(turns + one)); },
+      [&]() -> T { return turns; });
+  return {mended, select(left, T(-s), T(s)), select(left, T(-c), T(c))};
+}
+
+}  // namespace elliptic
 }  // namespace v0
 }  // namespace polhode
 
 #include "polhode/elliptic/detail/agm.hpp"
+#include "polhode/elliptic/detail/nome.hpp"

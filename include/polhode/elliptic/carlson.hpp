@@ -26,12 +26,14 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace elliptic {
 
 template <Number T>
 T carlson_rc(const T& x, const T& y);
 template <Number T>
 T carlson_rj(T x, T y, T z, T p);
 
+}  // namespace elliptic
 }  // namespace v0
 }  // namespace polhode
 

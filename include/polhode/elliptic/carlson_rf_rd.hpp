@@ -22,12 +22,14 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace elliptic {
 
 template <Number T>
 T carlson_rf(T x, T y, T z);
 template <Number T>
 T carlson_rd(T x, T y, T z);
 
+}  // namespace elliptic
 }  // namespace v0
 }  // namespace polhode
 

@@ -11,6 +11,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace elliptic {
 
 template <Number T>
 struct Jacobi {
@@ -26,5 +27,6 @@ struct Jacobi {
   }
 };
 
+}  // namespace elliptic
 }  // namespace v0
 }  // namespace polhode

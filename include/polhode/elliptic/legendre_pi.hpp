@@ -29,6 +29,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace elliptic {
 
 // phi = atan2(s, c).
 template <Number T>
@@ -38,6 +39,7 @@ T legendre_pi(const T& s, const T& c, const T& n, const BasicModulus<T>& mod);
 template <Number T>
 T legendre_pi(const T& phi, const T& n, const BasicModulus<T>& mod);
 
+}  // namespace elliptic
 }  // namespace v0
 }  // namespace polhode
 

@@ -22,6 +22,9 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace elliptic {
+
+using polhode::to_double;
 
 template <Number T>
 class BasicModulus {
@@ -98,5 +101,6 @@ BasicModulus<T> values(const BasicModulus<Dual<T, N>>& mod) {
   return BasicModulus<T>::from_any_pair(mod.m().value, mod.m1().value);
 }
 
+}  // namespace elliptic
 }  // namespace v0
 }  // namespace polhode

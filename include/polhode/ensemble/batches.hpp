@@ -17,15 +17,16 @@
 #include <span>
 #include <vector>
 
+#include "polhode/detail/free/states_at.hpp"
+#include "polhode/detail/free/states_on_grid.hpp"
 #include "polhode/free/propagate.hpp"
 #include "polhode/free/sadov.hpp"
 #include "polhode/free/serret.hpp"
-#include "polhode/free/states_at.hpp"
-#include "polhode/free/states_on_grid.hpp"
 #include "polhode/rotor/many_states.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace ensemble {
 
 std::vector<FailedBody> propagate(std::span<const Body> bodies, std::span<const RotorState> states,
                                   std::span<const double> times, double t0,
@@ -67,5 +68,6 @@ void to_rotor(const Body& body, std::span<const SerretState> states, std::span<c
               std::span<RotorState> results, int threads,
               InstructionSet set = widest_instruction_set());
 
+}  // namespace ensemble
 }  // namespace v0
 }  // namespace polhode

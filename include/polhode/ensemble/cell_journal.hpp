@@ -17,12 +17,13 @@
 #include <utility>
 #include <vector>
 
-#include "polhode/ensemble/ordered_parallel_for.hpp"
+#include "polhode/detail/trajectory/archive.hpp"
+#include "polhode/ensemble/executor.hpp"
 #include "polhode/error.hpp"
-#include "polhode/trajectory/archive.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace ensemble {
 
 class CellJournal {
  public:
@@ -91,5 +92,6 @@ void ordered_parallel_for(CellJournal* journal, std::int64_t count, int threads,
   ordered_parallel_for(0, count, threads, cell, sink);
 }
 
+}  // namespace ensemble
 }  // namespace v0
 }  // namespace polhode

@@ -27,6 +27,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace ensemble {
 
 // The standard normal number with the probability u below it; NaN outside [2.3e-308, 1).
 double normal_quantile(double u);
@@ -109,5 +110,6 @@ struct UniformAttitude {
   Quaternion from_uniform(double u0, double u1, double u2) const;
 };
 
+}  // namespace ensemble
 }  // namespace v0
 }  // namespace polhode

@@ -15,16 +15,21 @@
 //             computed at a time wait for an earlier one.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 
+#include "polhode/ensemble/detail/erased_parallel_for.hpp"
 #include "polhode/version.hpp"  // asks for C++20
 
 namespace polhode {
 inline namespace v0 {
+namespace ensemble {
 
 class ExecutorError : public std::runtime_error {
  public:
@@ -68,5 +73,78 @@ class Ranks : public Executor {
   virtual void serve(const MakeWork& make) = 0;
 };
 
+// ordered_parallel_for: one function for many indices, on the processors of one machine, results in
+// order.
+//
+// Domain      `cell` may be called from any thread, for several indices at a time, and must depend
+//             on its index alone; `sink` is called for first, first + 1, ... one after the other.
+// Accuracy    the results are those of a plain loop, to the last bit, whatever the threads.
+// Errors      DomainError for fewer than one thread. What `cell` or `sink` throws ends the rest and
+//             passes through, after the rows before it: that of the first index, when several do.
+// Cost        a microsecond a cell. At most four cells per thread wait for an earlier one, so that
+//             memory does not grow with their number.
+
+// How many threads this machine runs at a time.
+int hardware_threads();
+
+// sink(k, cell(k)) for the cells first to count - 1.
+template <class Cell, class Sink>
+void ordered_parallel_for(std::int64_t first, std::int64_t count, int threads, const Cell& cell,
+                          const Sink& sink) {
+  using Result = std::invoke_result_t<const Cell&, std::int64_t>;
+  detail::erased_parallel_for(
+      first, count, threads,
+      [&](std::int64_t k) -> std::shared_ptr<const void> {
+        return std::make_shared<const Result>(cell(k));
+      },
+      [&](std::int64_t k, const void* result) { sink(k, *static_cast<const Result*>(result)); });
+}
+
+// run_parts: one function for the parts of many items, on the processors of one machine.
+//
+// Domain      `part(begin, end)` may be called from any thread, for several parts at a time, and
+//             does for each item what depends on that item alone: where a part begins depends on
+//             the number of threads. `sink(begin, result)` is called part after part, in order.
+// Accuracy    none of its own.
+// Errors      DomainError for fewer than one thread. What `part` or `sink` throws ends the rest and
+//             passes through: that of the first part, when several do.
+// Cost        some microseconds a part, and tens to begin with; one part is a plain call.
+
+// Items 0 to size - 1 in `count` parts of `each`, of which the last may be shorter.
+struct Parts {
+  std::size_t size, each;
+  std::int64_t count;
+};
+
+// As many as keep so many threads at work until the end, of `least` items or a multiple of it.
+Parts parts_for(std::size_t size, std::size_t least, int threads);
+
+template <class Part, class Sink>
+void run_parts(std::size_t size, std::size_t least, int threads, const Part& part,
+               const Sink& sink) {
+  const Parts parts = parts_for(size, least, threads);
+  const auto begin = [&](std::int64_t k) { return static_cast<std::size_t>(k) * parts.each; };
+  const auto result = [&](std::int64_t k) {
+    return part(begin(k), std::min(size, begin(k) + parts.each));
+  };
+  if (parts.count == 0) return;
+  if (parts.count == 1) return sink(std::size_t{0}, result(0));
+  ordered_parallel_for(0, parts.count,
+                       static_cast<int>(std::min<std::int64_t>(threads, parts.count)), result,
+                       [&](std::int64_t k, const auto& found) { sink(begin(k), found); });
+}
+
+// Of a function that returns nothing.
+template <class Part>
+  requires std::is_void_v<std::invoke_result_t<const Part&, std::size_t, std::size_t>>
+void run_parts(std::size_t size, std::size_t least, int threads, const Part& part) {
+  const auto done = [&](std::size_t begin, std::size_t end) {
+    part(begin, end);
+    return true;
+  };
+  run_parts(size, least, threads, done, [](std::size_t, bool) {});
+}
+
+}  // namespace ensemble
 }  // namespace v0
 }  // namespace polhode

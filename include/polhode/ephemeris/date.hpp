@@ -20,6 +20,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace ephemeris {
 
 enum class TimeScale { UTC, TAI, TT, TDB, UT1 };
 std::string_view name(TimeScale scale);
@@ -60,5 +61,6 @@ Date date_after(const Date& date, double seconds, std::optional<double> dut1 = s
 // leap seconds was made that more may have come.
 bool is_dubious(const Date& date);
 
+}  // namespace ephemeris
 }  // namespace v0
 }  // namespace polhode

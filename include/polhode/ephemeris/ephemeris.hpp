@@ -23,10 +23,13 @@
 #include <string_view>
 
 #include "polhode/ephemeris/date.hpp"
+#include "polhode/math/vector.hpp"
 #include "polhode/orbit/table_orbit.hpp"
+#include "polhode/version.hpp"  // asks for C++20
 
 namespace polhode {
 inline namespace v0 {
+namespace ephemeris {
 
 enum class Planetary { sun, mercury, venus, earth, moon, mars, jupiter, saturn, uranus, neptune };
 std::string_view name(Planetary body);
@@ -63,5 +66,61 @@ struct EphemerisTable {
 EphemerisTable planetary_table(Planetary target, Planetary centre, const Date& epoch, double first,
                                double last, double tolerance = 1e-10);
 
+// The Earth at a date: how it is oriented, and the dipole of its magnetic field.
+//
+// Equations   orientation: precession and nutation of the IAU 2006/2000A and the Earth rotation
+//             angle (SOFA's celestial-to-terrestrial matrix, by ERFA), without the motion of the
+//             pole in the crust. Field: the coefficients of degree 1 of the IGRF-14, linear between
+//             its epochs (Alken et al. 2021; IAGA 2024).
+// Units       nT; the coefficients belong to the radius 6371.2 km.
+// Domain      the field from 1900 to 2030, DomainError outside. UT1 is taken for UTC if dut1 = UT1
+//             - UTC (s) is not given: 0.004 deg at most since 1972, 0.2 deg in 1900.
+// Accuracy    0.0001 deg with dut1 (the motion of the pole). The dipole is 0.8 to 0.9 of the field
+//             of a low orbit, and more farther out.
+// Errors      DomainError for a date outside the domain.
+// Cost        about 50 us.
+
+// rad per second of UT1
+inline constexpr double earth_rotation_rate = 7.292115146706979e-5;
+inline constexpr double igrf_radius_km = 6371.2;
+
+// Turns components along the axes of the Earth (axis 3 the pole, axis 1 Greenwich) into those along
+// equator and equinox of J2000.
+Mat3 j2000_from_earth(const Date& date, std::optional<double> dut1 = std::nullopt);
+
+// g10, g11 and h11 of the IGRF, nT.
+Vec3 igrf_dipole(const Date& date);
+
+// The nutation of the real Earth, to hold theories of a rigid one against.
+//
+// Equations   IAU 2000A (Mathews et al. 2002), 678 terms of Moon and Sun and 687 of the planets
+//             (eraNut00a).
+// Units       rad; T in Julian centuries of TDB from J2000.
+// Domain      on mean ecliptic and equator of date; without the free core nutation. |T| up to some
+//             centuries.
+// Accuracy    that of the model: 0.2 mas and the free core nutation, some 0.3 mas.
+// Errors      none: NaN for NaN.
+// Cost        60 us.
+
+struct IauNutation {
+  double longitude, obliquity;
+};
+IauNutation iau_nutation(double T);
+
+// The axes of two-line elements: true equator, mean equinox of date (TEME), which SGP4 answers in.
+//
+// Equations   x_J2000 = P^T N^T Rz(-dpsi cos eps) x_TEME with the precession P of 1976, the
+//             nutation N of 1980 and its dpsi, and the mean obliquity eps of date (Vallado et al.
+//             2006); by ERFA.
+// Units       none: a rotation.
+// Domain      dates of the two theories, some centuries about 2000.
+// Accuracy    budget teme_arcsec, against the axes of the ICRS: those of 1976 and 1980 are without
+//             the corrections observed since. docs/guide/orbits.md has what that is in metres.
+// Cost        some 4 us (benchmarks/ephemeris.cpp).
+
+// Turns components along TEME of a date into those along equator and equinox of J2000.
+Mat3 j2000_from_teme(const Date& date);
+
+}  // namespace ephemeris
 }  // namespace v0
 }  // namespace polhode

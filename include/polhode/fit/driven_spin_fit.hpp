@@ -40,6 +40,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace fit {
 
 struct TorqueParameter {
   std::string name;  // as reports and priors call it
@@ -98,5 +99,6 @@ std::vector<PredictedAttitude> driven_attitudes(const SpinState& start, const Sp
 // its last jump.
 SpinState after_jumps(const SpinFit& fit, const SpinDrive& drive, const SpinSolution& solution);
 
+}  // namespace fit
 }  // namespace v0
 }  // namespace polhode

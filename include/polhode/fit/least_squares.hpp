@@ -1,4 +1,57 @@
 // SPDX-License-Identifier: MIT
+// In this header: loss, least_squares, covariance, residual_function.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "polhode/version.hpp"  // asks for C++20
+
+namespace polhode {
+inline namespace v0 {
+namespace fit {
+
+// Loss: what a residual costs. The square of it, or less where it is far out, so that a few bad
+// observations do not draw a fit away from the good ones.
+//
+// Equations   With z = |r|^2 / scale^2 a residual (one number, or the three of a rotation) costs
+//             scale^2 rho(z) in place of |r|^2: z (squared); z, and 2 sqrt(z) - 1 from z = 1 on
+//             (huber); 2 (sqrt(1 + z) - 1) (soft_l1); ln(1 + z) (cauchy). A least-squares method
+//             sees f = r sqrt(rho(z) / z), whose square is the loss to the last digit, and the
+//             derivative of that.
+// Units       residuals are in units of their standard errors, and so is scale.
+// Domain      scale > 0; any residual. As z -> 0 every loss is the square.
+// Accuracy    budget loss in tests/budgets/fit.hpp.
+// Errors      DomainError for a scale that is not positive and finite.
+// Cost        a few dozen flops.
+
+struct Loss {
+  enum class Kind { squared, huber, soft_l1, cauchy };
+  Kind kind = Kind::squared;
+  double scale = 1.0;
+};
+
+// At z, the square of a residual over that of the scale.
+struct LossValue {
+  double ratio = 1.0;  // rho(z) / z, which the square of a residual is multiplied by
+  double slope = 0.0;  // of the ratio, d(rho / z)/dz
+  // rho'(z): the weight that the residual keeps in the normal equations.
+  double weight = 1.0;
+  // rho' + 2 z rho'': the derivative of weight times residual by the residual, for one number
+  double curvature = 1.0;
+};
+
+LossValue value(const Loss& loss, double z);
+
+// Throws unless the scale is positive and finite.
+void check(const Loss& loss);
+
 // solve(): least squares with priors, bounds and a robust loss, and how it ended.
 //
 // Equations   The least of sum loss(r_k(x) / f) + sum p_k(x)^2 + sum (x_S - m)^T C^-1 (x_S - m):
@@ -19,20 +72,6 @@
 //             than unknowns, covariances that are not positive definite, names that come twice.
 //             What a residual function throws passes through.
 // Cost        the residuals once a trial step, their derivatives once an iteration.
-#pragma once
-
-#include <cstddef>
-#include <functional>
-#include <limits>
-#include <optional>
-#include <span>
-#include <string>
-#include <vector>
-
-#include "polhode/fit/loss.hpp"
-
-namespace polhode {
-inline namespace v0 {
 
 struct Unknown {
   std::string name;
@@ -114,5 +153,91 @@ LeastSquaresResult solve_scaled(LeastSquares& problem);
 // with the present factor, p unknowns.
 double degrees_of_freedom(const LeastSquares& problem, const LeastSquaresResult& result);
 
+// UnknownsCovariance: errors and correlations of what was fitted, and which combinations the data
+// do not determine.
+//
+// Equations   C = (J^T W J / f^2 + P)^-1: J the derivatives of residuals, W what the loss leaves
+//             of each as its weight, f the factor of errors of data, P the inverse covariance of
+//             priors; by the singular values of J with columns scaled to length 1.
+// Units       those of the unknowns.
+// Domain      any result with a value. Where a combination of unknowns changes no residual their
+//             errors are infinite, and correlations with them NaN. On a bound the errors are those
+//             that there would be without it.
+// Accuracy    Laplace's approximation: that of the residuals being linear within the errors.
+// Errors      DomainError for a size that does not fit.
+// Cost        one evaluation of the derivatives and one singular value decomposition.
+
+struct UnknownsCovariance {
+  std::vector<std::string> names;
+  std::vector<double> matrix;  // row by row
+
+  // A combination that is not determined (no error, however large, is too large for the data), or
+  // hardly (one unknown takes the place of others to 1 part in 30).
+  struct Combination {
+    bool is_determined = false;
+    std::vector<double> direction;  // in unknowns over the lengths of their columns; of length 1
+    std::string sentence;
+  };
+  std::vector<Combination> weak;
+
+  // Without the unknowns of these names: as if they were known.
+  UnknownsCovariance without(std::span<const std::string> held) const;
+  double variance(std::size_t i) const { return matrix[i * names.size() + i]; }
+  double error(std::size_t i) const;
+  double correlation(std::size_t i, std::size_t j) const;
+};
+
+UnknownsCovariance covariance(const LeastSquares& problem, const LeastSquaresResult& result);
+
+// Sentences: what is weakly determined; and whether residuals are not linear within the errors,
+// which is so where one standard error along a principal direction raises the sum of squares by
+// less than 1/2 or more than 2 instead of 1. The second is left out under robust losses, on a
+// bound, with infinite errors, and where a fit may stop further than 0.1 errors from the least
+// (`nearness`). 2 n evaluations for n unknowns.
+std::vector<std::string> notes_on_errors(const LeastSquares& problem,
+                                         const LeastSquaresResult& result,
+                                         const UnknownsCovariance& covariance);
+
+// (x - truth)^T C^-1 (x - truth): a draw of chi-square with as many degrees as unknowns where the
+// errors are what they say. Infinite variances leave their unknowns out.
+double mahalanobis(const UnknownsCovariance& c, std::span<const double> x,
+                   std::span<const double> truth);
+
+// ResidualFunction: the numbers whose squares a fit minimises, with their derivatives, for an
+// optimiser or a sampler of your own.
+//
+// Equations   the sum of solve() (polhode/fit/least_squares.hpp) is that of the squares of these
+//             numbers: data over the factor of their errors and under their loss, then priors. With
+//             J their derivatives, r the numbers, -r^T r / 2 is the logarithm of the posterior
+//             density but for a constant, and -J^T r its gradient.
+// Units       those of the unknowns; the numbers are in standard errors.
+// Domain      any x: where there is no value, `at` says so. Bounds are not looked at.
+// Accuracy    derivatives are exact: those of fit_spin and fit_light.
+// Errors      DomainError as solve() for what is no problem.
+// Cost        one evaluation of the residuals.
+
+namespace detail {
+class ResidualVector;
+}  // namespace detail
+
+class ResidualFunction {
+ public:
+  explicit ResidualFunction(LeastSquares problem);
+
+  const LeastSquares& problem() const { return *problem_; }
+  std::size_t data() const { return problem_->residuals.data; }
+  std::size_t size() const;  // with those of priors
+  std::size_t unknowns() const { return problem_->unknowns.size(); }
+
+  // size() numbers at x; their derivatives row by row, size() times unknowns(), where `jacobian` is
+  // not empty. False where they have no value.
+  bool at(std::span<const double> x, std::span<double> numbers, std::span<double> jacobian) const;
+
+ private:
+  std::shared_ptr<const LeastSquares> problem_;
+  std::shared_ptr<const detail::ResidualVector> numbers_;
+};
+
+}  // namespace fit
 }  // namespace v0
 }  // namespace polhode

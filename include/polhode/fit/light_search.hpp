@@ -48,14 +48,21 @@
 #include <string>
 #include <vector>
 
-#include "polhode/fit/inertia_from_periods.hpp"
+#include "polhode/fit/fourier_fit.hpp"
 #include "polhode/fit/light_fit.hpp"
-#include "polhode/fit/scan_minima.hpp"
 
 namespace polhode {
 inline namespace v0 {
-
+namespace ensemble {
 class CellJournal;
+}  // namespace ensemble
+}  // namespace v0
+}  // namespace polhode
+
+namespace polhode {
+inline namespace v0 {
+namespace fit {
+
 // Inertial half turns after which light is the same, for an ellipsoid that is lit and seen from
 // fixed directions: an ellipsoid looks the same from the opposite direction (normal), and laws that
 // do not change when Sun and observer are exchanged give the others.
@@ -94,12 +101,12 @@ struct SurfaceSearch {
 
   // The facets of an ellipsoid, with which the fit of a convex body begins.
   LightModel convex_of(const LightModel& ellipsoid) const;
-  LightFit fit_from(const LightModel& start, std::vector<LightCurve> curves, const Loss& loss,
-                    int iterations) const;
+  LightFit fit_from(const LightModel& start, std::vector<light::LightCurve> curves,
+                    const Loss& loss, int iterations) const;
 };
 
 struct LightSearch {
-  std::vector<LightCurve> curves;
+  std::vector<light::LightCurve> curves;
   std::vector<TumblerPeriods> periods;
   std::size_t starts = 1000;  // at first, in all, taken by the pairs of periods in turn
   std::size_t tries = 30;
@@ -109,7 +116,7 @@ struct LightSearch {
                               // which solutions are reported
   // With a known body, its shape stays, and moments are unknown only in the fits of finalists.
   LightUnknowns unknowns;
-  Scattering law;  // of ellipsoids
+  light::Scattering law;  // of ellipsoids
   Loss loss;
   int most_iterations = 60;  // of a finalist; an ellipsoid near the limit may go on for four times
                              // as many
@@ -126,7 +133,7 @@ struct LightSearch {
   // part may fall.
   std::function<void(double part)> progress = {};
   // Keeps the results of a search that may be interrupted.
-  CellJournal* journal = nullptr;
+  ensemble::CellJournal* journal = nullptr;
   // Whose shape, law and inertia are known; attitude, rate and epoch are ignored. nullopt: an
   // ellipsoid.
   std::optional<LightModel> body = std::nullopt;
@@ -146,7 +153,7 @@ struct FoundLight {
   std::size_t of = 0;
   std::string sentence;
   // Its own shape, or of another body the ellipsoid of the same moments, a = 1.
-  Ellipsoid ellipsoid{1.0, 1.0, 1.0};
+  light::Ellipsoid ellipsoid{1.0, 1.0, 1.0};
   // The ellipsoid that another body was fitted from; of sessions that joined one by one, the convex
   // body that was the usual one.
   std::optional<LightModel> begun = std::nullopt;
@@ -182,8 +189,71 @@ LightSearchResult search_light(const LightSearch& search);
 // What each solution is beside those before it: `beside`, `image`, `of` and `sentence`, as
 // search_light says it of its own. `half_turns`: bodies are the same after half turns about their
 // axes, as ellipsoids are, and facets that a fit may move; a given mesh is not.
-void describe_solutions(std::vector<FoundLight>& solutions, std::span<const LightCurve> curves,
-                        bool half_turns = true);
+void describe_solutions(std::vector<FoundLight>& solutions,
+                        std::span<const light::LightCurve> curves, bool half_turns = true);
 
+// extend_light(): spin states and shapes known from one session of light curves, to all sessions,
+// one after the other.
+//
+// Equations   the session nearest in time joins those that are fitted. A time D before or after the
+//             middle t0 of these, the errors of the frequencies F = (1/P_phi, 1/P_psi) leave counts
+//             of turns open. So fits begin at F + d for every d of a lattice with steps 1/(2 D) and
+//             1/(4 D), the light of an ellipsoid being the same after half a turn, with
+//             d^T V^-1 d <= 3^2: V = J C J^T, J = dF/dx, C the covariance scaled by error_factor()
+//             where that is above 1; widened by 0.35 of a step. Each begins at the likeliest
+//             unknowns of those frequencies, x + C J^T V^-1 d, by Newton's method. What comes to
+//             one state is one solution, and those within the limit go on to the next session.
+// Units       as fit_light.
+// Domain      as fit_light, of bodies of any shape. Where the data do not determine the two
+//             periods, or the motion is none that has two, a solution goes on as it is.
+// Accuracy    the bits do not depend on threads.
+// Errors      DomainError as fit_light; no starts, starts of several shapes, a first session that
+//             is not there, fewer than one iteration, count or thread, `within` below 1.
+// Cost        a fit for each count of turns and solution: some ms for each 100 points.
+
+struct LightExtension {
+  std::vector<light::LightCurve> curves;  // the sessions
+  std::size_t first = 0;                  // of them the one that the starts are near
+  std::vector<LightModel> starts;         // all ellipsoids, all convex bodies or the same mesh
+  LightUnknowns unknowns;
+  Loss loss;
+  double within = 1.5;             // as LightSearch
+  std::size_t most_counts = 5000;  // of turns, for one solution and session
+  int most_iterations = 200;       // of a fit; near the limit it may go on for five times as many
+  int threads = 1;
+  // Called before each fit, in any of the threads; what it throws ends the extension.
+  std::function<void()> between = {};
+  // Called with the part that is done, rising to 1, in one thread at a time.
+  std::function<void(double part)> progress = {};
+  // Keeps the results of a search that may be interrupted.
+  ensemble::CellJournal* journal = nullptr;
+  Regularisation regularisation = {};  // of convex bodies
+};
+
+// What a session came to when it joined those before it.
+struct JoinedSession {
+  std::size_t session;  // its place among the curves
+  double distance;      // of its middle from that of those before it; of the first 0
+  // Fits that were begun, one for each count of turns and solution; for the first session, one for
+  // each start.
+  std::size_t counts;
+  std::size_t converged;  // of them
+  std::size_t solutions;  // within the limit, of all sessions so far
+  double cost;            // of the lowest
+};
+
+struct LightExtensionResult {
+  // Of all sessions, as those of LightSearchResult; `periods` is the place of the start it
+  // came from.
+  std::vector<FoundLight> solutions;
+  std::vector<JoinedSession> joined;
+  // Why there are no solutions: the first session that could not join, and what may help.
+  std::string failure;
+  std::vector<std::string> notes;
+};
+
+LightExtensionResult extend_light(const LightExtension& extension);
+
+}  // namespace fit
 }  // namespace v0
 }  // namespace polhode

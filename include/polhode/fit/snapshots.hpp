@@ -27,6 +27,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace fit {
 
 struct ObservedAttitude {
   double t = 0.0;
@@ -88,5 +89,6 @@ void check(const Snapshots& seen);
 // A sentence for each observation that repeats an earlier one in every number.
 std::vector<std::string> repeated(const Snapshots& seen);
 
+}  // namespace fit
 }  // namespace v0
 }  // namespace polhode

@@ -27,12 +27,12 @@
 #include <string>
 #include <vector>
 
-#include "polhode/fit/covariance.hpp"
 #include "polhode/fit/least_squares.hpp"
 #include "polhode/fit/snapshots.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace fit {
 
 struct SpinState {
   double t0 = 0.0;
@@ -106,5 +106,6 @@ std::vector<PredictedAttitude> predicted(const SpinFit& fit, const SpinSolution&
 // The rotation vector of the attitude that was seen to the one that is predicted, in body axes.
 Vec3 attitude_residual(const Quaternion& seen, const Quaternion& predicted);
 
+}  // namespace fit
 }  // namespace v0
 }  // namespace polhode

@@ -26,6 +26,8 @@
 #include "polhode/math/double_double.hpp"
 #include "polhode/math/dual.hpp"
 #include "polhode/math/quaternion.hpp"
+#include "polhode/orbit/kepler_orbit.hpp"
+#include "polhode/orbit/table_orbit.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -88,6 +90,56 @@ class Frame {
 
   std::shared_ptr<const detail::ErasedFrame> motion_;
 };
+
+// The frame of the local vertical of an orbit (LVLH): what roll, pitch and yaw of a satellite refer
+// to.
+//
+// Equations   axis 3 points to the centre, axis 2 against the normal of the orbit, axis 1 = 2 x 3
+//             towards the motion: LVLH_ROTATING of the SANA registry that CCSDS 502.0-B-3 names.
+//             q_IS = Rz(node) Rx(i) Rz(u) (1, -1, -1, 1) / 2, u the argument of latitude; of a
+//             table the shortest turn to its normal in place of Rz(node) Rx(i).
+// Units       those of the orbit.
+// Domain      any ellipse or hyperbola. Of an orbit that precesses the plane is that of its
+//             elements at the time, not that of position and velocity; of a table it is the latter,
+//             from first to last row, less than half a turn apart. Other authors call axes
+//             LVLH whose first points away from the centre.
+// Accuracy    that of the position: budget local_vertical_axes. q_IS does not change its sign from
+//             one turn to the next; mu is its derivative by dual numbers.
+// Errors      DomainError for a table of order 2, whose path has no curvature between rows; NaN
+//             outside a table.
+// Cost        two positions of the orbit; of a table some 2 us, and making the frame walks all
+//             rows, 0.33 s for a million.
+
+Frame local_vertical_frame(const KeplerOrbit& orbit);
+Frame local_vertical_frame(const PrecessingKeplerOrbit& orbit);
+Frame local_vertical_frame(const TurnedKeplerOrbit& orbit);
+Frame local_vertical_frame(const TableOrbit& orbit);
+
+// The frame of the plane of an orbit at each time (of date): what a rotation is told in that keeps
+// to an orbit whose plane moves.
+//
+// Equations   axis 3 is the normal of the plane. Axis 1 is the ascending node on inertial axes 1
+//             and 2, q_IS = Rz(node) Rx(i); or, without a node, where the shortest turn from axis 3
+//             of inertial axes to the normal brings axis 1, q_IS = (1 + n_3, -n_2, n_1, 0) /
+//             sqrt(2 (1 + n_3)).
+// Units       those of the orbit.
+// Domain      of elements the plane is theirs, of a table that of position and velocity at the
+//             time, with all its terms of short period. The node needs an inclination: at i = 0 and
+//             180 degrees it is NaN, and next to them it runs. The shortest turn serves for all
+//             but 180 degrees, but keeps a small turn about the normal of its own.
+// Accuracy    that of the plane. mu is the derivative of q_IS by dual numbers: budget orbit_plane_*
+//             against differences. Of a table it takes the second derivative between rows.
+// Errors      DomainError for a table of order 2, whose path has no curvature between rows; NaN
+//             outside a table.
+// Cost        of a table some 2 us a time, of elements 0.2 us. Making the frame of a table by its
+//             node walks all rows, 0.16 s for a million.
+
+enum class PlaneOrigin { node, shortest_turn };
+
+Frame orbit_plane_frame(const KeplerOrbit& orbit, PlaneOrigin origin = PlaneOrigin::node);
+Frame orbit_plane_frame(const PrecessingKeplerOrbit& orbit, PlaneOrigin origin = PlaneOrigin::node);
+Frame orbit_plane_frame(const TurnedKeplerOrbit& orbit, PlaneOrigin origin = PlaneOrigin::node);
+Frame orbit_plane_frame(const TableOrbit& orbit, PlaneOrigin origin = PlaneOrigin::node);
 
 }  // namespace v0
 }  // namespace polhode

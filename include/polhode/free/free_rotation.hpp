@@ -25,12 +25,12 @@
 #include <cstdint>
 #include <span>
 
+#include "polhode/detail/free/free_kernel.hpp"
+#include "polhode/detail/free/states_at.hpp"
+#include "polhode/detail/free/states_on_grid.hpp"
 #include "polhode/elliptic/modulus.hpp"
 #include "polhode/free/detail/normalized_arc_declared.hpp"
-#include "polhode/free/free_kernel.hpp"
-#include "polhode/free/states_at.hpp"
-#include "polhode/free/states_on_grid.hpp"
-#include "polhode/math/matrix6.hpp"
+#include "polhode/math/vector.hpp"
 #include "polhode/rotor/body.hpp"
 #include "polhode/rotor/rotor_state.hpp"
 
@@ -85,7 +85,7 @@ class FreeRotation {
   // T  [SA "Haminterm, second form", "SadovH"]
   double energy() const { return summary_.energy; }
   // m and 1 - m, m <= 1; m = 0 when steady  [SA (A20), "SadovPar"]
-  Modulus modulus() const { return summary_.modulus; }
+  elliptic::Modulus modulus() const { return summary_.modulus; }
   // G^2 - 2 T I2 to its last digit: > 0 in short-axis mode, < 0 in long-axis mode; like [SA (A14)],
   // with the second moment. 0 too where it is below the least double.
   double separatrix_distance() const { return summary_.D2; }
@@ -122,7 +122,7 @@ class FreeRotation {
     bool long_axis = false;
     int sign_g1 = 1;
     int sign_g3 = 1;
-    Modulus modulus = Modulus::from_ratio(0.0, 1.0);
+    elliptic::Modulus modulus = elliptic::Modulus::from_ratio(0.0, 1.0);
   };
   struct Parts {
     FreeKernel kernel;

@@ -21,7 +21,7 @@
 #pragma once
 
 #include "polhode/free/free_rotation.hpp"
-#include "polhode/math/matrix6.hpp"
+#include "polhode/math/vector.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -17,8 +17,10 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace free {
 
 double rounding_sensitivity(const FreeRotation& motion, double t);
 
+}  // namespace free
 }  // namespace v0
 }  // namespace polhode

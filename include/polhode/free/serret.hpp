@@ -37,7 +37,7 @@
 
 #include "polhode/free/free_rotation.hpp"
 #include "polhode/math/instruction_set.hpp"
-#include "polhode/math/matrix6.hpp"
+#include "polhode/math/vector.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -22,6 +22,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace light {
 
 struct Aspect {
   double sun_distance;
@@ -47,5 +48,6 @@ inline double reduced_magnitude(double magnitude, double sun_distance, double ob
 // Fluxes as they were at distances of one `unit`, in units of the vectors, from both.
 LightCurve at_unit_distances(LightCurve curve, double unit);
 
+}  // namespace light
 }  // namespace v0
 }  // namespace polhode

@@ -19,6 +19,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace light {
 
 template <Real T>
 struct BasicEllipsoid {
@@ -48,5 +49,6 @@ BasicEllipsoid<T> homogeneous_ellipsoid(const BasicVec3<T>& moments, const T& ma
           sqrt(k * ((moments.x - moments.z) + moments.y))};
 }
 
+}  // namespace light
 }  // namespace v0
 }  // namespace polhode

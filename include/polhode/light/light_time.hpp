@@ -25,6 +25,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace light {
 
 // Whose times the points of a light curve have: when light arrived, or when it left.
 enum class LightTime { at_observer, at_body };
@@ -61,5 +62,6 @@ LightCurve with_vectors(LightCurve curve, LightTime given, const Body& body,
   return curve;
 }
 
+}  // namespace light
 }  // namespace v0
 }  // namespace polhode

@@ -22,6 +22,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace light {
 
 template <Number T>
 struct BasicScattering {
@@ -70,5 +71,6 @@ T phase_angle(const BasicVec3<T>& to_sun, const BasicVec3<T>& to_observer) {
   return atan2(norm(cross(to_sun, to_observer)), dot(to_sun, to_observer));
 }
 
+}  // namespace light
 }  // namespace v0
 }  // namespace polhode

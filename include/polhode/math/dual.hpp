@@ -19,8 +19,8 @@
 #include <concepts>
 #include <cstddef>
 
+#include "polhode/detail/math/trigonometry.hpp"
 #include "polhode/math/real.hpp"
-#include "polhode/math/trigonometry.hpp"
 
 namespace polhode {
 inline namespace v0 {

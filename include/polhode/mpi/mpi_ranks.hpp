@@ -18,9 +18,11 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace ensemble {
 
 // None in a process that was not started together with others. `threads` cells at a time in each.
 std::unique_ptr<Ranks> mpi_ranks(int threads = 1);
 
+}  // namespace ensemble
 }  // namespace v0
 }  // namespace polhode

@@ -4,7 +4,7 @@
 // Units       lc: t in seconds of TT from the epoch, vectors in au along the ecliptic of J2000.
 //             CSV: as the light curves have them.
 // Domain      a file is written as PATH.part and renamed when it is complete; "-" is standard
-//             output. What the formats hold: polhode/tables/lc.hpp, light_columns.hpp.
+//             output. What the formats hold: polhode/tables/light_curve_file.hpp.
 // Accuracy    CSV: the shortest numbers that read back to the same doubles; lc: the same, but dates
 //             to 12 decimals.
 // Errors      DomainError for what the format cannot hold and for a path that cannot be had,
@@ -20,10 +20,13 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 
-void write_lc(const std::string& path, std::span<const LightCurve> curves, const Date& epoch);
-void write_light_csv(const std::string& path, std::span<const LightCurve> curves,
+void write_lc(const std::string& path, std::span<const light::LightCurve> curves,
+              const ephemeris::Date& epoch);
+void write_light_csv(const std::string& path, std::span<const light::LightCurve> curves,
                      std::span<const std::string> notes = {});
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

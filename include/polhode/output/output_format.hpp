@@ -9,7 +9,7 @@
 // Domain      open_sink: "-" (standard output, in the first format that needs no file), or a path
 //             with the extension of a format. With a position, it cuts PATH.part back to it and
 //             goes on from there. A text format is most easily written by text_sink
-//             (polhode/output/text_sink.hpp).
+//             (polhode/output/output_format.hpp).
 // Accuracy    CSV numbers are the shortest that read back to the same double; HDF5 holds doubles.
 // Errors      a key without a name, a dimension or a text does not compile. open_sink: DomainError
 //             for a path that cannot be an output, for a run that lacks what the format needs, and
@@ -19,6 +19,7 @@
 #pragma once
 
 #include <any>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -30,13 +31,14 @@
 #include <vector>
 
 #include "polhode/error.hpp"
-#include "polhode/output/columns.hpp"
+#include "polhode/output/column_kind.hpp"
 #include "polhode/output/sink.hpp"
 #include "polhode/text/citation.hpp"
 #include "polhode/text/kind_key.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 
 // What a sink is opened for. It refers to what the caller has.
 struct SinkRequest {
@@ -154,5 +156,53 @@ std::unique_ptr<Sink> open_sink(const std::string& path, const std::vector<Colum
                                 const std::optional<SinkPosition>& from = std::nullopt,
                                 const OutputFormats& formats = default_output_formats());
 
+// OutputPlan: what the rows of a scenario hold and how they are written.
+//
+// Domain      groups of columns by their names (polhode/output/column_kind.hpp).
+// Errors      none; a group that the experiment does not have is refused when the file is read.
+
+struct OutputPlan {
+  std::vector<std::string> columns;  // names of column groups
+  OutputFormats formats = default_output_formats();
+  FormatOptions options = {};  // of the formats whose tables [output.NAME] the file has
+};
+
+// text_sink: most of an output format of text: a head that says where the file is from, a line for
+// each row, and perhaps an end.
+//
+// Units       those that the columns name.
+// Domain      a file that goes on is cut back to its position; its head must be the same. The
+//             comments of a head begin with the start of their style.
+// Accuracy    what `row` appends.
+// Errors      DomainError as open_sink; OutputError when writing fails.
+// Cost        a call of `row` per row, a system call per block.
+
+// How a format writes comments.
+struct CommentStyle {
+  std::string_view start;
+  std::size_t longest = std::string_view::npos;  // text in one line
+  bool ascii = false;                            // what is beyond it becomes ?
+  // What the first line behind the head begins with. Empty: that is the first line that is no
+  // comment, and it names the columns.
+  std::string_view head_end = {};
+};
+
+// One line or more for each line of the text, with `lead` in front.
+void append_comment(std::string& out, const CommentStyle& style, std::string_view lead,
+                    std::string_view text);
+// Version, title, notes, citations and scenario.
+void append_origin(std::string& out, const CommentStyle& style, const Provenance& provenance);
+
+// Why a complete file is not one with this head: "of another scenario". Empty: it is.
+std::string text_difference(const std::string& path, const CommentStyle& style,
+                            const std::string& head);
+
+// `closing`: how comments look behind the rows, where a format may have them there.
+std::unique_ptr<Sink> text_sink(
+    const SinkRequest& request, const std::string& head,
+    std::function<void(std::string& out, std::span<const double> row)> row, std::string end = {},
+    const CommentStyle& closing = {});
+
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -21,10 +21,11 @@
 #include <string>
 #include <vector>
 
-#include "polhode/output/columns.hpp"
+#include "polhode/output/column_kind.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 
 // A disk that is full, a pipe that is closed: the run failed, its input was right.
 class OutputError : public std::runtime_error {
@@ -87,5 +88,6 @@ class Sink {
   virtual std::vector<std::string> warnings() const { return {}; }
 };
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

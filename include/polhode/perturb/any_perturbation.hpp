@@ -79,7 +79,7 @@ class AnyPerturbation {
   AffineTorque affine_torque(const Setting& at) const { return term_->affine_torque(at); }
   // Whether it is asked for many states at a time; else on_stages asks it for one after the other.
   bool is_asked_together() const { return together_; }
-  // For methods that ask for many states at a time (polhode/perturb/stages.hpp): by the
+  // For methods that ask for many states at a time (polhode/detail/perturb/stages.hpp): by the
   // instructions of a set that this processor has. The term and the body outlive it.
   std::unique_ptr<StageTerm> on_stages(const Body& body, InstructionSet set) const {
     return term_->on_stages(body, set);

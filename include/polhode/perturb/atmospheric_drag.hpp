@@ -22,8 +22,8 @@
 
 #include <limits>
 
+#include "polhode/detail/perturb/facet_stream.hpp"
 #include "polhode/perturb/directed_path.hpp"
-#include "polhode/perturb/facet_stream.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -20,10 +20,10 @@
 #include <span>
 #include <vector>
 
+#include "polhode/detail/orbit/many_times.hpp"
+#include "polhode/detail/perturb/affine_torque.hpp"
 #include "polhode/math/double_double.hpp"
 #include "polhode/math/dual.hpp"
-#include "polhode/orbit/many_times.hpp"
-#include "polhode/perturb/affine_torque.hpp"
 #include "polhode/perturb/detail/constant_quaternion.hpp"
 #include "polhode/perturb/detail/rotate_inverse.hpp"
 #include "polhode/rotor/body.hpp"

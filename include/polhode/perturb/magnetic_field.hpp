@@ -22,10 +22,10 @@
 #include <functional>
 #include <utility>
 
+#include "polhode/detail/orbit/many_times.hpp"
+#include "polhode/detail/orbit/uniform_angle.hpp"
 #include "polhode/math/quaternion.hpp"
-#include "polhode/orbit/many_times.hpp"
 #include "polhode/orbit/orbit.hpp"
-#include "polhode/orbit/uniform_angle.hpp"
 #include "polhode/perturb/detail/argument_checks.hpp"
 #include "polhode/perturb/detail/dual_values.hpp"
 

@@ -19,8 +19,8 @@
 
 #include <optional>
 
+#include "polhode/detail/perturb/facet_stream.hpp"
 #include "polhode/perturb/directed_path.hpp"
-#include "polhode/perturb/facet_stream.hpp"
 #include "polhode/perturb/shadow.hpp"
 
 namespace polhode {

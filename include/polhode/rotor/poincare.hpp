@@ -21,7 +21,6 @@
 #pragma once
 
 #include "polhode/rotor/detail/poincare_pair.hpp"
-#include "polhode/rotor/pole.hpp"
 #include "polhode/rotor/rotor_state.hpp"
 
 namespace polhode {

@@ -14,6 +14,7 @@
 
 #include "polhode/math/quaternion.hpp"
 #include "polhode/math/vector.hpp"
+#include "polhode/version.hpp"  // asks for C++20
 
 namespace polhode {
 inline namespace v0 {
@@ -49,6 +50,13 @@ template <Number T>
 BasicVec3<T> inertial_momentum(const BasicRotorState<T>& s) {
   return rotate(normalized(s.q), s.g);
 }
+
+// Pole: the end of a polar angle that a chart is regular at.
+//
+// Domain      J or I near 0, or near pi.
+// Accuracy    exact.
+
+enum class Pole { zero, pi };
 
 }  // namespace v0
 }  // namespace polhode

@@ -25,6 +25,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 
 template <class M>
 struct ModelExperiment {
@@ -73,9 +74,10 @@ CustomExperiment custom_experiment(std::string kind, const ExperimentContext& at
           .facts = std::move(of.facts),
           .has_events = !problem.events.empty(),
           .event_names = std::move(event_names),
-          .identity = detail::state_bytes(problem.initial),
+          .identity = polhode::detail::state_bytes(problem.initial),
           .maker = std::make_shared<const detail::RowsMaker>(detail::RowsMaker{std::move(run)})};
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -11,7 +11,8 @@
 // Accuracy    that of fit_spin. Starts other than the file's depend on the seed and their place
 //             alone.
 // Errors      ScenarioError at the place of what a fit does not take, and for more unknowns than
-//             data; as read_observations (polhode/scenario/observation.hpp). Files: OutputError.
+//             data; as read_observations (polhode/scenario/observation_kind.hpp). Files:
+//             OutputError.
 //             It throws RunInterrupted if `stop` returns true.
 // Cost        2 ms a start of 17 attitudes.
 #pragma once
@@ -23,28 +24,36 @@
 #include <string>
 #include <vector>
 
+#include "polhode/detail/scenario/fit_plan.hpp"
+#include "polhode/ensemble/cell_journal.hpp"
 #include "polhode/fit/spin_fit.hpp"
-#include "polhode/output/columns.hpp"
-#include "polhode/run/resumable_run.hpp"
-#include "polhode/scenario/fit_plan.hpp"
+#include "polhode/output/column_kind.hpp"
+#include "polhode/run/scenario_run.hpp"
 #include "polhode/scenario/scenario.hpp"
 
 namespace polhode {
 inline namespace v0 {
-
+namespace ensemble {
 class CellJournal;
+}  // namespace ensemble
+}  // namespace v0
+}  // namespace polhode
+
+namespace polhode {
+inline namespace v0 {
+namespace io {
 
 struct FoundSpin {
-  SpinSolution raw;  // with errors as they were given
+  fit::SpinSolution raw;  // with errors as they were given
   // With those that make chi-square per degree of freedom 1; none without degrees of freedom.
-  std::optional<SpinSolution> scaled;
+  std::optional<fit::SpinSolution> scaled;
   std::int64_t start = 0;   // the first that led to it, from 0
   std::int64_t starts = 1;  // how many did
 };
 
 struct FitReport {
-  SpinFit problem;                 // from the start of the file, with errors as they were given
-  std::optional<SpinDrive> drive;  // torques and jumps; none of free rotation
+  fit::SpinFit problem;  // from the start of the file, with errors as they were given
+  std::optional<fit::SpinDrive> drive;  // torques and jumps; none of free rotation
   ReadObservations observed;
   std::vector<FoundSpin> solutions;  // by what they cost
   std::int64_t starts = 1;
@@ -57,8 +66,8 @@ struct FitReport {
 // What a fit solves: from the start of the file, with errors as they were given. ScenarioError as
 // fit_scenario.
 struct FitProblem {
-  SpinFit fit;
-  std::optional<SpinDrive> drive;
+  fit::SpinFit fit;
+  std::optional<fit::SpinDrive> drive;
   ReadObservations observed;
 };
 FitProblem fit_problem(const Scenario& scenario);
@@ -73,7 +82,7 @@ struct FitOptions {
   // Called with the starts done or the part of a stage, one call after the other.
   std::function<void(const RunProgress&)> progress = {};
   std::function<bool()> stop = {};  // asked before each start or fit, in any of the threads
-  CellJournal* journal = nullptr;   // keeps the results of a fit that may be interrupted
+  ensemble::CellJournal* journal = nullptr;  // keeps the results of a fit that may be interrupted
 };
 
 FitReport fit_scenario(const Scenario& scenario, const FitOptions& options = {});
@@ -119,5 +128,37 @@ std::string solution_text(const Scenario& scenario, const FitReport& report, std
 void write_solution(const Scenario& scenario, const FitReport& report, std::size_t solution,
                     const std::string& path);
 
+// FitCheckpoint: what a fit has found so far, kept in FIRST_OUTPUT.checkpoint, so that a fit that
+// was stopped or killed continues, as runs do (polhode/run/scenario_run.hpp).
+//
+// Domain      starts, scans and fits that are done are not computed again; those that were begun
+//             are. Without an output that is a file there is no checkpoint. Two fits must not write
+//             the same outputs at the same time.
+// Accuracy    a fit that was interrupted and continued finds what a fit in one go finds, to the
+//             last bit (same build of polhode).
+// Errors      the constructor as there.
+// Cost        the bytes of all results, chi-square of each pair of a scan included, held in memory
+//             and written as a whole; at most a twentieth of the time of the fit.
+
+class FitCheckpoint : public ResumableRun {
+ public:
+  // `outputs` are the files that the fit will write, the first of which gives the checkpoint its
+  // name; of the options begin, words and checkpoint_seconds count. `scenario` must outlive it.
+  FitCheckpoint(const Scenario& scenario, const std::vector<std::string>& outputs,
+                RunOptions options);
+
+  // For the options of the fit. Checkpoints are written while it gets results.
+  ensemble::CellJournal& journal();
+  // Writes a checkpoint; false if this fit has none.
+  bool keep();
+  // Removes the checkpoint: the fit is complete, or has no solution.
+  void forget();
+
+ private:
+  class Parts;
+  Parts& parts();
+};
+
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

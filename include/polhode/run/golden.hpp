@@ -21,6 +21,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 
 struct GoldenSample {
   double t;
@@ -53,5 +54,6 @@ std::string golden_csv(const std::vector<GoldenCase>& cases);
 // Writes golden.json and golden.csv into the folder, which is made if it is not there.
 void write_golden(const std::string& folder, const std::vector<GoldenCase>& cases);
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

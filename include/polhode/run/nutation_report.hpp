@@ -3,7 +3,7 @@
 //
 // Equations   those of NutationTheory (polhode/secular/nutation.hpp).
 // Units       periods in days, with the sign of their rate; coefficients in mas.
-// Domain      planets of polhode/scenario/planet_nutation.hpp.
+// Domain      planets of polhode/detail/scenario/planet_nutation.hpp.
 // Accuracy    that of the theory; coefficients are written to 1e-6 mas.
 // Errors      those of nutation_theory; DomainError for a path that cannot be had, OutputError
 //             where writing fails.
@@ -12,16 +12,17 @@
 
 #include <string>
 
-#include "polhode/scenario/planet_nutation.hpp"
+#include "polhode/detail/scenario/planet_nutation.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 
 enum class NutationPart { all, oppolzer };
 
 struct NutationRequest {
   PlanetNutation of;
-  PlanetAxis axis = PlanetAxis::figure;
+  secular::PlanetAxis axis = secular::PlanetAxis::figure;
   NutationPart part = NutationPart::all;
   bool relative = false;  // to the moving ecliptic; of the axis of rotation alone
   int lines = 20;         // of the text
@@ -30,7 +31,7 @@ struct NutationRequest {
 
 struct NutationReport {
   NutationRequest request;  // with every number of the planet
-  NutationTheory theory;
+  secular::NutationTheory theory;
 };
 
 NutationReport nutation_report(const NutationRequest& request);
@@ -42,5 +43,6 @@ std::string nutation_csv(const NutationReport& report);
 // As PATH.part, which is renamed when it is complete; "-" is standard output.
 void write_nutation_csv(const NutationReport& report, const std::string& path);
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

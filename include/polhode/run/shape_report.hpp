@@ -18,12 +18,14 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 
 // For summary_table and summary_json.
-std::vector<SummaryLine> shape_summary(const FacetShape& shape, const MassProperties& properties,
-                                       const Units& units);
+std::vector<SummaryLine> shape_summary(const shape::FacetShape& shape,
+                                       const shape::MassProperties& properties, const Units& units);
 // "[body]\ntensor = ...", in the axes of the mesh; [units] must have `units.moment()`.
-std::string body_table(const MassProperties& properties, const Units& units);
+std::string body_table(const shape::MassProperties& properties, const Units& units);
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

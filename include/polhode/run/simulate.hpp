@@ -18,23 +18,25 @@
 #include <string>
 #include <vector>
 
+#include "polhode/detail/scenario/fit_plan.hpp"
 #include "polhode/fit/snapshots.hpp"
 #include "polhode/light/light_curve.hpp"
-#include "polhode/scenario/fit_plan.hpp"
 #include "polhode/scenario/scenario.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 
 // What the rows of one [[observation]] would be, in core units.
-Snapshots simulated(const Scenario& scenario, std::size_t table);
+fit::Snapshots simulated(const Scenario& scenario, std::size_t table);
 // The same of a table of light curves: its sessions, with vectors along the axes of the state.
-std::vector<LightCurve> simulated_light(const Scenario& scenario, std::size_t table);
+std::vector<light::LightCurve> simulated_light(const Scenario& scenario, std::size_t table);
 
 // Writes the file of each [[observation]] below a folder, as PATH.part until it is complete.
 // Returns their paths. A file that is there stays unless it may be replaced.
 std::vector<std::string> write_simulation(const Scenario& scenario, const std::string& folder,
                                           bool may_replace = false);
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

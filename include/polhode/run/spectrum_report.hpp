@@ -18,6 +18,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 
 struct SpectrumRequest {
   std::string file;
@@ -26,15 +27,15 @@ struct SpectrumRequest {
   std::string imaginary = {};  // with it, column + i imaginary is analysed
   std::string time_unit = {};  // empty: what the file says
   std::string unit = {};       // of frequencies; empty: arcsec/yr of long times, otherwise rad/TIME
-  SpectrumOptions options = {};
+  analysis::SpectrumOptions options = {};
 };
 
 struct SpectrumReport {
-  Spectrum spectrum;        // times and frequencies in the units below
-  std::string time_unit;    // "kyr"; empty where nothing says it
-  std::string unit;         // of frequencies: "arcsec/yr"
-  double per_unit = 1.0;    // what one of these is in rad per unit of time
-  std::string column_unit;  // "deg", or empty
+  analysis::Spectrum spectrum;  // times and frequencies in the units below
+  std::string time_unit;        // "kyr"; empty where nothing says it
+  std::string unit;             // of frequencies: "arcsec/yr"
+  double per_unit = 1.0;        // what one of these is in rad per unit of time
+  std::string column_unit;      // "deg", or empty
 };
 
 SpectrumReport spectrum_report(const SpectrumRequest& request);
@@ -42,5 +43,6 @@ SpectrumReport spectrum_report(const SpectrumRequest& request);
 std::string spectrum_text(const SpectrumReport& report);
 std::string spectrum_csv(const SpectrumReport& report);
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

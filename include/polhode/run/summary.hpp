@@ -20,6 +20,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 
 struct SummaryLine {
   std::string key;              // "precession_period"
@@ -44,5 +45,6 @@ std::string summary_table(const std::vector<SummaryLine>& lines);
 // For programs: { "precession_period": { "value": ..., "unit": "h" }, ... }, every digit.
 std::string summary_json(const std::vector<SummaryLine>& lines);
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

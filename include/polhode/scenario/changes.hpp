@@ -23,6 +23,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 struct Document;
 
 // What cannot be changed.
@@ -52,5 +53,6 @@ std::vector<ScenarioChange> relocated_paths(const Document& document, const std:
 // One after the other. A text that is not TOML stays: those who read it say why.
 std::string changed_text(std::string_view text, std::span<const ScenarioChange> changes);
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

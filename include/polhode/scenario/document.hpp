@@ -20,6 +20,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 class Kinds;
 namespace detail {
 struct ReadFile;
@@ -51,5 +52,6 @@ struct Document {
   std::shared_ptr<const detail::ReadFile> checked;
 };
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -25,6 +25,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 
 // Where a frame is made: its own table, and the orbits of the file.
 class FrameContext : public KeyValues {
@@ -65,5 +66,6 @@ FrameKind frame_kind(std::string_view name, std::string_view help, std::span<con
                    made](const FrameContext& at) { return made(arguments<A>(all, at), at); }};
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -27,10 +27,11 @@
 #include "polhode/scenario/orbit_kind.hpp"
 #include "polhode/scenario/perturbation_kind.hpp"
 #include "polhode/scenario/schema.hpp"
-#include "polhode/tables/chart_kind.hpp"
+#include "polhode/tables/convert.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 
 class Kinds {
  public:
@@ -75,5 +76,6 @@ class Kinds {
 
 Kinds default_kinds();
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

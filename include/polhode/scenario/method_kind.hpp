@@ -24,6 +24,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 
 // Texts are constant data: they outlive every kind.
 struct MethodKind {
@@ -49,5 +50,6 @@ MethodKind method_kind(std::string_view name, std::string_view help,
           .cited = cited};
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

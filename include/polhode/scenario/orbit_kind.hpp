@@ -29,6 +29,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 
 // What a run of the file goes through: t = 0 and all its rows.
 struct TimeSpan {
@@ -61,7 +62,7 @@ class OrbitContext : public KeyValues {
 
 // Elements over ages, without positions: what the kind "obliquity" moves on.
 struct ScenarioHistory {
-  OrbitHistory elements;
+  secular::OrbitHistory elements;
   std::string text;                        // "elements mars.csv, 5001 rows"
   std::vector<std::string> warnings = {};  // as those of a ScenarioOrbit
   bool is_inertial = false;                // along any inertial axes, not those of the ecliptic
@@ -106,5 +107,6 @@ OrbitKind history_kind(std::string_view name, std::string_view help,
   return kind;
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -29,12 +29,12 @@
 #include "polhode/scenario/rotation.hpp"
 #include "polhode/scenario/schema.hpp"
 #include "polhode/text/citation.hpp"
-#include "polhode/text/key_value.hpp"
 #include "polhode/text/key_values.hpp"
 #include "polhode/text/kind_key.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 
 // The parts of the rotation that a term depends on besides its own keys: it is made again when one
 // of them changes.
@@ -156,5 +156,6 @@ TermsOfProgram made_terms(const PerturbationKind& kind, std::span<const KeyValue
                           std::span<const KeyValue> defaults, const TermParts& parts,
                           const std::string& label);
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -27,19 +27,18 @@
 #include "polhode/free/tumbler.hpp"
 #include "polhode/orbit/any_orbit.hpp"
 #include "polhode/orbit/kepler_orbit.hpp"
-#include "polhode/orbit/precessing_kepler_orbit.hpp"
 #include "polhode/orbit/table_orbit.hpp"
-#include "polhode/orbit/turned_kepler_orbit.hpp"
 #include "polhode/rotor/body.hpp"
 #include "polhode/shape/mass_properties.hpp"
 #include "polhode/shape/surface.hpp"
 #include "polhode/system/system.hpp"
-#include "polhode/tables/chart_kind.hpp"
-#include "polhode/text/key_value.hpp"
+#include "polhode/tables/convert.hpp"
+#include "polhode/text/key_values.hpp"
 #include "polhode/trajectory/save_at.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 
 // [state.attitude-rate], in the body axes of the file.
 struct AttitudeRate {
@@ -55,14 +54,14 @@ using InitialState = std::variant<TumblerState, AttitudeRate, ChartState>;
 // [[surface]] shape = "FILE", in core units of length.
 struct NamedMesh {
   std::string file;  // as the scenario names it
-  FacetShape mesh;
+  shape::FacetShape mesh;
 };
 
 // [body] shape = "FILE"
 struct ScenarioShape {
-  std::string file;       // as the scenario names it
-  FacetShape mesh;        // in core units of length
-  MassProperties inside;  // at its density
+  std::string file;              // as the scenario names it
+  shape::FacetShape mesh;        // in core units of length
+  shape::MassProperties inside;  // at its density
 };
 
 // [orbit.NAME]
@@ -159,5 +158,6 @@ Problem rotor_problem(const Rotation& rotation);
 // The energy at its start; 0 if a term has none.
 double initial_energy(const Problem& problem);
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -22,19 +22,20 @@
 #include <variant>
 #include <vector>
 
-#include "polhode/output/columns.hpp"
-#include "polhode/output/output_plan.hpp"
+#include "polhode/detail/scenario/ensemble_plan.hpp"
+#include "polhode/detail/scenario/map_plan.hpp"
+#include "polhode/detail/scenario/obliquity.hpp"
+#include "polhode/output/column_kind.hpp"
+#include "polhode/output/output_format.hpp"
 #include "polhode/scenario/changes.hpp"
-#include "polhode/scenario/custom_experiment.hpp"
 #include "polhode/scenario/document.hpp"
-#include "polhode/scenario/ensemble_plan.hpp"
+#include "polhode/scenario/experiment_kind.hpp"
 #include "polhode/scenario/kinds.hpp"
-#include "polhode/scenario/map_plan.hpp"
-#include "polhode/scenario/obliquity.hpp"
 #include "polhode/scenario/rotation.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 
 struct FitPlan;
 
@@ -47,7 +48,8 @@ struct Scenario {
   OutputPlan output;
   std::optional<MapPlan> map = std::nullopt;
   std::optional<EnsemblePlan> ensemble = std::nullopt;
-  std::shared_ptr<const FitPlan> fit = nullptr;  // of kind "fit": polhode/scenario/fit_plan.hpp
+  std::shared_ptr<const FitPlan> fit =
+      nullptr;  // of kind "fit": polhode/detail/scenario/fit_plan.hpp
 
   const Units& units() const { return document.units; }
   // DomainError where the kind is another than "rotation".
@@ -105,5 +107,6 @@ inline const FreeRotation& free_rotation(const Scenario& scenario) {
   return free_rotation(scenario.rotation());
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -18,6 +18,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 
 // Exactly one of several sets of keys of a table: "quaternion|euler", "stop+step|stop+count|at".
 struct Alternatives {
@@ -75,5 +76,6 @@ std::vector<TemplateSort> scenario_templates(const Schema& schema = scenario_sch
 std::string scenario_template(std::string_view word, const Schema& schema = scenario_schema(),
                               std::string_view program = "polhode");
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -12,21 +12,23 @@
 
 #include "polhode/series/linear_flow.hpp"
 #include "polhode/series/series.hpp"
-#include "polhode/series/truncation.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace secular {
 
-template <Coefficient T>
+template <series::Coefficient T>
 struct Elimination {
-  Series<T> hamiltonian;
-  Truncation keep;                         // the small parameters, and the highest order
-  std::vector<std::string> angles;         // to be eliminated
-  std::vector<Multiples> resonances = {};  // combinations of them that stay, and their multiples
-  std::vector<AngleRate<T>> clocks = {};
+  series::Series<T> hamiltonian;
+  series::Truncation keep;          // the small parameters, and the highest order
+  std::vector<std::string> angles;  // to be eliminated
+  std::vector<series::Multiples> resonances =
+      {};  // combinations of them that stay, and their multiples
+  std::vector<series::AngleRate<T>> clocks = {};
   double least_divisor = 0.0;  // the smallest coefficient of a rate to divide by
   double slowest = 0.0;        // what turns at a rate with a smaller coefficient stays
 };
 
+}  // namespace secular
 }  // namespace v0
 }  // namespace polhode

@@ -49,11 +49,11 @@
 #include "polhode/rotor/body.hpp"
 #include "polhode/rotor/rotor_state.hpp"
 #include "polhode/series/series.hpp"
-#include "polhode/trajectory/progress.hpp"
-#include "polhode/trajectory/sample.hpp"
+#include "polhode/trajectory/trajectory.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace secular {
 
 // Sadov's variables, or their means, in the axes of an orbit.
 struct MeanRotation {
@@ -103,7 +103,7 @@ class GravityGradientTheory {
   // The elements about whose actions coefficients are expanded.
   MeanRotation reference() const;
   // K in phi_h, M and the displacements of I_l, I_g and I_h from the reference; k counts orders.
-  const Series<double>& mean_hamiltonian() const;
+  const series::Series<double>& mean_hamiltonian() const;
   // Of the gravity gradient, as far as they are kept.
   std::size_t term_count() const;
   // By how much the mean angles drift from the motion, estimated: rad per time.
@@ -126,5 +126,6 @@ class GravityGradientTheory {
   GravityGradientOptions options_;
 };
 
+}  // namespace secular
 }  // namespace v0
 }  // namespace polhode

@@ -17,6 +17,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace secular {
 
 // Where and when, and S.
 struct InsolationPlace {
@@ -29,5 +30,6 @@ struct InsolationPlace {
 double daily_insolation(const SpinAngles& angles, double eccentricity,
                         const InsolationPlace& place);
 
+}  // namespace secular
 }  // namespace v0
 }  // namespace polhode

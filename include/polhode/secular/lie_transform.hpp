@@ -31,10 +31,11 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace secular {
 
 enum class LieMethod { deprit, hori };
 
-template <Coefficient T>
+template <series::Coefficient T>
 class LieTransform {
  public:
   explicit LieTransform(Elimination<T> problem, LieMethod method = LieMethod::hori)
@@ -46,8 +47,8 @@ class LieTransform {
     require_room(keys_.count(), "");
     const detail::Parts<T> h = detail::parts(problem_.hamiltonian, problem_.keep);
     const detail::LieSolver<T> solver{
-        [&](const Series<T>& s) { return flow(h[0], s); },
-        [&](const Series<T>& rest) { return eliminated(h[0], rest); }};
+        [&](const series::Series<T>& s) { return flow(h[0], s); },
+        [&](const series::Series<T>& rest) { return eliminated(h[0], rest); }};
     auto [mean, generator] = method_ == LieMethod::deprit
                                  ? detail::deprit_mean(h, solver, problem_.keep)
                                  : detail::hori_mean(h, solver, problem_.keep);
@@ -59,58 +60,64 @@ class LieTransform {
                         : generators_[n];
   }
 
-  const Series<T>& mean_hamiltonian() const { return mean_; }
-  const Series<T>& generator() const { return generator_; }
+  const series::Series<T>& mean_hamiltonian() const { return mean_; }
+  const series::Series<T>& generator() const { return generator_; }
 
   // f of the osculating variables, as a function of the mean ones.
-  Series<T> in_mean(const Series<T>& f) const { return mapped(f, false); }
+  series::Series<T> in_mean(const series::Series<T>& f) const { return mapped(f, false); }
   // f of the mean variables, as a function of the osculating ones.
-  Series<T> in_osculating(const Series<T>& f) const { return mapped(f, true); }
+  series::Series<T> in_osculating(const series::Series<T>& f) const { return mapped(f, true); }
 
   // Osculating minus mean value of a variable or an angle, as a function of the mean variables.
-  Series<T> short_period(std::string_view name) const { return displacement(name, false); }
+  series::Series<T> short_period(std::string_view name) const { return displacement(name, false); }
   // Mean minus osculating value, as a function of the osculating variables.
-  Series<T> short_period_back(std::string_view name) const { return displacement(name, true); }
+  series::Series<T> short_period_back(std::string_view name) const {
+    return displacement(name, true);
+  }
 
  private:
   // {H_0, s}, and what the clocks add to it.
-  Series<T> flow(const Series<T>& h0, const Series<T>& s) const {
-    Series<T> sum = bracket(h0, s, problem_.keep);
-    for (const AngleRate<T>& clock : problem_.clocks)
-      sum -= product(clock.rate, derivative(s, clock.angle), problem_.keep);
+  series::Series<T> flow(const series::Series<T>& h0, const series::Series<T>& s) const {
+    series::Series<T> sum = series::bracket(h0, s, problem_.keep);
+    for (const series::AngleRate<T>& clock : problem_.clocks)
+      sum -= series::product(clock.rate, series::derivative(s, clock.angle), problem_.keep);
     return sum;
   }
 
-  std::pair<Series<T>, Series<T>> eliminated(const Series<T>& h0, const Series<T>& rest) const {
-    const std::vector<AngleRate<T>> rates = detail::angle_rates(h0, problem_.clocks);
+  std::pair<series::Series<T>, series::Series<T>> eliminated(const series::Series<T>& h0,
+                                                             const series::Series<T>& rest) const {
+    const std::vector<series::AngleRate<T>> rates = detail::angle_rates(h0, problem_.clocks);
     const detail::KeptAngles kept(h0.symbols(), problem_.angles, problem_.resonances);
-    const Series<T> mean = selected(
-        rest, [&](const TermKey& key) { return kept.keeps(key) || is_slow(rest, key, rates); });
-    return {mean, integral(rest - mean, rates, problem_.least_divisor)};
+    const series::Series<T> mean = series::selected(rest, [&](const series::TermKey& key) {
+      return kept.keeps(key) || is_slow(rest, key, rates);
+    });
+    return {mean, series::integral(rest - mean, rates, problem_.least_divisor)};
   }
 
-  bool is_slow(const Series<T>& rest, const TermKey& key,
-               const std::vector<AngleRate<T>>& rates) const {
+  bool is_slow(const series::Series<T>& rest, const series::TermKey& key,
+               const std::vector<series::AngleRate<T>>& rates) const {
     if (!(problem_.slowest > 0.0)) return false;
-    const Series<T> w = rate(rest, key, rates);
+    const series::Series<T> w = series::rate(rest, key, rates);
     return w.is_zero() || (w.size() == 1 && std::abs(to_double(w.terms()[0].c)) < problem_.slowest);
   }
 
-  Series<T> mapped(const Series<T>& f, bool back) const {
-    detail::require_same(f.symbols(), mean_.symbols());
+  series::Series<T> mapped(const series::Series<T>& f, bool back) const {
+    series::detail::require_same(f.symbols(), mean_.symbols());
     const detail::Parts<T> parts = detail::parts(f, problem_.keep);
     require_room(keys_.count_of(detail::keys_of(parts)), "a map to ");
     return carried(
-        parts, [&](const Series<T>& s) { return bracket(parts[0], s, problem_.keep); }, back);
+        parts,
+        [&](const series::Series<T>& s) { return series::bracket(parts[0], s, problem_.keep); },
+        back);
   }
 
-  Series<T> displacement(std::string_view name, bool back) const {
-    const Symbols& symbols = mean_.symbols();
+  series::Series<T> displacement(std::string_view name, bool back) const {
+    const series::Symbols& symbols = mean_.symbols();
     detail::require_symbol(symbols, name);
     require_room(keys_.count_of(name), "a map to ");
-    const detail::Parts<T> none(generators_.size(), Series<T>(symbols));
+    const detail::Parts<T> none(generators_.size(), series::Series<T>(symbols));
     return carried(
-        none, [&](const Series<T>& s) { return detail::symbol_bracket(s, name); }, back);
+        none, [&](const series::Series<T>& s) { return detail::symbol_bracket(s, name); }, back);
   }
 
   void require_room(const detail::KeyCount& count, const char* what) const {
@@ -119,7 +126,7 @@ class LieTransform {
 
   // first(s) is {f_0, s}.
   template <class First>
-  Series<T> carried(const detail::Parts<T>& f, const First& first, bool back) const {
+  series::Series<T> carried(const detail::Parts<T>& f, const First& first, bool back) const {
     if (method_ == LieMethod::hori)
       return detail::sum(detail::hori_map(f, generators_, first, back, problem_.keep));
     return detail::sum(back ? detail::deprit_inverse(f, generators_, first, problem_.keep)
@@ -130,8 +137,37 @@ class LieTransform {
   LieMethod method_;
   detail::LieKeys keys_;
   detail::Parts<T> generators_;  // by order; S_n, or W_n
-  Series<T> generator_, mean_;
+  series::Series<T> generator_, mean_;
 };
 
+// How many terms and bytes a Lie transform will take, before it starts.
+//
+// Equations   keys of order n, exponents and multipliers, are those of H_n, and those of order
+//             n - a with a key of H_a, a momentum less, over a rate. Bytes: n + 3 series of each
+//             order n, and the table of a product, which begins with 2^18 places.
+// Units       bytes.
+// Domain      as in lie_transform.hpp.
+// Accuracy    terms: an upper bound, 1 to 2.5 times what is there, and 5 where few terms of H have
+//             to do with each other (tests/unit/secular/transform_size.cpp). It is counted for a
+//             tenth of a second; higher orders are extrapolated by a power of the order, that of
+//             the dimensions of the keys. Digits of rationals on the heap come on top.
+// Errors      DomainError for what a Lie transform refuses of H_0, its orders and clocks.
+// Cost        20 to 50 ns a pair of keys, 2e6 pairs at most; from a fifth of a small transform down
+//             to a hundredth of a large one (benchmarks/perturbation_theory.cpp).
+
+// By order.
+struct TransformSize {
+  std::vector<double> terms;  // of a series of this order, at most
+  std::vector<double> bytes;  // of memory, if this order is the last
+  int counted;                // the last order that was counted; what follows is extrapolated
+};
+
+template <series::Coefficient T>
+TransformSize transform_size(const Elimination<T>& problem) {
+  const detail::KeyCount count = detail::lie_keys(problem, detail::checked_parts(problem)).count();
+  return {count.terms, detail::bytes_of<T>(count), count.counted};
+}
+
+}  // namespace secular
 }  // namespace v0
 }  // namespace polhode

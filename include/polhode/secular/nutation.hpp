@@ -38,6 +38,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace secular {
 
 struct NutationArgument {
   std::string name;
@@ -133,5 +134,6 @@ class NutationTheory {
   double folding_;
 };
 
+}  // namespace secular
 }  // namespace v0
 }  // namespace polhode

@@ -15,6 +15,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace secular {
 
 // A satellite far outside, near the plane of the orbit of its planet. None where mass is 0.
 struct OuterSatellite {
@@ -47,5 +48,6 @@ Vec3 planet_pole(const PlanetSpin& of);
 // Its rates in another unit of time, in which a Julian year is `year`.
 PrecessionRates planet_rates(const PlanetSpin& of, double year);
 
+}  // namespace secular
 }  // namespace v0
 }  // namespace polhode

@@ -11,6 +11,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace secular {
 
 struct SpinAxis {
   Vec3 s;
@@ -25,5 +26,6 @@ void each_number(SpinAxis& axis, Visit&& visit) {
 // DomainError for a vector of no length.
 SpinAxis spin_axis(const Vec3& direction);
 
+}  // namespace secular
 }  // namespace v0
 }  // namespace polhode

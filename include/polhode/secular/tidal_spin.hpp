@@ -35,6 +35,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace secular {
 
 template <class Elements>
 struct TidalPrecession {
@@ -89,5 +90,6 @@ struct TidalPrecession {
   }
 };
 
+}  // namespace secular
 }  // namespace v0
 }  // namespace polhode

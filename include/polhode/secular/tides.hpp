@@ -14,6 +14,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace secular {
 
 struct TidalSpin {
   Vec3 s;
@@ -47,5 +48,6 @@ double tidal_rate(double k2, double lag, double gm, double mass_ratio, double ra
 // Throws where they are out of range.
 void require_valid(const TidalRates& rates);
 
+}  // namespace secular
 }  // namespace v0
 }  // namespace polhode

@@ -26,11 +26,12 @@
 #include "polhode/rotor/andoyer.hpp"
 #include "polhode/rotor/body.hpp"
 #include "polhode/series/compiled_series.hpp"
-#include "polhode/series/rational.hpp"
 #include "polhode/series/series.hpp"
+#include "polhode/series/symbols.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace secular {
 
 struct RotorFrequencies {
   double n_l, n_g;
@@ -45,7 +46,7 @@ class TriaxialNormalForm {
   // e.
   double triaxiality() const { return e_; }
   // h in mean variables L, G and e: the same of every body.
-  const Series<Rational>& series() const { return series_; }
+  const series::Series<series::Rational>& series() const { return series_; }
 
   // Of mean L and G.
   double energy(double L, double G) const;
@@ -62,7 +63,7 @@ class TriaxialNormalForm {
  private:
   // A series, and its parts of the two highest orders.
   struct Expansion {
-    CompiledSeries sum, last, last_but_one;
+    series::CompiledSeries sum, last, last_but_one;
     double remainder(std::span<const double> at, double ratio) const;
   };
   struct Map {
@@ -76,11 +77,12 @@ class TriaxialNormalForm {
   double ratio_of_mean(double L, double G) const;
 
   double a_, b_, e_;
-  Series<Rational> series_;
-  CompiledSeries h_;
+  series::Series<series::Rational> series_;
+  series::CompiledSeries h_;
   Expansion dh_dL_, dh_dG_;
   Map to_mean_, to_osculating_;
 };
 
+}  // namespace secular
 }  // namespace v0
 }  // namespace polhode

@@ -23,11 +23,12 @@
 // Cost        some 8 us per facet and obliquity (benchmarks/surface.cpp).
 #pragma once
 
-#include "polhode/perturb/facet_stream.hpp"
+#include "polhode/detail/perturb/facet_stream.hpp"
 #include "polhode/perturb/solar_pressure.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace secular {
 
 struct YorpTorque {
   double spin;
@@ -43,5 +44,6 @@ YorpTorque yorp_torque(const Surface& surface, double obliquity, const Vec3& axi
 // P d^2 / (a^2 sqrt(1 - e^2)): what to multiply it with.
 double mean_pressure(const Sunlight& light, double semi_major_axis, double eccentricity);
 
+}  // namespace secular
 }  // namespace v0
 }  // namespace polhode

@@ -22,6 +22,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace series {
 
 class CompiledSeries {
  public:
@@ -74,5 +75,6 @@ class CompiledSeries {
   std::size_t wave_start_ = 0, scratch_ = 0;
 };
 
+}  // namespace series
 }  // namespace v0
 }  // namespace polhode

@@ -25,6 +25,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace series {
 
 // The terms without the angles named: the mean over each of them.
 template <Coefficient T>
@@ -101,5 +102,6 @@ Series<T> integral(const Series<T>& f, const std::vector<AngleRate<T>>& rates, d
   return Series<T>(symbols, std::move(terms));
 }
 
+}  // namespace series
 }  // namespace v0
 }  // namespace polhode

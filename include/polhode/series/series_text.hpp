@@ -30,6 +30,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace series {
 
 template <Coefficient T>
 std::string text(const Series<T>& a) {
@@ -76,5 +77,6 @@ Series<T> series_from_csv(const Symbols& symbols, std::string_view table) {
   return Series<T>(symbols, std::move(terms));
 }
 
+}  // namespace series
 }  // namespace v0
 }  // namespace polhode

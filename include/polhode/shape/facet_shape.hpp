@@ -25,6 +25,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace shape {
 
 struct Facet {
   Vec3 centre;
@@ -72,5 +73,6 @@ class FacetShape {
 // DomainError, "FUNCTION: the mesh is not closed: edge ...".
 void require_closed(const FacetShape& shape, const std::string& function);
 
+}  // namespace shape
 }  // namespace v0
 }  // namespace polhode

@@ -44,7 +44,7 @@ class Surface {
  public:
   explicit Surface(std::vector<SurfaceFacet> facets);
   // Every facet of a mesh, `centre` its centre of mass.
-  static Surface of_shape(const FacetShape& shape, const Vec3& centre, const Finish& finish);
+  static Surface of_shape(const shape::FacetShape& shape, const Vec3& centre, const Finish& finish);
   static Surface of_plate(const Vec3& centre, const Vec3& normal, double area, const Finish& finish,
                           bool both_sides = false);
 

@@ -24,6 +24,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace rates {
 
 // Entry (k, l) is [z_k, z_l]; t is needed by sets that depend on it.
 // [SA "Lagrange brackets", "[u, v]"]
@@ -47,5 +48,6 @@ std::array<double, 6> equations_of_motion(const System& system, double t,
   return detail::equations_of_motion(detail::variables_at(f, t, z), system, t);
 }
 
+}  // namespace rates
 }  // namespace v0
 }  // namespace polhode

@@ -20,6 +20,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace charts {
 
 struct AxisAngles {
   double I;  // inclination of the plane normal to the axis
@@ -44,5 +45,6 @@ RotorAxes inertial_axes(const System& system, double t, const RotorState& s);
 // In the axes of the reference frame S, with the rotation axis of w_SB [SA (84), (124)].
 RotorAxes relative_axes(const System& system, double t, const RotorState& s);
 
+}  // namespace charts
 }  // namespace v0
 }  // namespace polhode

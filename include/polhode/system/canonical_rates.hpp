@@ -26,6 +26,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace rates {
 
 // Rates of the hub state in the tangent of chart_jacobian.hpp, body components.
 struct HubRates {
@@ -84,5 +85,6 @@ EulerPhaseRates euler_phase_rates(const System& system, double t, const RotorSta
 std::array<double, 3> convective_term(const System& system, double t, const RotorState& s,
                                       const CanonicalChart& chart);
 
+}  // namespace rates
 }  // namespace v0
 }  // namespace polhode

@@ -39,6 +39,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace rates {
 
 // Which elements are meant.
 class Gauge {
@@ -89,5 +90,6 @@ template <RotorElements C>
 Vec3 element_convective_term(const System& system, double t, const C& elements,
                              const Gauge& gauge = Gauge::canonical());
 
+}  // namespace rates
 }  // namespace v0
 }  // namespace polhode

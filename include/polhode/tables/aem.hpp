@@ -29,6 +29,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 
 struct AemSegment {
   std::string object_name;
@@ -64,5 +65,6 @@ AttitudeEphemeris read_aem(const std::string& path);
 // different objects or frames.
 std::string aem_csv(const AttitudeEphemeris& ephemeris);
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

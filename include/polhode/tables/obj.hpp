@@ -24,12 +24,14 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 
-FacetShape read_obj(const std::string& path);
+shape::FacetShape read_obj(const std::string& path);
 // `name` stands for the file in messages.
-FacetShape shape_from_obj(std::string_view text, const std::string& name);
+shape::FacetShape shape_from_obj(std::string_view text, const std::string& name);
 // The file of a shape, one line for each vertex and facet.
-std::string obj_text(const FacetShape& shape);
+std::string obj_text(const shape::FacetShape& shape);
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -19,6 +19,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 
 struct OemSegment {
   std::string object_name;
@@ -47,5 +48,6 @@ OrbitEphemeris oem_from_text(std::string_view text, const std::string& name);
 // Files of at most 1 GiB.
 OrbitEphemeris read_oem(const std::string& path);
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

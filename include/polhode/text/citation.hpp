@@ -12,6 +12,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 
 struct Citation {
   std::string_view key;     // "sadov1970"
@@ -23,5 +24,6 @@ struct Citation {
 // is @misc{key, howpublished = {text}}.
 std::string bibtex(const Citation& citation);
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -18,6 +18,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 
 enum class KeyType {
   table,       // [body]
@@ -85,5 +86,6 @@ struct Key {
 std::string_view key_name(std::string_view path);
 std::string_view key_table(std::string_view path);
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -20,9 +20,11 @@
 #include "polhode/math/vector.hpp"
 #include "polhode/text/detail/values_fwd.hpp"
 #include "polhode/text/units.hpp"
+#include "polhode/version.hpp"  // asks for C++20
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 
 // Every mistake of a file; what() holds one line for each.
 class ScenarioError : public DomainError {
@@ -94,5 +96,49 @@ class KeyValues {
   const std::string& file_;
 };
 
+// KeyValue: the value of one key, apart from any file: what a table says of it, or a program.
+//
+// Units       numbers are in core units (polhode/text/units.hpp).
+// Domain      which of the members hold the value is said by the type of its key.
+// Cost        a plain value.
+
+struct KeyValue {
+  std::string_view key;              // its name
+  std::vector<double> numbers = {};  // a matrix row by row
+  std::vector<std::string> words = {};
+  std::int64_t whole = 0;  // of a flag 0 or 1
+  std::string shown = {};  // as messages quote it
+
+  bool operator==(const KeyValue&) const = default;
+};
+
+// Place: the place of a value in its file, which plans keep so that a later stage can reject the
+// value.
+//
+// Errors      refuse and built throw a ScenarioError "FILE:LINE:COLUMN: KEY: got VALUE; MESSAGE".
+// Cost        two strings.
+
+struct Place {
+  std::string key;  // "FILE:LINE:COLUMN: KEY"
+  std::string got;  // "got VALUE; "; empty for a table
+
+  std::string message(std::string_view expected) const;
+  // "expected ..."
+  [[noreturn]] void refuse(std::string_view expected) const;
+
+  // Turns a DomainError of the library into a ScenarioError at this place.
+  template <class Build>
+  auto built(const Build& build) const {
+    try {
+      return build();
+    } catch (const ScenarioError&) {
+      throw;
+    } catch (const DomainError& error) {
+      refuse(error.what());
+    }
+  }
+};
+
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -35,11 +35,11 @@
 
 #include "polhode/text/detail/key_form.hpp"
 #include "polhode/text/key.hpp"
-#include "polhode/text/key_value.hpp"
 #include "polhode/text/key_values.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 // Only the functions below make one: a key has a name, a dimension, a sentence, and a member of the
 // type that its values have.
 template <class A>
@@ -272,7 +272,7 @@ consteval KindKey<A> file_key(std::string_view name, std::string_view help) {
       {.path = name, .type = KeyType::text, .help = help, .is_file = true});
 }
 
-// A date, "2013-01-05T00:00:00 UTC" or "JD 2456297.5 TDB" (polhode/text/epoch.hpp).
+// A date, "2013-01-05T00:00:00 UTC" or "JD 2456297.5 TDB" (polhode/text/units.hpp).
 template <auto at, class A = detail::Owner<at>>
   requires detail::Holds<at, std::string> && detail::HasMember<A, at>
 consteval KindKey<A> epoch_key(std::string_view name, std::string_view help) {
@@ -347,5 +347,6 @@ std::vector<KeyValue> told(std::span<const KindKey<A>> keys, const A& arguments)
   return all;
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

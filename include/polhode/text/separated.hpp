@@ -12,9 +12,11 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 
 // "a|b" as {a, b}.
 std::vector<std::string_view> separated(std::string_view joined, char separator);
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -236,13 +236,13 @@ void def_motion_value(nb::class_<FreeRotation>& c) {
 }
 
 void bind_motion(nb::module_& m) {
-  bind_made_value<Modulus>(
+  bind_made_value<elliptic::Modulus>(
       m, "Modulus",
       "The modulus m of elliptic functions with its complement: m1 = 1 - m keeps its digits near "
       "the separatrix.",
-      [](double p, double q) { return Modulus::from_pair(p, q); },
-      field("m", &Modulus::m, "The parameter m = k^2."),
-      field("m1", &Modulus::m1, "1 - m, to its own full accuracy."));
+      [](double p, double q) { return elliptic::Modulus::from_pair(p, q); },
+      field("m", &elliptic::Modulus::m, "The parameter m = k^2."),
+      field("m1", &elliptic::Modulus::m1, "1 - m, to its own full accuracy."));
   using F = FreeRotation;
   nb::class_<F> c(m, "FreeRotation",
                   R"(The exact torque-free motion of a body, at any time, in every regime. [SA (12)]
@@ -359,7 +359,7 @@ void bind_properties(nb::module_& m) {
   m.def("psi_max", &psi_max, "motion"_a,
         "Largest |psi| (rad) of a motion in short-axis mode; NaN in other regimes.");
   m.def(
-      "rounding_sensitivity", &rounding_sensitivity, "motion"_a, "t"_a,
+      "rounding_sensitivity", &free::rounding_sensitivity, "motion"_a, "t"_a,
       "How far (rad) the attitude at t moves when one component of the moments or of the momentum\n"
       "changes by its last digit: the largest of all. NaN for a time that is not finite.");
   m.def(

@@ -8,22 +8,21 @@
 #include "polhode/free/fukushima_ishizaki.hpp"
 #include "polhode/free/generating_function.hpp"
 #include "polhode/free/kinoshita.hpp"
-#include "polhode/free/sadov_generating_function.hpp"
 
 namespace polhode::python {
 
 namespace {
 
-GeneratingFunction checked(const GeneratingFunction& s) {
+free::GeneratingFunction checked(const free::GeneratingFunction& s) {
   require_finite("GeneratingFunction",
                  {s.S, s.Phi, s.Theta, s.Psi, s.g0, s.h, s.minus_t0, s.minus_T});
   return s;
 }
-SadovGeneratingFunction checked(const SadovGeneratingFunction& s) {
+free::SadovGeneratingFunction checked(const free::SadovGeneratingFunction& s) {
   require_finite("SadovGeneratingFunction", {s.W, s.V, s.L, s.G, s.H, s.phi_l, s.phi_g, s.phi_h});
   return s;
 }
-SadovQuadratures checked(const SadovQuadratures& s) {
+free::SadovQuadratures checked(const free::SadovQuadratures& s) {
   require_finite("SadovQuadratures", {s.z, s.I_l, s.dI_l_dlambda, s.dlambda_dI_l, s.dlambda_dI_g,
                                       s.L_dl, s.dL_dlambda_dl, s.phi_l, s.phi_g_minus_g});
   return s;
@@ -40,56 +39,60 @@ FukushimaIshizakiState checked(const FukushimaIshizakiState& s) {
   return s;
 }
 
-constexpr Chart<GeneratingFunction, 8> generating_chart{
+constexpr Chart<free::GeneratingFunction, 8> generating_chart{
     "GeneratingFunction",
     R"(The function S that turns Euler's variables into Serret's constants, with its derivatives.
 
 S(phi, theta, psi; G, H, T; t), an action; Phi, Theta, Psi: by the angles; g0, h (rad), minus_t0:
 by G, H, T; minus_T: by t, the Jacobi equation. [SA (43), (51), (55)-(62)])",
-    {{{"S", "The function, an action.", offsetof(GeneratingFunction, S)},
-      {"Phi", "dS/dphi, a momentum.", offsetof(GeneratingFunction, Phi)},
-      {"Theta", "dS/dtheta, a momentum.", offsetof(GeneratingFunction, Theta)},
-      {"Psi", "dS/dpsi, a momentum.", offsetof(GeneratingFunction, Psi)},
-      {"g0", "dS/dG, rad.", offsetof(GeneratingFunction, g0)},
-      {"h", "dS/dH, rad.", offsetof(GeneratingFunction, h)},
-      {"minus_t0", "dS/dT, a time: -t0.", offsetof(GeneratingFunction, minus_t0)},
-      {"minus_T", "dS/dt, an energy: -T.", offsetof(GeneratingFunction, minus_T)}}},
+    {{{"S", "The function, an action.", offsetof(free::GeneratingFunction, S)},
+      {"Phi", "dS/dphi, a momentum.", offsetof(free::GeneratingFunction, Phi)},
+      {"Theta", "dS/dtheta, a momentum.", offsetof(free::GeneratingFunction, Theta)},
+      {"Psi", "dS/dpsi, a momentum.", offsetof(free::GeneratingFunction, Psi)},
+      {"g0", "dS/dG, rad.", offsetof(free::GeneratingFunction, g0)},
+      {"h", "dS/dH, rad.", offsetof(free::GeneratingFunction, h)},
+      {"minus_t0", "dS/dT, a time: -t0.", offsetof(free::GeneratingFunction, minus_t0)},
+      {"minus_T", "dS/dt, an energy: -T.", offsetof(free::GeneratingFunction, minus_T)}}},
     checked};
 
-constexpr Chart<SadovGeneratingFunction, 8> sadov_generating_chart{
+constexpr Chart<free::SadovGeneratingFunction, 8> sadov_generating_chart{
     "SadovGeneratingFunction",
     R"(The function W that turns Andoyer's variables into Sadov's, with its derivatives.
 
 W(l, g, h; I_l, I_g, I_h) = I_g g + I_h h + V(l; I_l, I_g), actions. L, G, H: by l, g, h; phi_l,
 phi_g, phi_h (rad): by I_l, I_g, I_h. [SA "ActioTransf", "transf. eqs"])",
-    {{{"W", "The function, an action.", offsetof(SadovGeneratingFunction, W)},
+    {{{"W", "The function, an action.", offsetof(free::SadovGeneratingFunction, W)},
       {"V", "Its part that depends on l, the integral of L dl; an action.",
-       offsetof(SadovGeneratingFunction, V)},
-      {"L", "dW/dl, a momentum.", offsetof(SadovGeneratingFunction, L)},
-      {"G", "dW/dg, a momentum.", offsetof(SadovGeneratingFunction, G)},
-      {"H", "dW/dh, a momentum.", offsetof(SadovGeneratingFunction, H)},
-      {"phi_l", "dW/dI_l, rad.", offsetof(SadovGeneratingFunction, phi_l)},
-      {"phi_g", "dW/dI_g, rad.", offsetof(SadovGeneratingFunction, phi_g)},
-      {"phi_h", "dW/dI_h, rad.", offsetof(SadovGeneratingFunction, phi_h)}}},
+       offsetof(free::SadovGeneratingFunction, V)},
+      {"L", "dW/dl, a momentum.", offsetof(free::SadovGeneratingFunction, L)},
+      {"G", "dW/dg, a momentum.", offsetof(free::SadovGeneratingFunction, G)},
+      {"H", "dW/dh, a momentum.", offsetof(free::SadovGeneratingFunction, H)},
+      {"phi_l", "dW/dI_l, rad.", offsetof(free::SadovGeneratingFunction, phi_l)},
+      {"phi_g", "dW/dI_g, rad.", offsetof(free::SadovGeneratingFunction, phi_g)},
+      {"phi_h", "dW/dI_h, rad.", offsetof(free::SadovGeneratingFunction, phi_h)}}},
     checked};
 
-constexpr Chart<SadovQuadratures, 9> quadratures_chart{
+constexpr Chart<free::SadovQuadratures, 9> quadratures_chart{
     "SadovQuadratures",
     R"(The integrals of L dl and dL/dlambda dl that lead from Andoyer's variables to Sadov's.
 
 Those over a loop are I_l and its derivatives, those from z = 0 are L_dl and dL_dlambda_dl. All for
 L > 0. [SA "changeAction", "IellSadov", "quad L dl", "phiSadov"])",
-    {{{"z", "Auxiliary angle of l, rad.", offsetof(SadovQuadratures, z)},
-      {"I_l", "(1/2pi) of the loop integral of L dl, an action.", offsetof(SadovQuadratures, I_l)},
-      {"dI_l_dlambda", "dI_l/dlambda at constant I_g.", offsetof(SadovQuadratures, dI_l_dlambda)},
-      {"dlambda_dI_l", "dlambda/dI_l at constant I_g.", offsetof(SadovQuadratures, dlambda_dI_l)},
-      {"dlambda_dI_g", "dlambda/dI_g at constant I_l.", offsetof(SadovQuadratures, dlambda_dI_g)},
-      {"L_dl", "Integral of L dl from z = 0, an action.", offsetof(SadovQuadratures, L_dl)},
+    {{{"z", "Auxiliary angle of l, rad.", offsetof(free::SadovQuadratures, z)},
+      {"I_l", "(1/2pi) of the loop integral of L dl, an action.",
+       offsetof(free::SadovQuadratures, I_l)},
+      {"dI_l_dlambda", "dI_l/dlambda at constant I_g.",
+       offsetof(free::SadovQuadratures, dI_l_dlambda)},
+      {"dlambda_dI_l", "dlambda/dI_l at constant I_g.",
+       offsetof(free::SadovQuadratures, dlambda_dI_l)},
+      {"dlambda_dI_g", "dlambda/dI_g at constant I_l.",
+       offsetof(free::SadovQuadratures, dlambda_dI_g)},
+      {"L_dl", "Integral of L dl from z = 0, an action.", offsetof(free::SadovQuadratures, L_dl)},
       {"dL_dlambda_dl", "Integral of dL/dlambda dl from z = 0.",
-       offsetof(SadovQuadratures, dL_dlambda_dl)},
-      {"phi_l", "Sadov's angle, rad.", offsetof(SadovQuadratures, phi_l)},
+       offsetof(free::SadovQuadratures, dL_dlambda_dl)},
+      {"phi_l", "Sadov's angle, rad.", offsetof(free::SadovQuadratures, phi_l)},
       {"phi_g_minus_g", "phi_g less Andoyer's g, rad.",
-       offsetof(SadovQuadratures, phi_g_minus_g)}}},
+       offsetof(free::SadovQuadratures, phi_g_minus_g)}}},
     checked};
 
 constexpr Chart<KinoshitaState, 8> kinoshita_chart{
@@ -153,7 +156,7 @@ void bind_serret_function(nb::module_& m) {
         Numbers times(t, "t");
         return mapped_pairs(angles, states, times,
                             [&](const EulerAngles& q, const SerretState& c, double at) {
-                              return generating_function(body, q, c, at);
+                              return free::generating_function(body, q, c, at);
                             });
       },
       "body"_a, "angles"_a, "state"_a, "t"_a,
@@ -200,7 +203,7 @@ True
         if (!angles.shape().empty())
           throw nb::value_error("serret_branches: expected one EulerAngles");
         std::vector<Batch<SerretState>> all;
-        for (const SerretState& c : serret_branches(body, angles[0], G, H, T, t))
+        for (const SerretState& c : free::serret_branches(body, angles[0], G, H, T, t))
           all.push_back(Batch<SerretState>::one(c));
         return all;
       },
@@ -241,10 +244,10 @@ Examples
 void bind_sadov_function(nb::module_& m) {
   bind_states<8>(m, sadov_generating_chart);
   bind_states<9>(m, quadratures_chart);
-  bind_value<SadovParameters>(
+  bind_value<free::SadovParameters>(
       m, "SadovParameters", "Sadov's kappa and lambda. [SA \"SadovPar\"]",
-      field("kappa", &SadovParameters::kappa, "Constant of the body."),
-      field("lambda_", &SadovParameters::lambda,
+      field("kappa", &free::SadovParameters::kappa, "Constant of the body."),
+      field("lambda_", &free::SadovParameters::lambda,
             "State function: below 1 in short-axis mode, above 1 in long-axis mode."));
   m.def(
       "sadov_generating_function",
@@ -254,11 +257,11 @@ void bind_sadov_function(nb::module_& m) {
         const Shape shape = broadcast(inner, states.shape(), "l, g, h", "state");
         for (Numbers& angle : angles) angle.broadcast(shape);
         const Lane lane(states.shape(), shape);
-        using Function = SadovGeneratingFunction;
+        using Function = free::SadovGeneratingFunction;
         return Batch<Function>::filled(shape, [&](Function* out) {
           for_each(size_of(shape), [&](std::size_t k) {
-            out[k] = sadov_generating_function(body, angles[0][k], angles[1][k], angles[2][k],
-                                               states[lane(k)]);
+            out[k] = free::sadov_generating_function(body, angles[0][k], angles[1][k], angles[2][k],
+                                                     states[lane(k)]);
           });
         });
       },
@@ -294,7 +297,7 @@ Examples
 True
 
 [SA "ActioTransf", "transf. eqs"])");
-  m.def("sadov_parameters", &sadov_parameters, "body"_a, "G"_a, "T"_a,
+  m.def("sadov_parameters", &free::sadov_parameters, "body"_a, "G"_a, "T"_a,
         R"(Sadov's kappa of a triaxial body and lambda of its motion with G and T.
 
 Parameters
@@ -321,9 +324,9 @@ Examples
 [SA "SadovPar"])");
   m.def(
       "sadov_quadratures",
-      [](const SadovParameters& p, double I_g, ArrayLike l) {
+      [](const free::SadovParameters& p, double I_g, ArrayLike l) {
         const Numbers angles(l, "l");
-        return mapped(angles, [&](double at) { return sadov_quadratures(p, I_g, at); });
+        return mapped(angles, [&](double at) { return free::sadov_quadratures(p, I_g, at); });
       },
       "parameters"_a, "I_g"_a, "l"_a,
       R"(The paper's quadratures from Andoyer's to Sadov's variables, for L > 0.

@@ -11,7 +11,7 @@
 #include "interface/object_slots.hpp"
 #include "polhode/free/sadov.hpp"
 #include "polhode/free/serret.hpp"
-#include "polhode/math/matrix6.hpp"
+#include "polhode/math/vector.hpp"
 #include "polhode/rotor/andoyer.hpp"
 #include "polhode/rotor/body.hpp"
 #include "polhode/rotor/chart_jacobian.hpp"

@@ -3,7 +3,7 @@
 #include "charts/canonical_chart.hpp"
 #include "interface/batch.hpp"
 #include "interface/value.hpp"
-#include "polhode/rotor/rate_jacobian.hpp"
+#include "polhode/rotor/chart_jacobian.hpp"
 
 namespace polhode::python {
 

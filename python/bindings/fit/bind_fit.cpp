@@ -10,15 +10,15 @@ namespace polhode::python {
 
 namespace {
 
-const char* end_word(LeastSquaresResult::End end) {
+const char* end_word(fit::LeastSquaresResult::End end) {
   switch (end) {
-    case LeastSquaresResult::End::converged:
+    case fit::LeastSquaresResult::End::converged:
       return "converged";
-    case LeastSquaresResult::End::no_descent:
+    case fit::LeastSquaresResult::End::no_descent:
       return "no_descent";
-    case LeastSquaresResult::End::iteration_limit:
+    case fit::LeastSquaresResult::End::iteration_limit:
       return "iteration_limit";
-    case LeastSquaresResult::End::no_value:
+    case fit::LeastSquaresResult::End::no_value:
       break;
   }
   return "no_value";
@@ -45,7 +45,7 @@ nb::object residuals_at(const PythonResiduals& of, const ArrayLike& x, bool deri
 // (name, start, low, high) of each unknown.
 nb::list unknowns_of(const PythonResiduals& of) {
   nb::list list;
-  for (const Unknown& u : of.function.problem().unknowns)
+  for (const fit::Unknown& u : of.function.problem().unknowns)
     list.append(nb::make_tuple(u.name, u.start, u.low, u.high));
   return list;
 }
@@ -76,19 +76,20 @@ Mat3 matrix_at(const double* x) {
   return m;
 }
 
-Snapshots snapshots_of(nb::handle attitudes, nb::handle directions, nb::handle rates) {
-  Snapshots seen;
-  seen.attitudes = rows_of_table<ObservedAttitude>(
-      attitudes, "attitudes", 14, [](const double* x) -> ObservedAttitude {
+fit::Snapshots snapshots_of(nb::handle attitudes, nb::handle directions, nb::handle rates) {
+  fit::Snapshots seen;
+  seen.attitudes = rows_of_table<fit::ObservedAttitude>(
+      attitudes, "attitudes", 14, [](const double* x) -> fit::ObservedAttitude {
         return {x[0], {x[1], x[2], x[3], x[4]}, matrix_at(x + 5)};
       });
-  seen.directions = rows_of_table<ObservedDirection>(
-      directions, "directions", 8, [](const double* x) -> ObservedDirection {
+  seen.directions = rows_of_table<fit::ObservedDirection>(
+      directions, "directions", 8, [](const double* x) -> fit::ObservedDirection {
         return {x[0], vector_at(x + 1), vector_at(x + 4), x[7]};
       });
-  seen.rates = rows_of_table<ObservedRate>(rates, "rates", 13, [](const double* x) -> ObservedRate {
-    return {x[0], vector_at(x + 1), matrix_at(x + 4)};
-  });
+  seen.rates = rows_of_table<fit::ObservedRate>(rates, "rates", 13,
+                                                [](const double* x) -> fit::ObservedRate {
+                                                  return {x[0], vector_at(x + 1), matrix_at(x + 4)};
+                                                });
   return seen;
 }
 
@@ -98,7 +99,7 @@ SpinProblem spin_problem(const nb::tuple& start, const nb::tuple& seen,
                          const std::vector<std::string>& unknowns, const std::vector<Prior>& priors,
                          const nb::object& attitude_prior, const std::string& loss, double scale,
                          double error_factor, bool scales_errors, int most_iterations) {
-  SpinFit fit;
+  fit::SpinFit fit;
   fit.start = spin_of(start);
   fit.seen = snapshots_of(seen[0], seen[1], seen[2]);
   fit.unknowns = {false, false, false, false};
@@ -114,7 +115,7 @@ SpinProblem spin_problem(const nb::tuple& start, const nb::tuple& seen,
   if (!attitude_prior.is_none()) {
     const Numbers row(attitude_prior, "attitude_prior", {13});
     const double* const x = row.at(0);
-    fit.attitude_prior = ObservedAttitude{0.0, {x[0], x[1], x[2], x[3]}, matrix_at(x + 4)};
+    fit.attitude_prior = fit::ObservedAttitude{0.0, {x[0], x[1], x[2], x[3]}, matrix_at(x + 4)};
   }
   fit.loss = loss_of(loss, scale);
   fit.error_factor = error_factor;
@@ -124,10 +125,10 @@ SpinProblem spin_problem(const nb::tuple& start, const nb::tuple& seen,
 }
 
 nb::tuple fitted(const SpinProblem& problem) {
-  SpinSolution found;
+  fit::SpinSolution found;
   {
     const WithoutGil released;
-    found = fit_spin(problem.fit);
+    found = fit::fit_spin(problem.fit);
   }
   nb::dict parts = solution_dict(found);
   return nb::make_tuple(parts, FoundSpinSolution{std::move(found)});
@@ -138,7 +139,8 @@ nb::tuple predicted_at(const SpinProblem& problem, const FoundSpinSolution& foun
                        const ArrayLike& times) {
   const Numbers t(times, "times");
   const std::size_t n = size_of(t.shape());
-  const std::vector<PredictedAttitude> all = predicted(problem.fit, found.solution, {t.at(0), n});
+  const std::vector<fit::PredictedAttitude> all =
+      fit::predicted(problem.fit, found.solution, {t.at(0), n});
   Result q({n}, {4}), w({n}, {3}), covariance({n}, {3, 3});
   for (std::size_t k = 0; k < n; ++k) {
     put(q.at(k), all[k].q);
@@ -150,44 +152,46 @@ nb::tuple predicted_at(const SpinProblem& problem, const FoundSpinSolution& foun
 
 PythonResiduals residuals_of(const SpinProblem& problem) {
   const auto& [fit, drive] = problem;
-  return {ResidualFunction(drive ? least_squares_of(fit, *drive) : least_squares_of(fit)),
+  return {fit::ResidualFunction(drive ? fit::least_squares_of(fit, *drive)
+                                      : fit::least_squares_of(fit)),
           [problem](std::span<const double> x) -> nb::object {
-            return spin_parts(problem.drive ? state_at(problem.fit, *problem.drive, x)
-                                            : state_at(problem.fit, x));
+            return spin_parts(problem.drive ? fit::state_at(problem.fit, *problem.drive, x)
+                                            : fit::state_at(problem.fit, x));
           }};
 }
 
-constexpr std::pair<const char*, Loss::Kind> loss_kinds[] = {{"squared", Loss::Kind::squared},
-                                                             {"huber", Loss::Kind::huber},
-                                                             {"soft_l1", Loss::Kind::soft_l1},
-                                                             {"cauchy", Loss::Kind::cauchy}};
+constexpr std::pair<const char*, fit::Loss::Kind> loss_kinds[] = {
+    {"squared", fit::Loss::Kind::squared},
+    {"huber", fit::Loss::Kind::huber},
+    {"soft_l1", fit::Loss::Kind::soft_l1},
+    {"cauchy", fit::Loss::Kind::cauchy}};
 
 }  // namespace
 
-Loss loss_of(const std::string& kind, double scale) {
+fit::Loss loss_of(const std::string& kind, double scale) {
   for (const auto& [name, value] : loss_kinds)
     if (kind == name) return {value, scale};
   throw nb::value_error(
       ("loss: got '" + kind + "'; expected one of squared huber soft_l1 cauchy").c_str());
 }
 
-nb::tuple loss_parts(const Loss& loss) {
+nb::tuple loss_parts(const fit::Loss& loss) {
   const char* word = "";
   for (const auto& [name, kind] : loss_kinds)
     if (kind == loss.kind) word = name;
   return nb::make_tuple(word, loss.scale);
 }
 
-SpinState spin_of(const nb::tuple& parts) {
+fit::SpinState spin_of(const nb::tuple& parts) {
   return {nb::cast<double>(parts[0]), quaternion(parts[1], "q"), vec3(parts[2], "w"),
           mat3(parts[3], "inertia")};
 }
 
-nb::tuple spin_parts(const SpinState& s) {
+nb::tuple spin_parts(const fit::SpinState& s) {
   return nb::make_tuple(s.t0, array_of(s.q), array_of(s.w_F), array_of(s.inertia_F));
 }
 
-nb::dict dict_of(const LeastSquaresResult& result, const UnknownsCovariance& covariance,
+nb::dict dict_of(const fit::LeastSquaresResult& result, const fit::UnknownsCovariance& covariance,
                  double degrees_of_freedom, const std::vector<std::string>& notes) {
   nb::dict d;
   d["names"] = nb::tuple(nb::cast(covariance.names));
@@ -208,7 +212,7 @@ nb::dict dict_of(const LeastSquaresResult& result, const UnknownsCovariance& cov
   return d;
 }
 
-nb::dict solution_dict(const SpinSolution& found) {
+nb::dict solution_dict(const fit::SpinSolution& found) {
   nb::dict d = dict_of(found.result, found.covariance, found.degrees_of_freedom, found.notes);
   d["state"] = spin_parts(found.state);
   d["error_factor"] = found.error_factor;

@@ -11,8 +11,7 @@
 
 #include "bindings.hpp"
 #include "interface/arrays.hpp"
-#include "polhode/fit/covariance.hpp"
-#include "polhode/fit/residual_function.hpp"
+#include "polhode/fit/least_squares.hpp"
 #include "polhode/fit/spin_fit.hpp"
 
 namespace polhode::python {
@@ -28,7 +27,7 @@ void bind_light_scenario_fit(nb::module_& m);
 
 // Residuals of a fit, and what the unknowns say of the state.
 struct PythonResiduals {
-  ResidualFunction function;
+  fit::ResidualFunction function;
   std::function<nb::object(std::span<const double>)> state;
 };
 
@@ -43,12 +42,12 @@ std::vector<Row> rows_of_table(nb::handle table, const char* name, std::size_t w
 }
 inline Vec3 vector_at(const double* x) { return {x[0], x[1], x[2]}; }
 
-Loss loss_of(const std::string& kind, double scale);
-nb::tuple loss_parts(const Loss& loss);  // (kind, scale)
+fit::Loss loss_of(const std::string& kind, double scale);
+nb::tuple loss_parts(const fit::Loss& loss);  // (kind, scale)
 // (t0, q, w, inertia)
-SpinState spin_of(const nb::tuple& parts);
-nb::tuple spin_parts(const SpinState& state);
-nb::dict dict_of(const LeastSquaresResult& result, const UnknownsCovariance& covariance,
+fit::SpinState spin_of(const nb::tuple& parts);
+nb::tuple spin_parts(const fit::SpinState& state);
+nb::dict dict_of(const fit::LeastSquaresResult& result, const fit::UnknownsCovariance& covariance,
                  double degrees_of_freedom, const std::vector<std::string>& notes);
 
 }  // namespace polhode::python

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Fits of light curves: one start, many, sessions that join one by one; and likely periods.
+#include "polhode/fit/light_fit.hpp"
+
 #include <algorithm>
 #include <cstdint>
 #include <iterator>
@@ -9,10 +11,8 @@
 #include "fit/light_problem.hpp"
 #include "io/work_loop.hpp"
 #include "motion/samples.hpp"
-#include "polhode/fit/light_extension.hpp"
+#include "polhode/fit/fourier_fit.hpp"
 #include "polhode/fit/light_search.hpp"
-#include "polhode/fit/likely_periods.hpp"
-#include "polhode/fit/scan_points.hpp"
 
 namespace polhode::python {
 
@@ -20,59 +20,61 @@ namespace {
 
 // A fit, and the mesh of its body as Python holds it, or None.
 struct LightProblem {
-  LightFit fit;
+  fit::LightFit fit;
   nb::object mesh;
 };
 
 nb::object mesh_of(const nb::tuple& parts) {
-  return nb::isinstance<FacetShape>(parts[1]) ? nb::object(parts[1]) : nb::none();
+  return nb::isinstance<shape::FacetShape>(parts[1]) ? nb::object(parts[1]) : nb::none();
 }
 
-LightShape shape_of(nb::handle given) {
-  if (nb::isinstance<FacetShape>(given)) return ShadedMesh(nb::cast<const FacetShape&>(given));
+fit::LightShape shape_of(nb::handle given) {
+  if (nb::isinstance<shape::FacetShape>(given))
+    return light::ShadedMesh(nb::cast<const shape::FacetShape&>(given));
   if (!nb::isinstance<nb::tuple>(given)) {
     const Vec3 axes = vec3(given, "axes");
-    return Ellipsoid{axes.x, axes.y, axes.z};
+    return light::Ellipsoid{axes.x, axes.y, axes.z};
   }
   const nb::tuple parts = nb::cast<nb::tuple>(given);
-  GaussianImage image(nb::cast<int>(parts[0]), nb::cast<int>(parts[1]));
+  light::GaussianImage image(nb::cast<int>(parts[0]), nb::cast<int>(parts[1]));
   const Numbers numbers(parts[2], "coefficients", {});
   std::vector<double> coefficients;
   for (std::size_t k = 0; k < size_of(numbers.shape()); ++k) coefficients.push_back(*numbers.at(k));
-  return ConvexShape{std::move(image), std::move(coefficients)};
+  return fit::ConvexShape{std::move(image), std::move(coefficients)};
 }
 
-nb::object shape_parts(const LightShape& shape, nb::handle mesh) {
-  if (const auto* e = std::get_if<Ellipsoid>(&shape)) return array_of(Vec3{e->a, e->b, e->c});
-  if (const auto* c = std::get_if<ConvexShape>(&shape))
+nb::object shape_parts(const fit::LightShape& shape, nb::handle mesh) {
+  if (const auto* e = std::get_if<light::Ellipsoid>(&shape))
+    return array_of(Vec3{e->a, e->b, e->c});
+  if (const auto* c = std::get_if<fit::ConvexShape>(&shape))
     return nb::make_tuple(c->image.degree(), c->image.rows(),
                           array_of(std::span<const double>(c->coefficients)));
   if (mesh.is_valid() && !mesh.is_none()) return nb::borrow(mesh);
-  return nb::cast(std::get<ShadedMesh>(shape).shape());
+  return nb::cast(std::get<light::ShadedMesh>(shape).shape());
 }
 
 // (shape, moments, multiple)
 using UnknownParts = std::tuple<bool, std::string, bool>;
-LightUnknowns light_unknowns_of(const UnknownParts& parts) {
+fit::LightUnknowns light_unknowns_of(const UnknownParts& parts) {
   const auto& [shape, moments, multiple] = parts;
-  const MomentSource source = moments == "shape"   ? MomentSource::shape
-                              : moments == "start" ? MomentSource::start
-                                                   : MomentSource::fit;
+  const fit::MomentSource source = moments == "shape"   ? fit::MomentSource::shape
+                                   : moments == "start" ? fit::MomentSource::start
+                                                        : fit::MomentSource::fit;
   return {shape, source, multiple};
 }
 
 // (roughness, moments, closure and axes errors, the usual body or None)
 using RegularisationParts = std::tuple<double, double, double, double, nb::object>;
-Regularisation regularisation_of(const RegularisationParts& parts) {
+fit::Regularisation regularisation_of(const RegularisationParts& parts) {
   const auto& [roughness, moments, closure, axes, about] = parts;
-  Regularisation r{closure, axes, roughness, moments};
+  fit::Regularisation r{closure, axes, roughness, moments};
   if (!about.is_none()) r.about = body_of(nb::cast<nb::tuple>(about));
   return r;
 }
 
 // (kind, scale)
 using LossParts = std::tuple<std::string, double>;
-Loss loss_of_parts(const LossParts& parts) {
+fit::Loss loss_of_parts(const LossParts& parts) {
   return loss_of(std::get<0>(parts), std::get<1>(parts));
 }
 
@@ -92,7 +94,7 @@ const char* mode_word(Regime mode) {
   return "rest";
 }
 
-nb::tuple period_parts(const TumblerPeriods& p) {
+nb::tuple period_parts(const fit::TumblerPeriods& p) {
   return nb::make_tuple(mode_word(p.mode), p.precession_period, p.rotation_period);
 }
 
@@ -104,7 +106,7 @@ LightProblem light_problem(const nb::list& curves, const nb::tuple& start,
           mesh_of(start)};
 }
 
-nb::dict light_dict(const LightSolution& found, nb::handle mesh) {
+nb::dict light_dict(const fit::LightSolution& found, nb::handle mesh) {
   nb::dict d = dict_of(found.result, found.covariance, found.degrees_of_freedom, found.notes);
   d["body"] = body_parts(found.body, mesh);
   d["factors"] = array_of(std::span<const double>(found.factors));
@@ -116,10 +118,10 @@ nb::dict light_dict(const LightSolution& found, nb::handle mesh) {
 }
 
 nb::dict fitted_light(const LightProblem& problem) {
-  LightSolution found;
+  fit::LightSolution found;
   {
     const WithoutGil released;
-    found = fit_light(problem.fit);
+    found = fit::fit_light(problem.fit);
   }
   return light_dict(found, problem.mesh);
 }
@@ -127,40 +129,40 @@ nb::dict fitted_light(const LightProblem& problem) {
 nb::list model_of(const nb::tuple& body, const nb::list& curves, const LossParts& loss) {
   nb::list list;
   for (const std::vector<double>& flux :
-       model_fluxes(body_of(body), light_curves_of(curves), loss_of_parts(loss)))
+       fit::model_fluxes(body_of(body), light_curves_of(curves), loss_of_parts(loss)))
     list.append(array_of(std::span<const double>(flux)));
   return list;
 }
 
-const char* beside_word(FoundLight::Beside beside) {
+const char* beside_word(fit::FoundLight::Beside beside) {
   switch (beside) {
-    case FoundLight::Beside::first:
+    case fit::FoundLight::Beside::first:
       return "first";
-    case FoundLight::Beside::image:
+    case fit::FoundLight::Beside::image:
       return "image";
-    case FoundLight::Beside::alias:
+    case fit::FoundLight::Beside::alias:
       return "alias";
-    case FoundLight::Beside::other_mode:
+    case fit::FoundLight::Beside::other_mode:
       return "other-mode";
-    case FoundLight::Beside::other_pole:
+    case fit::FoundLight::Beside::other_pole:
       break;
   }
   return "other-pole";
 }
 
-nb::list found_list(const std::vector<FoundLight>& all, nb::handle mesh) {
+nb::list found_list(const std::vector<fit::FoundLight>& all, nb::handle mesh) {
   nb::list list;
-  for (const FoundLight& f : all) list.append(found_dict(f, mesh));
+  for (const fit::FoundLight& f : all) list.append(found_dict(f, mesh));
   return list;
 }
 
 // (mesh or (degree, rows), unknowns, regularisation, most_iterations)
 using SurfaceParts = std::tuple<nb::tuple, UnknownParts, RegularisationParts, int>;
-SurfaceSearch surface_of(const SurfaceParts& parts) {
+fit::SurfaceSearch surface_of(const SurfaceParts& parts) {
   const auto& [shape, unknowns, regularisation, most_iterations] = parts;
-  SurfaceSearch surface{.unknowns = light_unknowns_of(unknowns),
-                        .regularisation = regularisation_of(regularisation),
-                        .most_iterations = most_iterations};
+  fit::SurfaceSearch surface{.unknowns = light_unknowns_of(unknowns),
+                             .regularisation = regularisation_of(regularisation),
+                             .most_iterations = most_iterations};
   if (shape.size() == 2)
     std::tie(surface.degree, surface.rows) = nb::cast<std::tuple<int, int>>(shape);
   else
@@ -176,7 +178,7 @@ nb::dict searched(const nb::list& curves,
                   std::size_t finalists, double within, const UnknownParts& unknowns,
                   double lambert, const LossParts& loss, int most_iterations, std::uint64_t seed,
                   int threads) {
-  LightSearch search;
+  fit::LightSearch search;
   search.curves = light_curves_of(curves);
   for (const auto& [mode, precession, rotation] : periods)
     search.periods.push_back(
@@ -203,8 +205,8 @@ nb::dict searched(const nb::list& curves,
   search.threads = checked_threads(threads);
   WorkLoop loop("the search was stopped");
   search.between = [&loop] { loop.go_on(); };
-  LightSearchResult found;
-  loop.do_work([&] { found = search_light(search); });
+  fit::LightSearchResult found;
+  loop.do_work([&] { found = fit::search_light(search); });
   nb::dict d;
   d["solutions"] = found_list(found.solutions, mesh);
   d["chi_square_of_periods"] = array_of(std::span<const double>(found.chi_square_of_periods));
@@ -221,7 +223,7 @@ nb::dict searched(const nb::list& curves,
 nb::dict extended(const nb::list& curves, const nb::list& starts, std::size_t first, double within,
                   const UnknownParts& unknowns, const LossParts& loss, std::size_t most_counts,
                   int most_iterations, int threads, const RegularisationParts& regularisation) {
-  LightExtension how;
+  fit::LightExtension how;
   how.curves = light_curves_of(curves);
   nb::object mesh = nb::none();
   for (const nb::handle start : starts) {
@@ -239,11 +241,11 @@ nb::dict extended(const nb::list& curves, const nb::list& starts, std::size_t fi
   how.regularisation = regularisation_of(regularisation);
   WorkLoop loop("the extension was stopped");
   how.between = [&loop] { loop.go_on(); };
-  LightExtensionResult found;
-  loop.do_work([&] { found = extend_light(how); });
+  fit::LightExtensionResult found;
+  loop.do_work([&] { found = fit::extend_light(how); });
   nb::dict d;
   nb::list joined;
-  for (const JoinedSession& j : found.joined)
+  for (const fit::JoinedSession& j : found.joined)
     joined.append(
         nb::make_tuple(j.session, j.distance, j.counts, j.converged, j.solutions, j.cost));
   d["solutions"] = found_list(found.solutions, mesh);
@@ -253,17 +255,19 @@ nb::dict extended(const nb::list& curves, const nb::list& starts, std::size_t fi
   return d;
 }
 
-ConvexShape convex_of(const nb::tuple& parts) { return std::get<ConvexShape>(shape_of(parts)); }
+fit::ConvexShape convex_of(const nb::tuple& parts) {
+  return std::get<fit::ConvexShape>(shape_of(parts));
+}
 
 // (degree, rows, coefficients) of the facets of an ellipsoid.
 nb::object facets_like(nb::handle axes, int degree, int rows) {
   const Vec3 e = vec3(axes, "axes");
-  return shape_parts(ConvexShape::of({e.x, e.y, e.z}, degree, rows), {});
+  return shape_parts(fit::ConvexShape::of({e.x, e.y, e.z}, degree, rows), {});
 }
 
 // Normals (M, 3) and areas (M,).
 nb::tuple facets_of(const nb::tuple& parts) {
-  const ConvexShape shape = convex_of(parts);
+  const fit::ConvexShape shape = convex_of(parts);
   const std::vector<double> areas = shape.areas();
   Result normals({areas.size(), 3});
   for (std::size_t k = 0; k < areas.size(); ++k) {
@@ -275,10 +279,10 @@ nb::tuple facets_of(const nb::tuple& parts) {
 
 // (mode, P_phi, P_psi, score)
 nb::list likely_of(const nb::list& curves, double f1, double f2, std::size_t order) {
-  const ScanPoints points(light_curves_of(curves));
+  const fit::ScanPoints points(light_curves_of(curves));
   nb::list list;
-  for (const LikelyPeriods& l :
-       likely_periods(fourier_fit(points, f1, f2, FourierOrders::pair(order))))
+  for (const fit::LikelyPeriods& l :
+       fit::likely_periods(fit::fourier_fit(points, f1, f2, fit::FourierOrders::pair(order))))
     list.append(nb::make_tuple(mode_word(l.periods.mode), l.periods.precession_period,
                                l.periods.rotation_period, l.score));
   return list;
@@ -286,24 +290,24 @@ nb::list likely_of(const nb::list& curves, double f1, double f2, std::size_t ord
 
 }  // namespace
 
-LightModel body_of(const nb::tuple& parts) {
+fit::LightModel body_of(const nb::tuple& parts) {
   const auto [single, multiple] = nb::cast<std::tuple<double, double>>(parts[2]);
   return {spin_of(nb::cast<nb::tuple>(parts[0])), shape_of(parts[1]), {single, multiple}};
 }
 
-nb::tuple body_parts(const LightModel& body, nb::handle mesh) {
+nb::tuple body_parts(const fit::LightModel& body, nb::handle mesh) {
   return nb::make_tuple(spin_parts(body.spin), shape_parts(body.shape, mesh),
                         nb::make_tuple(body.law.single, body.law.multiple));
 }
 
-PythonResiduals light_residuals_of(const LightFit& fit, const nb::object& mesh) {
-  return {ResidualFunction(least_squares_of(fit)),
+PythonResiduals light_residuals_of(const fit::LightFit& fit, const nb::object& mesh) {
+  return {fit::ResidualFunction(fit::least_squares_of(fit)),
           [fit, mesh](std::span<const double> x) -> nb::object {
-            return body_parts(body_at(fit, x), mesh);
+            return body_parts(fit::body_at(fit, x), mesh);
           }};
 }
 
-nb::dict found_dict(const FoundLight& found, nb::handle mesh) {
+nb::dict found_dict(const fit::FoundLight& found, nb::handle mesh) {
   nb::dict d = light_dict(found.solution, mesh);
   d["place_of_periods"] = found.periods;
   d["starts"] = found.starts;
@@ -313,12 +317,12 @@ nb::dict found_dict(const FoundLight& found, nb::handle mesh) {
   return d;
 }
 
-nb::list curves_parts(const std::vector<LightCurve>& curves) {
+nb::list curves_parts(const std::vector<light::LightCurve>& curves) {
   nb::list list;
-  for (const LightCurve& curve : curves) {
+  for (const light::LightCurve& curve : curves) {
     Result table({curve.points.size(), 9});
     double* x = table.at(0);
-    for (const LightPoint& p : curve.points) {
+    for (const light::LightPoint& p : curve.points) {
       const double row[] = {
           p.t,        p.flux,          p.sigma,         p.to_sun.x,     p.to_sun.y,
           p.to_sun.z, p.to_observer.x, p.to_observer.y, p.to_observer.z};
@@ -329,13 +333,13 @@ nb::list curves_parts(const std::vector<LightCurve>& curves) {
   return list;
 }
 
-std::vector<LightCurve> light_curves_of(const nb::list& curves) {
-  std::vector<LightCurve> all;
+std::vector<light::LightCurve> light_curves_of(const nb::list& curves) {
+  std::vector<light::LightCurve> all;
   for (const nb::handle given : curves) {
     const nb::tuple parts = nb::cast<nb::tuple>(given);
-    LightCurve curve{nb::cast<std::string>(parts[0]), nb::cast<bool>(parts[1]), {}};
-    curve.points =
-        rows_of_table<LightPoint>(parts[2], "table", 9, [](const double* x) -> LightPoint {
+    light::LightCurve curve{nb::cast<std::string>(parts[0]), nb::cast<bool>(parts[1]), {}};
+    curve.points = rows_of_table<light::LightPoint>(
+        parts[2], "table", 9, [](const double* x) -> light::LightPoint {
           return {x[0], x[1], x[2], vector_at(x + 3), vector_at(x + 6)};
         });
     all.push_back(std::move(curve));
@@ -359,7 +363,7 @@ void bind_light_fit(nb::module_& m) {
   m.def("_convex_facets", facets_of);
   m.def("_convex_mesh", [](const nb::tuple& parts) { return convex_of(parts).mesh(); });
   m.def("_homogeneous_inertia",
-        [](const FacetShape& shape) { return array_of(homogeneous_inertia(shape)); });
+        [](const shape::FacetShape& shape) { return array_of(fit::homogeneous_inertia(shape)); });
   m.def("_likely_periods", likely_of);
 }
 

@@ -14,17 +14,17 @@
 namespace polhode::python {
 
 // (name, calibrated, rows of t, flux, sigma, to_sun, to_observer) of each.
-std::vector<LightCurve> light_curves_of(const nb::list& curves);
-nb::list curves_parts(const std::vector<LightCurve>& curves);
+std::vector<light::LightCurve> light_curves_of(const nb::list& curves);
+nb::list curves_parts(const std::vector<light::LightCurve>& curves);
 
 // (spin, shape, (single, multiple)); a shape is an array a, b, c, (degree, rows, coefficients) or a
 // FacetShape, which is `mesh` again where that is given.
-LightModel body_of(const nb::tuple& parts);
-nb::tuple body_parts(const LightModel& body, nb::handle mesh = {});
+fit::LightModel body_of(const nb::tuple& parts);
+nb::tuple body_parts(const fit::LightModel& body, nb::handle mesh = {});
 
 // Residuals of fits, as functions of the unknowns.
-PythonResiduals light_residuals_of(const LightFit& fit, const nb::object& mesh);
+PythonResiduals light_residuals_of(const fit::LightFit& fit, const nb::object& mesh);
 
-nb::dict found_dict(const FoundLight& found, nb::handle mesh = {});
+nb::dict found_dict(const fit::FoundLight& found, nb::handle mesh = {});
 
 }  // namespace polhode::python

@@ -5,13 +5,13 @@
 #include <vector>
 
 #include "bindings.hpp"
-#include "polhode/fit/scan_minima.hpp"
+#include "polhode/fit/fourier_fit.hpp"
 
 namespace polhode::python {
 
 struct ScanFound {
-  Landscape landscape;
-  std::vector<ScanMinimum> minima;
+  fit::Landscape landscape;
+  std::vector<fit::ScanMinimum> minima;
 };
 
 // As numbers, for pickles; and again from them.

@@ -15,42 +15,42 @@ using GridState = std::tuple<double, double, std::size_t>;
 using TermState = std::tuple<int, int, double, double>;
 using RefinedState = std::tuple<bool, double, double, double, double, int>;
 
-GridState state_parts(const FrequencyGrid& g) { return {g.first, g.step, g.count}; }
-FrequencyGrid grid_of_state(const GridState& parts) {
+GridState state_parts(const fit::FrequencyGrid& g) { return {g.first, g.step, g.count}; }
+fit::FrequencyGrid grid_of_state(const GridState& parts) {
   const auto& [first, step, count] = parts;
   return {first, step, count};
 }
 
-nb::tuple state_parts(const FourierFit& f) {
+nb::tuple state_parts(const fit::FourierFit& f) {
   std::vector<TermState> terms;
-  for (const FourierTerm& t : f.terms) terms.emplace_back(t.j, t.k, t.cosine, t.sine);
+  for (const fit::FourierTerm& t : f.terms) terms.emplace_back(t.j, t.k, t.cosine, t.sine);
   return nb::make_tuple(f.f1, f.f2, f.chi_square, f.degrees_of_freedom, f.rank, f.unknowns,
                         f.condition, f.constants, terms);
 }
 
-FourierFit fourier_fit_of_state(const nb::tuple& parts) {
-  FourierFit f{nb::cast<double>(parts[0]),
-               nb::cast<double>(parts[1]),
-               nb::cast<double>(parts[2]),
-               nb::cast<std::size_t>(parts[3]),
-               nb::cast<std::size_t>(parts[4]),
-               nb::cast<std::size_t>(parts[5]),
-               nb::cast<double>(parts[6]),
-               nb::cast<std::vector<double>>(parts[7]),
-               {}};
+fit::FourierFit fourier_fit_of_state(const nb::tuple& parts) {
+  fit::FourierFit f{nb::cast<double>(parts[0]),
+                    nb::cast<double>(parts[1]),
+                    nb::cast<double>(parts[2]),
+                    nb::cast<std::size_t>(parts[3]),
+                    nb::cast<std::size_t>(parts[4]),
+                    nb::cast<std::size_t>(parts[5]),
+                    nb::cast<double>(parts[6]),
+                    nb::cast<std::vector<double>>(parts[7]),
+                    {}};
   for (const auto& [j, k, cosine, sine] : nb::cast<std::vector<TermState>>(parts[8]))
     f.terms.push_back({j, k, cosine, sine});
   return f;
 }
 
-nb::tuple state_parts(const ScanMinimum& m) {
-  const RefinedPair& r = m.refined;
+nb::tuple state_parts(const fit::ScanMinimum& m) {
+  const fit::RefinedPair& r = m.refined;
   return nb::make_tuple(
       m.row, m.column, m.chi_square, m.at_edge, m.resolved, state_parts(r.fit),
       RefinedState{r.converged, r.sigma_f1, r.sigma_f2, r.correlation, r.scale, r.iterations});
 }
 
-ScanMinimum minimum_of_state(const nb::tuple& parts) {
+fit::ScanMinimum minimum_of_state(const nb::tuple& parts) {
   const auto [converged, sigma_f1, sigma_f2, correlation, scale, iterations] =
       nb::cast<RefinedState>(parts[6]);
   return {nb::cast<std::size_t>(parts[0]),
@@ -65,9 +65,9 @@ ScanMinimum minimum_of_state(const nb::tuple& parts) {
 }  // namespace
 
 nb::tuple scan_state(const ScanFound& scan) {
-  const Landscape& of = scan.landscape;
+  const fit::Landscape& of = scan.landscape;
   nb::list minima;
-  for (const ScanMinimum& m : scan.minima) minima.append(state_parts(m));
+  for (const fit::ScanMinimum& m : scan.minima) minima.append(state_parts(m));
   return nb::make_tuple(state_parts(of.first), state_parts(of.second), of.orders.first,
                         of.orders.second, array_of(std::span<const double>(of.chi_square)),
                         of.again, minima);

@@ -10,14 +10,14 @@
 namespace polhode::python {
 
 struct SpinProblem {
-  SpinFit fit;
-  std::optional<SpinDrive> drive = std::nullopt;  // torques and jumps
+  fit::SpinFit fit;
+  std::optional<fit::SpinDrive> drive = std::nullopt;  // torques and jumps
 };
 
 struct FoundSpinSolution {
-  SpinSolution solution;
+  fit::SpinSolution solution;
 };
 
-nb::dict solution_dict(const SpinSolution& found);
+nb::dict solution_dict(const fit::SpinSolution& found);
 
 }  // namespace polhode::python

@@ -15,8 +15,7 @@
 #include "bindings.hpp"
 #include "interface/gil.hpp"
 #include "interface/typed.hpp"
-#include "polhode/ensemble/parts.hpp"
-#include "polhode/math/matrix6.hpp"
+#include "polhode/ensemble/executor.hpp"
 #include "polhode/math/quaternion.hpp"
 #include "polhode/math/vector.hpp"
 
@@ -168,8 +167,9 @@ void for_each_part(std::size_t size, F f, int threads, std::size_t least = 64) {
     const Clock::time_point start = Clock::now();
     {
       WithoutGil released;
-      run_parts(end - begin, least, threads,
-                [&](std::size_t first, std::size_t last) { f(begin + first, begin + last); });
+      ensemble::run_parts(end - begin, least, threads, [&](std::size_t first, std::size_t last) {
+        f(begin + first, begin + last);
+      });
     }
     if (PyErr_CheckSignals() != 0) throw nb::python_error();
     const Clock::duration taken = Clock::now() - start;

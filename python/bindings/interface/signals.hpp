@@ -6,7 +6,7 @@
 #include <chrono>
 
 #include "bindings.hpp"
-#include "polhode/trajectory/progress.hpp"
+#include "polhode/trajectory/trajectory.hpp"
 
 namespace polhode::python {
 

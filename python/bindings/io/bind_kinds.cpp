@@ -35,29 +35,29 @@ namespace {
 struct KindTexts {
   std::deque<std::string> words;
   std::string_view sets;
-  std::vector<Key> keys;
-  std::vector<Citation> citations;
+  std::vector<io::Key> keys;
+  std::vector<io::Citation> citations;
 
   std::string_view own(nb::handle text) { return words.emplace_back(nb::cast<std::string>(text)); }
 };
 
 constexpr std::array key_forms = {
-    std::pair{"number", KeyType::number}, std::pair{"numbers", KeyType::numbers},
-    std::pair{"matrix", KeyType::matrix}, std::pair{"integer", KeyType::integer},
-    std::pair{"flag", KeyType::boolean},  std::pair{"text", KeyType::text},
-    std::pair{"file", KeyType::text},     std::pair{"name", KeyType::name},
-    std::pair{"word", KeyType::choice},
+    std::pair{"number", io::KeyType::number}, std::pair{"numbers", io::KeyType::numbers},
+    std::pair{"matrix", io::KeyType::matrix}, std::pair{"integer", io::KeyType::integer},
+    std::pair{"flag", io::KeyType::boolean},  std::pair{"text", io::KeyType::text},
+    std::pair{"file", io::KeyType::text},     std::pair{"name", io::KeyType::name},
+    std::pair{"word", io::KeyType::choice},
 };
 
 // True if one of the sets "times+rates|file" has the key.
 bool is_in(std::string_view sets, std::string_view name) {
-  for (const std::string_view set : separated(sets, '|'))
-    if (std::ranges::count(separated(set, '+'), name) > 0) return true;
+  for (const std::string_view set : io::separated(sets, '|'))
+    if (std::ranges::count(io::separated(set, '+'), name) > 0) return true;
   return false;
 }
 
 // Reads the fields of polhode.kinds.Key, which has checked them.
-Key key_of(nb::handle from, std::string_view sets, KindTexts& texts) {
+io::Key key_of(nb::handle from, std::string_view sets, KindTexts& texts) {
   const auto form = nb::cast<std::string>(from.attr("form"));
   const auto known =
       std::ranges::find(key_forms, form, [](const auto& one) { return std::string(one.first); });
@@ -66,19 +66,19 @@ Key key_of(nb::handle from, std::string_view sets, KindTexts& texts) {
   const nb::handle limit = from.attr("range");
   return {.path = name,
           .type = known->second,
-          .presence = required            ? Presence::required
-                      : is_in(sets, name) ? Presence::alternative
-                                          : Presence::optional,
-          .dimension = nb::cast<Dimension>(from.attr("dimension")),
+          .presence = required            ? io::Presence::required
+                      : is_in(sets, name) ? io::Presence::alternative
+                                          : io::Presence::optional,
+          .dimension = nb::cast<io::Dimension>(from.attr("dimension")),
           .length = nb::cast<int>(from.attr("length")),
           .allowed = texts.own(from.attr("_allowed")),
           .fallback = texts.own(from.attr("_default_toml")),
           .example = texts.own(from.attr("_example_toml")),
           .help = texts.own(from.attr("help")),
           .is_file = form == "file",
-          .range = limit.equal(nb::str("positive"))       ? Range::positive
-                   : limit.equal(nb::str("not_negative")) ? Range::not_negative
-                                                          : Range::any};
+          .range = limit.equal(nb::str("positive"))       ? io::Range::positive
+                   : limit.equal(nb::str("not_negative")) ? io::Range::not_negative
+                                                          : io::Range::any};
 }
 
 std::shared_ptr<KindTexts> texts_of(nb::handle kind) {
@@ -94,9 +94,9 @@ std::shared_ptr<KindTexts> texts_of(nb::handle kind) {
 // Inputs of the function of a kind: the values of its table and the context. Null after the call.
 struct KindInputs {
   const KindTexts* texts;
-  const KeyValues* values;
-  const TermContext* term = nullptr;
-  const OrbitContext* orbit = nullptr;
+  const io::KeyValues* values;
+  const io::TermContext* term = nullptr;
+  const io::OrbitContext* orbit = nullptr;
 };
 
 class KindTable {
@@ -110,47 +110,47 @@ class KindTable {
           "variables of yours for what is needed later");
     return **table_;
   }
-  const KeyValues& values() const { return *table().values; }
-  const TermContext& term() const {
+  const io::KeyValues& values() const { return *table().values; }
+  const io::TermContext& term() const {
     if (table().term == nullptr)
       throw nb::attribute_error(
           "only the table of a perturbation or an observation has body and orbits");
     return *table().term;
   }
 
-  const Key& key(const std::string& name) const {
-    for (const Key& key : table().texts->keys)
+  const io::Key& key(const std::string& name) const {
+    for (const io::Key& key : table().texts->keys)
       if (key.path == name) return key;
     std::string known;
-    for (const Key& key : table().texts->keys)
+    for (const io::Key& key : table().texts->keys)
       known += (known.empty() ? "" : ", ") + std::string(key.path);
     throw nb::key_error(("got \"" + name + "\"; expected a key of the kind: " + known).c_str());
   }
   bool has(const std::string& name) const {
-    const std::vector<Key>& keys = table().texts->keys;
-    return std::ranges::find(keys, name, &Key::path) != keys.end() && values().has(name);
+    const std::vector<io::Key>& keys = table().texts->keys;
+    return std::ranges::find(keys, name, &io::Key::path) != keys.end() && values().has(name);
   }
   nb::list names() const {
     nb::list all;
-    for (const Key& key : table().texts->keys)
+    for (const io::Key& key : table().texts->keys)
       all.append(nb::str(key.path.data(), key.path.size()));
     return all;
   }
 
   nb::object value(const std::string& name) const {
-    const Key& key = this->key(name);
-    const KeyValues& at = values();
+    const io::Key& key = this->key(name);
+    const io::KeyValues& at = values();
     if (!at.has(name)) return nb::none();
     switch (key.type) {
-      case KeyType::number:
+      case io::KeyType::number:
         return nb::float_(at.number(name));
-      case KeyType::numbers:
+      case io::KeyType::numbers:
         return nb::cast(array_of(at.numbers(name)));
-      case KeyType::matrix:
-        return nb::cast(array_of(polhode::detail::KeyForm<Mat3>::read(at, name)));
-      case KeyType::integer:
+      case io::KeyType::matrix:
+        return nb::cast(array_of(io::detail::KeyForm<Mat3>::read(at, name)));
+      case io::KeyType::integer:
         return nb::int_(at.integer(name));
-      case KeyType::boolean:
+      case io::KeyType::boolean:
         return nb::bool_(at.flag(name));
       default:
         return nb::cast(key.is_file ? at.file_at(name) : at.word(name));
@@ -176,7 +176,7 @@ class KindFunction {
   auto call(KindInputs inputs, const Convert& convert) const {
     const WithGil acquired;
     inputs.texts = texts_.get();
-    for (const Key& key : texts_->keys) polhode::detail::require_allowed(*inputs.values, key);
+    for (const io::Key& key : texts_->keys) io::detail::require_allowed(*inputs.values, key);
     const auto shared = std::make_shared<const KindInputs*>(&inputs);
     struct ClearOnExit {
       const KindInputs*& inputs;
@@ -189,7 +189,7 @@ class KindFunction {
       const bool has_place = error.matches(core.attr("ScenarioError"));
       if (!has_place && !error.matches(PyExc_ValueError)) throw;
       const auto text = nb::cast<std::string>(nb::str(error.value()));
-      if (has_place) throw ScenarioError(text);
+      if (has_place) throw io::ScenarioError(text);
       throw DomainError(text);
     } catch (const nb::builtin_exception& error) {
       throw DomainError(error.what());
@@ -202,17 +202,17 @@ class KindFunction {
 };
 
 // The values of the keys, for the Python object of the term.
-std::vector<KeyValue> said_of(const KindTexts& texts, const KeyValues& at) {
-  std::vector<KeyValue> all;
-  for (const Key& key : texts.keys) {
+std::vector<io::KeyValue> said_of(const KindTexts& texts, const io::KeyValues& at) {
+  std::vector<io::KeyValue> all;
+  for (const io::Key& key : texts.keys) {
     if (!at.has(key.path)) continue;
-    KeyValue value{.key = key.path};
-    if (key.type == KeyType::boolean)
+    io::KeyValue value{.key = key.path};
+    if (key.type == io::KeyType::boolean)
       value.whole = at.flag(key.path) ? 1 : 0;
-    else if (key.type == KeyType::integer)
+    else if (key.type == io::KeyType::integer)
       value.whole = at.integer(key.path);
-    else if (key.type == KeyType::number || key.type == KeyType::numbers ||
-             key.type == KeyType::matrix)
+    else if (key.type == io::KeyType::number || key.type == io::KeyType::numbers ||
+             key.type == io::KeyType::matrix)
       value.numbers = at.numbers(key.path);
     else
       value.words = {at.word(key.path)};
@@ -221,7 +221,7 @@ std::vector<KeyValue> said_of(const KindTexts& texts, const KeyValues& at) {
   return all;
 }
 
-MadeTerms terms_of(const nb::object& made, const PythonFunction& function) {
+io::MadeTerms terms_of(const nb::object& made, const PythonFunction& function) {
   if (nb::isinstance<PythonTerm>(made)) return nb::cast<const PythonTerm&>(made).parts;
   std::vector<AnyPerturbation> terms;
   const bool several = nb::isinstance<nb::list>(made) || nb::isinstance<nb::tuple>(made);
@@ -236,15 +236,15 @@ MadeTerms terms_of(const nb::object& made, const PythonFunction& function) {
 }
 
 template <class O>
-bool take_orbit(nb::handle made, ScenarioOrbit& orbit) {
+bool take_orbit(nb::handle made, io::ScenarioOrbit& orbit) {
   if (!nb::isinstance<O>(made)) return false;
   orbit.motion = nb::cast<const O&>(made);
   return true;
 }
 
 // An orbit, or an orbit and the gravitational parameter of the attracting body.
-ScenarioOrbit orbit_of_kind(const nb::object& made, const PythonFunction& function,
-                            const std::string& kind) {
+io::ScenarioOrbit orbit_of_kind(const nb::object& made, const PythonFunction& function,
+                                const std::string& kind) {
   nb::object path = made, gm = nb::none();
   if (nb::isinstance<nb::tuple>(made) && nb::len(made) == 2) {
     path = made[0];
@@ -252,14 +252,14 @@ ScenarioOrbit orbit_of_kind(const nb::object& made, const PythonFunction& functi
   }
   // no motion has a default
   const KeplerElements circle{.gm = 1.0, .pericentre = 1.0, .eccentricity = 0.0};
-  ScenarioOrbit orbit{.motion = KeplerOrbit(circle), .gm = std::nullopt, .text = kind};
+  io::ScenarioOrbit orbit{.motion = KeplerOrbit(circle), .gm = std::nullopt, .text = kind};
   if (!take_orbit<KeplerOrbit>(path, orbit) && !take_orbit<PrecessingKeplerOrbit>(path, orbit) &&
       !take_orbit<TurnedKeplerOrbit>(path, orbit) && !take_orbit<TableOrbit>(path, orbit))
     function.refuse(made,
                     "a KeplerOrbit, PrecessingKeplerOrbit, TurnedKeplerOrbit or TableOrbit, or "
                     "(orbit, gm)");
   if (!gm.is_none()) orbit.gm = number(gm, "gm");
-  const KeplerElements* const elements = kepler_elements(orbit);
+  const KeplerElements* const elements = io::kepler_elements(orbit);
   if (!orbit.gm && elements != nullptr) orbit.gm = elements->gm;
   return orbit;
 }
@@ -299,23 +299,23 @@ std::vector<Column> columns_of(nb::handle given, const nb::object& made,
           made,
           "columns of (name, dimension), each name of letters, digits and _, other than "
           "t, and there once");
-    columns.push_back({std::move(name), choice<Dimension>(column[1], "dimension")});
+    columns.push_back({std::move(name), choice<io::Dimension>(column[1], "dimension")});
   }
   if (columns.empty()) function.refuse(made, "at least one column");
   return columns;
 }
 
 // {"columns": [(name, dimension), ...], "formula": f(t) -> numbers}
-CustomExperiment experiment_of(const nb::object& made, const PythonFunction& function,
-                               const ExperimentContext& at, std::string_view kind) {
+io::CustomExperiment experiment_of(const nb::object& made, const PythonFunction& function,
+                                   const io::ExperimentContext& at, std::string_view kind) {
   nb::dict parts;
   if (!nb::try_cast(made, parts) || parts.size() != 2 || !parts.contains("columns") ||
       !parts.contains("formula"))
     function.refuse(made, R"({"columns": [(name, dimension), ...], "formula": f(t) -> numbers})");
-  CustomExperiment own{
+  io::CustomExperiment own{
       .kind = std::string(kind),
       .rows = at.rows(),
-      .columns = columns_of<CustomColumn>(nb::object(parts["columns"]), made, function)};
+      .columns = columns_of<io::CustomColumn>(nb::object(parts["columns"]), made, function)};
   const auto formula = std::make_shared<PythonFunction>(nb::object(parts["formula"]),
                                                         function.label() + ": formula");
   own.formula = [formula](double t, std::span<double> row) {
@@ -334,7 +334,7 @@ std::vector<std::string> parameters_of(nb::handle function, const std::string& l
   return all;
 }
 
-MotionFunction motion_function(const nb::object& given, const std::string& label) {
+fit::MotionFunction motion_function(const nb::object& given, const std::string& label) {
   const std::vector<std::string> inputs = parameters_of(given, label);
   for (const std::string& name : inputs)
     if (name != "t" && name != "q" && name != "omega")
@@ -353,35 +353,35 @@ MotionFunction motion_function(const nb::object& given, const std::string& label
 }
 
 // {"columns": [(name, dimension), ...], "sigma": numbers, "function": f(...) -> numbers}
-ObservedRows observation_of(const nb::object& made, const PythonFunction& function,
-                            const TermContext& at) {
+io::ObservedRows observation_of(const nb::object& made, const PythonFunction& function,
+                                const io::TermContext& at) {
   nb::dict parts;
   if (!nb::try_cast(made, parts) || parts.size() != 3 || !parts.contains("columns") ||
       !parts.contains("sigma") || !parts.contains("function"))
     function.refuse(made, R"({"columns": [(name, dimension), ...], "sigma": numbers, )"
                           R"("function": f(t, q, omega) -> numbers})");
-  MeasuredRows rows{
-      .columns = columns_of<MeasuredColumn>(nb::object(parts["columns"]), made, function),
+  io::MeasuredRows rows{
+      .columns = columns_of<io::MeasuredColumn>(nb::object(parts["columns"]), made, function),
       .sigmas = {},
       .numbers = {}};
   const nb::object sigma = parts["sigma"];
   const Numbers sigmas(sigma, "sigma");
   for (std::size_t i = 0; i < size_of(sigmas.shape()); ++i) rows.sigmas.push_back(sigmas.at(0)[i]);
   rows.numbers = motion_function(nb::object(parts["function"]), function.label() + ": function");
-  return observed_rows(std::move(rows), at);
+  return io::observed_rows(std::move(rows), at);
 }
 
-Kinds with_perturbation(const Kinds& kinds, nb::handle kind) {
+io::Kinds with_perturbation(const io::Kinds& kinds, nb::handle kind) {
   const auto texts = texts_of(kind);
   const KindFunction function(kind, "perturbation", texts);
-  return kinds.with(PerturbationKind{
+  return kinds.with(io::PerturbationKind{
       .name = texts->own(kind.attr("name")),
       .help = texts->own(kind.attr("help")),
       .keys = texts->keys,
       .sets = texts->sets,
       .citations = texts->citations,
       .made =
-          [function, texts](const TermContext& at) {
+          [function, texts](const io::TermContext& at) {
             // in other axes the numbers of the file are not those of an object
             if (at.has_principal_axes()) at.note(said_of(*texts, at));
             return function.call({.texts = nullptr, .values = &at, .term = &at}, terms_of);
@@ -389,52 +389,52 @@ Kinds with_perturbation(const Kinds& kinds, nb::handle kind) {
       .on_surface = nb::cast<bool>(kind.attr("on_surface"))});
 }
 
-Kinds with_orbit(const Kinds& kinds, nb::handle kind) {
+io::Kinds with_orbit(const io::Kinds& kinds, nb::handle kind) {
   const auto texts = texts_of(kind);
   const KindFunction function(kind, "orbit", texts);
   const std::string_view name = texts->own(kind.attr("name"));
-  return kinds.with(OrbitKind{.name = name,
-                              .help = texts->own(kind.attr("help")),
-                              .keys = texts->keys,
-                              .sets = texts->sets,
-                              .citations = texts->citations,
-                              .made = [function, name](const OrbitContext& at) {
-                                return function.call(
-                                    {.texts = nullptr, .values = &at, .orbit = &at},
-                                    [&](const nb::object& made, const PythonFunction& by) {
-                                      return orbit_of_kind(made, by, std::string(name));
-                                    });
-                              }});
+  return kinds.with(io::OrbitKind{.name = name,
+                                  .help = texts->own(kind.attr("help")),
+                                  .keys = texts->keys,
+                                  .sets = texts->sets,
+                                  .citations = texts->citations,
+                                  .made = [function, name](const io::OrbitContext& at) {
+                                    return function.call(
+                                        {.texts = nullptr, .values = &at, .orbit = &at},
+                                        [&](const nb::object& made, const PythonFunction& by) {
+                                          return orbit_of_kind(made, by, std::string(name));
+                                        });
+                                  }});
 }
 
-Kinds with_experiment(const Kinds& kinds, nb::handle kind) {
+io::Kinds with_experiment(const io::Kinds& kinds, nb::handle kind) {
   const auto texts = texts_of(kind);
   const KindFunction function(kind, "experiment", texts);
   const std::string_view name = texts->own(kind.attr("name"));
-  return kinds.with(ExperimentKind{.name = name,
-                                   .help = texts->own(kind.attr("help")),
-                                   .keys = texts->keys,
-                                   .made =
-                                       [function, name](const ExperimentContext& at) {
-                                         return function.call(
-                                             {.texts = nullptr, .values = &at},
-                                             [&](const nb::object& made, const PythonFunction& by) {
-                                               return experiment_of(made, by, at, name);
-                                             });
-                                       },
-                                   .citations = texts->citations});
+  return kinds.with(io::ExperimentKind{
+      .name = name,
+      .help = texts->own(kind.attr("help")),
+      .keys = texts->keys,
+      .made =
+          [function, name](const io::ExperimentContext& at) {
+            return function.call({.texts = nullptr, .values = &at},
+                                 [&](const nb::object& made, const PythonFunction& by) {
+                                   return experiment_of(made, by, at, name);
+                                 });
+          },
+      .citations = texts->citations});
 }
 
-Kinds with_observation(const Kinds& kinds, nb::handle kind) {
+io::Kinds with_observation(const io::Kinds& kinds, nb::handle kind) {
   const auto texts = texts_of(kind);
   const KindFunction function(kind, "observation", texts);
-  return kinds.with(ObservationKind{
+  return kinds.with(io::ObservationKind{
       .name = texts->own(kind.attr("name")),
       .help = texts->own(kind.attr("help")),
       .keys = texts->keys,
       .sets = texts->sets,
       .made =
-          [function](Observation& of, const TermContext& at) {
+          [function](io::Observation& of, const io::TermContext& at) {
             of.rows = function.call({.texts = nullptr, .values = &at, .term = &at},
                                     [&](const nb::object& made, const PythonFunction& by) {
                                       return observation_of(made, by, at);
@@ -446,66 +446,67 @@ Kinds with_observation(const Kinds& kinds, nb::handle kind) {
 // An argument of the function of a group of columns: numbers of another group, which are computed
 // without the GIL, and the object that is made of these or of the row.
 struct RowInput {
-  std::function<ColumnNumbers(const RowSample&)> numbers;
-  std::function<nb::object(const RowSample&, const ColumnNumbers&)> object;
+  std::function<io::ColumnNumbers(const io::RowSample&)> numbers;
+  std::function<nb::object(const io::RowSample&, const io::ColumnNumbers&)> object;
 };
 
-RowInput group_input(const ColumnKind& group) {
-  return {group.numbers, [width = group.columns.size()](const RowSample&, const ColumnNumbers& x) {
+RowInput group_input(const io::ColumnKind& group) {
+  return {group.numbers,
+          [width = group.columns.size()](const io::RowSample&, const io::ColumnNumbers& x) {
             return nb::cast(array_of(std::span(x).first(width)));
           }};
 }
-RowInput column_input(const ColumnKind& group, std::string_view column) {
+RowInput column_input(const io::ColumnKind& group, std::string_view column) {
   const auto place = static_cast<std::size_t>(
-      std::ranges::find(group.columns, column, &GroupColumn::name) - group.columns.begin());
-  return {group.numbers, [place](const RowSample&, const ColumnNumbers& x) -> nb::object {
+      std::ranges::find(group.columns, column, &io::GroupColumn::name) - group.columns.begin());
+  return {group.numbers, [place](const io::RowSample&, const io::ColumnNumbers& x) -> nb::object {
             return nb::float_(x[place]);
           }};
 }
 
 // What a parameter of this name is given.
-RowInput input_of(const std::string& name, const ColumnKinds& known, const std::string& shown) {
+RowInput input_of(const std::string& name, const io::ColumnKinds& known, const std::string& shown) {
   if (name == "t")
-    return {{}, [](const RowSample& row, const ColumnNumbers&) -> nb::object {
+    return {{}, [](const io::RowSample& row, const io::ColumnNumbers&) -> nb::object {
               return nb::float_(row.t);
             }};
   if (name == "state")
-    return {{}, [](const RowSample& row, const ColumnNumbers&) {
+    return {{}, [](const io::RowSample& row, const io::ColumnNumbers&) {
               return nb::cast(Batch<RotorState>::one(row.state));
             }};
   if (name == "system")
-    return {{}, [](const RowSample& row, const ColumnNumbers&) {
+    return {{}, [](const io::RowSample& row, const io::ColumnNumbers&) {
               return nb::cast(PythonSystem(row.system));
             }};
-  const ColumnKind* const group = known.group(name);
+  const io::ColumnKind* const group = known.group(name);
   if (group != nullptr && !group->is_date) return group_input(*group);
-  if (const ColumnKind* const owner = known.of_column(name)) return column_input(*owner, name);
+  if (const io::ColumnKind* const owner = known.of_column(name)) return column_input(*owner, name);
   throw DomainError(shown + ": function: got the parameter \"" + name +
                     "\"; expected t, state, system, or the name of a group or a column of numbers");
 }
 
-ColumnNumbers called_on_row(const RowSample& row, const PythonFunction& function,
-                            const std::vector<RowInput>& inputs, std::size_t width) {
-  std::vector<ColumnNumbers> given(inputs.size());
+io::ColumnNumbers called_on_row(const io::RowSample& row, const PythonFunction& function,
+                                const std::vector<RowInput>& inputs, std::size_t width) {
+  std::vector<io::ColumnNumbers> given(inputs.size());
   for (std::size_t i = 0; i < inputs.size(); ++i)
     if (inputs[i].numbers) given[i] = inputs[i].numbers(row);
   const WithGil acquired;
   nb::list arguments;
   for (std::size_t i = 0; i < inputs.size(); ++i) arguments.append(inputs[i].object(row, given[i]));
-  ColumnNumbers numbers{};
+  io::ColumnNumbers numbers{};
   read_numbers(function(*nb::tuple(arguments)), std::span(numbers).first(width), function,
                ", one for each column");
   return numbers;
 }
 
-Kinds with_columns(const Kinds& kinds, nb::handle kind) {
+io::Kinds with_columns(const io::Kinds& kinds, nb::handle kind) {
   const auto texts = std::make_shared<KindTexts>();
-  ColumnKind made{.name = texts->own(kind.attr("name")),
-                  .help = texts->own(kind.attr("help")),
-                  .columns = {},
-                  .numbers = {}};
+  io::ColumnKind made{.name = texts->own(kind.attr("name")),
+                      .help = texts->own(kind.attr("help")),
+                      .columns = {},
+                      .numbers = {}};
   for (const nb::handle column : nb::iter(kind.attr("columns")))
-    made.columns.emplace_back(texts->own(column[0]), nb::cast<Dimension>(column[1]));
+    made.columns.emplace_back(texts->own(column[0]), nb::cast<io::Dimension>(column[1]));
   for (const nb::handle c : nb::iter(kind.attr("citations")))
     made.citations.push_back({texts->own(c[0]), texts->own(c[1]), texts->own(c[2])});
   const std::string shown = "column group \"" + std::string(made.name) + "\"";
@@ -517,7 +518,7 @@ Kinds with_columns(const Kinds& kinds, nb::handle kind) {
     made.needs_damper = made.needs_damper || kinds.columns().needs_damper(name);
   }
   made.numbers = [function = std::make_shared<PythonFunction>(kind.attr("function"), shown), inputs,
-                  texts, width = made.columns.size()](const RowSample& row) {
+                  texts, width = made.columns.size()](const io::RowSample& row) {
     return called_on_row(row, *function, inputs, width);
   };
   return kinds.with(std::move(made));
@@ -526,10 +527,10 @@ Kinds with_columns(const Kinds& kinds, nb::handle kind) {
 // Calls the function of a group of columns once, for a free rotation: another number of numbers
 // than it has columns is an error. What the function raises is not, since it may need another
 // motion.
-void try_columns(const Kinds& kinds, const std::string& name) {
+void try_columns(const io::Kinds& kinds, const std::string& name) {
   const System system(Body(1.0, 2.0, 3.0));
   const RotorState state{{0.5, 0.5, -0.5, 0.5}, {0.1, 0.7, 1.3}};
-  const ColumnKind* const kind = kinds.columns().group(name);
+  const io::ColumnKind* const kind = kinds.columns().group(name);
   if (kind == nullptr) return;
   try {
     static_cast<void>(kind->numbers({system, energy(system, 0.0, state), 0.0, state}));
@@ -580,7 +581,7 @@ None if the key is left out and has no default. A file is given by its path.)")
           "span", [](const KindTable& of) -> Typed<"tuple[float, float] | None"> {
             if (of.table().orbit == nullptr)
               throw nb::attribute_error("only the table of an orbit has a span");
-            const std::optional<TimeSpan> span = of.table().orbit->run_span();
+            const std::optional<io::TimeSpan> span = of.table().orbit->run_span();
             if (!span) return Typed<"tuple[float, float] | None">(nb::none());
             return Typed<"tuple[float, float] | None">(nb::make_tuple(span->first, span->last));
           },
@@ -599,7 +600,7 @@ None if the key is left out and has no default. A file is given by its path.)")
 
 void bind_kinds(nb::module_& m) {
   bind_table(m);
-  nb::class_<Kinds>(m, "_Kinds")
+  nb::class_<io::Kinds>(m, "_Kinds")
       .def("with_perturbation", with_perturbation)
       .def("with_orbit", with_orbit)
       .def("with_experiment", with_experiment)
@@ -607,18 +608,20 @@ void bind_kinds(nb::module_& m) {
       .def("with_observation", with_observation)
       .def("try_columns", try_columns)
       .def("term_class",
-           [](const Kinds& kinds, const std::string& name) {
+           [](const io::Kinds& kinds, const std::string& name) {
              return add_registered_class(class_of_registered(*kinds.perturbation(name)));
            })
       .def("column_names",
-           [](const Kinds& kinds) { return names_list(column_names(kinds.columns())); })
+           [](const io::Kinds& kinds) { return names_list(io::column_names(kinds.columns())); })
       .def("column_group_names",
-           [](const Kinds& kinds) { return names_list(column_group_names(kinds.columns())); })
-      .def("schema", [](const Kinds& kinds) { return json_schema(kinds.schema()); })
-      .def("template", [](const Kinds& kinds, const std::string& word) {
-        return scenario_template(word, kinds.schema());
+           [](const io::Kinds& kinds) {
+             return names_list(io::column_group_names(kinds.columns()));
+           })
+      .def("schema", [](const io::Kinds& kinds) { return io::json_schema(kinds.schema()); })
+      .def("template", [](const io::Kinds& kinds, const std::string& word) {
+        return io::scenario_template(word, kinds.schema());
       });
-  m.def("_default_kinds", [] { return default_kinds(); });
+  m.def("_default_kinds", [] { return io::default_kinds(); });
   // A scenario that is alive at exit and whose functions see it, as those of a script do, is a
   // cycle through C++: its end is that of the process.
   m.def("_allow_alive_at_exit", [] { nb::set_leak_warnings(false); });

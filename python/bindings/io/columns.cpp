@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "polhode/error.hpp"
-#include "polhode/output/columns.hpp"
+#include "polhode/output/column_kind.hpp"
 #include "polhode/scenario/kinds.hpp"
 
 namespace polhode::python {
@@ -15,9 +15,9 @@ namespace polhode::python {
 namespace {
 
 // Those of polhode.kinds.register too.
-ColumnKinds known_columns() {
+io::ColumnKinds known_columns() {
   const nb::object kinds = nb::module_::import_("polhode._toml").attr("known_kinds")();
-  return nb::cast<const Kinds&>(kinds).columns();
+  return nb::cast<const io::Kinds&>(kinds).columns();
 }
 
 // The tensor's axes are those of files; here everything is along principal axes, as in the states.
@@ -29,15 +29,16 @@ System along_principal_axes(const System& system) {
 // All columns of a group, or the one asked for.
 class Part {
  public:
-  Part(const std::string& name, const ColumnKinds& known, const System& system,
+  Part(const std::string& name, const io::ColumnKinds& known, const System& system,
        double initial_energy)
       : origin_{system, initial_energy} {
     if (known.group(name) != nullptr) {
-      layout_.emplace(std::vector<std::string>{name}, Units(), Branch::in_columns, known);
-      for (const Column& column : layout_->groups().at(1).columns) names_.push_back(column.name);
+      layout_.emplace(std::vector<std::string>{name}, io::Units(), io::Branch::in_columns, known);
+      for (const io::Column& column : layout_->groups().at(1).columns)
+        names_.push_back(column.name);
       row_.resize(layout_->width());
     } else {
-      one_ = scalar_column(name, system, initial_energy, known).value;
+      one_ = io::scalar_column(name, system, initial_energy, known).value;
       names_.push_back(name);
     }
   }
@@ -54,8 +55,8 @@ class Part {
   }
 
  private:
-  RowOrigin origin_;
-  std::optional<RowLayout> layout_;
+  io::RowOrigin origin_;
+  std::optional<io::RowLayout> layout_;
   std::function<double(const Sample&)> one_;
   std::vector<std::string> names_;
   std::vector<double> row_;
@@ -66,7 +67,7 @@ class Part {
 nb::dict columns_of(const System& system, std::span<const Sample> rows,
                     const std::vector<std::string>& names, double initial_energy) {
   const System principal = along_principal_axes(system);
-  const ColumnKinds known = known_columns();
+  const io::ColumnKinds known = known_columns();
   nb::dict table;
   for (const std::string& name : names) {
     Part part(name, known, principal, initial_energy);
@@ -95,7 +96,7 @@ std::vector<std::string> names_of(nb::handle names) {
 }
 
 bool any_needs_energy(const std::vector<std::string>& names) {
-  const ColumnKinds known = known_columns();
+  const io::ColumnKinds known = known_columns();
   return std::ranges::any_of(names,
                              [&](const std::string& name) { return known.needs_energy(name); });
 }

@@ -7,8 +7,8 @@ namespace polhode::python {
 
 namespace {
 
-struct PythonCase : GoldenCase, Records<GoldenSample> {
-  explicit PythonCase(const GoldenCase& of) : GoldenCase(of), Records(of.samples) {}
+struct PythonCase : io::GoldenCase, Records<io::GoldenSample> {
+  explicit PythonCase(const io::GoldenCase& of) : io::GoldenCase(of), Records(of.samples) {}
 };
 
 void bind_case(nb::module_& m) {
@@ -33,7 +33,7 @@ omega, each to `bound`: |q - exact| for one of the two signs, and |omega - exact
       .def("__repr__", [](const PythonCase& of) {
         return "<GoldenCase: " + of.name + ", " + std::to_string(of.rows().size()) + " samples>";
       });
-  using S = GoldenSample;
+  using S = io::GoldenSample;
   def_records<S>(c, {{"t", [](const S& s) { return &s.t; }, "(N,): times."},
                      {"q", [](const S& s) { return &s.q.w; }, "(N, 4): attitudes, w >= 0.", {4}},
                      {"omega",
@@ -50,7 +50,7 @@ void bind_golden(nb::module_& m) {
       "golden_cases",
       [] {
         std::vector<PythonCase> cases;
-        for (const GoldenCase& one : golden_cases()) cases.emplace_back(one);
+        for (const io::GoldenCase& one : io::golden_cases()) cases.emplace_back(one);
         return cases;
       },
       "Exact torque-free rotations over every regime, for the tests of other engines.");
@@ -59,11 +59,11 @@ void bind_golden(nb::module_& m) {
       [](Typed<"str | os.PathLike[str]"> folder) {
         const nb::module_ os = nb::module_::import_("os");
         const nb::bytes path = nb::bytes(nb::object(os.attr("fsencode")(folder)));
-        write_golden({path.c_str(), path.size()}, golden_cases());
+        io::write_golden({path.c_str(), path.size()}, io::golden_cases());
       },
       "folder"_a,
       "Writes golden.json and golden.csv into a folder, which is made if it is not there.");
-  m.def("regime_name", &regime_name, "regime"_a, "\"short_axis\", as files call it.");
+  m.def("regime_name", &io::regime_name, "regime"_a, "\"short_axis\", as files call it.");
 }
 
 }  // namespace polhode::python

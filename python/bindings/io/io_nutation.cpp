@@ -10,50 +10,53 @@
 #include "interface/gil.hpp"
 #include "interface/signals.hpp"
 #include "io/io_parts.hpp"
-#include "polhode/ephemeris/iau_nutation.hpp"
-#include "polhode/scenario/planet_nutation.hpp"
+#include "polhode/detail/scenario/planet_nutation.hpp"
+#include "polhode/ephemeris/ephemeris.hpp"
 
 namespace polhode::python {
 
 namespace {
 
-PlanetAxis axis_of(nb::handle value) { return choice<PlanetAxis>(value, "axis"); }
+secular::PlanetAxis axis_of(nb::handle value) { return choice<secular::PlanetAxis>(value, "axis"); }
 
-FloatArray pair_of(const NutationOffset& of) {
+FloatArray pair_of(const secular::NutationOffset& of) {
   const double both[] = {of.longitude, of.obliquity};
   return array_of(both);
 }
 
-nb::dict columns_of(const NutationTheory& theory, nb::handle axis, bool oppolzer) {
-  const PlanetAxis of = axis_of(axis);
-  const std::vector<NutationTerm>& terms = oppolzer ? theory.oppolzer_terms(of) : theory.terms(of);
+nb::dict columns_of(const secular::NutationTheory& theory, nb::handle axis, bool oppolzer) {
+  const secular::PlanetAxis of = axis_of(axis);
+  const std::vector<secular::NutationTerm>& terms =
+      oppolzer ? theory.oppolzer_terms(of) : theory.terms(of);
   nb::dict columns;
   const auto add = [&](const std::string& name, const auto& number) {
     std::vector<double> column;
-    for (const NutationTerm& term : terms) column.push_back(number(term));
+    for (const secular::NutationTerm& term : terms) column.push_back(number(term));
     columns[name.c_str()] = array_of(std::span<const double>(column));
   };
   for (std::size_t i = 0; i < theory.arguments().size(); ++i)
-    add(theory.arguments()[i], [i](const NutationTerm& t) { return double(t.multipliers[i]); });
-  add("rate", [](const NutationTerm& t) { return t.rate; });
-  const auto add_wave = [&](const NutationWave NutationTerm::*of_term, const std::string& end) {
+    add(theory.arguments()[i],
+        [i](const secular::NutationTerm& t) { return double(t.multipliers[i]); });
+  add("rate", [](const secular::NutationTerm& t) { return t.rate; });
+  const auto add_wave = [&](const secular::NutationWave secular::NutationTerm::*of_term,
+                            const std::string& end) {
     add("longitude_sine" + end, [=](const auto& t) { return (t.*of_term).longitude_sine; });
     add("longitude_cosine" + end, [=](const auto& t) { return (t.*of_term).longitude_cosine; });
     add("obliquity_cosine" + end, [=](const auto& t) { return (t.*of_term).obliquity_cosine; });
     add("obliquity_sine" + end, [=](const auto& t) { return (t.*of_term).obliquity_sine; });
   };
-  add_wave(&NutationTerm::wave, "");
-  add_wave(&NutationTerm::change, "_change");
+  add_wave(&secular::NutationTerm::wave, "");
+  add_wave(&secular::NutationTerm::change, "_change");
   return columns;
 }
 
-FloatArray values_at(const NutationTheory& theory, nb::handle axis, const ArrayLike& t) {
-  const PlanetAxis of = axis_of(axis);
+FloatArray values_at(const secular::NutationTheory& theory, nb::handle axis, const ArrayLike& t) {
+  const secular::PlanetAxis of = axis_of(axis);
   Numbers in[] = {Numbers(t, "t")};
   const Shape shape = broadcast(in);
   Result result(shape, {2});
   for_each(size_of(shape), [&](std::size_t k) {
-    const NutationOffset now = theory.at(of, in[0][k]);
+    const secular::NutationOffset now = theory.at(of, in[0][k]);
     result.at(k)[0] = now.longitude;
     result.at(k)[1] = now.obliquity;
   });
@@ -65,23 +68,23 @@ FloatArray iau_at(const ArrayLike& T) {
   const Shape shape = broadcast(in);
   Result result(shape, {2});
   for_each(size_of(shape), [&](std::size_t k) {
-    const IauNutation now = iau_nutation(in[0][k]);
+    const ephemeris::IauNutation now = ephemeris::iau_nutation(in[0][k]);
     result.at(k)[0] = now.longitude;
     result.at(k)[1] = now.obliquity;
   });
   return result.take();
 }
 
-NutationTheory made(const std::string& planet, double T, std::optional<double> ellipticity,
-                    std::optional<double> triaxiality, std::optional<double> spin_rate,
-                    std::optional<double> obliquity, std::optional<double> satellite_mass,
-                    int order, double least) {
+secular::NutationTheory made(const std::string& planet, double T, std::optional<double> ellipticity,
+                             std::optional<double> triaxiality, std::optional<double> spin_rate,
+                             std::optional<double> obliquity, std::optional<double> satellite_mass,
+                             int order, double least) {
   const WithoutGil released;
-  return nutation_theory(
+  return io::nutation_theory(
       {planet, T, ellipticity, triaxiality, spin_rate, obliquity, satellite_mass, order, least});
 }
 
-using T = NutationTheory;
+using T = secular::NutationTheory;
 
 nb::class_<T> bound_class(nb::module_& m) {
   return nb::class_<T>(m, "NutationTheory", R"(Precession and nutation of a rigid planet, s and rad.
@@ -148,7 +151,7 @@ Parameters
 t : (...), s from the epoch.
 axis : "momentum", "figure" or "rotation".)")
       .def("__repr__", [](const T& t) {
-        return "<NutationTheory: " + std::to_string(t.terms(PlanetAxis::figure).size()) +
+        return "<NutationTheory: " + std::to_string(t.terms(secular::PlanetAxis::figure).size()) +
                " terms of the axis of figure>";
       });
 }
@@ -156,10 +159,11 @@ axis : "momentum", "figure" or "rotation".)")
 }  // namespace
 
 void bind_nutation(nb::module_& m) {
-  nb::enum_<PlanetAxis>(m, "PlanetAxis", "Which axis of a planet: a string with its name will do.")
-      .value("momentum", PlanetAxis::momentum, "Of the angular momentum.")
-      .value("figure", PlanetAxis::figure, "Of the largest moment.")
-      .value("rotation", PlanetAxis::rotation, "Of the inertial angular velocity.");
+  nb::enum_<secular::PlanetAxis>(m, "PlanetAxis",
+                                 "Which axis of a planet: a string with its name will do.")
+      .value("momentum", secular::PlanetAxis::momentum, "Of the angular momentum.")
+      .value("figure", secular::PlanetAxis::figure, "Of the largest moment.")
+      .value("rotation", secular::PlanetAxis::rotation, "Of the inertial angular velocity.");
   nb::class_<T> c = bound_class(m);
   def_axes(c);
   m.def("nutation_theory", made, "planet"_a = "earth", nb::kw_only(), "T"_a = 0.0,

@@ -17,17 +17,17 @@ namespace {
 
 nb::object core(const char* name) { return nb::module_::import_("polhode._core").attr(name); }
 
-nb::dict orbits_of(const Scenario& scenario) {
+nb::dict orbits_of(const io::Scenario& scenario) {
   nb::dict orbits;
-  for (const ScenarioOrbit& orbit : scenario.rotation().orbits)
+  for (const io::ScenarioOrbit& orbit : scenario.rotation().orbits)
     orbits[orbit.name.c_str()] = orbit_object(orbit);
   return orbits;
 }
 
 // Of the class of its kind, from what its table says.
-nb::object term_object(const Rotation& rotation, const PerturbationKind& kind, const TermClass& of,
-                       const std::vector<KeyValue>& values, const std::string& name,
-                       const nb::dict& orbits) {
+nb::object term_object(const io::Rotation& rotation, const io::PerturbationKind& kind,
+                       const TermClass& of, const std::vector<io::KeyValue>& values,
+                       const std::string& name, const nb::dict& orbits) {
   nb::dict arguments;
   const auto orbit = [&](const std::string& of_name) -> nb::object {
     return nb::object(orbits[of_name.c_str()]);
@@ -36,16 +36,16 @@ nb::object term_object(const Rotation& rotation, const PerturbationKind& kind, c
     if (a.name == "surface") arguments["surface"] = nb::cast(*rotation.surface);
     if (a.name == "body") arguments["body"] = nb::cast(rotation.body);
     if (a.name == "name") arguments["name"] = nb::str(name.c_str());
-    for (const KeyValue& value : values)
+    for (const io::KeyValue& value : values)
       if (!a.key.empty() && value.key == a.name)
-        for (const Key& key : kind.keys)
+        for (const io::Key& key : kind.keys)
           if (key.path == a.name) arguments[a.name.c_str()] = python_value(key, value, orbit);
   }
   return of.type(**arguments);
 }
 
-nb::list term_objects(const Scenario& scenario) {
-  const Rotation& rotation = scenario.rotation();
+nb::list term_objects(const io::Scenario& scenario) {
+  const io::Rotation& rotation = scenario.rotation();
   const nb::dict orbits = orbits_of(scenario);
   nb::list all;
   std::size_t first = 0;
@@ -72,7 +72,7 @@ nb::list term_objects(const Scenario& scenario) {
   return all;
 }
 
-nb::object frame_object(const Scenario& scenario) {
+nb::object frame_object(const io::Scenario& scenario) {
   const nb::object type = core("Frame");
   if (scenario.rotation().frame.is_inertial()) return type.attr("inertial")();
   if (scenario.rotation().precession)
@@ -82,14 +82,14 @@ nb::object frame_object(const Scenario& scenario) {
   return nb::cast(PythonFrame(scenario.rotation().frame));
 }
 
-nb::object system_object(const Scenario& scenario) {
+nb::object system_object(const io::Scenario& scenario) {
   return core("System")(nb::cast(scenario.rotation().body), frame_object(scenario),
                         term_objects(scenario), scenario.rotation().damper);
 }
 
 }  // namespace
 
-nb::object orbit_object(const ScenarioOrbit& orbit) {
+nb::object orbit_object(const io::ScenarioOrbit& orbit) {
   return std::visit(
       [&](const auto& motion) -> nb::object {
         if constexpr (std::is_same_v<std::decay_t<decltype(motion)>, AnyOrbit>)
@@ -100,7 +100,7 @@ nb::object orbit_object(const ScenarioOrbit& orbit) {
       orbit.motion);
 }
 
-void bind_objects(nb::class_<Scenario>& scenario) {
+void bind_objects(nb::class_<io::Scenario>& scenario) {
   scenario.def_prop_ro("frame", frame_object)
       .def_prop_ro("system", system_object)
       .def_prop_ro("orbits", orbits_of);

@@ -21,7 +21,7 @@ constexpr std::size_t rows_per_block = 1024;
 struct Run {
   std::vector<double> rows;  // one after the other
   std::size_t width;
-  RunReport report;
+  io::RunReport report;
   std::int64_t rows_before = 0;  // of an earlier part of the run: in its files only
   bool complete = false;         // nothing was left to do
 };
@@ -50,49 +50,49 @@ void warn(const std::string& text) {
 }
 
 // Its files are closed at the end.
-void run_into(Run& result, const Scenario& scenario, const RunFiles& files, RunOptions options,
-              WorkLoop& loop) {
-  ScenarioRun run(scenario, files, std::move(options));
-  result.rows_before = run.is_complete() ? row_times(scenario)->size() : run.rows();
+void run_into(Run& result, const io::Scenario& scenario, const io::RunFiles& files,
+              io::RunOptions options, WorkLoop& loop) {
+  io::ScenarioRun run(scenario, files, std::move(options));
+  result.rows_before = run.is_complete() ? io::row_times(scenario)->size() : run.rows();
   result.complete = run.is_complete();
   loop.do_work_here([&] { result.report = run.run(); });
   for (const std::string& warning : result.report.warnings) warn(warning);
 }
 
-Run run_scenario(const Scenario& scenario, const nb::list& outputs, nb::handle events, bool keep,
-                 bool resume, bool restart, nb::handle progress) {
-  if (!row_times(scenario))
+Run run_scenario(const io::Scenario& scenario, const nb::list& outputs, nb::handle events,
+                 bool keep, bool resume, bool restart, nb::handle progress) {
+  if (!io::row_times(scenario))
     throw DomainError(
         scenario.document.name +
         ": time: got nothing; expected a table [time], stop with step or count, or at");
-  if (!events.is_none() && !has_events(scenario))
+  if (!events.is_none() && !io::has_events(scenario))
     throw DomainError(scenario.document.name +
                       ": event: got nothing; expected tables [[event]] for events");
-  Run result{{}, row_width(row_groups(scenario)), {}};
-  RunFiles files;
+  Run result{{}, io::row_width(io::row_groups(scenario)), {}};
+  io::RunFiles files;
   for (const nb::handle path : outputs) files.outputs.push_back(path_text(path));
   if (!events.is_none()) files.events = path_text(events);
-  RunOptions options = run_options("run", resume, restart);
+  io::RunOptions options = run_options("run", resume, restart);
   options.keep_events = keep;
-  const OutputFormats& formats = scenario.output.formats;
-  if (resume && keep && !files.outputs.empty() && !can_read_rows(formats, files.outputs))
+  const io::OutputFormats& formats = scenario.output.formats;
+  if (resume && keep && !files.outputs.empty() && !io::can_read_rows(formats, files.outputs))
     throw DomainError("run: resume=True with keep=True reads the rows so far from " +
                       readable_paths(formats) + "; expected one of them, or keep=False");
   const Progress told = time_listener(progress);
   WorkLoop loop("the run was stopped", told);
   options.stop = [&loop] { return loop.is_stopped(); };
   if (told)
-    options.progress = [&loop, seldom = Seldom()](const RunProgress& at) mutable {
+    options.progress = [&loop, seldom = Seldom()](const io::RunProgress& at) mutable {
       if (seldom()) loop.tell(at.reached);
     };
   if (keep) {
-    reserve(result, row_times(scenario)->size());  // before any file is there
+    reserve(result, io::row_times(scenario)->size());  // before any file is there
     options.extra_sink = std::make_unique<TableSink>(result.rows);
   }
   run_into(result, scenario, files, std::move(options), loop);
   if (keep && result.rows_before > 0)
     put_first(result.rows,
-              first_rows(formats, files.outputs, row_groups(scenario), result.rows_before));
+              io::first_rows(formats, files.outputs, io::row_groups(scenario), result.rows_before));
   return result;
 }
 
@@ -102,13 +102,13 @@ nb::object kept_table(nb::handle_t<Run> self) {
 }
 
 // Rows from memory, as a run would have written them.
-void write_rows(const Scenario& scenario, nb::handle path, nb::handle table) {
-  const std::vector<ColumnGroup> groups = row_groups(scenario);
-  const std::size_t width = row_width(groups);
+void write_rows(const io::Scenario& scenario, nb::handle path, nb::handle table) {
+  const std::vector<io::ColumnGroup> groups = io::row_groups(scenario);
+  const std::size_t width = io::row_width(groups);
   const Numbers rows(table, "table", {width});
   const std::size_t n = size_of(rows.shape());
-  const std::unique_ptr<Sink> sink = open_sink(path_text(path), groups, provenance(scenario),
-                                               std::nullopt, scenario.output.formats);
+  const std::unique_ptr<io::Sink> sink = io::open_sink(
+      path_text(path), groups, io::provenance(scenario), std::nullopt, scenario.output.formats);
   for (std::size_t k = 0; k < n; k += rows_per_block) {
     const std::size_t more = std::min(rows_per_block, n - k);
     {
@@ -123,9 +123,9 @@ void write_rows(const Scenario& scenario, nb::handle path, nb::handle table) {
 
 // The hub states in rows that have q and g, from column numbers `q` and `g` on. Files hold body
 // components along the axes of the tensor, states along principal axes.
-Batch<RotorState> states_in(const Scenario& scenario, nb::handle table, std::size_t q,
+Batch<RotorState> states_in(const io::Scenario& scenario, nb::handle table, std::size_t q,
                             std::size_t g) {
-  const std::size_t width = row_width(row_groups(scenario));
+  const std::size_t width = io::row_width(io::row_groups(scenario));
   const Numbers rows(table, "table", {width});
   const std::size_t n = size_of(rows.shape());
   const Quaternion& q_FB = scenario.rotation().body.q_FB();
@@ -151,21 +151,23 @@ void put_first(std::vector<double>& rows, const std::vector<double>& before) {
   rows.insert(rows.begin(), before.begin(), before.end());
 }
 
-std::string readable_paths(const OutputFormats& formats) {
-  return paths_in_words(formats, [](const OutputFormat& format) { return bool(format.rows); });
+std::string readable_paths(const io::OutputFormats& formats) {
+  return io::paths_in_words(formats,
+                            [](const io::OutputFormat& format) { return bool(format.rows); });
 }
 
-RunOptions run_options(const char* function, bool resume, bool restart) {
+io::RunOptions run_options(const char* function, bool resume, bool restart) {
   if (resume && restart)
     throw DomainError(std::string(function) +
                       ": got resume=True and restart=True; expected one of them");
-  RunOptions options;
-  options.begin = resume ? RunBegin::resume : (restart ? RunBegin::restart : RunBegin::anew);
+  io::RunOptions options;
+  options.begin =
+      resume ? io::RunBegin::resume : (restart ? io::RunBegin::restart : io::RunBegin::anew);
   options.words = {"resume=True", "restart=True", "any_machine=True"};
   return options;
 }
 
-void bind_run(nb::module_& m, nb::class_<Scenario>& scenario) {
+void bind_run(nb::module_& m, nb::class_<io::Scenario>& scenario) {
   nb::class_<Run>(m, "_Run")
       .def_prop_ro("table", kept_table)
       .def_prop_ro("outcome", [](const Run& r) { return r.report.outcome; })
@@ -173,8 +175,8 @@ void bind_run(nb::module_& m, nb::class_<Scenario>& scenario) {
       .def_prop_ro("events",
                    [](const Run& r) {
                      std::vector<EventRecord> events;
-                     for (const RunEvent& event : r.report.events)
-                       events.push_back(record_of<SystemState>(event));
+                     for (const io::RunEvent& event : r.report.events)
+                       events.push_back(io::record_of<SystemState>(event));
                      return events;
                    })
       .def_prop_ro("energy_change", [](const Run& r) { return r.report.energy_change; })
@@ -186,20 +188,20 @@ void bind_run(nb::module_& m, nb::class_<Scenario>& scenario) {
       .def_prop_ro("rows", [](const Run& r) { return r.report.rows; })
       .def_prop_ro("rows_before", [](const Run& r) { return r.rows_before; })
       .def_prop_ro("complete", [](const Run& r) { return r.complete; });
-  m.def("_readable_paths", [] { return python::readable_paths(default_output_formats()); });
+  m.def("_readable_paths", [] { return python::readable_paths(io::default_output_formats()); });
   scenario
       .def("run", run_scenario, "outputs"_a, "events"_a.none(), "keep"_a, "resume"_a, "restart"_a,
            "progress"_a.none())
       .def("write", write_rows)
       .def("states_in", states_in)
       .def("report_lines",
-           [](const Scenario& s, const Outcome& outcome, const Statistics& statistics,
+           [](const io::Scenario& s, const Outcome& outcome, const Statistics& statistics,
               const std::vector<EventRecord>& events, std::optional<double> energy_change,
               const std::optional<EventRecord>& end) {
-             RunReport report{outcome, statistics, {}, 0, energy_change, 0};
+             io::RunReport report{outcome, statistics, {}, 0, energy_change, 0};
              if (end) report.end = Sample{end->t, end->s};
-             for (const EventRecord& event : events) report.events.push_back(event_of(event));
-             return lines_of(report_lines(s, report, "all in .events"));
+             for (const EventRecord& event : events) report.events.push_back(io::event_of(event));
+             return lines_of(io::report_lines(s, report, "all in .events"));
            });
 }
 

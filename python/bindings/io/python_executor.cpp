@@ -37,8 +37,8 @@ class Ended {
 
 }  // namespace
 
-void PythonExecutor::run(ExecutorWork&, const ExecutorStage& stage, const Take& take,
-                         const std::function<void()>& look) {
+void PythonExecutor::run(ensemble::ExecutorWork&, const ensemble::ExecutorStage& stage,
+                         const Take& take, const std::function<void()>& look) {
   Ended ended;
   {
     const WithGil acquired;
@@ -64,7 +64,7 @@ void PythonExecutor::run(ExecutorWork&, const ExecutorStage& stage, const Take& 
 void ExecutorLoop::do_work(const std::function<void()>& work) {
   try {
     loop_.do_work(work);
-  } catch (const RunInterrupted&) {
+  } catch (const io::RunInterrupted&) {
     workers_.raise();  // what they have done is kept
     throw;
   }

@@ -15,11 +15,11 @@
 #include "bindings.hpp"
 #include "io/work_loop.hpp"
 #include "polhode/ensemble/executor.hpp"
-#include "polhode/run/resumable_run.hpp"
+#include "polhode/run/scenario_run.hpp"
 
 namespace polhode::python {
 
-class PythonExecutor : public Executor {
+class PythonExecutor : public ensemble::Executor {
  public:
   // Called as function(stage, first, count, take, is_stopped). take(cell, bytes) is for cells in
   // order; it returns False, as is_stopped() returns True, when the function is to return.
@@ -27,7 +27,7 @@ class PythonExecutor : public Executor {
 
   // Of an executor nobody says how many work for this one.
   int processes() const override { return 1; }
-  void run(ExecutorWork& work, const ExecutorStage& stage, const Take& take,
+  void run(ensemble::ExecutorWork& work, const ensemble::ExecutorStage& stage, const Take& take,
            const std::function<void()>& look) override;
 
   // True if the function has raised: the work must stop, as at Ctrl-C. Asked from any thread.
@@ -52,7 +52,7 @@ class ExecutorLoop {
         workers_(executor),
         has_workers_(!executor.is_none()) {}
 
-  void listen(RunOptions& options) {
+  void listen(io::RunOptions& options) {
     loop_.listen(options);
     if (!has_workers_) return;
     options.executor = &workers_;
@@ -69,7 +69,7 @@ class ExecutorLoop {
 
 // A worker's map or ensemble: _ExecutorWork.
 struct WorkerCells {
-  std::unique_ptr<ExecutorWork> work;
+  std::unique_ptr<ensemble::ExecutorWork> work;
 };
 
 }  // namespace polhode::python

@@ -17,7 +17,7 @@
 
 #include "bindings.hpp"
 #include "interface/signals.hpp"
-#include "polhode/run/resumable_run.hpp"
+#include "polhode/run/scenario_run.hpp"
 
 namespace polhode::python {
 
@@ -34,9 +34,9 @@ class WorkLoop {
   void do_work_here(const std::function<void()>& work);
 
   // Options by which the work can be stopped and reports its progress.
-  void listen(RunOptions& options) {
+  void listen(io::RunOptions& options) {
     options.stop = [this] { return is_stopped(); };
-    options.progress = [this](const RunProgress& at) { reach(at.reached); };
+    options.progress = [this](const io::RunProgress& at) { reach(at.reached); };
   }
 
   // In the work, from any thread.

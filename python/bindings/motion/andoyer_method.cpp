@@ -31,7 +31,7 @@ class PythonVariables {
     takes_time_ = nb::len(parameters) >= 2;
   }
 
-  BasicRotorState<D> operator()(const Variables<D>& z, const D& t) const {
+  BasicRotorState<D> operator()(const rates::Variables<D>& z, const D& t) const {
     const WithGil acquired;
     nb::list items;
     for (const D& x : z) items.append(to_python(x));
@@ -64,7 +64,7 @@ FloatArray at_all(nb::handle z, nb::handle t, std::initializer_list<std::size_t>
   Result out(shape, inner);
   for_each(size_of(shape), [&](std::size_t k) {
     const double* first = both[0].at(k);
-    Variables<double> variables;
+    rates::Variables<double> variables;
     std::copy_n(first, 6, variables.begin());
     of(both[1][k], variables, out.at(k));
   });
@@ -81,8 +81,8 @@ void bind_andoyer_method(nb::module_& m) {
       "lagrange_brackets",
       [](VariablesFunction f, ArrayLike z, ArrayLike t) {
         const PythonVariables of(f, "lagrange_brackets");
-        return at_all(z, t, {6, 6}, [&](double at, const Variables<double>& x, double* out) {
-          put(out, lagrange_brackets(of, x, at));
+        return at_all(z, t, {6, 6}, [&](double at, const rates::Variables<double>& x, double* out) {
+          put(out, rates::lagrange_brackets(of, x, at));
         });
       },
       "f"_a, "z"_a, "t"_a = 0.0,
@@ -96,8 +96,8 @@ z : (..., 6), where.)");
       "canonical_defect",
       [](VariablesFunction f, ArrayLike z, ArrayLike t) -> Floats {
         const PythonVariables of(f, "canonical_defect");
-        return at_all(z, t, {}, [&](double at, const Variables<double>& x, double* out) {
-          *out = canonical_defect(of, x, at);
+        return at_all(z, t, {}, [&](double at, const rates::Variables<double>& x, double* out) {
+          *out = rates::canonical_defect(of, x, at);
         });
       },
       "f"_a, "z"_a, "t"_a = 0.0,
@@ -108,8 +108,8 @@ z : (..., 6), where.)");
       "equations_of_motion",
       [](const PythonSystem& system, ArrayLike t, ArrayLike z, VariablesFunction f) {
         const PythonVariables of(f, "equations_of_motion");
-        return at_all(z, t, {6}, [&](double at, const Variables<double>& x, double* out) {
-          for (const double rate : equations_of_motion(system, at, x, of)) *out++ = rate;
+        return at_all(z, t, {6}, [&](double at, const rates::Variables<double>& x, double* out) {
+          for (const double rate : rates::equations_of_motion(system, at, x, of)) *out++ = rate;
         });
       },
       "system"_a, "t"_a, "z"_a, "f"_a,

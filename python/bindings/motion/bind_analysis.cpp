@@ -11,9 +11,9 @@ namespace polhode::python {
 
 namespace {
 
-struct PythonIndicator : Records<ChaosSample> {
-  using Rows = Records<ChaosSample>;
-  DeviationBy by;
+struct PythonIndicator : Records<analysis::ChaosSample> {
+  using Rows = Records<analysis::ChaosSample>;
+  analysis::DeviationBy by;
   Outcome outcome;
   Statistics statistics;
   std::string method;
@@ -22,7 +22,7 @@ struct PythonIndicator : Records<ChaosSample> {
   double lyapunov_time;
 };
 
-Deviation deviation_of(nb::handle value) {
+analysis::Deviation deviation_of(nb::handle value) {
   const Numbers six(value, "deviation", {6});
   if (!six.shape().empty()) throw nb::value_error("deviation: expected six numbers");
   const double* const d = six.at(0);
@@ -35,13 +35,13 @@ PythonIndicator indicator(const PythonProblem& python_problem,
   const Problem problem = problem_without_events(python_problem);
   const SaveAt times =
       samples.is_none() ? SaveAt::times({problem.stop}) : save_at_of(samples, "samples");
-  ChaosOptions options{
+  analysis::ChaosOptions options{
       .momentum_scale = momentum_scale, .distance = distance, .neighbour = neighbour};
   if (!deviation.is_none()) options.deviation = deviation_of(deviation);
   const Progress look = signal_check();
-  ChaosIndicator found = [&] {
+  analysis::ChaosIndicator found = [&] {
     const WithoutGil released;
-    return chaos_indicator(problem, times, options, look);
+    return analysis::chaos_indicator(problem, times, options, look);
   }();
   warn_of(found.outcome, "chaos_indicator");
   const double megno = found.mean_megno(), time = found.lyapunov_time();
@@ -56,10 +56,11 @@ PythonIndicator indicator(const PythonProblem& python_problem,
 }
 
 void bind_indicator_class(nb::module_& m) {
-  nb::enum_<DeviationBy>(m, "DeviationBy", "How a deviation is carried along a run.",
-                         nb::is_arithmetic())
-      .value("variational", DeviationBy::variational, "by the derivative of the motion")
-      .value("neighbour", DeviationBy::neighbour, "as a second motion, brought back when far");
+  nb::enum_<analysis::DeviationBy>(m, "DeviationBy", "How a deviation is carried along a run.",
+                                   nb::is_arithmetic())
+      .value("variational", analysis::DeviationBy::variational, "by the derivative of the motion")
+      .value("neighbour", analysis::DeviationBy::neighbour,
+             "as a second motion, brought back when far");
   using P = PythonIndicator;
   nb::class_<P> c(m, "ChaosIndicator", R"(How a deviation has grown along a run.
 
@@ -67,7 +68,7 @@ void bind_indicator_class(nb::module_& m) {
 growth is ln(|d| / |d(0)|), lyapunov = growth / t its Lyapunov indicator (1/time), megno and
 mean_megno those of Cincotta and Simo (2000): the mean tends to 2 for a regular motion, to half
 the Lyapunov exponent times t for a chaotic one. Time counts from the start of the run.)");
-  using S = ChaosSample;
+  using S = analysis::ChaosSample;
   def_records<S>(c, {{"t", [](const S& s) { return &s.t; }, "(N,): the times."},
                      {"growth", [](const S& s) { return &s.growth; },
                       "(N,): ln of the length over that at the start."},

@@ -17,7 +17,7 @@
 #include "motion/system_value.hpp"
 #include "motion/trajectory_value.hpp"
 #include "polhode/dynamics/free_events.hpp"
-#include "polhode/dynamics/resume.hpp"
+#include "polhode/dynamics/integrate.hpp"
 #include "polhode/error.hpp"
 
 namespace polhode::python {

@@ -24,7 +24,7 @@ class PythonPhi {
  public:
   explicit PythonPhi(SharedFunction function) : function_(std::move(function)) {}
 
-  BasicVec3<Tangent> operator()(const Gauge::Elements& C, const Tangent& t) const {
+  BasicVec3<Tangent> operator()(const rates::Gauge::Elements& C, const Tangent& t) const {
     const WithGil acquired;
     nb::list elements;
     for (const Tangent& x : C) elements.append(to_python(x));
@@ -46,16 +46,16 @@ class PythonPhi {
 
 }  // namespace
 
-Gauge gauge_of(nb::handle gauge) {
+rates::Gauge gauge_of(nb::handle gauge) {
   if (nb::isinstance<nb::str>(gauge)) {
     const auto word = nb::cast<std::string>(gauge);
-    if (word == "canonical") return Gauge::canonical();
-    if (word == "osculating") return Gauge::osculating();
+    if (word == "canonical") return rates::Gauge::canonical();
+    if (word == "osculating") return rates::Gauge::osculating();
     throw nb::value_error(("gauge: got \"" + word +
                            R"("; expected "canonical", "osculating" or a function Phi(C, t))")
                               .c_str());
   }
-  return Gauge(PythonPhi(std::make_shared<PythonFunction>(gauge, "gauge")));
+  return rates::Gauge(PythonPhi(std::make_shared<PythonFunction>(gauge, "gauge")));
 }
 
 namespace {
@@ -101,20 +101,21 @@ void bind_set(nb::module_& m) {
   m.def(
       "element_rates",
       [](const PythonSystem& system, ArrayLike t, const Batch<C>& elements, AnyGauge gauge) {
-        const Gauge of = gauge_of(gauge);
+        const rates::Gauge of = gauge_of(gauge);
         Numbers times(t, "t");
         return mapped_numbers(elements, times, {6}, [&](const C& one, double at) {
-          return element_rates(system, at, one, of);
+          return rates::element_rates(system, at, one, of);
         });
       },
       "system"_a, "t"_a, "elements"_a, "gauge"_a = "canonical", rates_doc);
   m.def(
       "element_state",
       [](const PythonSystem& system, ArrayLike t, const Batch<C>& elements, AnyGauge gauge) {
-        const Gauge of = gauge_of(gauge);
+        const rates::Gauge of = gauge_of(gauge);
         Numbers times(t, "t");
-        return mapped(elements, times,
-                      [&](const C& one, double at) { return element_state(system, at, one, of); });
+        return mapped(elements, times, [&](const C& one, double at) {
+          return rates::element_state(system, at, one, of);
+        });
       },
       "system"_a, "t"_a, "elements"_a, "gauge"_a = "canonical",
       "The canonical states (q, g) of bodies with these elements in this gauge: angular_velocity "
@@ -122,10 +123,10 @@ void bind_set(nb::module_& m) {
   m.def(
       "element_convective_term",
       [](const PythonSystem& system, ArrayLike t, const Batch<C>& elements, AnyGauge gauge) {
-        const Gauge of = gauge_of(gauge);
+        const rates::Gauge of = gauge_of(gauge);
         Numbers times(t, "t");
         return mapped_numbers(elements, times, {3}, [&](const C& one, double at) {
-          return element_convective_term(system, at, one, of);
+          return rates::element_convective_term(system, at, one, of);
         });
       },
       "system"_a, "t"_a, "elements"_a, "gauge"_a = "canonical",
@@ -134,11 +135,11 @@ void bind_set(nb::module_& m) {
 }
 
 template <class C>
-nb::object of_state(const System& system, ArrayLike t, const Rotors& states, const Gauge& gauge,
-                    const C& like = {}) {
+nb::object of_state(const System& system, ArrayLike t, const Rotors& states,
+                    const rates::Gauge& gauge, const C& like = {}) {
   Numbers times(t, "t");
   return nb::cast(mapped(states, times, [&](const RotorState& s, double at) {
-    return elements_of_state(system, at, s, like, gauge);
+    return rates::elements_of_state(system, at, s, like, gauge);
   }));
 }
 
@@ -154,7 +155,7 @@ void bind_element_rates(nb::module_& m) {
       [](const PythonSystem& system, ArrayLike t, const Rotors& states, const std::string& chart,
          AnyGauge gauge, std::optional<double> t0)
           -> Typed<"AndoyerState | FukushimaIshizakiState | SerretState | SadovState"> {
-        const Gauge of = gauge_of(gauge);
+        const rates::Gauge of = gauge_of(gauge);
         if (t0 && chart != "fukushima-ishizaki")
           throw nb::value_error("elements_of_state: t0 goes with the chart \"fukushima-ishizaki\"");
         if (chart == "andoyer") return of_state<AndoyerState>(system, t, states, of);

@@ -5,8 +5,7 @@
 #include "charts/states.hpp"
 #include "interface/dual_number.hpp"
 #include "motion/frame_value.hpp"
-#include "polhode/frame/local_vertical.hpp"
-#include "polhode/frame/orbit_plane.hpp"
+#include "polhode/frame/frame.hpp"
 
 namespace polhode::python {
 

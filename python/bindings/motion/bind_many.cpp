@@ -15,8 +15,8 @@
 #include "motion/dynamics_values.hpp"
 #include "motion/samples.hpp"
 #include "motion/trajectory_value.hpp"
-#include "polhode/dynamics/integrate_many.hpp"
-#include "polhode/ensemble/ordered_parallel_for.hpp"
+#include "polhode/dynamics/integrate.hpp"
+#include "polhode/ensemble/executor.hpp"
 #include "polhode/error.hpp"
 
 namespace polhode::python {
@@ -117,8 +117,8 @@ void integrate_on_threads(const std::vector<Problem>& problems, const Keep& keep
   std::vector<BodyRun> runs(problems.size());
   const auto count = static_cast<std::int64_t>(runs.size());
   loop.do_work([&] {
-    ordered_parallel_for(
-        0, count, hardware_threads(),
+    ensemble::ordered_parallel_for(
+        0, count, ensemble::hardware_threads(),
         [&](std::int64_t index) {
           const auto k = static_cast<std::size_t>(index);
           runs[k] = integrate_body(k, problems[k], keep, [&loop](double) { loop.go_on(); });

@@ -3,8 +3,8 @@
 #include "interface/batch.hpp"
 #include "interface/value.hpp"
 #include "polhode/secular/insolation.hpp"
+#include "polhode/secular/orbit_history.hpp"
 #include "polhode/secular/planet.hpp"
-#include "polhode/secular/shipped_orbit.hpp"
 #include "polhode/secular/tidal_spin.hpp"
 
 namespace polhode::python {
@@ -12,7 +12,7 @@ namespace polhode::python {
 namespace {
 
 void bind_tides(nb::module_& m) {
-  using T = TidalRates;
+  using T = secular::TidalRates;
   bind_value<T>(m, "TidalRates",
                 R"(The tides that star and satellite raise on a planet, with a constant time lag.
 
@@ -33,7 +33,7 @@ The satellite goes round on a circle in the plane of the planet's orbit.)",
                       "Mean motion of the satellite at the epoch, rad per time.", 0.0),
                 field("satellite_momentum", &T::satellite_momentum,
                       "Of its orbit over C of the planet, rad per time.", 0.0));
-  m.def("tidal_rate", &tidal_rate, "k2"_a, "lag"_a, "gm"_a, "mass_ratio"_a, "radius"_a,
+  m.def("tidal_rate", &secular::tidal_rate, "k2"_a, "lag"_a, "gm"_a, "mass_ratio"_a, "radius"_a,
         "inertia_factor"_a, "semi_major_axis"_a,
         R"(K = 3 k2 lag gm m R^3 / (M a^6) / (C / M R^2), 1 per time.
 
@@ -49,9 +49,9 @@ semi_major_axis : a, a length.)");
 
 // ra and dec of the equator of J2000, along ecliptic-J2000.
 FloatArray pole_of(const std::string& name) {
-  const PlanetSpin& of = known_planet(name);
+  const secular::PlanetSpin& of = secular::known_planet(name);
   Result pole({}, {3});
-  const Vec3 s = planet_pole(of);
+  const Vec3 s = secular::planet_pole(of);
   for (int i = 0; i < 3; ++i) pole.at(0)[i] = s[i];
   return pole.take();
 }
@@ -65,8 +65,8 @@ FloatArray insolation(const ArrayLike& obliquity, const ArrayLike& pericentre,
   const Shape shape = broadcast(in);
   Result result(shape, {});
   for_each(size_of(shape), [&](std::size_t k) {
-    const SpinAngles angles{in[0][k], 0.0, in[1][k], 0.0};
-    *result.at(k) = daily_insolation(angles, in[2][k], {in[3][k], in[4][k], in[5][k]});
+    const secular::SpinAngles angles{in[0][k], 0.0, in[1][k], 0.0};
+    *result.at(k) = secular::daily_insolation(angles, in[2][k], {in[3][k], in[4][k], in[5][k]});
   });
   return result.take();
 }
@@ -74,8 +74,8 @@ FloatArray insolation(const ArrayLike& obliquity, const ArrayLike& pericentre,
 void bind_known(nb::module_& m) {
   m.def(
       "shipped_orbit",
-      [](const std::string& name, double year) { return shipped_orbit(name, year); }, "name"_a,
-      "year"_a = 1.0,
+      [](const std::string& name, double year) { return secular::shipped_orbit(name, year); },
+      "name"_a, "year"_a = 1.0,
       R"(The orbit of the Earth or Mars over 20 million years on either side of J2000.
 
 From an integration of the planets with REBOUND; the Earth stands for its barycentre with the Moon.
@@ -87,7 +87,9 @@ name : "earth" or "mars".
 year : what a Julian year is in the unit of time wanted: 1e-3 for times in kyr.)");
   m.def(
       "planet_rates",
-      [](const std::string& name, double year) { return planet_rates(known_planet(name), year); },
+      [](const std::string& name, double year) {
+        return secular::planet_rates(secular::known_planet(name), year);
+      },
       "name"_a, "year"_a = 1.0,
       "PrecessionRates of \"earth\" or \"mars\" as published, in rad per unit of time; `year` as "
       "in "

@@ -17,30 +17,30 @@
 #include "motion/frame_value.hpp"
 #include "motion/system_functions.hpp"
 #include "polhode/dynamics/satellite_path.hpp"
-#include "polhode/system/orbital_elements.hpp"
+#include "polhode/system/satellite_system.hpp"
 
 namespace polhode::python {
 
 namespace {
 
-using Satellites = Batch<SatelliteState>;
+using Satellites = Batch<satellites::SatelliteState>;
 
-SatelliteState checked(const SatelliteState& s) {
+satellites::SatelliteState checked(const satellites::SatelliteState& s) {
   require_finite("SatelliteState: r", {s.r.x, s.r.y, s.r.z});
   require_finite("SatelliteState: p", {s.p.x, s.p.y, s.p.z});
   return s;
 }
 
-constexpr Chart<SatelliteState, 2> satellite_chart{
+constexpr Chart<satellites::SatelliteState, 2> satellite_chart{
     "SatelliteState",
     R"(Position r (..., 3) and momentum per unit mass p (..., 3) of a satellite, along a frame.
 
 Without a perturbation that depends on p, the momentum is the velocity relative to inertial axes.
 One state or an array of states: the arguments broadcast. ValueError for numbers that are not
 finite.)",
-    {{{"r", "Position, length; (..., 3).", offsetof(SatelliteState, r), Kind::vector},
-      {"p", "Momentum per unit mass, length per time; (..., 3).", offsetof(SatelliteState, p),
-       Kind::vector}}},
+    {{{"r", "Position, length; (..., 3).", offsetof(satellites::SatelliteState, r), Kind::vector},
+      {"p", "Momentum per unit mass, length per time; (..., 3).",
+       offsetof(satellites::SatelliteState, p), Kind::vector}}},
     checked};
 
 // Python's H(t, r, p) on Duals.
@@ -49,7 +49,7 @@ class PythonOrbitalEnergy {
   explicit PythonOrbitalEnergy(SharedFunction function) : function_(std::move(function)) {}
 
   template <Real T>
-  T operator()(const T& t, const BasicSatelliteState<T>& s) const {
+  T operator()(const T& t, const satellites::BasicSatelliteState<T>& s) const {
     const WithGil acquired;
     const nb::object returned = (*function_)(time(t), to_python(s.r), to_python(s.p));
     T out(0.0);
@@ -69,9 +69,9 @@ class PythonOrbitalEnergy {
   SharedFunction function_;
 };
 
-struct PythonOrbitalPerturbation : OrbitalPerturbation {
-  PythonOrbitalPerturbation(OrbitalPerturbation of, Recipe made_from)
-      : OrbitalPerturbation(std::move(of)), recipe(std::move(made_from)) {}
+struct PythonOrbitalPerturbation : satellites::OrbitalPerturbation {
+  PythonOrbitalPerturbation(satellites::OrbitalPerturbation of, Recipe made_from)
+      : satellites::OrbitalPerturbation(std::move(of)), recipe(std::move(made_from)) {}
 
   Recipe recipe;
 };
@@ -97,15 +97,16 @@ Examples
        [](P* self,
           Typed<"typing.Callable[[typing.Any, typing.Any, typing.Any], Dual | float]"> function) {
          const auto shared = std::make_shared<PythonFunction>(function, "OrbitalPerturbation");
-         new (self) P(OrbitalPerturbation(PythonOrbitalEnergy(shared)),
+         new (self) P(satellites::OrbitalPerturbation(PythonOrbitalEnergy(shared)),
                       recipe_of("", {"function"}, nb::make_tuple(function), {shared}));
        },
        "function"_a)
       .def_static(
           "oblateness",
           [](double gm, double J2, double radius) {
-            return P(oblateness(gm, J2, radius), recipe_of("oblateness", {"gm", "J2", "radius"},
-                                                           nb::make_tuple(gm, J2, radius)));
+            return P(
+                satellites::oblateness(gm, J2, radius),
+                recipe_of("oblateness", {"gm", "J2", "radius"}, nb::make_tuple(gm, J2, radius)));
           },
           "gm"_a, "J2"_a, "radius"_a,
           "The oblateness of a planet about the third axis of the frame: gm J2 radius^2 / r^3 "
@@ -113,9 +114,9 @@ Examples
   def_recipe<P>(c, [](const P&) { return std::string("OrbitalPerturbation"); });
 }
 
-struct PythonSatelliteSystem : SatelliteSystem {
-  PythonSatelliteSystem(SatelliteSystem system, nb::object frame, nb::tuple terms)
-      : SatelliteSystem(std::move(system)),
+struct PythonSatelliteSystem : satellites::SatelliteSystem {
+  PythonSatelliteSystem(satellites::SatelliteSystem system, nb::object frame, nb::tuple terms)
+      : satellites::SatelliteSystem(std::move(system)),
         python_frame(std::move(frame)),
         python_terms(std::move(terms)) {}
 
@@ -127,7 +128,7 @@ void make_satellite_system(PythonSatelliteSystem* self, double gm, Typed<"Frame 
                            Typed<"collections.abc.Iterable[OrbitalPerturbation]"> terms) {
   nb::object of = frame_or_inertial(frame, "SatelliteSystem");
   nb::tuple all = nb::tuple(terms);
-  std::vector<OrbitalPerturbation> values;
+  std::vector<satellites::OrbitalPerturbation> values;
   for (const nb::handle term : all) {
     if (!nb::isinstance<PythonOrbitalPerturbation>(term))
       throw nb::type_error(
@@ -136,7 +137,7 @@ void make_satellite_system(PythonSatelliteSystem* self, double gm, Typed<"Frame 
     values.push_back(nb::cast<const PythonOrbitalPerturbation&>(term));
   }
   const Frame& value = nb::cast<const PythonFrame&>(of);
-  SatelliteSystem system(gm, value, std::move(values));
+  satellites::SatelliteSystem system(gm, value, std::move(values));
   new (self) PythonSatelliteSystem(std::move(system), std::move(of), std::move(all));
 }
 
@@ -182,15 +183,17 @@ Examples
 }
 
 void bind_motion(nb::module_& m) {
-  using Path = BasicTrajectory<SatelliteState>;
+  using Path = BasicTrajectory<satellites::SatelliteState>;
   m.def(
       "satellite_rates",
       [](const PythonSatelliteSystem& system, ArrayLike t, const Satellites& states) {
         Numbers times(t, "t");
-        return mapped_numbers(states, times, {6}, [&](const SatelliteState& s, double at) {
-          const SatelliteState rate = satellite_rates(system, at, s);
-          return std::array<double, 6>{rate.r.x, rate.r.y, rate.r.z, rate.p.x, rate.p.y, rate.p.z};
-        });
+        return mapped_numbers(
+            states, times, {6}, [&](const satellites::SatelliteState& s, double at) {
+              const satellites::SatelliteState rate = satellites::satellite_rates(system, at, s);
+              return std::array<double, 6>{rate.r.x, rate.r.y, rate.r.z,
+                                           rate.p.x, rate.p.y, rate.p.z};
+            });
       },
       "system"_a, "t"_a, "state"_a,
       "(dr/dt, dp/dt) (..., 6) of a satellite: Hamilton's equations in the frame of the system.");
@@ -198,9 +201,10 @@ void bind_motion(nb::module_& m) {
       "energy",
       [](const PythonSatelliteSystem& system, ArrayLike t, const Satellites& states) -> Floats {
         Numbers times(t, "t");
-        return mapped_numbers(states, times, {}, [&](const SatelliteState& s, double at) {
-          return energy(system, at, s);
-        });
+        return mapped_numbers(states, times, {},
+                              [&](const satellites::SatelliteState& s, double at) {
+                                return satellites::energy(system, at, s);
+                              });
       },
       "system"_a, "t"_a, "state"_a,
       "The Hamiltonian of a satellite (...), per unit mass; constant if nothing depends on time.");
@@ -222,12 +226,12 @@ void bind_motion(nb::module_& m) {
          Typed<"Adaptive | Collocation | None"> method) {
         if (!state.shape().empty())
           throw nb::value_error("satellite_path: state: expected one state");
-        const Method chosen =
-            method.is_none() ? Method(default_path_method) : method_of(method, "satellite_path");
+        const Method chosen = method.is_none() ? Method(satellites::default_path_method)
+                                               : method_of(method, "satellite_path");
         const Progress look = signal_check();
         Path path = [&] {
           const WithoutGil released;
-          return satellite_path(system, state[0], start, stop, chosen, look);
+          return satellites::satellite_path(system, state[0], start, stop, chosen, look);
         }();
         warn_of(path.outcome(), "satellite_path");
         return path;
@@ -273,9 +277,9 @@ Raises
 ValueError for an orbit that is not bound, at e = 0 and i = 0 or pi, and where the linear system for
 dC/dt is singular.)";
 
-OrbitalSet set_of(const std::string& chart, const char* function) {
-  if (chart == "delaunay") return OrbitalSet::delaunay;
-  if (chart == "keplerian") return OrbitalSet::keplerian;
+satellites::OrbitalSet set_of(const std::string& chart, const char* function) {
+  if (chart == "delaunay") return satellites::OrbitalSet::delaunay;
+  if (chart == "keplerian") return satellites::OrbitalSet::keplerian;
   throw nb::value_error((std::string(function) + ": got the chart \"" + chart +
                          R"("; expected "delaunay" or "keplerian" for a satellite)")
                             .c_str());
@@ -289,7 +293,7 @@ void at_all(ArrayLike elements, ArrayLike t, F f) {
   both.emplace_back(t, "t");
   const Shape shape = broadcast(both);
   f(shape, [&](std::size_t k) {
-    OrbitalElements C;
+    satellites::OrbitalElements C;
     std::copy_n(both[0].at(k), 6, C.begin());
     return std::pair(C, both[1][k]);
   });
@@ -300,8 +304,8 @@ void bind_elements(nb::module_& m) {
       "element_rates",
       [](const PythonSatelliteSystem& system, ArrayLike t, ArrayLike elements, AnyGauge gauge,
          const std::string& chart) {
-        const Gauge of = gauge_of(gauge);
-        const OrbitalSet set = set_of(chart, "element_rates");
+        const rates::Gauge of = gauge_of(gauge);
+        const satellites::OrbitalSet set = set_of(chart, "element_rates");
         nb::object rates;
         at_all(elements, t, [&](const Shape& shape, const auto& at) {
           Result result(shape, {6});
@@ -318,8 +322,8 @@ void bind_elements(nb::module_& m) {
       "element_convective_term",
       [](const PythonSatelliteSystem& system, ArrayLike t, ArrayLike elements, AnyGauge gauge,
          const std::string& chart) {
-        const Gauge of = gauge_of(gauge);
-        const OrbitalSet set = set_of(chart, "element_convective_term");
+        const rates::Gauge of = gauge_of(gauge);
+        const satellites::OrbitalSet set = set_of(chart, "element_convective_term");
         nb::object terms;
         at_all(elements, t, [&](const Shape& shape, const auto& at) {
           Result result(shape, {3});
@@ -338,11 +342,11 @@ void bind_elements(nb::module_& m) {
       "element_state",
       [](const PythonSatelliteSystem& system, ArrayLike t, ArrayLike elements, AnyGauge gauge,
          const std::string& chart) {
-        const Gauge of = gauge_of(gauge);
-        const OrbitalSet set = set_of(chart, "element_state");
+        const rates::Gauge of = gauge_of(gauge);
+        const satellites::OrbitalSet set = set_of(chart, "element_state");
         std::optional<Satellites> states;
         at_all(elements, t, [&](const Shape& shape, const auto& at) {
-          states = Satellites::filled(shape, [&](SatelliteState* out) {
+          states = Satellites::filled(shape, [&](satellites::SatelliteState* out) {
             for_each(size_of(shape), [&](std::size_t k) {
               const auto [C, time] = at(k);
               out[k] = element_state(system, time, C, set, of);
@@ -358,12 +362,13 @@ void bind_elements(nb::module_& m) {
       "elements_of_state",
       [](const PythonSatelliteSystem& system, ArrayLike t, const Satellites& states,
          const std::string& chart, AnyGauge gauge) {
-        const Gauge of = gauge_of(gauge);
-        const OrbitalSet set = set_of(chart, "elements_of_state");
+        const rates::Gauge of = gauge_of(gauge);
+        const satellites::OrbitalSet set = set_of(chart, "elements_of_state");
         Numbers times(t, "t");
-        return mapped_numbers(states, times, {6}, [&](const SatelliteState& s, double at) {
-          return elements_of_state(system, at, s, set, of);
-        });
+        return mapped_numbers(states, times, {6},
+                              [&](const satellites::SatelliteState& s, double at) {
+                                return elements_of_state(system, at, s, set, of);
+                              });
       },
       "system"_a, "t"_a, "state"_a, "chart"_a, "gauge"_a = "canonical",
       "The elements (..., 6) of a satellite's states in the chart \"delaunay\" or \"keplerian\" "

@@ -57,35 +57,39 @@ auto made_without_gil(const char* function, const Made& made) {
                               found.statistics, found.method};
 }
 
-PythonSection<AndoyerPoint> andoyer(const PythonProblem& python_problem, OneOf<AndoyerAngle> angle,
-                                    double value, OneOf<Crossing> crossing,
-                                    std::optional<double> period, double epoch) {
-  SectionSurface surface = AndoyerSurface{choice<AndoyerAngle>(angle, "angle"), value,
-                                          choice<Crossing>(crossing, "crossing")};
-  if (period) surface = Strobe{*period, epoch};
+PythonSection<analysis::AndoyerPoint> andoyer(const PythonProblem& python_problem,
+                                              OneOf<analysis::AndoyerAngle> angle, double value,
+                                              OneOf<Crossing> crossing,
+                                              std::optional<double> period, double epoch) {
+  analysis::SectionSurface surface =
+      analysis::AndoyerSurface{choice<analysis::AndoyerAngle>(angle, "angle"), value,
+                               choice<Crossing>(crossing, "crossing")};
+  if (period) surface = analysis::Strobe{*period, epoch};
   const Problem problem = problem_of(python_problem);
   return made_without_gil("andoyer_section", [&](const Progress& look) {
-    return andoyer_section(problem, surface, look);
+    return analysis::andoyer_section(problem, surface, look);
   });
 }
 
-PythonSection<SpinOrbitPoint> spin_orbit(
+PythonSection<analysis::SpinOrbitPoint> spin_orbit(
     const PythonProblem& python_problem,
     const std::variant<KeplerOrbit, PrecessingKeplerOrbit>& orbit) {
   const Problem problem = problem_of(python_problem);
   return made_without_gil("spin_orbit_section", [&](const Progress& look) {
-    return std::visit([&](const auto& o) { return spin_orbit_section(problem, o, look); }, orbit);
+    return std::visit([&](const auto& o) { return analysis::spin_orbit_section(problem, o, look); },
+                      orbit);
   });
 }
 
 }  // namespace
 
 void bind_section(nb::module_& m) {
-  nb::enum_<AndoyerAngle>(m, "AndoyerAngle", "One of Andoyer's angles.", nb::is_arithmetic())
-      .value("l", AndoyerAngle::l, "in the equator of the body")
-      .value("g", AndoyerAngle::g, "in the plane normal to the angular momentum")
-      .value("h", AndoyerAngle::h, "of its node");
-  using A = AndoyerPoint;
+  nb::enum_<analysis::AndoyerAngle>(m, "AndoyerAngle", "One of Andoyer's angles.",
+                                    nb::is_arithmetic())
+      .value("l", analysis::AndoyerAngle::l, "in the equator of the body")
+      .value("g", analysis::AndoyerAngle::g, "in the plane normal to the angular momentum")
+      .value("h", analysis::AndoyerAngle::h, "of its node");
+  using A = analysis::AndoyerPoint;
   bind_section_class<A>(m, "AndoyerSection",
                         R"(The points of a surface of section in Andoyer's elements.
 
@@ -98,7 +102,7 @@ run; angles in (-pi, pi].)",
                          {"L", [](const A& p) { return &p.andoyer.L; }, "(N,): L."},
                          {"G", [](const A& p) { return &p.andoyer.G; }, "(N,): G."},
                          {"H", [](const A& p) { return &p.andoyer.H; }, "(N,): H."}});
-  using S = SpinOrbitPoint;
+  using S = analysis::SpinOrbitPoint;
   bind_section_class<S>(
       m, "SpinOrbitSection", R"(The rotation at every pericentre of an orbit.
 

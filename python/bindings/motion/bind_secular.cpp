@@ -9,7 +9,6 @@
 #include "interface/value.hpp"
 #include "motion/dynamics_values.hpp"
 #include "polhode/dynamics/integrate_model.hpp"
-#include "polhode/secular/spin_on_orbit.hpp"
 #include "polhode/secular/spin_precession.hpp"
 #include "polhode/secular/tidal_spin.hpp"
 #include "terms/orbit_value.hpp"
@@ -18,8 +17,8 @@ namespace polhode::python {
 
 namespace {
 
-ElementTable table_of(nb::handle times, nb::handle e, nb::handle i, nb::handle node,
-                      nb::handle argument, int order) {
+secular::ElementTable table_of(nb::handle times, nb::handle e, nb::handle i, nb::handle node,
+                               nb::handle argument, int order) {
   Numbers in[] = {Numbers(times, "times"), Numbers(e, "eccentricity"), Numbers(i, "inclination"),
                   Numbers(node, "node"), Numbers(argument, "argument")};
   const Shape shape = broadcast(in);
@@ -27,11 +26,11 @@ ElementTable table_of(nb::handle times, nb::handle e, nb::handle i, nb::handle n
     throw nb::value_error(
         ("ElementTable: got shape " + text_of(shape) + "; expected columns (N,)").c_str());
   std::vector<double> at;
-  std::vector<OrbitElements> rows;
+  std::vector<secular::OrbitElements> rows;
   for (std::size_t k = 0; k < shape[0]; ++k) {
     at.push_back(in[0][k]);
     try {
-      rows.push_back(orbit_elements(in[1][k], in[2][k], in[3][k], in[4][k]));
+      rows.push_back(secular::orbit_elements(in[1][k], in[2][k], in[3][k], in[4][k]));
     } catch (const DomainError& error) {
       throw DomainError("ElementTable: row " + std::to_string(k) + ": " + error.what());
     }
@@ -39,13 +38,13 @@ ElementTable table_of(nb::handle times, nb::handle e, nb::handle i, nb::handle n
   return {std::move(at), rows, order};
 }
 
-std::vector<SeriesTerm> terms_of(nb::handle rows, const char* name) {
+std::vector<secular::SeriesTerm> terms_of(nb::handle rows, const char* name) {
   const Numbers numbers(rows, name, {3});
   if (numbers.shape().size() > 1)
     throw nb::value_error((std::string(name) + ": got shape " + text_of(numbers.shape()) +
                            " of rows; expected the shape (n, 3)")
                               .c_str());
-  std::vector<SeriesTerm> terms;
+  std::vector<secular::SeriesTerm> terms;
   for (std::size_t k = 0; k < size_of(numbers.shape()); ++k)
     terms.push_back({numbers.at(k)[0], numbers.at(k)[1], numbers.at(k)[2]});
   return terms;
@@ -66,44 +65,47 @@ std::vector<T> numbers_of(const nb::bytes& bytes) {
 }
 
 using TableState = std::tuple<nb::bytes, nb::bytes, int>;
-TableState state_of(const ElementTable& table) {
-  std::vector<OrbitElements> rows;
+TableState state_of(const secular::ElementTable& table) {
+  std::vector<secular::OrbitElements> rows;
   for (std::size_t k = 0; k < table.times().size(); ++k) rows.push_back(table.row(k));
   return {bytes_of(table.times()), bytes_of(rows), table.order()};
 }
 using SeriesState = std::tuple<nb::bytes, nb::bytes>;
 
 // Copies, pickles and equality by the numbers.
-void def_copies(nb::class_<ElementTable>& c) {
+void def_copies(nb::class_<secular::ElementTable>& c) {
   c.def("__getstate__", state_of)
       .def("__setstate__",
-           [](ElementTable& self, const TableState& state) {
-             const auto rows = numbers_of<OrbitElements>(std::get<1>(state));
-             new (&self)
-                 ElementTable(numbers_of<double>(std::get<0>(state)), rows, std::get<2>(state));
+           [](secular::ElementTable& self, const TableState& state) {
+             const auto rows = numbers_of<secular::OrbitElements>(std::get<1>(state));
+             new (&self) secular::ElementTable(numbers_of<double>(std::get<0>(state)), rows,
+                                               std::get<2>(state));
            })
       .def(
-          "__eq__", [](const ElementTable& a, const ElementTable& b) { return a == b; },
+          "__eq__",
+          [](const secular::ElementTable& a, const secular::ElementTable& b) { return a == b; },
           nb::is_operator());
 }
-void def_copies(nb::class_<ElementSeries>& c) {
+void def_copies(nb::class_<secular::ElementSeries>& c) {
   c.def("__getstate__",
-        [](const ElementSeries& of) {
+        [](const secular::ElementSeries& of) {
           return SeriesState{bytes_of(of.ellipse_terms()), bytes_of(of.plane_terms())};
         })
       .def("__setstate__",
-           [](ElementSeries& self, const SeriesState& state) {
-             new (&self) ElementSeries(numbers_of<SeriesTerm>(std::get<0>(state)),
-                                       numbers_of<SeriesTerm>(std::get<1>(state)));
+           [](secular::ElementSeries& self, const SeriesState& state) {
+             new (&self)
+                 secular::ElementSeries(numbers_of<secular::SeriesTerm>(std::get<0>(state)),
+                                        numbers_of<secular::SeriesTerm>(std::get<1>(state)));
            })
       .def(
-          "__eq__", [](const ElementSeries& a, const ElementSeries& b) { return a == b; },
+          "__eq__",
+          [](const secular::ElementSeries& a, const secular::ElementSeries& b) { return a == b; },
           nb::is_operator());
 }
 
 void bind_orbits(nb::module_& m) {
-  nb::class_<ElementTable> table(m, "ElementTable",
-                                 R"(An orbit that changes over ages, from a table.
+  nb::class_<secular::ElementTable> table(m, "ElementTable",
+                                          R"(An orbit that changes over ages, from a table.
 
 Parameters
 ----------
@@ -119,26 +121,26 @@ names the row of elements of no ellipse, and times that do not rise.)");
   table
       .def(
           "__init__",
-          [](ElementTable* self, const ArrayLike& times, const ArrayLike& e, const ArrayLike& i,
-             const ArrayLike& node, const ArrayLike& argument, int order) {
-            ElementTable made = table_of(times, e, i, node, argument, order);
+          [](secular::ElementTable* self, const ArrayLike& times, const ArrayLike& e,
+             const ArrayLike& i, const ArrayLike& node, const ArrayLike& argument, int order) {
+            secular::ElementTable made = table_of(times, e, i, node, argument, order);
             warn_of_coarse_rows("ElementTable", made.interpolation_error(), 1e-3,
                                 "the largest eccentricity or inclination");
-            new (self) ElementTable(std::move(made));
+            new (self) secular::ElementTable(std::move(made));
           },
           "times"_a, "eccentricity"_a, "inclination"_a, "node"_a, "argument"_a, "order"_a = 0)
-      .def_prop_ro("interpolation_error", &ElementTable::interpolation_error,
+      .def_prop_ro("interpolation_error", &secular::ElementTable::interpolation_error,
                    "About the largest error between rows, of the largest eccentricity or "
                    "inclination; NaN for too few rows to tell.")
-      .def_prop_ro("first_time", &ElementTable::first_time, "Where the table begins.")
-      .def_prop_ro("last_time", &ElementTable::last_time, "Where it ends.")
-      .def("__repr__", [](const ElementTable& t) {
+      .def_prop_ro("first_time", &secular::ElementTable::first_time, "Where the table begins.")
+      .def_prop_ro("last_time", &secular::ElementTable::last_time, "Where it ends.")
+      .def("__repr__", [](const secular::ElementTable& t) {
         return "<ElementTable: " + number_text(t.first_time()) + " to " +
                number_text(t.last_time()) + ">";
       });
   def_copies(table);
-  nb::class_<ElementSeries> series(m, "ElementSeries",
-                                   R"(An orbit that changes over ages, from a series.
+  nb::class_<secular::ElementSeries> series(m, "ElementSeries",
+                                            R"(An orbit that changes over ages, from a series.
 
 e exp(i varpi) and sin(i/2) exp(i Omega) as sums of A exp(i (nu t + phi)) (Laskar 1988).
 
@@ -150,22 +152,23 @@ ValueError where the amplitudes of one add up to 1 or more, and for numbers that
   series
       .def(
           "__init__",
-          [](ElementSeries* self, const ArrayLike& ellipse, const ArrayLike& plane) {
-            new (self) ElementSeries(terms_of(ellipse, "ellipse"), terms_of(plane, "plane"));
+          [](secular::ElementSeries* self, const ArrayLike& ellipse, const ArrayLike& plane) {
+            new (self)
+                secular::ElementSeries(terms_of(ellipse, "ellipse"), terms_of(plane, "plane"));
           },
           "ellipse"_a, "plane"_a)
-      .def("__repr__", [](const ElementSeries&) { return "<ElementSeries>"; });
+      .def("__repr__", [](const secular::ElementSeries&) { return "<ElementSeries>"; });
   def_copies(series);
 }
 
-using Elements = std::variant<ElementTable, ElementSeries>;
+using Elements = std::variant<secular::ElementTable, secular::ElementSeries>;
 
-Elements elements_of(const OrbitHistory& of) {
+Elements elements_of(const secular::OrbitHistory& of) {
   return of.table() != nullptr ? Elements(*of.table()) : Elements(*of.series());
 }
 
 void bind_history_orbit(nb::module_& m) {
-  using O = HistoryOrbit;
+  using O = secular::HistoryOrbit;
   nb::class_<O> c(m, "HistoryOrbit",
                   R"(Where a planet is on an orbit that changes over ages.
 
@@ -183,8 +186,9 @@ ValueError for gm or semi_major_axis that is not positive.)");
   c.def(
        "__init__",
        [](O* self, const Elements& elements, double gm, double a, double longitude) {
-         new (self) O(std::visit([](const auto& of) { return OrbitHistory(of); }, elements), gm, a,
-                      longitude);
+         new (self)
+             O(std::visit([](const auto& of) { return secular::OrbitHistory(of); }, elements), gm,
+               a, longitude);
        },
        "elements"_a, "gm"_a, "semi_major_axis"_a, "longitude"_a = 0.0)
       .def_prop_ro(
@@ -215,7 +219,7 @@ ValueError for gm or semi_major_axis that is not positive.)");
 }
 
 void bind_rates(nb::module_& m) {
-  using R = PrecessionRates;
+  using R = secular::PrecessionRates;
   bind_value<R>(m, "PrecessionRates",
                 R"(What turns the spin axis of a planet, in rad per time.
 
@@ -232,8 +236,8 @@ drift : by which fraction per time star and satellites grow from t = 0 on, as by
   m.def(
       "rates_of_precession",
       [](double rate, double obliquity, double eccentricity, double satellites) {
-        return rates_of_precession(rate, std::cos(obliquity), eccentricity * eccentricity,
-                                   satellites);
+        return secular::rates_of_precession(rate, std::cos(obliquity), eccentricity * eccentricity,
+                                            satellites);
       },
       "rate"_a, "obliquity"_a, "eccentricity"_a = 0.0, "satellites"_a = 0.0,
       R"(The PrecessionRates with which the equinox goes back at a rate that was observed.
@@ -243,12 +247,12 @@ Parameters
 rate : rad per time, by the torques of star and satellites, without geodetic precession.
 obliquity, eccentricity : at the time of the rate; rad.
 satellites : their torque over that of the star on a circle.)");
-  m.def("star_precession", &star_precession, "ellipticity"_a, "spin_rate"_a, "gm"_a,
+  m.def("star_precession", &secular::star_precession, "ellipticity"_a, "spin_rate"_a, "gm"_a,
         "semi_major_axis"_a,
         "3/2 gm / a^3 E / w: E = (C - (A + B)/2) / C of the planet, w its spin rate; gm of the "
         "star.");
-  m.def("satellite_precession", &satellite_precession, "ellipticity"_a, "spin_rate"_a, "gm"_a,
-        "semi_major_axis"_a, "eccentricity"_a = 0.0, "inclination"_a = 0.0,
+  m.def("satellite_precession", &secular::satellite_precession, "ellipticity"_a, "spin_rate"_a,
+        "gm"_a, "semi_major_axis"_a, "eccentricity"_a = 0.0, "inclination"_a = 0.0,
         "The same of a satellite that goes round far outside the planet, at a mean inclination "
         "(rad) against the planet's orbit (Laskar and Robutel 1993).");
   m.def(
@@ -257,10 +261,10 @@ satellites : their torque over that of the star on a circle.)");
          const ArrayLike& mean_motion) {
         Numbers in[] = {Numbers(mass, "mass"), Numbers(distance, "distance"),
                         Numbers(mean_motion, "mean_motion")};
-        std::vector<InnerSatellite> all;
+        std::vector<secular::InnerSatellite> all;
         for (std::size_t k = 0, n = size_of(broadcast(in)); k < n; ++k)
           all.push_back({in[0][k], in[1][k], in[2][k]});
-        return inner_satellites_factor(J2, inertia_factor, all);
+        return secular::inner_satellites_factor(J2, inertia_factor, all);
       },
       "J2"_a, "inertia_factor"_a, "mass"_a, "distance"_a, "mean_motion"_a,
       R"(By what satellites that stay in the equator multiply star (Ward and Hamilton 2004).
@@ -270,8 +274,8 @@ Parameters
 J2, inertia_factor : of the planet; C / M R^2.
 mass, distance, mean_motion : of the satellites, (N,) or numbers: m / M, a / R, and n over the spin
     rate.)");
-  m.def("geodetic_precession", &geodetic_precession, "gm"_a, "semi_major_axis"_a, "light_speed"_a,
-        "De Sitter's, of a planet on a circle: 3/2 (gm / a)^(3/2) / (a c^2).");
+  m.def("geodetic_precession", &secular::geodetic_precession, "gm"_a, "semi_major_axis"_a,
+        "light_speed"_a, "De Sitter's, of a planet on a circle: 3/2 (gm / a)^(3/2) / (a c^2).");
 }
 
 struct SpinRow {
@@ -279,7 +283,7 @@ struct SpinRow {
   Vec3 s;
   double spin;
   double distance;
-  SpinAngles angles;
+  secular::SpinAngles angles;
   double eccentricity;
 };
 
@@ -291,18 +295,19 @@ struct SpinHistory : Records<SpinRow> {
 };
 
 template <class E>
-SpinPrecession<E> model_of(const E& orbit, const PrecessionRates& rates) {
+secular::SpinPrecession<E> model_of(const E& orbit, const secular::PrecessionRates& rates) {
   return {orbit, rates};
 }
-SpinOnOrbit model_of(const HistoryOrbit& orbit, const PrecessionRates& rates) {
+secular::SpinOnOrbit model_of(const secular::HistoryOrbit& orbit,
+                              const secular::PrecessionRates& rates) {
   if (rates.satellites != 0.0 || rates.geodetic != 0.0 || rates.drift != 0.0)
     throw nb::value_error("rates: got more than star; expected star alone on a HistoryOrbit");
   return {orbit, rates.star};
 }
 
 template <class Orbit>
-OrbitElements elements_at(const Orbit& orbit, double t) {
-  if constexpr (std::is_same_v<Orbit, HistoryOrbit>)
+secular::OrbitElements elements_at(const Orbit& orbit, double t) {
+  if constexpr (std::is_same_v<Orbit, secular::HistoryOrbit>)
     return orbit.elements().at(t);
   else
     return orbit.at(t);
@@ -321,23 +326,23 @@ SpinHistory history_on(const M& model, const Orbit& orbit, const typename M::Sta
   warn_of(run.outcome(), "spin_history");
   std::vector<SpinRow> rows;
   for (const BasicSample<S>& at : run.samples()) {
-    const OrbitElements o = elements_at(orbit, at.t);
-    const TidalSpin state = tidal_spin(at.s);
-    rows.push_back(
-        {at.t, state.s, state.spin, state.distance, spin_angles({state.s}, o), eccentricity(o)});
+    const secular::OrbitElements o = elements_at(orbit, at.t);
+    const secular::TidalSpin state = secular::tidal_spin(at.s);
+    rows.push_back({at.t, state.s, state.spin, state.distance, secular::spin_angles({state.s}, o),
+                    secular::eccentricity(o)});
   }
   return {Records(std::move(rows)), run.outcome(), run.statistics(), run.method()};
 }
 
 template <class Orbit>
-SpinHistory with_tides(const Orbit& orbit, const PrecessionRates& rates, const TidalRates& tides,
-                       const SpinAxis& start, double epoch, const SaveAt& times,
-                       const Method& method) {
-  if constexpr (std::is_same_v<Orbit, HistoryOrbit>) {
+SpinHistory with_tides(const Orbit& orbit, const secular::PrecessionRates& rates,
+                       const secular::TidalRates& tides, const secular::SpinAxis& start,
+                       double epoch, const SaveAt& times, const Method& method) {
+  if constexpr (std::is_same_v<Orbit, secular::HistoryOrbit>) {
     throw nb::value_error("tides: expected none on a HistoryOrbit");
   } else {
-    return history_on(TidalPrecession<Orbit>(orbit, rates, tides), orbit, TidalSpin{start.s}, epoch,
-                      times, method);
+    return history_on(secular::TidalPrecession<Orbit>(orbit, rates, tides), orbit,
+                      secular::TidalSpin{start.s}, epoch, times, method);
   }
 }
 
@@ -355,11 +360,12 @@ void require_one_side(const SaveAt& times, double epoch) {
   if (std::abs(times[0] - epoch) > std::abs(last - epoch)) fail(times[0], "running towards");
 }
 
-SpinHistory history(const std::variant<ElementTable, ElementSeries, HistoryOrbit>& orbit,
-                    const PrecessionRates& rates, const ArrayLike& pole,
-                    const Typed<"SaveAt | numpy.typing.ArrayLike">& times,
-                    const Typed<"Adaptive | Collocation | Splitting">& method, double epoch,
-                    const std::optional<TidalRates>& tides) {
+SpinHistory history(
+    const std::variant<secular::ElementTable, secular::ElementSeries, secular::HistoryOrbit>& orbit,
+    const secular::PrecessionRates& rates, const ArrayLike& pole,
+    const Typed<"SaveAt | numpy.typing.ArrayLike">& times,
+    const Typed<"Adaptive | Collocation | Splitting">& method, double epoch,
+    const std::optional<secular::TidalRates>& tides) {
   const SaveAt at = save_at_of(times, "times");
   if (at.size() == 0) throw nb::value_error("times: got none; expected one or more");
   require_one_side(at, epoch);
@@ -367,8 +373,8 @@ SpinHistory history(const std::variant<ElementTable, ElementSeries, HistoryOrbit
     if (!std::isfinite(rate))
       throw nb::value_error(
           ("rates: got " + number_text(rate) + "; expected finite rates").c_str());
-  require_drift(rates, epoch, at[at.size() - 1]);
-  if (const auto* const table = std::get_if<ElementTable>(&orbit))
+  secular::require_drift(rates, epoch, at[at.size() - 1]);
+  if (const auto* const table = std::get_if<secular::ElementTable>(&orbit))
     if (!(epoch >= table->first_time() && epoch <= table->last_time()))
       throw nb::value_error(("epoch: got " + number_text(epoch) +
                              "; expected one that the table "
@@ -376,7 +382,7 @@ SpinHistory history(const std::variant<ElementTable, ElementSeries, HistoryOrbit
                              number_text(table->first_time()) + " to " +
                              number_text(table->last_time()))
                                 .c_str());
-  const SpinAxis start = spin_axis(vec3(pole, "pole"));
+  const secular::SpinAxis start = secular::spin_axis(vec3(pole, "pole"));
   const Method by =
       method.is_none() ? Method(default_model_method) : method_of(method, "spin_history");
   return std::visit(

@@ -9,8 +9,8 @@ namespace polhode::python {
 
 namespace {
 
-struct PythonSpectrum : Records<SpectralLine> {
-  using Rows = Records<SpectralLine>;
+struct PythonSpectrum : Records<analysis::SpectralLine> {
+  using Rows = Records<analysis::SpectralLine>;
   double mean;
   double residual;
   double size;
@@ -29,7 +29,8 @@ PythonSpectrum analysed(const ArrayLike& values, double interval, double start, 
                         int window, double smallest) {
   const nb::module_ numpy = nb::module_::import_("numpy");
   const bool is_complex = are_complex(values, numpy);
-  const SpectrumOptions options{lines == 0 ? std::nullopt : std::optional(lines), window, smallest};
+  const analysis::SpectrumOptions options{lines == 0 ? std::nullopt : std::optional(lines), window,
+                                          smallest};
   const Numbers real(is_complex ? nb::object(numpy.attr("real")(values)) : nb::object(values),
                      "values");
   if (real.shape().size() != 1)
@@ -43,12 +44,13 @@ PythonSpectrum analysed(const ArrayLike& values, double interval, double start, 
     const Numbers imaginary(nb::object(numpy.attr("imag")(values)), "values");
     for (std::size_t k = 0; k < count; ++k) z.emplace_back(x[k], imaginary[k]);
   }
-  Spectrum found = [&] {
+  analysis::Spectrum found = [&] {
     const WithoutGil released;
-    return is_complex ? spectrum(start, interval, std::span<const std::complex<double>>(z), options)
-                      : spectrum(start, interval, std::span<const double>(x), options);
+    return is_complex ? analysis::spectrum(start, interval,
+                                           std::span<const std::complex<double>>(z), options)
+                      : analysis::spectrum(start, interval, std::span<const double>(x), options);
   }();
-  if (const int close = unresolved(found); close > 0) {
+  if (const int close = analysis::unresolved(found); close > 0) {
     const std::string text = "spectrum: " + std::to_string(close) +
                              " lines are closer than 10 turns over the samples (" +
                              number_text(found.resolution) +
@@ -62,7 +64,7 @@ PythonSpectrum analysed(const ArrayLike& values, double interval, double start, 
 }  // namespace
 
 void bind_spectrum(nb::module_& m) {
-  using R = SpectralLine;
+  using R = analysis::SpectralLine;
   using S = PythonSpectrum;
   nb::class_<S> c(m, "Spectrum", R"(The leading frequencies of evenly spaced samples.
 

@@ -12,7 +12,7 @@
 #include "interface/value.hpp"
 #include "motion/dynamics_values.hpp"
 #include "polhode/error.hpp"
-#include "polhode/secular/spin_histories.hpp"
+#include "polhode/secular/spin_precession.hpp"
 
 namespace polhode::python {
 
@@ -27,7 +27,7 @@ struct SpinHistories {
 };
 
 // One number of every axis, in (..., M).
-FloatArray numbers_of(const SpinHistories& of, double SpinAngles::*member) {
+FloatArray numbers_of(const SpinHistories& of, double secular::SpinAngles::*member) {
   Numbers axes(of.s, "s", {3}), orbit(of.orbit, "orbit", {4});
   const Shape shape = axes.shape();
   axes.broadcast(shape);
@@ -35,29 +35,30 @@ FloatArray numbers_of(const SpinHistories& of, double SpinAngles::*member) {
   Result result(shape);
   for_each(size_of(shape), [&](std::size_t k) {
     const double *const s = axes.at(k), *const o = orbit.at(k);
-    *result.at(k) = spin_angles({{s[0], s[1], s[2]}}, {o[0], o[1], o[2], o[3]}).*member;
+    *result.at(k) = secular::spin_angles({{s[0], s[1], s[2]}}, {o[0], o[1], o[2], o[3]}).*member;
   });
   return result.take();
 }
 
 struct ManyRates {
   Shape shape;
-  std::vector<PrecessionRates> all;
+  std::vector<secular::PrecessionRates> all;
 };
 
 ManyRates rates_of(nb::handle rates) {
-  if (nb::isinstance<PrecessionRates>(rates)) return {{}, {nb::cast<PrecessionRates>(rates)}};
+  if (nb::isinstance<secular::PrecessionRates>(rates))
+    return {{}, {nb::cast<secular::PrecessionRates>(rates)}};
   const bool list = PyList_Check(rates.ptr()) || PyTuple_Check(rates.ptr());
   if (list && nb::len(rates) == 0) return {{0}, {}};
-  if (list && nb::isinstance<PrecessionRates>(rates[0])) {
+  if (list && nb::isinstance<secular::PrecessionRates>(rates[0])) {
     ManyRates many{{nb::len(rates)}, {}};
     for (const nb::handle one : rates) {
-      if (!nb::isinstance<PrecessionRates>(one))
+      if (!nb::isinstance<secular::PrecessionRates>(one))
         throw nb::type_error(("rates: got a " + class_name(one) +
                               "; expected PrecessionRates (at index " +
                               std::to_string(many.all.size()) + ")")
                                  .c_str());
-      many.all.push_back(nb::cast<PrecessionRates>(one));
+      many.all.push_back(nb::cast<secular::PrecessionRates>(one));
     }
     return many;
   }
@@ -83,9 +84,10 @@ nb::object index_of(std::size_t k, const Shape& shape) {
   return shape_tuple(index);
 }
 
-nb::dict failures_of(const std::vector<LostSpin>& lost, const Shape& shape) {
+nb::dict failures_of(const std::vector<secular::LostSpin>& lost, const Shape& shape) {
   nb::dict failures;
-  for (const LostSpin& one : lost) failures[index_of(one.index, shape)] = nb::cast(one.outcome);
+  for (const secular::LostSpin& one : lost)
+    failures[index_of(one.index, shape)] = nb::cast(one.outcome);
   if (lost.empty()) return failures;
   const std::string first = nb::cast<std::string>(nb::str(index_of(lost[0].index, shape)));
   warn_of(lost[0].outcome, ("spin_histories: index " + first + ", the first of " +
@@ -94,11 +96,12 @@ nb::dict failures_of(const std::vector<LostSpin>& lost, const Shape& shape) {
   return failures;
 }
 
-OrbitHistory history_of(const std::variant<ElementTable, ElementSeries>& orbit) {
-  return std::visit([](const auto& of) { return OrbitHistory(of); }, orbit);
+secular::OrbitHistory history_of(
+    const std::variant<secular::ElementTable, secular::ElementSeries>& orbit) {
+  return std::visit([](const auto& of) { return secular::OrbitHistory(of); }, orbit);
 }
 
-void require_epoch(const OrbitHistory& orbit, double epoch) {
+void require_epoch(const secular::OrbitHistory& orbit, double epoch) {
   if (!(epoch >= orbit.first_time() && epoch <= orbit.last_time()))
     throw nb::value_error(
         ("epoch: got " + number_text(epoch) + "; expected one that the table covers, " +
@@ -106,13 +109,13 @@ void require_epoch(const OrbitHistory& orbit, double epoch) {
             .c_str());
 }
 
-SpinHistories histories(const std::variant<ElementTable, ElementSeries>& elements,
+SpinHistories histories(const std::variant<secular::ElementTable, secular::ElementSeries>& elements,
                         const Typed<"PrecessionRates | collections.abc.Sequence[PrecessionRates] | "
                                     "numpy.typing.ArrayLike">& rates,
                         const ArrayLike& poles,
                         const Typed<"SaveAt | numpy.typing.ArrayLike">& times,
                         const Typed<"Splitting">& method, double epoch) {
-  const OrbitHistory orbit = history_of(elements);
+  const secular::OrbitHistory orbit = history_of(elements);
   require_epoch(orbit, epoch);
   const SaveAt at = save_at_of(times, "times");
   const Method by = method_of(method, "spin_histories");
@@ -124,27 +127,28 @@ SpinHistories histories(const std::variant<ElementTable, ElementSeries>& element
   const Shape shape = broadcast(of_rates.shape, axes.shape(), "rates", "poles");
   axes.broadcast(shape);
   const Lane rate_at(of_rates.shape, shape);
-  std::vector<SpinAxis> starts;
-  std::vector<PrecessionRates> each;
+  std::vector<secular::SpinAxis> starts;
+  std::vector<secular::PrecessionRates> each;
   for (std::size_t k = 0; k < size_of(shape); ++k) {
     const Vec3 pole{axes.at(k)[0], axes.at(k)[1], axes.at(k)[2]};
     // as spin_history takes it; what is no direction fails alone
-    starts.push_back(norm(pole) > 0.0 ? spin_axis(pole) : SpinAxis{pole});
+    starts.push_back(norm(pole) > 0.0 ? secular::spin_axis(pole) : secular::SpinAxis{pole});
     each.push_back(of_rates.all[rate_at(k)]);
   }
   const auto rows = static_cast<std::size_t>(at.size());
   Shape whole = shape;
   whole.push_back(rows);
   Result axes_found(whole, {3}), asked({rows}), elements_found({rows}, {4});
-  const std::span<SpinAxis> results(reinterpret_cast<SpinAxis*>(axes_found.at(0)), size_of(whole));
+  const std::span<secular::SpinAxis> results(reinterpret_cast<secular::SpinAxis*>(axes_found.at(0)),
+                                             size_of(whole));
   const Progress look = signal_check();
-  const std::vector<LostSpin> lost = [&] {
+  const std::vector<secular::LostSpin> lost = [&] {
     const WithoutGil released;
-    return spin_histories(orbit, each, starts, epoch, at, *splitting, results, look);
+    return secular::spin_histories(orbit, each, starts, epoch, at, *splitting, results, look);
   }();
   for (std::size_t k = 0; k < rows; ++k) {
     const double time = at[static_cast<std::int64_t>(k)];
-    const OrbitElements o = orbit.at(time);
+    const secular::OrbitElements o = orbit.at(time);
     *asked.at(k) = time;
     std::copy_n(std::array{o.k, o.h, o.q, o.p}.data(), 4, elements_found.at(k));
   }
@@ -164,10 +168,10 @@ Made by spin_histories, of bodies of a shape (...) at M times.)");
               "(..., M, 3): unit vectors along the spins, reference axes; NaN from where an axis "
               "failed.")
       .def_prop_ro(
-          "obliquity", [](const H& h) { return numbers_of(h, &SpinAngles::obliquity); },
+          "obliquity", [](const H& h) { return numbers_of(h, &secular::SpinAngles::obliquity); },
           "(..., M): angles from the normal of the orbit, rad; computed when asked for.")
       .def_prop_ro(
-          "precession", [](const H& h) { return numbers_of(h, &SpinAngles::precession); },
+          "precession", [](const H& h) { return numbers_of(h, &secular::SpinAngles::precession); },
           "(..., M): by how much the equinoxes have gone back in the orbit, rad, in (-pi, pi]; NaN "
           "at obliquity 0 and pi; computed when asked for.")
       .def_ro("failures", &H::failures,

@@ -6,7 +6,6 @@
 #include "motion/system_value.hpp"
 #include "polhode/system/axes.hpp"
 #include "polhode/system/canonical_rates.hpp"
-#include "polhode/system/modified_andoyer.hpp"
 #include "polhode/system/osculation.hpp"
 
 namespace polhode {
@@ -67,48 +66,48 @@ constexpr Chart<RotorRates, 2> rotor_rates_chart{
       {"g", "dg_B/dt, momentum per time; (..., 3).", offsetof(RotorRates, g), Kind::vector}}},
     unchecked};
 
-constexpr Chart<HubRates, 2> hub_rates_chart{
+constexpr Chart<rates::HubRates, 2> hub_rates_chart{
     "HubRates",
     "Rates in the tangent of chart_jacobian: theta (..., "
     "3), w_SB, the rate of turn relative to the "
     "frame; g (..., 3), dg_B/dt. Body components.",
     {{{"theta",
        "w_SB, the rate of turn relative to the frame, body components, rad per time; (..., 3).",
-       offsetof(HubRates, theta), Kind::vector},
-      {"g", "dg_B/dt, momentum per time; (..., 3).", offsetof(HubRates, g), Kind::vector}}},
+       offsetof(rates::HubRates, theta), Kind::vector},
+      {"g", "dg_B/dt, momentum per time; (..., 3).", offsetof(rates::HubRates, g), Kind::vector}}},
     unchecked};
 
-constexpr Chart<AndoyerRates, 6> andoyer_rates_chart{
+constexpr Chart<rates::AndoyerRates, 6> andoyer_rates_chart{
     "AndoyerRates",
     "Rates of Andoyer variables: l, g, h (rad per time), L, G, H (momentum per time). NaN where "
     "one "
     "does not exist.",
-    {{{"l", "dl/dt, rad per time.", offsetof(AndoyerRates, l)},
-      {"g", "dg/dt, rad per time.", offsetof(AndoyerRates, g)},
-      {"h", "dh/dt, rad per time.", offsetof(AndoyerRates, h)},
-      {"L", "dL/dt, momentum per time.", offsetof(AndoyerRates, L)},
-      {"G", "dG/dt, momentum per time.", offsetof(AndoyerRates, G)},
-      {"H", "dH/dt, momentum per time.", offsetof(AndoyerRates, H)}}},
+    {{{"l", "dl/dt, rad per time.", offsetof(rates::AndoyerRates, l)},
+      {"g", "dg/dt, rad per time.", offsetof(rates::AndoyerRates, g)},
+      {"h", "dh/dt, rad per time.", offsetof(rates::AndoyerRates, h)},
+      {"L", "dL/dt, momentum per time.", offsetof(rates::AndoyerRates, L)},
+      {"G", "dG/dt, momentum per time.", offsetof(rates::AndoyerRates, G)},
+      {"H", "dH/dt, momentum per time.", offsetof(rates::AndoyerRates, H)}}},
     unchecked};
 
-constexpr Chart<EulerPhaseRates, 6> phase_rates_chart{
+constexpr Chart<rates::EulerPhaseRates, 6> phase_rates_chart{
     "EulerPhaseRates",
     "Rates of Euler angles (rad per time) and of their canonical momenta. NaN where one does not "
     "exist: of phi and psi at theta = 0, pi.",
-    {{{"phi", "dphi/dt, rad per time.", offsetof(EulerPhaseRates, phi)},
-      {"theta", "dtheta/dt, rad per time.", offsetof(EulerPhaseRates, theta)},
-      {"psi", "dpsi/dt, rad per time.", offsetof(EulerPhaseRates, psi)},
-      {"Phi", "dPhi/dt, momentum per time.", offsetof(EulerPhaseRates, Phi)},
-      {"Theta", "dTheta/dt, momentum per time.", offsetof(EulerPhaseRates, Theta)},
-      {"Psi", "dPsi/dt, momentum per time.", offsetof(EulerPhaseRates, Psi)}}},
+    {{{"phi", "dphi/dt, rad per time.", offsetof(rates::EulerPhaseRates, phi)},
+      {"theta", "dtheta/dt, rad per time.", offsetof(rates::EulerPhaseRates, theta)},
+      {"psi", "dpsi/dt, rad per time.", offsetof(rates::EulerPhaseRates, psi)},
+      {"Phi", "dPhi/dt, momentum per time.", offsetof(rates::EulerPhaseRates, Phi)},
+      {"Theta", "dTheta/dt, momentum per time.", offsetof(rates::EulerPhaseRates, Theta)},
+      {"Psi", "dPsi/dt, momentum per time.", offsetof(rates::EulerPhaseRates, Psi)}}},
     unchecked};
 
-constexpr Chart<AxisAngles, 2> axis_chart{
+constexpr Chart<charts::AxisAngles, 2> axis_chart{
     "AxisAngles",
     "An axis as the plane that it is normal to: inclination I in [0, pi] and node h (rad).",
     {{{"I", "Inclination of the plane that the axis is normal to, rad, in [0, pi].",
-       offsetof(AxisAngles, I)},
-      {"h", "Node of that plane, rad.", offsetof(AxisAngles, h)}}},
+       offsetof(charts::AxisAngles, I)},
+      {"h", "Node of that plane, rad.", offsetof(charts::AxisAngles, h)}}},
     unchecked};
 
 // f(system, t, state) of times and states that broadcast: a set of structs.
@@ -141,7 +140,7 @@ void bind_motion(nb::module_& m) {
       "The equations of motion: dq/dt and dg/dt.");
   def_states<RotorState>(
       m, "hub_rates",
-      [](const System& of, double t, const RotorState& s) { return hub_rates(of, t, s); },
+      [](const System& of, double t, const RotorState& s) { return rates::hub_rates(of, t, s); },
       "The equations of motion as rates of turn: w_SB and dg/dt.");
   m.def(
       "energy",
@@ -167,17 +166,23 @@ void bind_motion(nb::module_& m) {
 void bind_osculation(nb::module_& m) {
   def_states<RotorState>(
       m, "osculating_state",
-      [](const System& of, double t, const RotorState& s) { return osculating_state(of, t, s); },
+      [](const System& of, double t, const RotorState& s) {
+        return charts::osculating_state(of, t, s);
+      },
       "The states of the free rotors that have the attitude and the angular velocity of this "
       "instant: g + I v. [SA (104)-(107), (118)]");
   def_states<RotorState>(
       m, "canonical_state",
-      [](const System& of, double t, const RotorState& s) { return canonical_state(of, t, s); },
+      [](const System& of, double t, const RotorState& s) {
+        return charts::canonical_state(of, t, s);
+      },
       "The inverse of osculating_state, by Newton's method. ValueError where it does not "
       "converge.");
   def_states<RotorState>(
       m, "osculating_andoyer",
-      [](const System& of, double t, const RotorState& s) { return osculating_andoyer(of, t, s); },
+      [](const System& of, double t, const RotorState& s) {
+        return charts::osculating_andoyer(of, t, s);
+      },
       "Andoyer's elements of the osculating states of canonical ones. The canonical elements are "
       "to_andoyer(state).");
   m.def(
@@ -185,7 +190,7 @@ void bind_osculation(nb::module_& m) {
       [](const PythonSystem& system, ArrayLike t, const Andoyers& states) {
         Numbers times(t, "t");
         return mapped(states, times, [&](const AndoyerState& s, double at) {
-          return osculating_andoyer(system, at, s);
+          return charts::osculating_andoyer(system, at, s);
         });
       },
       "system"_a, "t"_a, "state"_a, "Osculating elements of canonical ones.");
@@ -194,7 +199,7 @@ void bind_osculation(nb::module_& m) {
       [](const PythonSystem& system, ArrayLike t, const Andoyers& states) {
         Numbers times(t, "t");
         return mapped(states, times, [&](const AndoyerState& s, double at) {
-          return canonical_andoyer(system, at, s);
+          return charts::canonical_andoyer(system, at, s);
         });
       },
       "system"_a, "t"_a, "osculating"_a, "Canonical elements of osculating ones.");
@@ -207,7 +212,7 @@ void bind_modified(nb::module_& m) {
       [](const Body& body, ArrayLike t, const Rotors& states, double t0) {
         Numbers times(t, "t");
         return mapped(states, times, [&](const RotorState& s, double at) {
-          return modified_andoyer(body, at, s, t0);
+          return charts::modified_andoyer(body, at, s, t0);
         });
       },
       "body"_a, "t"_a, "state"_a, "t0"_a,
@@ -218,7 +223,7 @@ void bind_modified(nb::module_& m) {
       [](const Body& body, ArrayLike t, const Andoyers& states, double t0) {
         Numbers times(t, "t");
         return mapped(states, times, [&](const AndoyerState& s, double at) {
-          return from_modified_andoyer(body, at, s, t0);
+          return charts::from_modified_andoyer(body, at, s, t0);
         });
       },
       "body"_a, "t"_a, "state"_a, "t0"_a,
@@ -228,7 +233,7 @@ void bind_modified(nb::module_& m) {
       [](const PythonSystem& system, ArrayLike t, const Rotors& states, double t0) {
         Numbers times(t, "t");
         return mapped(states, times, [&](const RotorState& s, double at) {
-          return modified_andoyer_rates(system, at, s, t0);
+          return charts::modified_andoyer_rates(system, at, s, t0);
         });
       },
       "system"_a, "t"_a, "state"_a, "t0"_a,
@@ -256,25 +261,31 @@ void def_of_chart(nb::module_& m, const char* name,
 void bind_canonical_rates(nb::module_& m) {
   def_states<RotorState>(
       m, "andoyer_rates",
-      [](const System& of, double t, const RotorState& s) { return andoyer_rates(of, t, s); },
+      [](const System& of, double t, const RotorState& s) {
+        return rates::andoyer_rates(of, t, s);
+      },
       "Rates of Andoyer variables under the system. [SA (101)]");
   def_states<RotorState>(
       m, "euler_phase_rates",
-      [](const System& of, double t, const RotorState& s) { return euler_phase_rates(of, t, s); },
+      [](const System& of, double t, const RotorState& s) {
+        return rates::euler_phase_rates(of, t, s);
+      },
       "Rates of Euler angles and of their momenta under the system.");
   def_states<RotorState>(
       m, "perturbation_rates",
-      [](const System& of, double t, const RotorState& s) { return perturbation_rates(of, t, s); },
+      [](const System& of, double t, const RotorState& s) {
+        return rates::perturbation_rates(of, t, s);
+      },
       "What the terms and the frame add to the free rates (I^-1 g, g x I^-1 g).");
   def_of_chart<6>(
-      m, "canonical_rates", canonical_rates,
+      m, "canonical_rates", rates::canonical_rates,
       "Rates (..., 6) of a chart, \"andoyer\", \"euler\" or a CanonicalChart, under the "
       "system: three coordinates, then three momenta, in the order of its fields. NaN "
       "where one does not exist. [SA (101)]");
-  def_of_chart<6>(m, "perturbation_rates", perturbation_rates,
+  def_of_chart<6>(m, "perturbation_rates", rates::perturbation_rates,
                   "The part (..., 6) of canonical_rates that the perturbation makes. [SA "
                   "(104)-(107), (111), (118)-(122)]");
-  def_of_chart<3>(m, "convective_term", convective_term,
+  def_of_chart<3>(m, "convective_term", rates::convective_term,
                   "What the perturbation adds to the rates of the three coordinates of a chart, "
                   "in addition to the unperturbed function of the same variables: (..., 3). Of the "
                   "Euler angles it is Phi of [SA (107), (111)].");
@@ -282,9 +293,9 @@ void bind_canonical_rates(nb::module_& m) {
 
 // Three axes at every state: the AxisAngles of each are views of one block.
 struct AxesOfStates {
-  Batch<RotorAxes> all;
+  Batch<charts::RotorAxes> all;
 
-  Batch<AxisAngles> part(std::size_t offset) const {
+  Batch<charts::AxisAngles> part(std::size_t offset) const {
     return {all.shape(), all.owner(), all.first() + offset, all.stride()};
   }
 };
@@ -297,13 +308,16 @@ void bind_axes(nb::module_& m) {
           "shape", [](const AxesOfStates& a) { return shape_tuple(a.all.shape()); },
           "Of the states.")
       .def_prop_ro(
-          "figure", [](const AxesOfStates& a) { return a.part(offsetof(RotorAxes, figure)); },
+          "figure",
+          [](const AxesOfStates& a) { return a.part(offsetof(charts::RotorAxes, figure)); },
           "Of b3: the equator's plane.")
       .def_prop_ro(
-          "momentum", [](const AxesOfStates& a) { return a.part(offsetof(RotorAxes, momentum)); },
+          "momentum",
+          [](const AxesOfStates& a) { return a.part(offsetof(charts::RotorAxes, momentum)); },
           "Of the canonical momentum.")
       .def_prop_ro(
-          "rotation", [](const AxesOfStates& a) { return a.part(offsetof(RotorAxes, rotation)); },
+          "rotation",
+          [](const AxesOfStates& a) { return a.part(offsetof(charts::RotorAxes, rotation)); },
           "Of the angular velocity.")
       .def("__repr__", [](nb::handle_t<AxesOfStates> a) {
         std::string text = "RotorAxes(";
@@ -322,19 +336,19 @@ void bind_axes(nb::module_& m) {
         },
         "system"_a, "t"_a, "state"_a, doc);
   };
-  axes("inertial_axes", inertial_axes,
+  axes("inertial_axes", charts::inertial_axes,
        "Axes of figure, momentum and rotation (w_IB) in inertial axes, as inclination and node. "
        "NaN for a vector of length 0.");
-  axes("relative_axes", relative_axes,
+  axes("relative_axes", charts::relative_axes,
        "The same in the axes of the reference frame, with the rotation axis of w_SB. [SA (124)]");
   m.def(
       "axis_angles",
       [](ArrayLike axis) {
         const Numbers n(axis, "axis", {3});
-        return Batch<AxisAngles>::filled(n.shape(), [&](AxisAngles* out) {
+        return Batch<charts::AxisAngles>::filled(n.shape(), [&](charts::AxisAngles* out) {
           for_each(size_of(n.shape()), [&](std::size_t k) {
             const double* a = n.at(k);
-            out[k] = axis_angles(Vec3{a[0], a[1], a[2]});
+            out[k] = charts::axis_angles(Vec3{a[0], a[1], a[2]});
           });
         });
       },

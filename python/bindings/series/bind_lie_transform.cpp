@@ -13,31 +13,31 @@ namespace {
 // What it was made from, and what came of it.
 struct PythonTransform {
   template <class T>
-  using Shared = std::shared_ptr<const LieTransform<T>>;
+  using Shared = std::shared_ptr<const secular::LieTransform<T>>;
 
   PythonSeries hamiltonian;
-  Truncation keep;
+  series::Truncation keep;
   std::vector<std::string> angles;
   std::vector<Counts> resonances;
   Operands clocks;
   double least_divisor;
-  LieMethod method;
-  std::variant<Shared<Rational>, Shared<double>, Shared<MomentumFunction>> transform;
+  secular::LieMethod method;
+  std::variant<Shared<series::Rational>, Shared<double>, Shared<MomentumFunction>> transform;
 };
 
 template <class T>
-std::shared_ptr<const LieTransform<T>> solved(const PythonTransform& of) {
-  const Symbols& symbols = of.hamiltonian.symbols();
-  Elimination<T> problem{as<T>(of.hamiltonian),           of.keep,         of.angles, {},
-                         rates_of<T>(symbols, of.clocks), of.least_divisor};
+std::shared_ptr<const secular::LieTransform<T>> solved(const PythonTransform& of) {
+  const series::Symbols& symbols = of.hamiltonian.symbols();
+  secular::Elimination<T> problem{as<T>(of.hamiltonian),           of.keep,         of.angles, {},
+                                  rates_of<T>(symbols, of.clocks), of.least_divisor};
   for (const Counts& resonance : of.resonances) problem.resonances.push_back(pairs_of(resonance));
-  return std::make_shared<LieTransform<T>>(std::move(problem), of.method);
+  return std::make_shared<secular::LieTransform<T>>(std::move(problem), of.method);
 }
 
-PythonTransform transform_of(const PythonSeries& hamiltonian, const Truncation& keep,
+PythonTransform transform_of(const PythonSeries& hamiltonian, const series::Truncation& keep,
                              const std::vector<std::string>& angles,
                              const std::vector<Counts>& resonances, const Operands& clocks,
-                             double least_divisor, LieMethod method) {
+                             double least_divisor, secular::LieMethod method) {
   PythonTransform out{hamiltonian, keep, angles, resonances, clocks, least_divisor, method, {}};
   const WithoutGil released;
   with_numbers_of(hamiltonian, are_exact(hamiltonian.symbols(), clocks),
@@ -52,8 +52,8 @@ PythonSeries of(const PythonTransform& t, F f) {
   return std::visit([&](const auto& shared) { return PythonSeries{f(*shared)}; }, t.transform);
 }
 template <class T>
-Series<T> alike(const LieTransform<T>& lie, const PythonSeries& f) {
-  polhode::detail::require_same(f.symbols(), lie.mean_hamiltonian().symbols());
+series::Series<T> alike(const secular::LieTransform<T>& lie, const PythonSeries& f) {
+  series::detail::require_same(f.symbols(), lie.mean_hamiltonian().symbols());
   return as<T>(f);
 }
 
@@ -97,9 +97,9 @@ void def_maps(nb::class_<PythonTransform>& c) {
 }  // namespace
 
 void bind_lie_transform(nb::module_& m) {
-  nb::enum_<LieMethod>(m, "LieMethod", "A way to the mean Hamiltonian.")
-      .value("deprit", LieMethod::deprit, "Deprit's triangle.")
-      .value("hori", LieMethod::hori, "Hori's exponential of one generator.");
+  nb::enum_<secular::LieMethod>(m, "LieMethod", "A way to the mean Hamiltonian.")
+      .value("deprit", secular::LieMethod::deprit, "Deprit's triangle.")
+      .value("hori", secular::LieMethod::hori, "Hori's exponential of one generator.");
   using T = PythonTransform;
   auto c = bind_made_value<T>(
       m, "LieTransform", R"(Angles eliminated from a Hamiltonian, to any order.
@@ -132,7 +132,7 @@ Series.transform_size). Releases the GIL. (Hori 1966; Deprit
       field("resonances", &T::resonances, "Combinations of them that stay.", std::vector<Counts>()),
       field("clocks", &T::clocks, "Rates of angles without a momentum.", Operands()),
       field("least_divisor", &T::least_divisor, "The smallest coefficient of a rate.", 0.0),
-      field("method", &T::method, "Hori's or Deprit's.", LieMethod::hori));
+      field("method", &T::method, "Hori's or Deprit's.", secular::LieMethod::hori));
   def_maps(c);
   bind_mean_rotation(m);
 }

@@ -16,30 +16,32 @@ namespace polhode::python {
 namespace {
 
 using Rotors = Batch<RotorState>;
-using Means = Batch<MeanRotation>;
+using Means = Batch<secular::MeanRotation>;
 
-MeanRotation checked(const MeanRotation& m) {
+secular::MeanRotation checked(const secular::MeanRotation& m) {
   require_finite("MeanRotation", {m.phi_l, m.phi_g, m.phi_h, m.I_l, m.I_g, m.I_h});
   return m;
 }
 
-constexpr Chart<MeanRotation, 6> mean_chart{
+constexpr Chart<secular::MeanRotation, 6> mean_chart{
     "MeanRotation",
     R"(Sadov's variables in the axes of an orbit, or their means over what was averaged away.
 
 Angles phi_l, phi_g, phi_h (rad), which grow without bound, and actions I_l, I_g, I_h (momenta).
 z is the normal of the orbit, x points to the pericentre. One set, or an array of any shape.)",
-    {{{"phi_l", "Angle of the motion in the body, rad.", offsetof(MeanRotation, phi_l)},
-      {"phi_g", "Angle of the precession about the momentum, rad.", offsetof(MeanRotation, phi_g)},
+    {{{"phi_l", "Angle of the motion in the body, rad.", offsetof(secular::MeanRotation, phi_l)},
+      {"phi_g", "Angle of the precession about the momentum, rad.",
+       offsetof(secular::MeanRotation, phi_g)},
       {"phi_h", "Node of the plane normal to the momentum on the orbit, from the pericentre, rad.",
-       offsetof(MeanRotation, phi_h)},
-      {"I_l", "Action of the motion in the body, a momentum.", offsetof(MeanRotation, I_l)},
-      {"I_g", "Size of the angular momentum.", offsetof(MeanRotation, I_g)},
-      {"I_h", "Its part along the normal of the orbit.", offsetof(MeanRotation, I_h)}}},
+       offsetof(secular::MeanRotation, phi_h)},
+      {"I_l", "Action of the motion in the body, a momentum.",
+       offsetof(secular::MeanRotation, I_l)},
+      {"I_g", "Size of the angular momentum.", offsetof(secular::MeanRotation, I_g)},
+      {"I_h", "Its part along the normal of the orbit.", offsetof(secular::MeanRotation, I_h)}}},
     checked};
 
 struct Rates {
-  GravityGradientTheory::Values all;
+  secular::GravityGradientTheory::Values all;
 };
 void put(double* out, const Rates& rates) { std::copy(rates.all.begin(), rates.all.end(), out); }
 
@@ -56,11 +58,11 @@ struct PythonTheory {
   KeplerOrbit orbit;
   RotorState state;
   double t, gm;
-  GravityGradientTheory theory;
+  secular::GravityGradientTheory theory;
 };
 
 PythonTheory made(const Body& body, const KeplerOrbit& orbit, const RotorState& state, double t,
-                  double gm, const GravityGradientOptions& options) {
+                  double gm, const secular::GravityGradientOptions& options) {
   const WithoutGil released;
   return {body, orbit, state, t, gm, {body, gm, orbit, state, t, options}};
 }
@@ -74,16 +76,17 @@ auto at_times(const Batch<S>& sets, const ArrayLike& t, F f) {
 
 // At times of any shape.
 template <class S>
-using AtTimes = std::vector<S> (GravityGradientTheory::*)(double, const MeanRotation&,
-                                                          std::span<const double>, double,
-                                                          const Progress&) const;
+using AtTimes = std::vector<S> (secular::GravityGradientTheory::*)(double,
+                                                                   const secular::MeanRotation&,
+                                                                   std::span<const double>, double,
+                                                                   const Progress&) const;
 template <class S>
 Batch<S> moved(const PythonTheory& of, AtTimes<S> by, double t0, const Means& mean,
                const ArrayLike& times, double tolerance) {
   const Numbers at(times, "times");
   std::vector<double> all;
   for (std::size_t k = 0; k < size_of(at.shape()); ++k) all.push_back(at[k]);
-  const MeanRotation& start = single(mean, "mean");
+  const secular::MeanRotation& start = single(mean, "mean");
   const Progress look = signal_check();
   const std::vector<S> found = [&] {
     const WithoutGil released;
@@ -109,7 +112,7 @@ actions farther from those of the theory than it holds.)")
       .def(
           "osculating",
           [](const T& of, const ArrayLike& t, const Means& mean) {
-            return at_times(mean, t, [&](const MeanRotation& m, double at) {
+            return at_times(mean, t, [&](const secular::MeanRotation& m, double at) {
               return of.theory.osculating(at, m);
             });
           },
@@ -130,14 +133,15 @@ t and mean broadcast. ValueError as for mean.)")
       .def(
           "state_of",
           [](const T& of, const Means& elements) {
-            return mapped(elements, [&](const MeanRotation& m) { return of.theory.state_of(m); });
+            return mapped(elements,
+                          [&](const secular::MeanRotation& m) { return of.theory.state_of(m); });
           },
           "elements"_a, "The states with these Sadov's variables: elements, backwards.")
       .def(
           "rates",
           [](const T& of, const ArrayLike& t, const Means& mean) {
             Numbers times(t, "t");
-            return mapped_numbers(mean, times, {6}, [&](const MeanRotation& m, double at) {
+            return mapped_numbers(mean, times, {6}, [&](const secular::MeanRotation& m, double at) {
               return Rates{of.theory.rates(DoubleDouble(at), of.theory.values<double>(m))};
             });
           },
@@ -151,7 +155,8 @@ void def_runs(nb::class_<PythonTheory>& c) {
   c.def(
        "means",
        [](const T& of, double t0, const Means& mean, const ArrayLike& times, double tolerance) {
-         return moved<MeanRotation>(of, &GravityGradientTheory::means, t0, mean, times, tolerance);
+         return moved<secular::MeanRotation>(of, &secular::GravityGradientTheory::means, t0, mean,
+                                             times, tolerance);
        },
        "t0"_a, "mean"_a, "times"_a, "tolerance"_a = 1e-12,
        R"(Mean elements at times of the motion that has these at t0.
@@ -167,7 +172,7 @@ Releases the GIL; Ctrl-C raises KeyboardInterrupt. ValueError for times that are
       .def(
           "states",
           [](const T& of, double t0, const Means& mean, const ArrayLike& times, double tolerance) {
-            return moved<RotorState>(of, &GravityGradientTheory::states, t0, mean, times,
+            return moved<RotorState>(of, &secular::GravityGradientTheory::states, t0, mean, times,
                                      tolerance);
           },
           "t0"_a, "mean"_a, "times"_a, "tolerance"_a = 1e-12,
@@ -217,7 +222,7 @@ void def_parts(nb::class_<PythonTheory>& c) {
           "__deepcopy__", [](const T& of, nb::handle) { return of; }, "memo"_a)
       .def("__getstate__",
            [](const T& of) {
-             const GravityGradientOptions& o = of.theory.options();
+             const secular::GravityGradientOptions& o = of.theory.options();
              return nb::make_tuple(of.body, of.orbit, Rotors::one(of.state), of.t, of.gm, o.order,
                                    o.averages_orbit, o.least);
            })

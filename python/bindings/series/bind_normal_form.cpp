@@ -15,20 +15,20 @@ namespace {
 struct PythonNormalForm {
   Body body;
   int order;
-  std::shared_ptr<const TriaxialNormalForm> form;
+  std::shared_ptr<const secular::TriaxialNormalForm> form;
 };
 
 PythonNormalForm normal_form_of(const Body& body, int order) {
   const WithoutGil released;
-  return {body, order, std::make_shared<const TriaxialNormalForm>(body, order)};
+  return {body, order, std::make_shared<const secular::TriaxialNormalForm>(body, order)};
 }
 
-RotorFrequencies unchecked(const RotorFrequencies& n) { return n; }
-constexpr Chart<RotorFrequencies, 2> frequencies_chart{
+secular::RotorFrequencies unchecked(const secular::RotorFrequencies& n) { return n; }
+constexpr Chart<secular::RotorFrequencies, 2> frequencies_chart{
     "RotorFrequencies",
     "Rates of the mean angles of a free rotor, n_l and n_g (rad per time).",
-    {{{"n_l", "Rate of the mean l, rad per time.", offsetof(RotorFrequencies, n_l)},
-      {"n_g", "Rate of the mean g, rad per time.", offsetof(RotorFrequencies, n_g)}}},
+    {{{"n_l", "Rate of the mean l, rad per time.", offsetof(secular::RotorFrequencies, n_l)},
+      {"n_g", "Rate of the mean g, rad per time.", offsetof(secular::RotorFrequencies, n_g)}}},
     unchecked};
 
 // L and G, which broadcast.
@@ -65,10 +65,11 @@ void def_functions(nb::class_<PythonNormalForm>& c) {
           "frequencies",
           [](const F& f, const ArrayLike& L, const ArrayLike& G) {
             const Momenta at(L, G);
-            return Batch<RotorFrequencies>::filled(at.shape, [&](RotorFrequencies* out) {
-              for_each(size_of(at.shape),
-                       [&](std::size_t k) { out[k] = f.form->frequencies(at.L(k), at.G(k)); });
-            });
+            return Batch<secular::RotorFrequencies>::filled(
+                at.shape, [&](secular::RotorFrequencies* out) {
+                  for_each(size_of(at.shape),
+                           [&](std::size_t k) { out[k] = f.form->frequencies(at.L(k), at.G(k)); });
+                });
           },
           "L"_a, "G"_a, "Rates of the mean angles (rad per time) at mean momenta, which broadcast.")
       .def(

@@ -3,19 +3,18 @@
 #include <algorithm>
 
 #include "interface/value.hpp"
-#include "polhode/secular/transform_size.hpp"
-#include "polhode/series/derivative.hpp"
-#include "polhode/series/expanded.hpp"
+#include "polhode/secular/lie_transform.hpp"
+#include "polhode/series/product.hpp"
 #include "polhode/series/series_text.hpp"
-#include "polhode/series/substitution.hpp"
+#include "polhode/series/taylor_coefficient.hpp"
 #include "series/series_value.hpp"
 
 namespace polhode::python {
 
 namespace {
 
-using Keep = std::optional<Truncation>;
-Truncation kept(const Keep& keep) { return keep.value_or(Truncation{}); }
+using Keep = std::optional<series::Truncation>;
+series::Truncation kept(const Keep& keep) { return keep.value_or(series::Truncation{}); }
 
 // f of a series, of whichever type; without the GIL.
 template <class F>
@@ -28,7 +27,7 @@ template <class F>
 auto of_both(const PythonSeries& a, const PythonSeries& b, F f) {
   const WithoutGil released;
   if (a.has_functions() || b.has_functions()) {
-    polhode::detail::require_same(a.symbols(), b.symbols());
+    series::detail::require_same(a.symbols(), b.symbols());
     return f(std::get<2>(a.s), std::get<2>(b.s));
   }
   if (a.is_exact() && b.is_exact()) return f(std::get<0>(a.s), std::get<0>(b.s));
@@ -47,13 +46,14 @@ struct PythonTerm {
 };
 
 template <class T>
-PythonTerm term_of(const Symbols& symbols, const Term<T>& term) {
-  PythonTerm out{term.c, {}, term.key.function() == Trigonometric::sine ? "sin" : "cos", {}};
+PythonTerm term_of(const series::Symbols& symbols, const series::Term<T>& term) {
+  PythonTerm out{
+      term.c, {}, term.key.function() == series::Trigonometric::sine ? "sin" : "cos", {}};
   for (int i = 0; i < symbols.exponents().count(); ++i)
-    if (const int n = exponent(symbols, term.key, i); n != 0)
+    if (const int n = series::exponent(symbols, term.key, i); n != 0)
       out.powers[symbols.variables()[static_cast<std::size_t>(i)]] = n;
   for (int i = 0; i < symbols.multipliers().count(); ++i)
-    if (const int k = multiplier(symbols, term.key, i); k != 0)
+    if (const int k = series::multiplier(symbols, term.key, i); k != 0)
       out.multiples[symbols.angles()[static_cast<std::size_t>(i)]] = k;
   return out;
 }
@@ -70,14 +70,16 @@ std::vector<PythonTerm> terms_of(const PythonSeries& a) {
 }
 
 template <class T>
-Series<T> series_of_terms(const Symbols& symbols, const std::vector<PythonTerm>& all) {
-  std::vector<Term<T>> terms;
+series::Series<T> series_of_terms(const series::Symbols& symbols,
+                                  const std::vector<PythonTerm>& all) {
+  std::vector<series::Term<T>> terms;
   for (const PythonTerm& term : all) {
     if (term.function != "cos" && term.function != "sin")
       throw DomainError("Series: the function '" + term.function + "'; expected cos or sin");
-    const Trigonometric function =
-        term.function == "sin" ? Trigonometric::sine : Trigonometric::cosine;
-    const TermKey key = packed(symbols, pairs_of(term.powers), pairs_of(term.multiples), function);
+    const series::Trigonometric function =
+        term.function == "sin" ? series::Trigonometric::sine : series::Trigonometric::cosine;
+    const series::TermKey key =
+        series::packed(symbols, pairs_of(term.powers), pairs_of(term.multiples), function);
     const auto coefficient = [](const auto& c) {
       using C = std::decay_t<decltype(c)>;
       if constexpr (std::is_same_v<C, double> && std::is_same_v<T, double>)
@@ -89,37 +91,37 @@ Series<T> series_of_terms(const Symbols& symbols, const std::vector<PythonTerm>&
     };
     terms.push_back({key, std::visit(coefficient, term.coefficient)});
   }
-  return Series<T>(symbols, std::move(terms));
+  return series::Series<T>(symbols, std::move(terms));
 }
-PythonSeries of_terms(const Symbols& symbols, const std::vector<PythonTerm>& terms) {
+PythonSeries of_terms(const series::Symbols& symbols, const std::vector<PythonTerm>& terms) {
   const bool exact = std::all_of(terms.begin(), terms.end(),
                                  [](const auto& term) { return term.coefficient.index() == 0; });
   if (!symbols.values().empty())
-    return {collected<MomentumFunction>(series_of_terms<double>(symbols, terms))};
-  if (exact) return {series_of_terms<Rational>(symbols, terms)};
+    return {series::collected<MomentumFunction>(series_of_terms<double>(symbols, terms))};
+  if (exact) return {series_of_terms<series::Rational>(symbols, terms)};
   return {series_of_terms<double>(symbols, terms)};
 }
 
-PythonSeries read(const Symbols& symbols, const std::string& text, bool exact) {
+PythonSeries read(const series::Symbols& symbols, const std::string& text, bool exact) {
   const WithoutGil released;
-  if (!symbols.values().empty()) return {series_from_text<MomentumFunction>(symbols, text)};
-  if (exact) return {series_from_text<Rational>(symbols, text)};
-  return {series_from_text<double>(symbols, text)};
+  if (!symbols.values().empty()) return {series::series_from_text<MomentumFunction>(symbols, text)};
+  if (exact) return {series::series_from_text<series::Rational>(symbols, text)};
+  return {series::series_from_text<double>(symbols, text)};
 }
-PythonSeries of_csv(const Symbols& symbols, const std::string& table, bool exact) {
+PythonSeries of_csv(const series::Symbols& symbols, const std::string& table, bool exact) {
   const WithoutGil released;
-  if (!symbols.values().empty()) return {series_from_csv<MomentumFunction>(symbols, table)};
-  if (exact) return {series_from_csv<Rational>(symbols, table)};
-  return {series_from_csv<double>(symbols, table)};
+  if (!symbols.values().empty()) return {series::series_from_csv<MomentumFunction>(symbols, table)};
+  if (exact) return {series::series_from_csv<series::Rational>(symbols, table)};
+  return {series::series_from_csv<double>(symbols, table)};
 }
 std::string text_of_series(const PythonSeries& a) {
-  return std::visit([](const auto& s) { return text(s); }, a.s);
+  return std::visit([](const auto& s) { return series::text(s); }, a.s);
 }
 std::string latex_of(const PythonSeries& a) {
-  return std::visit([](const auto& s) { return latex(s); }, a.s);
+  return std::visit([](const auto& s) { return series::latex(s); }, a.s);
 }
 std::string csv_of(const PythonSeries& a) {
-  return std::visit([](const auto& s) { return csv(s); }, a.s);
+  return std::visit([](const auto& s) { return series::csv(s); }, a.s);
 }
 std::size_t size_of(const PythonSeries& a) {
   return a.has_functions() ? a.doubles().size()
@@ -134,37 +136,39 @@ std::optional<int> known_degree_of(const PythonSeries& a) {
 }
 
 PythonSeries quotient(const PythonSeries& a, const PythonSeries& b) {
-  return made(a, b, [](const auto& x, const auto& y) { return product(x, inverse(y)); });
+  return made(a, b,
+              [](const auto& x, const auto& y) { return series::product(x, series::inverse(y)); });
 }
 PythonSeries integral_of(const PythonSeries& a, const Operands& rates, double least) {
   return with_numbers_of(a, are_exact(a.symbols(), rates), [&]<class T>() {
-    const Series<T> f = as<T>(a);
-    const std::vector<AngleRate<T>> all = rates_of<T>(a.symbols(), rates);
+    const series::Series<T> f = as<T>(a);
+    const std::vector<series::AngleRate<T>> all = rates_of<T>(a.symbols(), rates);
     const WithoutGil released;
-    return PythonSeries{integral(f, all, least)};
+    return PythonSeries{series::integral(f, all, least)};
   });
 }
-TransformSize transform_size_of(const PythonSeries& h, const Truncation& keep,
-                                const Operands& clocks) {
+secular::TransformSize transform_size_of(const PythonSeries& h, const series::Truncation& keep,
+                                         const Operands& clocks) {
   return with_numbers_of(h, are_exact(h.symbols(), clocks), [&]<class T>() {
-    Elimination<T> problem{as<T>(h), keep, {}};
+    secular::Elimination<T> problem{as<T>(h), keep, {}};
     problem.clocks = rates_of<T>(h.symbols(), clocks);
     const WithoutGil released;
-    return transform_size(problem);
+    return secular::transform_size(problem);
   });
 }
 PythonSeries with_angles(const PythonSeries& a, const std::map<std::string, Counts>& sums) {
-  std::vector<AngleSum> all;
+  std::vector<series::AngleSum> all;
   for (const auto& [angle, sum] : sums) all.push_back({angle, pairs_of(sum)});
-  return made(a, [&](const auto& s) { return angles_replaced(s, all); });
+  return made(a, [&](const auto& s) { return series::angles_replaced(s, all); });
 }
 
 void bind_symbols(nb::module_& m) {
-  using S = Symbols;
+  using S = series::Symbols;
   using Pairs = std::vector<std::tuple<std::string, std::string>>;
   const auto pairs = [](const S& s) {
     Pairs all;
-    for (const ConjugatePair& pair : s.pairs()) all.emplace_back(pair.coordinate, pair.momentum);
+    for (const series::ConjugatePair& pair : s.pairs())
+      all.emplace_back(pair.coordinate, pair.momentum);
     return all;
   };
   using Values = std::map<std::string, double>;
@@ -180,7 +184,7 @@ void bind_symbols(nb::module_& m) {
       throw DomainError("Symbols: values: " + std::to_string(chosen.size()) +
                         " variables; expected at most " +
                         std::to_string(MomentumFunction::variable_count));
-    std::vector<ConjugatePair> conjugate;
+    std::vector<series::ConjugatePair> conjugate;
     for (const auto& [q, p] : all) conjugate.push_back({q, p});
     return S(variables, angles, std::move(conjugate), {chosen.begin(), chosen.end()});
   };
@@ -215,7 +219,7 @@ angles, 2^10 for 5, 2^5 for 9, 2^3 for 12. ValueError for names that break this.
       field("pairs", pairs, "(coordinate, momentum) each.", Pairs()),
       field("values", values, "Of the first variables, to expand about.", Values()).but_quiet());
 
-  using T = Truncation;
+  using T = series::Truncation;
   bind_made_value<T>(
       m, "Truncation", R"(Which terms are kept: those up to an order.
 
@@ -253,12 +257,12 @@ multiples : the multiplier of each angle.)",
       field("powers", &T::powers, "The exponent of each variable that it has.", Counts()),
       field("function", &T::function, "\"cos\", or \"sin\".", std::string("cos")),
       field("multiples", &T::multiples, "The multiplier of each angle that it has.", Counts()));
-  using P = ProductSize;
+  using P = series::ProductSize;
   bind_value<P>(m, "ProductSize", "What a product of two series will take: upper bounds.",
                 field("pairs", &P::pairs, "Of terms that are multiplied."),
                 field("terms", &P::terms, "Of the result."),
                 field("bytes", &P::bytes, "Of memory while it is made."));
-  using L = TransformSize;
+  using L = secular::TransformSize;
   bind_value<L>(m, "TransformSize", "What a Lie transform will take, by its order from 0 on.",
                 field("terms", &L::terms, "Of a series of each order, at most."),
                 field("bytes", &L::bytes, "Of memory, if the order is the last."),
@@ -295,7 +299,7 @@ void def_arithmetic(nb::class_<PythonSeries>& c) {
   c.def("__neg__", [](const S& a) { return made(a, [](const auto& s) { return -s; }); });
   c.def(
       "__pow__",
-      [](const S& a, int n) { return made(a, [&](const auto& s) { return power(s, n); }); },
+      [](const S& a, int n) { return made(a, [&](const auto& s) { return series::power(s, n); }); },
       nb::is_operator(), "n"_a);
   // numpy.float64(2.0) * a is a product, not an array of objects
   c.attr("__array_ufunc__") = nb::none();
@@ -306,7 +310,8 @@ void def_products(nb::class_<PythonSeries>& c) {
   c.def(
       "product",
       [](const S& a, const S& b, const Keep& keep) {
-        return made(a, b, [&](const auto& x, const auto& y) { return product(x, y, kept(keep)); });
+        return made(
+            a, b, [&](const auto& x, const auto& y) { return series::product(x, y, kept(keep)); });
       },
       "other"_a, "keep"_a = nb::none(),
       "The product up to the order of `keep`. ValueError before it starts, with an estimate, where "
@@ -314,8 +319,9 @@ void def_products(nb::class_<PythonSeries>& c) {
   c.def(
       "product_size",
       [](const S& a, const S& b, const Keep& keep) {
-        return of_both(
-            a, b, [&](const auto& x, const auto& y) { return product_size(x, y, kept(keep)); });
+        return of_both(a, b, [&](const auto& x, const auto& y) {
+          return series::product_size(x, y, kept(keep));
+        });
       },
       "other"_a, "keep"_a = nb::none(), "What a product will take, without making it.");
   c.def("transform_size", transform_size_of, "keep"_a, "clocks"_a = Operands(),
@@ -333,27 +339,28 @@ ValueError for what a LieTransform refuses of the part of order 0, the orders an
   c.def(
       "power",
       [](const S& a, int n, const Keep& keep) {
-        return made(a, [&](const auto& s) { return power(s, n, kept(keep)); });
+        return made(a, [&](const auto& s) { return series::power(s, n, kept(keep)); });
       },
       "n"_a, "keep"_a = nb::none(),
       "The power up to the order of `keep`; n < 0 for one term without an angle alone.");
   c.def(
       "bracket",
       [](const S& a, const S& b, const Keep& keep) {
-        return made(a, b, [&](const auto& x, const auto& y) { return bracket(x, y, kept(keep)); });
+        return made(
+            a, b, [&](const auto& x, const auto& y) { return series::bracket(x, y, kept(keep)); });
       },
       "other"_a, "keep"_a = nb::none(),
       "Poisson's {self, other}, the sum over pairs (q, p) of df/dq dg/dp - df/dp dg/dq.");
   c.def(
       "truncated",
-      [](const S& a, const Truncation& keep) {
-        return made(a, [&](const auto& s) { return truncated(s, keep); });
+      [](const S& a, const series::Truncation& keep) {
+        return made(a, [&](const auto& s) { return series::truncated(s, keep); });
       },
       "keep"_a, "The terms up to the order of `keep`.");
   c.def(
       "part_of_order",
-      [](const S& a, const Truncation& weights, int order) {
-        return made(a, [&](const auto& s) { return part_of_order(s, weights, order); });
+      [](const S& a, const series::Truncation& weights, int order) {
+        return made(a, [&](const auto& s) { return series::part_of_order(s, weights, order); });
       },
       "weights"_a, "order"_a, "The terms of one order alone, by the weights of a Truncation.");
 }
@@ -363,13 +370,13 @@ void def_calculus(nb::class_<PythonSeries>& c) {
   c.def(
       "derivative",
       [](const S& a, const std::string& name) {
-        return made(a, [&](const auto& s) { return derivative(s, name); });
+        return made(a, [&](const auto& s) { return series::derivative(s, name); });
       },
       "name"_a, "By a variable or an angle.");
   c.def(
       "mean",
       [](const S& a, const std::vector<std::string>& angles) {
-        return made(a, [&](const auto& s) { return mean(s, angles); });
+        return made(a, [&](const auto& s) { return series::mean(s, angles); });
       },
       "angles"_a, "The mean over each of these angles: the terms that have none of them.");
   c.def("integral", integral_of, "rates"_a, "least"_a = 0.0,
@@ -389,7 +396,7 @@ different terms.)");
       "substituted",
       [](const S& a, const std::string& name, const Operand& s, const Keep& keep) {
         return made(a, series_of(a.symbols(), s), [&](const auto& x, const auto& y) {
-          return substituted(x, name, y, kept(keep));
+          return series::substituted(x, name, y, kept(keep));
         });
       },
       "name"_a, "s"_a, "keep"_a = nb::none(), "The variable `name` replaced by s.");
@@ -397,7 +404,7 @@ different terms.)");
       "displaced",
       [](const S& a, const std::string& name, const Operand& d, const Keep& keep) {
         return made(a, series_of(a.symbols(), d), [&](const auto& x, const auto& y) {
-          return displaced(x, name, y, kept(keep));
+          return series::displaced(x, name, y, kept(keep));
         });
       },
       "name"_a, "d"_a, "keep"_a = nb::none(),
@@ -465,7 +472,7 @@ ValueError with the column and what was expected there; for exponents and multip
 for two series with different symbols.)doc");
   c.def(
        "__init__",
-       [](S* self, const Symbols& symbols, const std::string& text, bool exact) {
+       [](S* self, const series::Symbols& symbols, const std::string& text, bool exact) {
          new (self) S(read(symbols, text, exact));
        },
        "symbols"_a, "text"_a, "exact"_a = true)

@@ -14,18 +14,18 @@ namespace {
 class PythonCompiled {
  public:
   explicit PythonCompiled(const PythonSeries& a) : PythonCompiled(a.doubles()) {}
-  explicit PythonCompiled(const Series<double>& a) : symbols_(a.symbols()), flat_(a) {
+  explicit PythonCompiled(const series::Series<double>& a) : symbols_(a.symbols()), flat_(a) {
     names_ = symbols_.variables();
     names_.insert(names_.end(), symbols_.angles().begin(), symbols_.angles().end());
     is_used_.resize(names_.size());
     const auto variables = static_cast<int>(symbols_.variables().size());
     for (const auto& term : a.terms())
       for (int i = 0; i < static_cast<int>(names_.size()); ++i)
-        if ((i < variables ? exponent(symbols_, term.key, i)
-                           : multiplier(symbols_, term.key, i - variables)) != 0)
+        if ((i < variables ? series::exponent(symbols_, term.key, i)
+                           : series::multiplier(symbols_, term.key, i - variables)) != 0)
           is_used_[static_cast<std::size_t>(i)] = 1;
   }
-  const Symbols& symbols() const { return symbols_; }
+  const series::Symbols& symbols() const { return symbols_; }
   std::size_t size() const { return flat_.size(); }
 
   FloatArray at(const ArrayLike& points) const {
@@ -80,8 +80,8 @@ class PythonCompiled {
     return result.take();
   }
 
-  Symbols symbols_;
-  CompiledSeries flat_;
+  series::Symbols symbols_;
+  series::CompiledSeries flat_;
   std::vector<std::string> names_;
   std::vector<char> is_used_;
 };

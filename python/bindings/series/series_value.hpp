@@ -14,27 +14,27 @@
 #include "polhode/series/linear_flow.hpp"
 #include "polhode/series/series.hpp"
 #include "polhode/series/taylor_coefficient.hpp"
-#include "polhode/series/truncation.hpp"
 
 namespace polhode::python {
 
 // An int or a fraction, of Python, NumPy or elsewhere; not a bool. False for anything else.
-bool read_rational(nb::handle value, Rational& out) noexcept;
+bool read_rational(nb::handle value, series::Rational& out) noexcept;
 // With an error of Python where it has more digits than Python converts.
-PyObject* fraction_of(const Rational& x) noexcept;
+PyObject* fraction_of(const series::Rational& x) noexcept;
 
 }  // namespace polhode::python
 
 namespace nanobind::detail {
 
 template <>
-struct type_caster<polhode::Rational> {
-  NB_TYPE_CASTER(polhode::Rational, io_name("fractions.Fraction | int", "fractions.Fraction"))
+struct type_caster<polhode::series::Rational> {
+  NB_TYPE_CASTER(polhode::series::Rational,
+                 io_name("fractions.Fraction | int", "fractions.Fraction"))
   template <class Flags>
   bool from_python(handle source, Flags, cleanup_list*) noexcept {
     return polhode::python::read_rational(source, value);
   }
-  static handle from_cpp(const polhode::Rational& x, rv_policy, cleanup_list*) noexcept {
+  static handle from_cpp(const polhode::series::Rational& x, rv_policy, cleanup_list*) noexcept {
     return polhode::python::fraction_of(x);
   }
 };
@@ -44,21 +44,23 @@ struct type_caster<polhode::Rational> {
 namespace polhode::python {
 
 // Of symbols with values. Three momenta; 84 numbers a coefficient.
-using MomentumFunction = TaylorCoefficient<double, 3, 6>;
+using MomentumFunction = series::TaylorCoefficient<double, 3, 6>;
 
 struct PythonSeries {
-  std::variant<Series<Rational>, Series<double>, Series<MomentumFunction>> s;
+  std::variant<series::Series<series::Rational>, series::Series<double>,
+               series::Series<MomentumFunction>>
+      s;
 
   bool is_exact() const { return s.index() == 0; }
   bool has_functions() const { return s.index() == 2; }
-  const Symbols& symbols() const;
+  const series::Symbols& symbols() const;
   // With functions, in powers of displacements.
-  Series<double> doubles() const;
+  series::Series<double> doubles() const;
 };
 
 // A coefficient; and what stands for a series, where a number is a constant.
-using SeriesNumber = std::variant<Rational, double>;
-using Operand = std::variant<PythonSeries, Rational, double>;
+using SeriesNumber = std::variant<series::Rational, double>;
+using Operand = std::variant<PythonSeries, series::Rational, double>;
 
 }  // namespace polhode::python
 
@@ -74,13 +76,13 @@ struct number_variant_caster {
   static constexpr auto Name =
       const_name<has_series>(make_caster<polhode::python::PythonSeries>::Name + const_name(" | "),
                              const_name("")) +
-      make_caster<polhode::Rational>::Name + const_name(" | float");
+      make_caster<polhode::series::Rational>::Name + const_name(" | float");
 
   template <class Flags>
   bool from_python(handle source, Flags flags, cleanup_list* list) noexcept {
     value.reset();
     refused = handle();
-    polhode::Rational exact;
+    polhode::series::Rational exact;
     if constexpr (has_series) {
       if (polhode::python::PythonSeries* series = nullptr; try_cast(source, series) && series)
         return value.emplace(*series), true;
@@ -128,22 +130,22 @@ namespace polhode::python {
 
 // Names with an exponent, a multiplier, a weight each.
 using Counts = std::map<std::string, int>;
-inline Multiples pairs_of(const Counts& counts) { return {counts.begin(), counts.end()}; }
+inline series::Multiples pairs_of(const Counts& counts) { return {counts.begin(), counts.end()}; }
 
 using Operands = std::map<std::string, Operand>;
 // A number that somebody gave as a coefficient: DomainError unless it is finite.
 double finite(double coefficient);
-PythonSeries series_of(const Symbols& symbols, const Operand& x);
+PythonSeries series_of(const series::Symbols& symbols, const Operand& x);
 
 // As coefficients of type T; of doubles no rationals are made: DomainError.
 template <class T>
-Series<T> as(const PythonSeries& a);
+series::Series<T> as(const PythonSeries& a);
 template <>
-Series<double> as(const PythonSeries& a);
+series::Series<double> as(const PythonSeries& a);
 template <>
-Series<Rational> as(const PythonSeries& a);
+series::Series<series::Rational> as(const PythonSeries& a);
 template <>
-Series<MomentumFunction> as(const PythonSeries& a);
+series::Series<MomentumFunction> as(const PythonSeries& a);
 
 // Its value where each symbol has the number or array of its name.
 FloatArray value_of(const PythonSeries& a, const nb::kwargs& at);
@@ -155,18 +157,18 @@ void bind_mean_rotation(nb::module_& m);
 template <class F>
 auto with_numbers_of(const PythonSeries& a, bool others_exact, F f) {
   if (a.has_functions()) return f.template operator()<MomentumFunction>();
-  if (a.is_exact() && others_exact) return f.template operator()<Rational>();
+  if (a.is_exact() && others_exact) return f.template operator()<series::Rational>();
   return f.template operator()<double>();
 }
 
-inline bool are_exact(const Symbols& symbols, const Operands& all) {
+inline bool are_exact(const series::Symbols& symbols, const Operands& all) {
   for (const auto& [name, x] : all)
     if (!series_of(symbols, x).is_exact()) return false;
   return true;
 }
 template <class T>
-std::vector<AngleRate<T>> rates_of(const Symbols& symbols, const Operands& all) {
-  std::vector<AngleRate<T>> rates;
+std::vector<series::AngleRate<T>> rates_of(const series::Symbols& symbols, const Operands& all) {
+  std::vector<series::AngleRate<T>> rates;
   for (const auto& [angle, x] : all) rates.push_back({angle, as<T>(series_of(symbols, x))});
   return rates;
 }

@@ -366,7 +366,8 @@ AnyPythonOrbit orbit_of(nb::handle orbit, const std::string& label,
     return nb::cast<const PrecessingKeplerOrbit&>(orbit);
   if (nb::isinstance<TurnedKeplerOrbit>(orbit)) return nb::cast<const TurnedKeplerOrbit&>(orbit);
   if (nb::isinstance<TableOrbit>(orbit)) return nb::cast<const TableOrbit&>(orbit);
-  if (nb::isinstance<HistoryOrbit>(orbit)) return nb::cast<const HistoryOrbit&>(orbit);
+  if (nb::isinstance<secular::HistoryOrbit>(orbit))
+    return nb::cast<const secular::HistoryOrbit&>(orbit);
   if (PyCallable_Check(orbit.ptr()) == 0) {
     const bool elements = nb::isinstance<KeplerElements>(orbit);
     throw nb::type_error((label + ": got a " + class_name(orbit) + "; expected an orbit, " +

@@ -20,14 +20,14 @@ std::size_t rows_of(const Numbers& numbers, const char* expected) {
                             .c_str());
 }
 
-FacetShape shape_from(nb::handle vertices, nb::handle triangles) {
+shape::FacetShape shape_from(nb::handle vertices, nb::handle triangles) {
   const Numbers v(vertices, "vertices", {3}), t(triangles, "triangles", {3});
   std::vector<Vec3> points;
   for (std::size_t k = 0; k < rows_of(v, "(N, 3)"); ++k)
     points.push_back({v.at(k)[0], v.at(k)[1], v.at(k)[2]});
-  std::vector<FacetShape::Triangle> facets;
+  std::vector<shape::FacetShape::Triangle> facets;
   for (std::size_t k = 0; k < rows_of(t, "(M, 3)"); ++k) {
-    FacetShape::Triangle facet{};
+    shape::FacetShape::Triangle facet{};
     for (std::size_t i = 0; i < 3; ++i) {
       const double place = t.at(k)[i];
       if (!(place >= 0.0 && place < 4294967296.0) || place != static_cast<std::uint32_t>(place))
@@ -53,7 +53,7 @@ FloatArray moments_array(const std::array<double, size>& m) {
 }
 
 void bind_facet_shape(nb::module_& m) {
-  using S = FacetShape;
+  using S = shape::FacetShape;
   nb::class_<S> c(m, "FacetShape", R"(The surface of a body as a mesh of triangles.
 
 Parameters
@@ -124,12 +124,12 @@ ValueError names the vertex or the facet, counted from 1: not finite, no such ve
         return nb::make_tuple(nb::handle(self.type()),
                               nb::make_tuple(self.attr("vertices"), self.attr("triangles")));
       });
-  m.def("read_obj", &read_obj, "path"_a,
+  m.def("read_obj", &io::read_obj, "path"_a,
         "FacetShape of a Wavefront OBJ file. ValueError: FILE:LINE: what is wrong.");
 }
 
 void bind_mass(nb::module_& m) {
-  using P = MassProperties;
+  using P = shape::MassProperties;
   nb::class_<P>(m, "MassProperties",
                 "Of a closed shape of constant density, in the axes of its mesh: mass_properties.")
       .def_ro("volume", &P::volume, "Inside the mesh.")
@@ -148,15 +148,16 @@ void bind_mass(nb::module_& m) {
           "(15,): integrals of xxxx xxxy xxxz xxyy xxyz xxzz xyyy xyyz xyzz xzzz yyyy yyyz yyzz "
           "yzzz zzzz.")
       .def_prop_ro(
-          "principal_moments", [](const P& p) { return principal_moments(p, body(p)); },
+          "principal_moments",
+          [](const P& p) { return shape::principal_moments(p, shape::body(p)); },
           "MassMoments along the principal axes of `body`: `third` and `fourth` are arguments of "
           "GravityGradient.")
       .def_prop_ro(
-          "body", [](const P& p) { return body(p); }, "Its Body, with the principal axes.")
+          "body", [](const P& p) { return shape::body(p); }, "Its Body, with the principal axes.")
       .def("__repr__",
            [](const P& p) { return "<MassProperties: mass " + std::to_string(p.mass) + ">"; });
   m.def(
-      "mass_properties", &mass_properties, "shape"_a, "density"_a,
+      "mass_properties", &shape::mass_properties, "shape"_a, "density"_a,
       "MassProperties of a closed FacetShape filled with a constant density (mass per cube of the "
       "shape's unit of length, whose units the results have). ValueError names an "
       "edge of a mesh that is not closed; facets inward; a density that is not positive.");
@@ -206,7 +207,7 @@ facet, counted from 1, and its wrong number.)");
        "__init__", [](S* self, ArrayLike rows) { new (self) S(surface_from(rows)); }, "rows"_a)
       .def_static(
           "of_shape",
-          [](const FacetShape& shape, ArrayLike centre, double specular, double diffuse,
+          [](const shape::FacetShape& shape, ArrayLike centre, double specular, double diffuse,
              double emitted, double normal, double tangential) {
             return S::of_shape(shape, vec3(centre, "centre"),
                                {specular, diffuse, emitted, normal, tangential});
@@ -262,7 +263,7 @@ void bind_yorp(nb::module_& m) {
         const Vec3 about = vec3(axis, "axis");
         Result out(o.shape(), {3});
         for_each(size_of(o.shape()), [&](std::size_t k) {
-          const YorpTorque y = yorp_torque(surface, o[k], about);
+          const secular::YorpTorque y = secular::yorp_torque(surface, o[k], about);
           put(out.at(k), Vec3{y.spin, y.obliquity, y.precession});
         });
         return out.take();
@@ -274,7 +275,7 @@ void bind_yorp(nb::module_& m) {
   m.def(
       "mean_pressure",
       [](double pressure, double distance, double a, double e) {
-        return mean_pressure({pressure, distance}, a, e);
+        return secular::mean_pressure({pressure, distance}, a, e);
       },
       "pressure"_a, "distance"_a, "semi_major_axis"_a, "eccentricity"_a = 0.0,
       "P d^2 / (a^2 sqrt(1 - e^2)): of sunlight with the pressure P at the distance d, over an "

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Values that terms are described by: moments of mass, a material, a magnetic field.
 #include "interface/value.hpp"
-#include "polhode/perturb/higher_gravity.hpp"
+#include "polhode/perturb/gravity_gradient.hpp"
 #include "polhode/perturb/internal_damping.hpp"
 #include "polhode/perturb/magnetic_field.hpp"
 #include "terms/term_class.hpp"
@@ -10,19 +10,19 @@ namespace polhode::python {
 
 namespace {
 
-MassMoments of_points(ArrayLike masses, ArrayLike positions) {
+shape::MassMoments of_points(ArrayLike masses, ArrayLike positions) {
   Numbers both[] = {Numbers(masses, "masses"), Numbers(positions, "positions", {3})};
   const Shape shape = broadcast(both);
-  std::vector<PointMass> points;
+  std::vector<shape::PointMass> points;
   for (std::size_t k = 0; k < size_of(shape); ++k) {
     const double* x = both[1].at(k);
     points.push_back({both[0][k], {x[0], x[1], x[2]}});
   }
-  return mass_moments<double>(points);
+  return shape::mass_moments<double>(points);
 }
 
 void bind_moments(nb::module_& m) {
-  using M = MassMoments;
+  using M = shape::MassMoments;
   bind_value<M>(m, "MassMoments",
                 R"(Inertia integrals of degree 3 and 4: of x^a y^b z^c dm from the centre of mass.
 
@@ -38,7 +38,9 @@ fourth : (15,), mass length^4: xxxx xxxy xxxz xxyy xxyz xxzz xyyy xyyz xyzz xzzz
                   "they are: from the centre of mass.")
       .def(
           "rotated",
-          [](const M& self, ArrayLike matrix) { return rotated(self, mat3(matrix, "matrix")); },
+          [](const M& self, ArrayLike matrix) {
+            return shape::rotated(self, mat3(matrix, "matrix"));
+          },
           "matrix"_a, "Along the axes in which x becomes matrix @ x, a rotation (3, 3).");
 }
 

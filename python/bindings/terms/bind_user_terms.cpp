@@ -9,7 +9,6 @@
 #include "charts/states.hpp"
 #include "interface/value.hpp"
 #include "polhode/error.hpp"
-#include "polhode/perturb/momentum_term.hpp"
 #include "polhode/perturb/user_terms.hpp"
 #include "terms/term_class.hpp"
 

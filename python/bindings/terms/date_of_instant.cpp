@@ -8,13 +8,13 @@
 
 #include "interface/choice.hpp"
 #include "polhode/error.hpp"
-#include "polhode/text/epoch.hpp"
+#include "polhode/text/units.hpp"
 
 namespace polhode::python {
 
 namespace {
 
-using MayScale = std::optional<TimeScale>;
+using MayScale = std::optional<ephemeris::TimeScale>;
 
 std::string text_of(nb::handle value) { return nb::cast<std::string>(nb::repr(value)); }
 
@@ -38,21 +38,22 @@ struct Day {
   double seconds;
 };
 
-Date date_of_day(TimeScale scale, const Day& d) {
+ephemeris::Date date_of_day(ephemeris::TimeScale scale, const Day& d) {
   const int whole = static_cast<int>(std::floor(d.seconds));
   const double second = whole % 60 + (d.seconds - whole);
-  return calendar_date(scale, {d.year, d.month, d.day, whole / 3600, whole / 60 % 60, second});
+  return ephemeris::calendar_date(scale,
+                                  {d.year, d.month, d.day, whole / 3600, whole / 60 % 60, second});
 }
 
 int integer(nb::handle value, const char* name) { return nb::cast<int>(value.attr(name)); }
 
-Date date_of_datetime(nb::handle given, MayScale scale) {
+ephemeris::Date date_of_datetime(nb::handle given, MayScale scale) {
   nb::object instant = nb::borrow(given);
   if (has_zone(given)) {
-    if (scale.value_or(TimeScale::UTC) != TimeScale::UTC)
+    if (scale.value_or(ephemeris::TimeScale::UTC) != ephemeris::TimeScale::UTC)
       refuse(given, ", which has a time zone and hence is UTC; expected no scale: Date(...).to(\"" +
-                        std::string(name(*scale)) + "\") converts it");
-    scale = TimeScale::UTC;
+                        std::string(ephemeris::name(*scale)) + "\") converts it");
+    scale = ephemeris::TimeScale::UTC;
     const nb::object utc = nb::module_::import_("datetime").attr("timezone").attr("utc");
     instant = given.attr("astimezone")(utc);
   } else if (!scale) {
@@ -63,12 +64,12 @@ Date date_of_datetime(nb::handle given, MayScale scale) {
   double second = integer(instant, "second") + 1e-6 * integer(instant, "microsecond");
   if (nb::hasattr(instant, "nanosecond"))  // of pandas
     second += 1e-9 * integer(instant, "nanosecond");
-  return calendar_date(
+  return ephemeris::calendar_date(
       *scale, {integer(instant, "year"), integer(instant, "month"), integer(instant, "day"),
                integer(instant, "hour"), integer(instant, "minute"), second});
 }
 
-Date date_of_datetime64(nb::handle instant, MayScale scale) {
+ephemeris::Date date_of_datetime64(nb::handle instant, MayScale scale) {
   const nb::module_ numpy = nb::module_::import_("numpy");
   if (nb::cast<bool>(nb::bool_(numpy.attr("isnat")(instant)))) refuse(instant, "; expected a date");
   if (!scale) refuse(instant, ", which has no scale; expected one: Date(instant, \"UTC\")");
@@ -91,11 +92,11 @@ Date date_of_datetime64(nb::handle instant, MayScale scale) {
        nb::cast<double>(nb::float_(of_day / second))});
 }
 
-Date date_of_time(nb::handle instant, MayScale scale) {
+ephemeris::Date date_of_time(nb::handle instant, MayScale scale) {
   if (nb::hasattr(instant, "shape") && nb::len(nb::object(instant.attr("shape"))) != 0)
     refuse(instant, ", an array; expected one instant");
   auto word = nb::cast<std::string>(nb::str(nb::object(instant.attr("scale")).attr("upper")()));
-  const MayScale own = time_scale(word);
+  const MayScale own = ephemeris::time_scale(word);
   if (!own) {
     std::transform(word.begin(), word.end(), word.begin(), [](char c) {
       return 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
@@ -104,23 +105,23 @@ Date date_of_time(nb::handle instant, MayScale scale) {
            " in the scale " + word + "; expected utc, tai, tt, tdb or ut1: convert it first");
   }
   if (scale && *scale != *own)
-    refuse(instant, ", whose scale is " + std::string(name(*own)) +
-                        "; expected no other scale: Date(...).to(\"" + std::string(name(*scale)) +
-                        "\") converts it");
+    refuse(instant, ", whose scale is " + std::string(ephemeris::name(*own)) +
+                        "; expected no other scale: Date(...).to(\"" +
+                        std::string(ephemeris::name(*scale)) + "\") converts it");
   const auto part = [&](const char* which) {
     return nb::cast<double>(nb::float_(nb::object(instant.attr(which))));
   };
-  const Date date{*own, part("jd1"), part("jd2")};
+  const ephemeris::Date date{*own, part("jd1"), part("jd2")};
   if (!std::isfinite(date.day) || !std::isfinite(date.fraction))
     refuse(instant, "; expected a date");
   return date;
 }
 
-Date date_of_text(nb::handle instant, MayScale scale) {
+ephemeris::Date date_of_text(nb::handle instant, MayScale scale) {
   auto text = nb::cast<std::string>(instant);
-  if (scale) text += " " + std::string(name(*scale));
+  if (scale) text += " " + std::string(ephemeris::name(*scale));
   try {
-    return epoch_date(text);
+    return io::epoch_date(text);
   } catch (const DomainError& error) {
     throw DomainError("Date: got \"" + text + "\"; " + error.what());
   }
@@ -128,9 +129,9 @@ Date date_of_text(nb::handle instant, MayScale scale) {
 
 }  // namespace
 
-Date date_of_instant(nb::handle given, nb::handle scale_given) {
+ephemeris::Date date_of_instant(nb::handle given, nb::handle scale_given) {
   MayScale scale;
-  if (!scale_given.is_none()) scale = choice<TimeScale>(scale_given, "scale");
+  if (!scale_given.is_none()) scale = choice<ephemeris::TimeScale>(scale_given, "scale");
   if (nb::isinstance<nb::str>(given)) return date_of_text(given, scale);
   if (is_a(given, "datetime", "datetime")) return date_of_datetime(given, scale);
   if (has_julian_date(given)) return date_of_time(given, scale);

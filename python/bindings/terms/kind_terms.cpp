@@ -22,10 +22,10 @@ namespace polhode::python {
 namespace {
 
 // "GravityGradient" of "gravity-gradient".
-std::string name_of_class(const PerturbationKind& kind) {
+std::string name_of_class(const io::PerturbationKind& kind) {
   std::string name(kind.class_name);
   if (!name.empty()) return name;
-  for (const std::string_view part : separated(kind.name, '-')) {
+  for (const std::string_view part : io::separated(kind.name, '-')) {
     name += static_cast<char>(std::toupper(static_cast<unsigned char>(part.front())));
     name += part.substr(1);
   }
@@ -40,37 +40,37 @@ constexpr const char* fields =
     "DipoleField | numpy.typing.ArrayLike | typing.Callable[..., numpy.typing.ArrayLike]";
 
 // What files alone have: a program gives the rows themselves, and the field as an object.
-bool is_of_files(const PerturbationKind& kind, const Key& key) {
-  return key.is_file || key.type == KeyType::unit || key.type == KeyType::columns ||
+bool is_of_files(const io::PerturbationKind& kind, const io::Key& key) {
+  return key.is_file || key.type == io::KeyType::unit || key.type == io::KeyType::columns ||
          (kind.in_field && key.path == "field");
 }
 
-std::vector<const Key*> keys_of(const PerturbationKind& kind) {
-  std::vector<const Key*> all;
-  for (const Key& key : kind.keys)
+std::vector<const io::Key*> keys_of(const io::PerturbationKind& kind) {
+  std::vector<const io::Key*> all;
+  for (const io::Key& key : kind.keys)
     if (!is_of_files(kind, key)) all.push_back(&key);
   return all;
 }
-const Key* key_named(const PerturbationKind& kind, std::string_view name) {
-  const auto found = std::ranges::find(kind.keys, name, &Key::path);
+const io::Key* key_named(const io::PerturbationKind& kind, std::string_view name) {
+  const auto found = std::ranges::find(kind.keys, name, &io::Key::path);
   return found == kind.keys.end() || is_of_files(kind, *found) ? nullptr : &*found;
 }
 
 // Of its sets of keys those that a program can give.
-std::vector<std::string_view> sets_of(const PerturbationKind& kind) {
+std::vector<std::string_view> sets_of(const io::PerturbationKind& kind) {
   std::vector<std::string_view> all;
-  for (const std::string_view set : separated(kind.sets, '|'))
-    if (std::ranges::all_of(separated(set, '+'), [&](std::string_view name) {
+  for (const std::string_view set : io::separated(kind.sets, '|'))
+    if (std::ranges::all_of(io::separated(set, '+'), [&](std::string_view name) {
           return key_named(kind, name) != nullptr;
         }))
       all.push_back(set);
   return all;
 }
 
-bool is_required(const PerturbationKind& kind, const Key& key) {
-  if (key.presence == Presence::required) return true;
+bool is_required(const io::PerturbationKind& kind, const io::Key& key) {
+  if (key.presence == io::Presence::required) return true;
   const std::vector<std::string_view> sets = sets_of(kind);
-  return sets.size() == 1 && std::ranges::count(separated(sets[0], '+'), key.path) > 0;
+  return sets.size() == 1 && std::ranges::count(io::separated(sets[0], '+'), key.path) > 0;
 }
 
 std::string replaced(std::string text, std::string_view old, std::string_view by) {
@@ -79,33 +79,34 @@ std::string replaced(std::string text, std::string_view old, std::string_view by
   return text;
 }
 
-std::string dimension_text(const Key& key) {
-  std::string text(key.dimension == Dimension::number ? "a number" : dimension_name(key.dimension));
-  if (key.range == Range::positive) text += ", positive";
-  if (key.range == Range::not_negative) text += ", not negative";
+std::string dimension_text(const io::Key& key) {
+  std::string text(key.dimension == io::Dimension::number ? "a number"
+                                                          : io::dimension_name(key.dimension));
+  if (key.range == io::Range::positive) text += ", positive";
+  if (key.range == io::Range::not_negative) text += ", not negative";
   return text;
 }
 
 // "a length, positive. The radius that ..."
-std::string help_of(const Key& key) {
+std::string help_of(const io::Key& key) {
   const std::string help(key.help);
   switch (key.type) {
-    case KeyType::number:
+    case io::KeyType::number:
       return dimension_text(key) + ". " + help;
-    case KeyType::numbers:
+    case io::KeyType::numbers:
       return (key.length == 0 ? "(n,)" : "(" + std::to_string(key.length) + ",)") + ", " +
              dimension_text(key) + " each. " + help;
-    case KeyType::linear_map:
+    case io::KeyType::linear_map:
       return "one number, (3,) or (3, 3), " + dimension_text(key) + " each. " + help;
-    case KeyType::matrix:
+    case io::KeyType::matrix:
       return "(3, 3), " + dimension_text(key) + " each. " + help;
-    case KeyType::choice: {
+    case io::KeyType::choice: {
       std::string words;
-      for (const std::string_view word : separated(key.allowed, '|'))
+      for (const std::string_view word : io::separated(key.allowed, '|'))
         words += (words.empty() ? "\"" : ", \"") + std::string(word) + "\"";
       return words + ". " + help;
     }
-    case KeyType::name:
+    case io::KeyType::name:
       return replaced(help, "The name of a table [orbit.NAME]", "the orbit");
     default:
       return help;
@@ -116,23 +117,23 @@ struct TypeTexts {
   std::string taken;
   std::string shown;
 };
-TypeTexts types_of(const PerturbationKind& kind, const Key& key) {
+TypeTexts types_of(const io::PerturbationKind& kind, const io::Key& key) {
   const std::string orbits = std::string(moving_orbits) + (kind.needs_velocity ? "" : other_orbits);
   switch (key.type) {
-    case KeyType::number:
+    case io::KeyType::number:
       return {"float", "float"};
-    case KeyType::numbers:
-    case KeyType::linear_map:
-    case KeyType::matrix:
+    case io::KeyType::numbers:
+    case io::KeyType::linear_map:
+    case io::KeyType::matrix:
       return {"numpy.typing.ArrayLike", "numpy.typing.NDArray[numpy.float64]"};
-    case KeyType::integer:
+    case io::KeyType::integer:
       return {"int", "int"};
-    case KeyType::boolean:
+    case io::KeyType::boolean:
       return {"bool", "bool"};
-    case KeyType::choice:
-    case KeyType::text:
+    case io::KeyType::choice:
+    case io::KeyType::text:
       return {"str", "str"};
-    case KeyType::name:
+    case io::KeyType::name:
       return {orbits, orbits};
     default:
       throw std::logic_error("a key of a perturbation that Python has no form for: " +
@@ -141,21 +142,21 @@ TypeTexts types_of(const PerturbationKind& kind, const Key& key) {
 }
 
 // Of a key in the table that `Scenario.build` writes.
-std::string sort_of(const Key& key) {
-  if (key.type == KeyType::name) return "orbit";
-  if (key.dimension == Dimension::angle) return "angle";
-  return key.dimension == Dimension::rate ? "rate" : "number";
+std::string sort_of(const io::Key& key) {
+  if (key.type == io::KeyType::name) return "orbit";
+  if (key.dimension == io::Dimension::angle) return "angle";
+  return key.dimension == io::Dimension::rate ? "rate" : "number";
 }
 
 nb::object no_orbit(const std::string& name) {
   throw std::logic_error("a default that names the orbit " + name);
 }
 
-TermArgument argument_of(const PerturbationKind& kind, const Key& key,
-                         std::span<const KeyValue> defaults) {
+TermArgument argument_of(const io::PerturbationKind& kind, const io::Key& key,
+                         std::span<const io::KeyValue> defaults) {
   TypeTexts types = types_of(kind, key);
   std::string otherwise;
-  const auto value = std::ranges::find(defaults, key.path, &KeyValue::key);
+  const auto value = std::ranges::find(defaults, key.path, &io::KeyValue::key);
   if (value != defaults.end()) {
     otherwise = repr_text(python_value(key, *value, no_orbit));
   } else if (!is_required(kind, key)) {
@@ -166,14 +167,14 @@ TermArgument argument_of(const PerturbationKind& kind, const Key& key,
   return {std::string(key.path), types.taken, help_of(key), otherwise, types.shown, sort_of(key)};
 }
 
-std::vector<TermArgument> arguments_of(const PerturbationKind& kind,
-                                       std::span<const KeyValue> defaults) {
+std::vector<TermArgument> arguments_of(const io::PerturbationKind& kind,
+                                       std::span<const io::KeyValue> defaults) {
   std::vector<TermArgument> all;
   if (kind.on_surface)
     all.push_back({"surface", "Surface", "along the principal axes of the body.", "", "Surface"});
-  const std::vector<const Key*> keys = keys_of(kind);
+  const std::vector<const io::Key*> keys = keys_of(kind);
   for (const bool required : {true, false})
-    for (const Key* key : keys)
+    for (const io::Key* key : keys)
       if (is_required(kind, *key) == required) all.push_back(argument_of(kind, *key, defaults));
   if (kind.in_field)
     all.push_back({"field", std::string(fields) + " | None",
@@ -194,7 +195,7 @@ std::vector<TermArgument> arguments_of(const PerturbationKind& kind,
 // A kind and its arguments while a term is made.
 class TermMaker {
  public:
-  TermMaker(const PerturbationKind& kind, std::span<const KeyValue> defaults,
+  TermMaker(const io::PerturbationKind& kind, std::span<const io::KeyValue> defaults,
             const std::vector<TermArgument>& rows, Making& at, std::span<const nb::object> given)
       : kind_(kind), defaults_(defaults), rows_(rows), at_(at), given_(given) {
     parts_.orbits = &orbits_;
@@ -205,7 +206,7 @@ class TermMaker {
     for (std::size_t i = 0; i < rows_.size(); ++i)
       if (!given_[i].is_none()) take(rows_[i], given_[i]);
     require_one_set();
-    TermsOfProgram terms = made_terms();
+    io::TermsOfProgram terms = made_terms();
     nb::list kept;
     for (std::size_t i = 0; i < rows_.size(); ++i) kept.append(kept_of(terms.uses, rows_[i], i));
     MadeTerm result{{}, nb::tuple(kept)};
@@ -218,12 +219,12 @@ class TermMaker {
 
  private:
   // Texts of values are for messages only: they take longer than the term.
-  TermsOfProgram made_terms() {
+  io::TermsOfProgram made_terms() {
     try {
-      return polhode::made_terms(kind_, values_, defaults_, parts_, at_.type);
+      return io::made_terms(kind_, values_, defaults_, parts_, at_.type);
     } catch (const DomainError&) {
-      for (KeyValue& value : values_) value.shown = repr_text(object_of(value));
-      return polhode::made_terms(kind_, values_, defaults_, parts_, at_.type);
+      for (io::KeyValue& value : values_) value.shown = repr_text(object_of(value));
+      return io::made_terms(kind_, values_, defaults_, parts_, at_.type);
     }
   }
 
@@ -250,35 +251,35 @@ class TermMaker {
     return nb::cast<const C&>(x);
   }
 
-  KeyValue value_of(const Key& key, const char* name, const nb::object& x) {
-    KeyValue value{.key = key.path};
+  io::KeyValue value_of(const io::Key& key, const char* name, const nb::object& x) {
+    io::KeyValue value{.key = key.path};
     switch (key.type) {
-      case KeyType::number:
+      case io::KeyType::number:
         value.numbers = {number_of(x, name)};
         break;
-      case KeyType::numbers:
+      case io::KeyType::numbers:
         value.numbers = numbers_of(x, name, key.length);
         break;
-      case KeyType::linear_map:
+      case io::KeyType::linear_map:
         value.numbers = map_of(x, name);
         break;
-      case KeyType::matrix:
+      case io::KeyType::matrix:
         value.numbers = map_of(x, name);
         if (value.numbers.size() != 9)
           throw nb::value_error((std::string(name) + ": expected the shape (3, 3)").c_str());
         break;
-      case KeyType::integer:
+      case io::KeyType::integer:
         if (!PyLong_Check(x.ptr()) || !nb::try_cast(x, value.whole)) throw nb::next_overload();
         break;
-      case KeyType::text:
+      case io::KeyType::text:
         if (!nb::isinstance<nb::str>(x)) throw nb::next_overload();
         value.words = {nb::cast<std::string>(x)};
         break;
-      case KeyType::boolean:
+      case io::KeyType::boolean:
         if (!PyBool_Check(x.ptr())) throw nb::next_overload();
         value.whole = x.is(nb::bool_(true)) ? 1 : 0;
         break;
-      case KeyType::choice:
+      case io::KeyType::choice:
         value.words = {word_of(key, name, x)};
         break;
       default:
@@ -321,10 +322,10 @@ class TermMaker {
     return {numbers.at(0), numbers.at(0) + size_of(shape)};
   }
 
-  std::string word_of(const Key& key, const char* name, const nb::object& x) const {
+  std::string word_of(const io::Key& key, const char* name, const nb::object& x) const {
     if (!nb::isinstance<nb::str>(x)) throw nb::next_overload();
     const auto word = nb::cast<std::string>(x);
-    const std::vector<std::string_view> words = separated(key.allowed, '|');
+    const std::vector<std::string_view> words = io::separated(key.allowed, '|');
     if (std::ranges::count(words, word) > 0) return word;
     std::string known;
     for (const std::string_view one : words) known += " " + std::string(one);
@@ -332,13 +333,13 @@ class TermMaker {
         (at_.type + ": " + name + ": got " + repr_text(x) + "; expected one of" + known).c_str());
   }
 
-  ScenarioOrbit orbit_value(const std::string& name, const nb::object& x) {
+  io::ScenarioOrbit orbit_value(const std::string& name, const nb::object& x) {
     const AnyPythonOrbit any = orbit_of(x, at_.label + ": " + name, at_.functions);
     return std::visit(
-        [&](const auto& orbit) -> ScenarioOrbit {
+        [&](const auto& orbit) -> io::ScenarioOrbit {
           using O = std::remove_cvref_t<decltype(orbit)>;
-          if constexpr (std::is_constructible_v<decltype(ScenarioOrbit::motion), const O&>) {
-            ScenarioOrbit made{.name = name, .motion = orbit, .gm = std::nullopt};
+          if constexpr (std::is_constructible_v<decltype(io::ScenarioOrbit::motion), const O&>) {
+            io::ScenarioOrbit made{.name = name, .motion = orbit, .gm = std::nullopt};
             if constexpr (requires { orbit.gm(); }) made.gm = orbit.gm();
             return made;
           } else {
@@ -396,7 +397,7 @@ class TermMaker {
     for (const std::string_view set : sets) {
       std::string words;
       std::size_t count = 0;
-      const std::vector<std::string_view> names = separated(set, '+');
+      const std::vector<std::string_view> names = io::separated(set, '+');
       for (const std::string_view name : names) {
         words += (words.empty() ? "" : " with ") + std::string(name);
         if (given(name).is_none()) continue;
@@ -413,29 +414,29 @@ class TermMaker {
                                 .c_str());
   }
 
-  nb::object object_of(const KeyValue& value) const {
+  nb::object object_of(const io::KeyValue& value) const {
     return python_value(*key_named(kind_, value.key), value,
                         [&](const std::string& name) { return given(name); });
   }
 
-  nb::object kept_of(const TermUses& uses, const TermArgument& row, std::size_t i) const {
+  nb::object kept_of(const io::TermUses& uses, const TermArgument& row, std::size_t i) const {
     if (row.name == "body") return uses.body_with_arguments ? given_[i] : nb::none();
     if (row.name == "field") return parts_.field != nullptr ? given_[i] : nb::none();
     if (row.key.empty()) return given_[i];
-    for (const KeyValue& value : *uses.arguments)
+    for (const io::KeyValue& value : *uses.arguments)
       if (value.key == row.name) return object_of(value);
     return nb::none();
   }
 
-  const PerturbationKind& kind_;
-  std::span<const KeyValue> defaults_;
+  const io::PerturbationKind& kind_;
+  std::span<const io::KeyValue> defaults_;
   const std::vector<TermArgument>& rows_;
   Making& at_;
   std::span<const nb::object> given_;
-  std::vector<KeyValue> values_;
-  std::vector<ScenarioOrbit> orbits_;
+  std::vector<io::KeyValue> values_;
+  std::vector<io::ScenarioOrbit> orbits_;
   std::optional<FieldOfTime> field_;
-  TermParts parts_;
+  io::TermParts parts_;
 };
 
 nb::tuple tuple_of_rows(const std::vector<double>& n) {
@@ -446,22 +447,22 @@ nb::tuple tuple_of_rows(const std::vector<double>& n) {
 
 }  // namespace
 
-nb::object python_value(const Key& key, const KeyValue& value,
+nb::object python_value(const io::Key& key, const io::KeyValue& value,
                         const std::function<nb::object(const std::string&)>& orbit) {
   switch (key.type) {
-    case KeyType::number:
+    case io::KeyType::number:
       return nb::float_(value.numbers.at(0));
-    case KeyType::numbers:
+    case io::KeyType::numbers:
       return tuple_of(std::span(value.numbers));
-    case KeyType::linear_map:
-    case KeyType::matrix:
+    case io::KeyType::linear_map:
+    case io::KeyType::matrix:
       if (value.numbers.size() == 9) return tuple_of_rows(value.numbers);
       return tuple_of(std::span(value.numbers));
-    case KeyType::integer:
+    case io::KeyType::integer:
       return nb::int_(value.whole);
-    case KeyType::boolean:
+    case io::KeyType::boolean:
       return nb::bool_(value.whole == 1);
-    case KeyType::name:
+    case io::KeyType::name:
       return orbit(value.words.at(0));
     default:
       return nb::str(value.words.at(0).c_str());
@@ -471,8 +472,8 @@ nb::object python_value(const Key& key, const KeyValue& value,
 namespace {
 
 // `kind` must outlive it.
-TermClass class_of(const PerturbationKind& kind, bool has_name = true) {
-  std::vector<KeyValue> defaults = defaults_of(kind);
+TermClass class_of(const io::PerturbationKind& kind, bool has_name = true) {
+  std::vector<io::KeyValue> defaults = io::defaults_of(kind);
   std::vector<TermArgument> rows = arguments_of(kind, defaults);
   if (!has_name) rows.pop_back();
   const auto made = [&kind, rows, defaults](Making& at, std::span<const nb::object> given) {
@@ -489,17 +490,17 @@ TermClass class_of(const PerturbationKind& kind, bool has_name = true) {
 
 }  // namespace
 
-TermClass class_of_registered(PerturbationKind kind) {
-  kind.on_body = true;                             // its function may ask for it
-  kind.needs_velocity = true;                      // it gives its orbits to functions as objects
-  for (Key& key : kind.keys) key.is_file = false;  // a path is an argument
-  const auto& own = *new PerturbationKind(std::move(kind));
+TermClass class_of_registered(io::PerturbationKind kind) {
+  kind.on_body = true;         // its function may ask for it
+  kind.needs_velocity = true;  // it gives its orbits to functions as objects
+  for (io::Key& key : kind.keys) key.is_file = false;  // a path is an argument
+  const auto& own = *new io::PerturbationKind(std::move(kind));
   return class_of(own, false);  // the function names its terms
 }
 
 void bind_kind_terms(nb::module_& m) {
-  static const Kinds kinds = default_kinds();
-  for (const PerturbationKind& kind : kinds.perturbations())
+  static const io::Kinds kinds = io::default_kinds();
+  for (const io::PerturbationKind& kind : kinds.perturbations())
     if (kind.has_terms) add_term_class(m, class_of(kind));
 }
 

@@ -5,9 +5,9 @@
 #include <variant>
 
 #include "interface/python_function.hpp"
+#include "polhode/orbit/kepler_orbit.hpp"
 #include "polhode/orbit/table_orbit.hpp"
-#include "polhode/orbit/turned_kepler_orbit.hpp"
-#include "polhode/secular/history_orbit.hpp"
+#include "polhode/secular/orbit_history.hpp"
 
 namespace polhode::python {
 
@@ -25,7 +25,7 @@ class FunctionOrbit {
 };
 
 using AnyPythonOrbit = std::variant<KeplerOrbit, PrecessingKeplerOrbit, TurnedKeplerOrbit,
-                                    TableOrbit, HistoryOrbit, FunctionOrbit>;
+                                    TableOrbit, secular::HistoryOrbit, FunctionOrbit>;
 
 // `label` names the function in messages; the one that was wrapped is added to `functions`.
 AnyPythonOrbit orbit_of(nb::handle orbit, const std::string& label,

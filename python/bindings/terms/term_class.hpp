@@ -13,7 +13,7 @@
 #include "interface/value.hpp"
 #include "polhode/scenario/perturbation_kind.hpp"
 #include "polhode/text/key.hpp"
-#include "polhode/text/key_value.hpp"
+#include "polhode/text/key_values.hpp"
 #include "terms/orbit_value.hpp"
 #include "terms/term_value.hpp"
 
@@ -65,7 +65,7 @@ const TermClass* class_of_kind(std::string_view kind);
 TermArgument name_argument();
 
 // The class of a kind that Python registers.
-TermClass class_of_registered(PerturbationKind kind);
+TermClass class_of_registered(io::PerturbationKind kind);
 // The classes of the kinds of the library.
 void bind_kind_terms(nb::module_& m);
 // Values that terms are described by.
@@ -73,7 +73,7 @@ void bind_term_values(nb::module_& m);
 
 // The value of a key as Python has it: numbers, tuples of them, words. `orbit` gives that of a
 // name.
-nb::object python_value(const Key& key, const KeyValue& value,
+nb::object python_value(const io::Key& key, const io::KeyValue& value,
                         const std::function<nb::object(const std::string&)>& orbit);
 
 }  // namespace polhode::python

@@ -13,13 +13,14 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace analysis {
 namespace detail {
 
 // Lengths of deviations, and the indicators that follow from their logarithm and its integrals.
 inline double length(const Deviation& d) {
-  const double size =
-      larger(std::abs(d.turn.x), std::abs(d.turn.y), std::abs(d.turn.z), std::abs(d.momentum.x),
-             std::abs(d.momentum.y), std::abs(d.momentum.z));
+  const double size = polhode::detail::larger(std::abs(d.turn.x), std::abs(d.turn.y),
+                                              std::abs(d.turn.z), std::abs(d.momentum.x),
+                                              std::abs(d.momentum.y), std::abs(d.momentum.z));
   if (!(size > 0.0) || !std::isfinite(size)) return size;
   const Vec3 a = (1.0 / size) * d.turn, b = (1.0 / size) * d.momentum;
   return size * std::sqrt(dot(a, a) + dot(b, b));
@@ -85,15 +86,13 @@ inline constexpr const char* unknown_jump =
 
 // For a problem whose method carries derivatives (transition_steppers.hpp). `options` have a scale
 // of momentum, and a deviation that is not zero.
-std::unique_ptr<BasicStepper<DeviatedState>> deviation_stepper(const Problem& problem,
-                                                               const ChaosOptions& options,
-                                                               DeviationBy by);
-std::unique_ptr<BasicStepper<DeviatedState>> splitting_deviation(const Problem& problem,
-                                                                 const Splitting& method,
-                                                                 const ChaosOptions& options,
-                                                                 DeviationBy by);
+std::unique_ptr<polhode::detail::BasicStepper<DeviatedState>> deviation_stepper(
+    const Problem& problem, const ChaosOptions& options, DeviationBy by);
+std::unique_ptr<polhode::detail::BasicStepper<DeviatedState>> splitting_deviation(
+    const Problem& problem, const Splitting& method, const ChaosOptions& options, DeviationBy by);
 
 }  // namespace detail
 
+}  // namespace analysis
 }  // namespace v0
 }  // namespace polhode

@@ -9,9 +9,9 @@
 
 #include "dynamics/adaptive/switching_step.hpp"
 #include "dynamics/steppers.hpp"
+#include "polhode/detail/ode/adaptive_runge_kutta.hpp"
 #include "polhode/dynamics/detail/adaptive_stepper.hpp"
 #include "polhode/dynamics/method.hpp"
-#include "polhode/ode/adaptive_runge_kutta.hpp"
 #include "polhode/system/system.hpp"
 
 namespace polhode {

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "math/finite.hpp"
-#include "polhode/ode/runge_kutta.hpp"
+#include "polhode/detail/ode/runge_kutta.hpp"
 #include "polhode/rotor/rotor_state.hpp"
 #include "system/rotor_equations.hpp"
 

@@ -16,7 +16,7 @@
 
 #include "dynamics/events/edge_search.hpp"
 #include "math/finite.hpp"
-#include "polhode/trajectory/archive.hpp"
+#include "polhode/detail/trajectory/archive.hpp"
 #include "system/rotor_equations.hpp"
 
 namespace polhode {

@@ -14,8 +14,8 @@
 #include "dynamics/adaptive/switching_functions.hpp"
 #include "math/finite.hpp"
 #include "math/number_text.hpp"
-#include "polhode/ode/adaptive_runge_kutta.hpp"
-#include "polhode/ode/verner98.hpp"
+#include "polhode/detail/ode/adaptive_runge_kutta.hpp"
+#include "polhode/detail/ode/verner98.hpp"
 #include "system/rotor_equations.hpp"
 
 namespace polhode {

@@ -15,7 +15,7 @@
 #include "dynamics/collocation/rotor_stages.hpp"
 #include "dynamics/collocation/step_control.hpp"
 #include "math/number_text.hpp"
-#include "polhode/ode/adaptive_runge_kutta.hpp"
+#include "polhode/detail/ode/adaptive_runge_kutta.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "math/finite.hpp"
+#include "polhode/detail/perturb/stages.hpp"
 #include "polhode/math/double_double.hpp"
 #include "polhode/math/instruction_set.hpp"
 #include "polhode/math/vector.hpp"
-#include "polhode/perturb/stages.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -139,7 +139,7 @@ class RotorStages {
     const RotorEquations<double>& equations = field_->equations();
     Setting at = equations.setting(t, rotor_state(y));
     if (step_.has_frame) at.q_IS = equations.frame_motion(t).q_IS;
-    const Effect e = sum_of_terms(equations.system(), at, sides);
+    const Effect e = polhode::sum_of_terms(equations.system(), at, sides);
     return {e.u.x, e.u.y, e.u.z, e.v.x, e.v.y, e.v.z};
   }
   // The state at the end, the padding of an array of Values included.

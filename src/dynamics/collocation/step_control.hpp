@@ -10,9 +10,9 @@
 #include <limits>
 
 #include "math/finite.hpp"
+#include "polhode/detail/ode/step_control.hpp"
+#include "polhode/detail/perturb/stages.hpp"
 #include "polhode/math/double_double.hpp"
-#include "polhode/ode/step_control.hpp"
-#include "polhode/perturb/stages.hpp"
 
 namespace polhode {
 inline namespace v0 {

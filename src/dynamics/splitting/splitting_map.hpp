@@ -10,12 +10,12 @@
 
 #include "dynamics/adaptive/switching_functions.hpp"
 #include "free/short_flow.hpp"
+#include "polhode/detail/trajectory/archive.hpp"
 #include "polhode/dynamics/detail/fixed_stepper.hpp"
 #include "polhode/dynamics/detail/splitting_scheme.hpp"
-#include "polhode/math/error_free.hpp"
-#include "polhode/math/matrix6.hpp"
+#include "polhode/math/double_double.hpp"
+#include "polhode/math/vector.hpp"
 #include "polhode/system/system.hpp"
-#include "polhode/trajectory/archive.hpp"
 #include "system/moving_setting.hpp"
 
 namespace polhode {

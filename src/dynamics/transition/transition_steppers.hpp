@@ -9,7 +9,7 @@
 #include "dynamics/augmented.hpp"
 #include "dynamics/steppers.hpp"
 #include "polhode/dynamics/method.hpp"
-#include "polhode/math/matrix6.hpp"
+#include "polhode/math/vector.hpp"
 
 namespace polhode {
 inline namespace v0 {

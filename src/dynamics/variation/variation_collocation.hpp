@@ -13,7 +13,7 @@
 #include <utility>
 
 #include "math/finite.hpp"
-#include "polhode/ode/adaptive_runge_kutta.hpp"
+#include "polhode/detail/ode/adaptive_runge_kutta.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -16,8 +16,8 @@
 #include "math/finite.hpp"
 #include "math/gauss_legendre.hpp"
 #include "math/number_text.hpp"
+#include "polhode/detail/ode/runge_kutta.hpp"
 #include "polhode/math/double_double.hpp"
-#include "polhode/ode/runge_kutta.hpp"
 #include "polhode/system/system.hpp"
 
 namespace polhode {

@@ -11,10 +11,11 @@
 
 #include "elliptic/detail/jacobi_lanes_declared.hpp"
 #include "elliptic/detail/jacobi_theta.hpp"
-#include "polhode/math/pack.hpp"
+#include "polhode/detail/math/pack.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace elliptic {
 namespace detail {
 
 // What goes in lanes: moduli from 0 to 1 - 2^-500, and arguments whose half turns have 20 bits.
@@ -255,5 +256,6 @@ void jacobi_in_lanes(const JacobiColumns& c, std::size_t count) {
 }
 
 }  // namespace detail
+}  // namespace elliptic
 }  // namespace v0
 }  // namespace polhode

@@ -9,6 +9,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace elliptic {
 namespace detail {
 
 // Columns of as many numbers as there are arguments; m and m1 of one where there is one modulus.
@@ -24,5 +25,6 @@ void jacobi_in_lanes(const JacobiColumns& columns, std::size_t count);
 void jacobi_alone(double u, double m, double m1, double& sn, double& cn, double& dn);
 
 }  // namespace detail
+}  // namespace elliptic
 }  // namespace v0
 }  // namespace polhode

@@ -8,11 +8,12 @@
 #include <cstdint>
 
 #include "math/pack_functions.hpp"
-#include "polhode/math/pack.hpp"
-#include "polhode/math/trigonometry.hpp"
+#include "polhode/detail/math/pack.hpp"
+#include "polhode/detail/math/trigonometry.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace elliptic {
 namespace detail {
 
 // The bits of so many numbers, to be shifted without their sign, which only AVX-512 does with it.
@@ -264,5 +265,6 @@ template <InstructionSet isa>
 }
 
 }  // namespace detail
+}  // namespace elliptic
 }  // namespace v0
 }  // namespace polhode

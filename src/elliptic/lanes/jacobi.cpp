@@ -4,6 +4,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace elliptic {
 namespace detail {
 
 template void jacobi_in_lanes<InstructionSet::POLHODE_ISA, false>(const JacobiColumns&,
@@ -11,5 +12,6 @@ template void jacobi_in_lanes<InstructionSet::POLHODE_ISA, false>(const JacobiCo
 template void jacobi_in_lanes<InstructionSet::POLHODE_ISA, true>(const JacobiColumns&, std::size_t);
 
 }  // namespace detail
+}  // namespace elliptic
 }  // namespace v0
 }  // namespace polhode

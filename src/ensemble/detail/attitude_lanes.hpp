@@ -11,6 +11,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace ensemble {
 namespace detail {
 
 // The sums of one pack of epochs, in registers from one member to the next.
@@ -167,5 +168,6 @@ template <InstructionSet isa>
 }
 
 }  // namespace detail
+}  // namespace ensemble
 }  // namespace v0
 }  // namespace polhode

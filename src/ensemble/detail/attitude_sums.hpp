@@ -11,6 +11,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace ensemble {
 namespace detail {
 
 struct AttitudeSums {
@@ -121,5 +122,6 @@ void add_spread_rows(AttitudeSpread* spreads, std::size_t epochs, std::int64_t f
                      const RotorState* states, std::size_t members);
 
 }  // namespace detail
+}  // namespace ensemble
 }  // namespace v0
 }  // namespace polhode

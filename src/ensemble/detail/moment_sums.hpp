@@ -7,6 +7,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace ensemble {
 namespace detail {
 
 // One more, the n-th, as Welford does. part = 1 / n.
@@ -59,5 +60,6 @@ inline void merge_moments(const double* mean_b, const double* products_b, double
 inline bool tells_a_mean(double r, double n) { return r >= 0.9 || n * r * r > 6.907755278982137; }
 
 }  // namespace detail
+}  // namespace ensemble
 }  // namespace v0
 }  // namespace polhode

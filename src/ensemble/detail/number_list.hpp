@@ -15,6 +15,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace ensemble {
 namespace detail {
 
 // Counts and indices are doubles in a list of numbers.
@@ -43,7 +44,8 @@ class NumberReader {
   // Says that the number before is not what it must be.
   [[noreturn]] void refuse(const std::string& requirement) const {
     throw DomainError(name_ + ": number " + std::to_string(next_ - 1) + " is " +
-                      number_text(numbers_[next_ - 1]) + "; expected " + requirement);
+                      polhode::detail::number_text(numbers_[next_ - 1]) + "; expected " +
+                      requirement);
   }
   void finish() const {
     if (next_ != numbers_.size())
@@ -101,5 +103,6 @@ inline void merge_cells(std::vector<std::int64_t>& cells, const std::vector<std:
 }
 
 }  // namespace detail
+}  // namespace ensemble
 }  // namespace v0
 }  // namespace polhode

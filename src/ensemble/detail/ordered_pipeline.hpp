@@ -27,6 +27,7 @@ void __tsan_release(void* address);
 
 namespace polhode {
 inline namespace v0 {
+namespace ensemble {
 namespace detail {
 
 // ThreadSanitizer does not see into the distribution's oneTBB, which orders what stages of a
@@ -88,5 +89,6 @@ void run_pipeline(Cells& cells, int threads, std::size_t at_a_time) {
 }
 
 }  // namespace detail
+}  // namespace ensemble
 }  // namespace v0
 }  // namespace polhode

@@ -7,6 +7,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace ensemble {
 namespace detail {
 
 using PhiloxCounter = std::array<std::uint64_t, 4>;
@@ -15,5 +16,6 @@ using PhiloxKey = std::array<std::uint64_t, 2>;
 PhiloxCounter philox(const PhiloxCounter& counter, const PhiloxKey& key);
 
 }  // namespace detail
+}  // namespace ensemble
 }  // namespace v0
 }  // namespace polhode

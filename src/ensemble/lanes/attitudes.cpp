@@ -4,6 +4,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace ensemble {
 namespace detail {
 
 template void add_attitude_rows<InstructionSet::POLHODE_ISA>(AttitudeMoments*, std::size_t,
@@ -14,5 +15,6 @@ template void add_spread_rows<InstructionSet::POLHODE_ISA>(AttitudeSpread*, std:
                                                            std::size_t);
 
 }  // namespace detail
+}  // namespace ensemble
 }  // namespace v0
 }  // namespace polhode

@@ -4,10 +4,11 @@
 
 #include <cstddef>
 
-#include "polhode/math/pack.hpp"
+#include "polhode/detail/math/pack.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace fit {
 namespace detail {
 
 // Row i of the matrices from entry i stride on. Of the columns, those before `known` are of L
@@ -113,5 +114,6 @@ typename T::Mask cholesky(const LanesOfMatrices<T>& m, T* inverse, const T& floo
 }
 
 }  // namespace detail
+}  // namespace fit
 }  // namespace v0
 }  // namespace polhode

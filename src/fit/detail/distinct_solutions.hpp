@@ -13,6 +13,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace fit {
 namespace detail {
 
 // Near enough that fits from both would most likely meet.
@@ -43,7 +44,7 @@ class DistinctSolutions {
   using AreSame = std::function<bool(const FoundLight&, const FoundLight&)>;
 
   // `half_turns`: of bodies that are the same after half turns about their axes.
-  DistinctSolutions(std::span<const LightCurve> curves, std::size_t periods, double within,
+  DistinctSolutions(std::span<const light::LightCurve> curves, std::size_t periods, double within,
                     AreSame are_same, bool half_turns);
 
   // Solutions from here on have other unknowns; the best of each pair of periods stays.
@@ -80,5 +81,6 @@ class DistinctSolutions {
 };
 
 }  // namespace detail
+}  // namespace fit
 }  // namespace v0
 }  // namespace polhode

@@ -8,6 +8,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace fit {
 namespace detail {
 
 struct Descent {
@@ -31,5 +32,6 @@ Descent levenberg_marquardt(const Numbers& f, const Within& is_within, std::size
                             std::vector<double> y, int most_iterations, double first_step);
 
 }  // namespace detail
+}  // namespace fit
 }  // namespace v0
 }  // namespace polhode

@@ -15,11 +15,12 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace fit {
 namespace detail {
 
 // DomainErrors that begin with `who`, "fit_light: ".
 void require_spin(const std::string& who, const SpinState& spin, int most_iterations);
-void require_law(const std::string& who, const Scattering& law, bool is_unknown);
+void require_law(const std::string& who, const light::Scattering& law, bool is_unknown);
 void require_diagonal(const std::string& who, const SpinState& spin, const std::string& why);
 void require_points(const std::string& who, std::size_t points, std::size_t unknowns,
                     std::size_t groups);
@@ -49,5 +50,6 @@ std::optional<std::pair<Quaternion, double>> best_attitude(const LightFit& fit, 
                                                            const std::function<Quaternion()>& next);
 
 }  // namespace detail
+}  // namespace fit
 }  // namespace v0
 }  // namespace polhode

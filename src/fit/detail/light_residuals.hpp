@@ -24,10 +24,11 @@
 #include "fit/detail/weighed_curves.hpp"
 #include "fit/free_motion.hpp"
 #include "polhode/fit/light_fit.hpp"
-#include "polhode/light/brightness_gradient.hpp"
+#include "polhode/light/facet_brightness.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace fit {
 namespace detail {
 
 // Not 0: the law would not be computed there, and the fit would see no slope.
@@ -108,7 +109,7 @@ class LightResiduals {
   bool at(std::span<const double> x, std::span<double> numbers, std::span<double> jacobian) const {
     const auto shape = surface_.shape_at(own_of(x));
     const SpinState spin = spin_at(x, shape);
-    const Scattering law = law_at(x);
+    const light::Scattering law = law_at(x);
     const bool derivatives = !jacobian.empty();
     const std::size_t n = places_.count, count = curves_->size();
     std::vector<MotionPoint> motion;
@@ -140,17 +141,17 @@ class LightResiduals {
       s.inertia_F = inertia_of(surface_.moments(shape, own_of(x)));
     return s;
   }
-  Scattering law_at(std::span<const double> x) const {
-    return places_.has_multiple ? Scattering::mixed(x[places_.multiple]) : law_;
+  light::Scattering law_at(std::span<const double> x) const {
+    return places_.has_multiple ? light::Scattering::mixed(x[places_.multiple]) : law_;
   }
 
   // A rotation d in body axes turns v into v + v x d: it changes the brightness by d . (by_sun x s
   // + by_observer x o).
-  double row_at(const typename Surface::Shape& shape, const Scattering& law, const Mat3& turn,
-                const MotionPoint& motion, const Vec3& s, const Vec3& o,
+  double row_at(const typename Surface::Shape& shape, const light::Scattering& law,
+                const Mat3& turn, const MotionPoint& motion, const Vec3& s, const Vec3& o,
                 std::span<double> row) const {
     const std::span<double> own = row.subspan(places_.own, surface_.own());
-    const BrightnessGradient g = surface_.gradient(shape, law, s, o, own);
+    const light::BrightnessGradient g = surface_.gradient(shape, law, s, o, own);
     const Vec3 by_turn = cross(g.by_sun, s) + cross(g.by_observer, o);
     Vec3 at_epoch;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -187,11 +188,12 @@ class LightResiduals {
   std::shared_ptr<const WeighedCurves> curves_;
   LightPlaces places_;
   SpinState spin_;
-  Scattering law_;
+  light::Scattering law_;
   Surface surface_;
   Rows rows_;
 };
 
 }  // namespace detail
+}  // namespace fit
 }  // namespace v0
 }  // namespace polhode

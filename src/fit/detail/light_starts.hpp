@@ -13,6 +13,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace fit {
 namespace detail {
 
 // Of those with the lowest `cost`, at most `count` that are unlike each other: the best, and after
@@ -37,7 +38,7 @@ struct LightTrial {
 };
 
 // Midway between the first and the last time.
-double epoch_of(std::span<const LightCurve> curves);
+double epoch_of(std::span<const light::LightCurve> curves);
 
 class Draws;
 
@@ -57,7 +58,7 @@ class LightStarts {
 
   const LightSearch& search_;
   std::optional<Body> known_;
-  std::vector<LightCurve> looked_at_;               // on which attitudes of a known body are tried
+  std::vector<light::LightCurve> looked_at_;        // on which attitudes of a known body are tried
   std::vector<std::vector<FreeRotation>> motions_;  // that it has, of each pair of periods
 };
 
@@ -65,5 +66,6 @@ class LightStarts {
 void fit_surfaces(const LightSearch& search, LightSearchResult& result);
 
 }  // namespace detail
+}  // namespace fit
 }  // namespace v0
 }  // namespace polhode

@@ -8,11 +8,12 @@
 
 #include "polhode/fit/least_squares.hpp"
 #include "polhode/fit/light_fit.hpp"
-#include "polhode/light/brightness_gradient.hpp"
 #include "polhode/light/convex_body.hpp"
+#include "polhode/light/facet_brightness.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace fit {
 namespace detail {
 
 // Ixx and Iyy over Izz.
@@ -22,7 +23,7 @@ struct MomentRatios {
 
 class EllipsoidSurface {
  public:
-  using Shape = Ellipsoid;
+  using Shape = light::Ellipsoid;
   static constexpr bool own_first = true;
   static constexpr double least_axis_ratio = 0.05;
 
@@ -30,23 +31,27 @@ class EllipsoidSurface {
 
   std::size_t own() const { return is_free_ ? 2 : 0; }
   std::vector<Unknown> own_unknowns(const LightShape& at) const;
-  Ellipsoid shape_at(std::span<const double> own) const;
-  static Ellipsoid shape_of(const LightShape& shape) { return std::get<Ellipsoid>(shape); }
+  light::Ellipsoid shape_at(std::span<const double> own) const;
+  static light::Ellipsoid shape_of(const LightShape& shape) {
+    return std::get<light::Ellipsoid>(shape);
+  }
   LightShape light_shape(std::span<const double> own) const { return shape_at(own); }
-  double brightness(const Ellipsoid& shape, const Scattering& law, const Vec3& s,
+  double brightness(const light::Ellipsoid& shape, const light::Scattering& law, const Vec3& s,
                     const Vec3& o) const;
-  BrightnessGradient gradient(const Ellipsoid& shape, const Scattering& law, const Vec3& s,
-                              const Vec3& o, std::span<double> own_row) const;
+  light::BrightnessGradient gradient(const light::Ellipsoid& shape, const light::Scattering& law,
+                                     const Vec3& s, const Vec3& o, std::span<double> own_row) const;
 
   bool moments_follow() const { return moments_ == MomentSource::shape; }
-  MomentRatios moments(const Ellipsoid& shape, std::span<const double> own) const;
-  void finish_row(const Ellipsoid& shape, const MomentRatios& by, std::span<double> own_row) const;
+  MomentRatios moments(const light::Ellipsoid& shape, std::span<const double> own) const;
+  void finish_row(const light::Ellipsoid& shape, const MomentRatios& by,
+                  std::span<double> own_row) const;
 
   std::size_t priors() const { return 0; }
-  void prior_numbers(const Ellipsoid&, std::span<const double>, std::span<double>, double*) const {}
+  void prior_numbers(const light::Ellipsoid&, std::span<const double>, std::span<double>,
+                     double*) const {}
 
  private:
-  Ellipsoid start_;
+  light::Ellipsoid start_;
   bool is_free_;
   MomentSource moments_;
 };
@@ -57,8 +62,9 @@ struct FollowedMoments {
   double Ixx = 0.0, Iyy = 0.0;
   std::vector<double> own, Ixx_by_own, Iyy_by_own;
 
-  static FollowedMoments at(const GaussianImage& image, const std::vector<double>& coefficients,
-                            const ConvexMoments& moments);
+  static FollowedMoments at(const light::GaussianImage& image,
+                            const std::vector<double>& coefficients,
+                            const light::ConvexMoments& moments);
 };
 
 // Its own unknowns are coefficients but the first, which is a usual one; they depart smoothly from
@@ -83,9 +89,10 @@ class ConvexSurface {
     return ConvexShape{image_, coefficients(own)};
   }
   std::vector<double> coefficients(std::span<const double> own) const;
-  double brightness(const Shape& shape, const Scattering& law, const Vec3& s, const Vec3& o) const;
-  BrightnessGradient gradient(const Shape& shape, const Scattering& law, const Vec3& s,
-                              const Vec3& o, std::span<double> own_row) const;
+  double brightness(const Shape& shape, const light::Scattering& law, const Vec3& s,
+                    const Vec3& o) const;
+  light::BrightnessGradient gradient(const Shape& shape, const light::Scattering& law,
+                                     const Vec3& s, const Vec3& o, std::span<double> own_row) const;
 
   bool moments_follow() const { return !followed_.own.empty(); }
   MomentRatios moments(const Shape& shape, std::span<const double> own) const;
@@ -100,7 +107,7 @@ class ConvexSurface {
   // sum A_j value_j / (sum A_j error), and its derivatives.
   double mean(const Shape& shape, std::span<const double> values, double error, double* row) const;
 
-  GaussianImage image_;
+  light::GaussianImage image_;
   bool is_free_;
   std::vector<double> start_, usual_, rough_;  // coefficients
 
@@ -122,11 +129,12 @@ class MeshSurface {
   Shape shape_at(std::span<const double>) const { return {}; }
   static Shape shape_of(const LightShape&) { return {}; }
   LightShape light_shape(std::span<const double>) const { return mesh_; }
-  double brightness(const Shape&, const Scattering& law, const Vec3& s, const Vec3& o) const {
+  double brightness(const Shape&, const light::Scattering& law, const Vec3& s,
+                    const Vec3& o) const {
     return mesh_.brightness(law, s, o);
   }
-  BrightnessGradient gradient(const Shape&, const Scattering& law, const Vec3& s, const Vec3& o,
-                              std::span<double>) const;
+  light::BrightnessGradient gradient(const Shape&, const light::Scattering& law, const Vec3& s,
+                                     const Vec3& o, std::span<double>) const;
 
   bool moments_follow() const { return false; }
   MomentRatios moments(const Shape&, std::span<const double>) const { return {}; }
@@ -135,11 +143,12 @@ class MeshSurface {
   void prior_numbers(const Shape&, std::span<const double>, std::span<double>, double*) const {}
 
  private:
-  ShadedMesh mesh_;
+  light::ShadedMesh mesh_;
   std::vector<Vec3> normals_;
   std::vector<double> areas_;
 };
 
 }  // namespace detail
+}  // namespace fit
 }  // namespace v0
 }  // namespace polhode

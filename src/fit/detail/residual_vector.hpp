@@ -9,6 +9,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace fit {
 namespace detail {
 
 class ResidualVector {
@@ -44,5 +45,6 @@ class ResidualVector {
 };
 
 }  // namespace detail
+}  // namespace fit
 }  // namespace v0
 }  // namespace polhode

@@ -10,6 +10,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace fit {
 namespace detail {
 
 // exp(v / 2), the rotation by |v| about v.
@@ -58,5 +59,6 @@ inline Mat3 log_derivative(const Vec3& v) {
 }
 
 }  // namespace detail
+}  // namespace fit
 }  // namespace v0
 }  // namespace polhode

@@ -7,6 +7,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace fit {
 namespace detail {
 
 // L^-1 of a covariance C = L L^T: numbers times it are independent and of unit variance.
@@ -37,5 +38,6 @@ inline Eigen::VectorXd to_unit_columns(RowByRow& jacobian) {
 }
 
 }  // namespace detail
+}  // namespace fit
 }  // namespace v0
 }  // namespace polhode

@@ -10,10 +10,11 @@
 #include "fit/detail/cholesky_lanes.hpp"
 #include "fit/detail/scan_task.hpp"
 #include "math/pack_functions.hpp"
-#include "polhode/math/pack.hpp"
+#include "polhode/detail/math/pack.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace fit {
 namespace detail {
 
 // Rows of 1, cos x, sin x, cos 2x, sin 2x ... over the points, and sums of their products.
@@ -315,5 +316,6 @@ void scan_in_lanes(const ScanBlock& block) {
 }
 
 }  // namespace detail
+}  // namespace fit
 }  // namespace v0
 }  // namespace polhode

@@ -10,6 +10,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace fit {
 namespace detail {
 
 // Points in lanes of eight: those from `count` on have no weight. Points of one group, with a
@@ -45,5 +46,6 @@ template <InstructionSet isa>
 void scan_in_lanes(const ScanBlock& block);
 
 }  // namespace detail
+}  // namespace fit
 }  // namespace v0
 }  // namespace polhode

@@ -13,6 +13,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace fit {
 namespace detail {
 
 // The attitude and the rate at one time and, by each unknown, the rotation vector of the attitude
@@ -75,5 +76,6 @@ class SnapshotResiduals {
 };
 
 }  // namespace detail
+}  // namespace fit
 }  // namespace v0
 }  // namespace polhode

@@ -9,12 +9,13 @@
 #include <limits>
 #include <span>
 
-#include "polhode/fit/covariance.hpp"
+#include "polhode/fit/least_squares.hpp"
 #include "polhode/fit/spin_fit.hpp"
 #include "polhode/math/vector.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace fit {
 namespace detail {
 
 // Of a rotation vector that each unknown moves by `turn`, to first order. About an axis about which
@@ -53,5 +54,6 @@ SpinSolution with_undetermined_moments(const SpinFit& fit, SpinSolution found,
                                        const std::function<SpinSolution(const SpinFit&)>& fitted);
 
 }  // namespace detail
+}  // namespace fit
 }  // namespace v0
 }  // namespace polhode

@@ -7,11 +7,12 @@
 #include <span>
 #include <vector>
 
-#include "polhode/fit/loss.hpp"
+#include "polhode/fit/least_squares.hpp"
 #include "polhode/light/light_curve.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace fit {
 namespace detail {
 
 // The residual is u - f v; v is not below 0.
@@ -21,7 +22,8 @@ struct FactorPoint {
 
 // The factor of a session under a robust loss.
 //
-// Equations   f of the least sum scale^2 rho((u - f v)^2 / scale^2) (polhode/fit/loss.hpp), u and v
+// Equations   f of the least sum scale^2 rho((u - f v)^2 / scale^2)
+//             (polhode/fit/least_squares.hpp), u and v
 //             flux and brightness over the error of the flux. The start is the weighted median of
 //             u / v, which minimises sum |u - f v|; from there Newton's method, kept within what
 //             signs of the slope enclose; where the sum bends downwards, twice a step of reweighted
@@ -51,7 +53,7 @@ enum class Rows { exact, held };
 
 class WeighedCurves {
  public:
-  explicit WeighedCurves(std::span<const LightCurve> curves, const Loss& loss = {});
+  explicit WeighedCurves(std::span<const light::LightCurve> curves, const Loss& loss = {});
 
   std::size_t size() const { return points_.size(); }
   std::size_t groups() const { return of_group_.size(); }
@@ -87,5 +89,6 @@ class WeighedCurves {
 };
 
 }  // namespace detail
+}  // namespace fit
 }  // namespace v0
 }  // namespace polhode

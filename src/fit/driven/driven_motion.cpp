@@ -18,6 +18,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace fit {
 namespace detail {
 
 std::vector<DrivenLeg> driven_legs(std::span<const double> times, double t0,
@@ -73,7 +74,7 @@ System system_of(const SpinDrive& drive, const SpinState& start, const Mat3& R,
   const double off = std::abs(T(0, 1)) + std::abs(T(1, 2)) + std::abs(T(0, 2));
   if (!(off <= diagonal_to * size)) {
     throw DomainError(std::string(motion_function) + ": the tensor has products " +
-                      tuple_text({T(0, 1), T(1, 2), T(0, 2)}) +
+                      polhode::detail::tuple_text({T(0, 1), T(1, 2), T(0, 2)}) +
                       " in the axes of the terms; expected none: give q_FB");
   }
   const Body body = R == Mat3::identity() ? Body(T(0, 0), T(1, 1), T(2, 2))
@@ -111,9 +112,11 @@ LegSamples<SystemState> samples_of(const Problem& problem, const DrivenLeg& leg)
 LegSamples<TangentRotor> samples_of(std::shared_ptr<const SensitivityField> field,
                                     const TangentRotor& s, const DrivenLeg& leg, double tolerance) {
   if (leg.from == leg.to) return {{{leg.from, s}}};
-  auto stepper = switching_stepper(std::move(field), leg.from, column_values(rotor_values(s)),
-                                   Adaptive{tolerance});
-  auto found = samples_of(sampled_run(std::move(stepper), "", leg.times, {}, false), leg);
+  auto stepper = polhode::detail::switching_stepper(
+      std::move(field), leg.from, polhode::detail::column_values(polhode::detail::rotor_values(s)),
+      Adaptive{tolerance});
+  auto found =
+      samples_of(polhode::detail::sampled_run(std::move(stepper), "", leg.times, {}, false), leg);
   if (found && leg.times.front() == leg.from) found->front().s = s;  // not normalised
   return found;
 }
@@ -157,7 +160,7 @@ TangentRotor seeded(const RotorState& s, const Body& body, double unit, const Ma
       }
     }
   }
-  return {constant<double, 6>(s.q) * turn, g};
+  return {polhode::detail::constant<double, 6>(s.q) * turn, g};
 }
 
 // The rotation vectors and rates of columns, in axes F.
@@ -227,7 +230,7 @@ std::optional<std::vector<MovedPoint>> DrivenMotion::at(
         // with what terms add to the rate
         const Vec3 w = R_ * angular_velocity(system_, sample.t, sample.s).inertial;
         wanted.each(sample.t, [&](std::size_t i) { points[i] = {q, w, {}, {}}; });
-        return is_finite(w);
+        return polhode::detail::is_finite(w);
       });
   if (!went) return std::nullopt;
   for (std::size_t first = 0; first < columns.size(); first += 6) {
@@ -286,7 +289,8 @@ bool DrivenMotion::add_columns(std::span<const DrivenLeg> legs, std::span<const 
         bool is_number = true;
         wanted.each(sample.t, [&](std::size_t i) {
           put_columns(sample.s, w, R_, six.size(), points[i]);
-          is_number = is_number && is_finite(points[i].turn.back() + points[i].rate.back());
+          is_number = is_number &&
+                      polhode::detail::is_finite(points[i].turn.back() + points[i].rate.back());
         });
         return is_number;
       });
@@ -312,7 +316,7 @@ std::vector<AnyPerturbation> DrivenMotion::stepped_terms(std::size_t parameter,
     }
   }
   throw DomainError(std::string(motion_function) + ": " + drive_.parameters[parameter].name +
-                    " = " + number_text(here) +
+                    " = " + polhode::detail::number_text(here) +
                     " has no neighbours that its torque takes; expected a number that can vary");
 }
 
@@ -347,5 +351,6 @@ std::optional<SpinState> DrivenMotion::after_jumps() const {
 }
 
 }  // namespace detail
+}  // namespace fit
 }  // namespace v0
 }  // namespace polhode

@@ -13,6 +13,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace fit {
 namespace detail {
 
 // A part of the motion without a jump, its times in order, of which the first are asked for and
@@ -75,5 +76,6 @@ class DrivenMotion {
 };
 
 }  // namespace detail
+}  // namespace fit
 }  // namespace v0
 }  // namespace polhode

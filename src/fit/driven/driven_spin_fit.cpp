@@ -22,6 +22,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace fit {
 namespace detail {
 namespace {
 
@@ -193,10 +194,11 @@ constexpr int most_recentrings = 20;
 void require_state(const SpinFit& fit, const SpinDrive& drive) {
   const SpinState& s = fit.start;
   const double size = std::hypot(std::hypot(s.q.w, s.q.x), std::hypot(s.q.y, s.q.z));
-  if (!std::isfinite(s.t0) || !std::isfinite(size) || !(size > 0.0) || !detail::is_finite(s.w_F)) {
-    refuse("the start, t0 = " + detail::number_text(s.t0) + ", quaternion " +
-           detail::tuple_text({s.q.w, s.q.x, s.q.y, s.q.z}) + " and rate " +
-           detail::tuple_text({s.w_F.x, s.w_F.y, s.w_F.z}) +
+  if (!std::isfinite(s.t0) || !std::isfinite(size) || !(size > 0.0) ||
+      !polhode::detail::is_finite(s.w_F)) {
+    refuse("the start, t0 = " + polhode::detail::number_text(s.t0) + ", quaternion " +
+           polhode::detail::tuple_text({s.q.w, s.q.x, s.q.y, s.q.z}) + " and rate " +
+           polhode::detail::tuple_text({s.w_F.x, s.w_F.y, s.w_F.z}) +
            ", must be finite, the quaternion not 0");
   }
   if (fit.unknowns.products) {
@@ -228,7 +230,7 @@ void require_drive(const SpinFit& fit, const SpinDrive& drive) {
   }
   for (const TorqueParameter& one : drive.parameters) {
     if (!std::isfinite(one.start)) {
-      refuse(one.name + " = " + detail::number_text(one.start) +
+      refuse(one.name + " = " + polhode::detail::number_text(one.start) +
              " at the start; expected a finite "
              "number");
     }
@@ -238,11 +240,12 @@ void require_drive(const SpinFit& fit, const SpinDrive& drive) {
   const auto [first, last] = std::ranges::minmax(times);
   for (const SpinJump& jump : drive.jumps) {
     if (!(jump.t >= first && jump.t < last)) {
-      refuse(jump.name + " at t = " + detail::number_text(jump.t) +
-             "; expected a time from the first observation on, " + detail::number_text(first) +
-             ", and before the last one, " + detail::number_text(last));
+      refuse(jump.name + " at t = " + polhode::detail::number_text(jump.t) +
+             "; expected a time from the first observation on, " +
+             polhode::detail::number_text(first) + ", and before the last one, " +
+             polhode::detail::number_text(last));
     }
-    if (!detail::is_finite(jump.change)) {
+    if (!polhode::detail::is_finite(jump.change)) {
       refuse(jump.name + " begins with a change that is not finite");
     }
   }
@@ -410,5 +413,6 @@ SpinState after_jumps(const SpinFit& fit, const SpinDrive& drive, const SpinSolu
   return *state;
 }
 
+}  // namespace fit
 }  // namespace v0
 }  // namespace polhode

@@ -11,6 +11,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace fit {
 namespace detail {
 namespace {
 
@@ -24,9 +25,11 @@ Body grown(double moment, int k) {
 }
 
 // The largest of `count` numbers, at intervals of `apart`.
-double largest(const ColumnValues& y, std::size_t from, std::size_t count, std::size_t apart = 1) {
+double largest(const polhode::detail::ColumnValues& y, std::size_t from, std::size_t count,
+               std::size_t apart = 1) {
   double r = 0.0;
-  for (std::size_t i = 0; i < count; ++i) r = larger(r, std::abs(y[from + i * apart]));
+  for (std::size_t i = 0; i < count; ++i)
+    r = polhode::detail::larger(r, std::abs(y[from + i * apart]));
   return r;
 }
 
@@ -61,7 +64,7 @@ Effect SensitivityField::by_moment(int k, const Setting& at, const Vec3& w) cons
 
 SensitivityField::Motion SensitivityField::motion(const DoubleDouble& t, const Values& y,
                                                   const SwitchSides* sides) const {
-  Motion m{rotor_state<Tangent>(dual_values(y)), {}, {}};
+  Motion m{polhode::detail::rotor_state<Tangent>(polhode::detail::dual_values(y)), {}, {}};
   const Body& body = system().body();
   const Vec3& I = body.moments();
   const Vec3 w{y[4] / I.x, y[5] / I.y, y[6] / I.z};
@@ -72,10 +75,10 @@ SensitivityField::Motion SensitivityField::motion(const DoubleDouble& t, const V
   }
   m.w0 = {seen.g.x / I.x, seen.g.y / I.y, seen.g.z / I.z};
   const std::vector<AnyPerturbation>& terms = system().terms();
-  const BasicSetting<Tangent> at{body, Tangent(t.hi), seen, constant<double, 6>(Quaternion{}),
-                                 Tangent(t.lo)};
+  const BasicSetting<Tangent> at{body, Tangent(t.hi), seen,
+                                 polhode::detail::constant<double, 6>(Quaternion{}), Tangent(t.lo)};
   m.e = sum_of_terms(system(), at, sides);
-  const Setting here{body, t.hi, rotor_state<double>(y), {}, t.lo};
+  const Setting here{body, t.hi, polhode::detail::rotor_state<double>(y), {}, t.lo};
   std::vector<Effect> now;
   for (std::size_t c = 0; c < 6; ++c) {
     const SensitivityTerm& by = terms_[c];
@@ -105,11 +108,12 @@ SensitivityField::Values SensitivityField::operator()(const DoubleDouble& t, con
                                                       const SwitchSides* sides) const {
   const Motion m = motion(t, y, sides);
   const BasicRotorRates<Tangent> r = inertial_rates(m.s, m.w0, m.e);
-  return column_values(rotor_values<Tangent>({r.q, r.g}));
+  return polhode::detail::column_values(polhode::detail::rotor_values<Tangent>({r.q, r.g}));
 }
 
 BasicVec3<Tangent> SensitivityField::rate(double t, const TangentRotor& s) const {
-  const Motion m = motion(DoubleDouble(t), column_values(rotor_values(s)), nullptr);
+  const Motion m = motion(
+      DoubleDouble(t), polhode::detail::column_values(polhode::detail::rotor_values(s)), nullptr);
   return m.w0 + m.e.v;
 }
 
@@ -118,17 +122,22 @@ BasicVec3<Tangent> SensitivityField::rate(double t, const TangentRotor& s) const
 double SensitivityField::error_size(const Values& error, const Values& y,
                                     const Values& increment) const {
   const double g = largest(y, 4, 3) + largest(increment, 4, 3);
-  double size = larger(largest(error, 0, 4), over(largest(error, 4, 3), g));
+  double size = polhode::detail::larger(largest(error, 0, 4), over(largest(error, 4, 3), g));
   for (std::size_t c = 0; c < 6; ++c) {
-    const auto dq = [c](const Values& of) { return largest(of, column_place(0, c), 4, 6); };
-    const auto dg = [c](const Values& of) { return largest(of, column_place(4, c), 3, 6); };
+    const auto dq = [c](const Values& of) {
+      return largest(of, polhode::detail::column_place(0, c), 4, 6);
+    };
+    const auto dg = [c](const Values& of) {
+      return largest(of, polhode::detail::column_place(4, c), 3, 6);
+    };
     const double column = dq(y) + dq(increment) + over(dg(y) + dg(increment), g);
-    size = larger(size, over(dq(error), column));
-    size = larger(size, over(dg(error), g * column));
+    size = polhode::detail::larger(size, over(dq(error), column));
+    size = polhode::detail::larger(size, over(dg(error), g * column));
   }
   return size;
 }
 
 }  // namespace detail
+}  // namespace fit
 }  // namespace v0
 }  // namespace polhode

@@ -13,15 +13,23 @@
 namespace polhode {
 inline namespace v0 {
 
-using TangentRotor = BasicRotorState<Tangent>;
-
+// Here, where the type is: calls find it by its argument.
 template <class Visit>
-void each_number(TangentRotor& s, Visit&& visit) {
+void each_number(BasicRotorState<Tangent>& s, Visit&& visit) {
   for (Tangent* x : {&s.q.w, &s.q.x, &s.q.y, &s.q.z, &s.g.x, &s.g.y, &s.g.z}) {
     visit(x->value);
     for (double& slope : x->derivative) visit(slope);
   }
 }
+
+}  // namespace v0
+}  // namespace polhode
+
+namespace polhode {
+inline namespace v0 {
+namespace fit {
+
+using TangentRotor = BasicRotorState<Tangent>;
 
 namespace detail {
 
@@ -35,12 +43,12 @@ struct SensitivityTerm {
   double moment_rate = 0.0;
 };
 
-class SensitivityField : public AugmentedField<TangentRotor, 42> {
+class SensitivityField : public polhode::detail::AugmentedField<TangentRotor, 42> {
  public:
   SensitivityField(const System& system, std::array<SensitivityTerm, 6> terms);
 
   Values operator()(const DoubleDouble& t, const Values& y, const SwitchSides* sides) const;
-  static TangentRotor state(const Values& y) { return dual_state(y); }
+  static TangentRotor state(const Values& y) { return polhode::detail::dual_state(y); }
   double error_size(const Values& error, const Values& y, const Values& increment) const;
 
   // The inertial rate of the body, with its derivatives.
@@ -67,5 +75,6 @@ Effect effect_at_rate(const std::vector<AnyPerturbation>& terms, const Body& bod
                       const Setting& at, const Vec3& w);
 
 }  // namespace detail
+}  // namespace fit
 }  // namespace v0
 }  // namespace polhode

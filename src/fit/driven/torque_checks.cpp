@@ -13,6 +13,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace fit {
 namespace detail {
 
 namespace {
@@ -73,7 +74,7 @@ void DrivenMotion::require_affine(std::span<const double> times, bool moments) c
         if (size(less(b, scaled(0.5, a + c))) <= affine_to * (size(a) + size(c))) continue;
         throw DomainError(std::string(function) + ": the term \"" + terms[i].name() +
                           "\" does not change in proportion to " + name + ", at " +
-                          number_text(parameters_[k]) +
+                          polhode::detail::number_text(parameters_[k]) +
                           "; expected a parameter that its torque is linear in, such as a "
                           "component, a pressure or a tensor");
       }
@@ -209,5 +210,6 @@ void DrivenMotion::require_no_jumps(std::span<const double> times) const {
 }
 
 }  // namespace detail
+}  // namespace fit
 }  // namespace v0
 }  // namespace polhode

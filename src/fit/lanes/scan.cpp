@@ -4,10 +4,12 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace fit {
 namespace detail {
 
 template void scan_in_lanes<InstructionSet::POLHODE_ISA>(const ScanBlock&);
 
 }  // namespace detail
+}  // namespace fit
 }  // namespace v0
 }  // namespace polhode

@@ -14,6 +14,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace fit {
 
 namespace detail {
 namespace {
@@ -66,7 +67,7 @@ double spins_apart(const SpinState& a, const SpinState& b) {
 // The same for ellipsoids, with their ratios of axes.
 double distance_of(const LightModel& a, const LightModel& other, bool half_turns) {
   const LightModel b = half_turns ? nearest_of_same(a, other) : other;
-  const Ellipsoid &e = a.ellipsoid(), &f = b.ellipsoid();
+  const light::Ellipsoid &e = a.ellipsoid(), &f = b.ellipsoid();
   return std::max({spins_apart(a.spin, b.spin), std::abs(e.b / e.a - f.b / f.a) / alike_ratio,
                    std::abs(e.c / e.b - f.c / f.b) / alike_ratio});
 }
@@ -101,8 +102,8 @@ void set_parent(std::vector<FoundLight>& solutions, std::size_t j, const LightGe
 std::string motion_text(const LightSolution& s) {
   std::string text = mode_text(s.periods.mode);
   if (s.periods.precession_period > 0.0)
-    text += ", P_phi " + rounded_text(s.periods.precession_period) + ", P_psi " +
-            rounded_text(s.periods.rotation_period);
+    text += ", P_phi " + polhode::detail::rounded_text(s.periods.precession_period) + ", P_psi " +
+            polhode::detail::rounded_text(s.periods.rotation_period);
   return text;
 }
 
@@ -129,10 +130,11 @@ std::string first_text(const std::vector<FoundLight>& solutions) {
   for (std::size_t k = 2; k < first.terms.size(); ++k)
     if (more(k) > more(term)) term = k;
   return text + "; solution " + std::to_string(best - solutions.begin() + 1) + " has a lower " +
-         (is_squared ? "chi-square, " : "loss of the data, ") + rounded_text(data_cost(other)) +
-         " against " + rounded_text(data_cost(first)) + ", but its " + first.terms[term].name +
-         " costs " + rounded_text(other.terms[term].value) + " against " +
-         rounded_text(first.terms[term].value);
+         (is_squared ? "chi-square, " : "loss of the data, ") +
+         polhode::detail::rounded_text(data_cost(other)) + " against " +
+         polhode::detail::rounded_text(data_cost(first)) + ", but its " + first.terms[term].name +
+         " costs " + polhode::detail::rounded_text(other.terms[term].value) + " against " +
+         polhode::detail::rounded_text(first.terms[term].value);
 }
 
 std::string beside_text(const FoundLight& f) {
@@ -153,11 +155,11 @@ std::string beside_text(const FoundLight& f) {
 
 }  // namespace
 
-LightGeometry geometry_of(std::span<const LightCurve> curves) {
+LightGeometry geometry_of(std::span<const light::LightCurve> curves) {
   LightGeometry g{{}, {}, 0.0};
   double first = std::numeric_limits<double>::infinity(), last = -first;
-  for (const LightCurve& curve : curves) {
-    for (const LightPoint& p : curve.points) {
+  for (const light::LightCurve& curve : curves) {
+    for (const light::LightPoint& p : curve.points) {
       g.to_sun = g.to_sun + (1.0 / norm(p.to_sun)) * p.to_sun;
       g.to_observer = g.to_observer + (1.0 / norm(p.to_observer)) * p.to_observer;
       first = std::min(first, p.t);
@@ -275,8 +277,8 @@ FoundLight found_light(LightSolution solution, std::size_t periods) {
   return f;
 }
 
-void describe_solutions(std::vector<FoundLight>& solutions, std::span<const LightCurve> curves,
-                        bool half_turns) {
+void describe_solutions(std::vector<FoundLight>& solutions,
+                        std::span<const light::LightCurve> curves, bool half_turns) {
   detail::describe_relations(solutions, detail::geometry_of(curves), half_turns);
 }
 
@@ -289,7 +291,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-DistinctSolutions::DistinctSolutions(std::span<const LightCurve> curves, std::size_t periods,
+DistinctSolutions::DistinctSolutions(std::span<const light::LightCurve> curves, std::size_t periods,
                                      double within, AreSame are_same, bool half_turns)
     : within_(within),
       geometry_(geometry_of(curves)),
@@ -387,5 +389,6 @@ void DistinctSolutions::move_to(LightSearchResult& result) {
 }
 
 }  // namespace detail
+}  // namespace fit
 }  // namespace v0
 }  // namespace polhode

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Solutions extended to further sessions, with the counts of turns that their errors leave open.
-#include "polhode/fit/light_extension.hpp"
-
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
@@ -19,12 +17,13 @@
 #include "math/number_text.hpp"
 #include "polhode/ensemble/cell_journal.hpp"
 #include "polhode/error.hpp"
-#include "polhode/fit/derived_parameters.hpp"
 #include "polhode/fit/light_fit.hpp"
-#include "polhode/light/light_curve_checks.hpp"
+#include "polhode/fit/light_search.hpp"
+#include "polhode/light/light_curve.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace fit {
 namespace detail {
 namespace {
 
@@ -210,9 +209,9 @@ struct TimeRange {
   }
 };
 
-TimeRange range_of(const LightCurve& curve) {
+TimeRange range_of(const light::LightCurve& curve) {
   TimeRange range;
-  for (const LightPoint& p : curve.points) range.take({p.t, p.t});
+  for (const light::LightPoint& p : curve.points) range.take({p.t, p.t});
   return range;
 }
 
@@ -222,7 +221,7 @@ LightModel at_time(LightModel body, double t) {
 }
 
 void check(const LightExtension& e) {
-  require_sound(e.curves, {.vectors = true});
+  light::require_sound(e.curves, {.vectors = true});
   if (e.starts.empty()) throw DomainError(extend_name + "no starts; expected one body");
   for (const LightModel& start : e.starts)
     if (start.shape.index() != e.starts.front().shape.index())
@@ -246,7 +245,7 @@ struct Begin {
 class Extension {
  public:
   explicit Extension(const LightExtension& asked) : asked_(asked) {
-    for (const LightCurve& curve : asked.curves) ranges_.push_back(range_of(curve));
+    for (const light::LightCurve& curve : asked.curves) ranges_.push_back(range_of(curve));
   }
 
   LightExtensionResult found() {
@@ -317,7 +316,7 @@ class Extension {
   void join(std::size_t session, double distance, std::vector<Begin>& begins) {
     joined_.push_back(session);
     all_.take(ranges_[session]);
-    std::vector<LightCurve> curves;  // in their order
+    std::vector<light::LightCurve> curves;  // in their order
     for (std::size_t k = 0; k < ranges_.size(); ++k)
       if (is_joined(k)) curves.push_back(asked_.curves[k]);
     detail::DistinctSolutions finds(
@@ -362,7 +361,7 @@ class Extension {
 
   // Fits with so many iterations, and what they leave.
   struct Pass {
-    const std::vector<LightCurve>& curves;
+    const std::vector<light::LightCurve>& curves;
     int most_iterations;
     double done;                                       // of the session, before them
     std::vector<std::pair<double, Begin>> unfinished;  // with their costs
@@ -379,7 +378,7 @@ class Extension {
   }
 
   void fit(const std::vector<Begin>& begins, Pass& pass, detail::DistinctSolutions& finds) {
-    ordered_parallel_for(
+    ensemble::ordered_parallel_for(
         asked_.journal, std::ssize(begins), asked_.threads,
         [&](std::int64_t k) {
           if (asked_.between) asked_.between();
@@ -421,5 +420,6 @@ LightExtensionResult extend_light(const LightExtension& extension) {
   return Extension(extension).found();
 }
 
+}  // namespace fit
 }  // namespace v0
 }  // namespace polhode

@@ -14,10 +14,11 @@
 #include "fit/detail/light_surfaces.hpp"
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
-#include "polhode/light/light_curve_checks.hpp"
+#include "polhode/light/light_curve.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace fit {
 namespace {
 
 using detail::ConvexSurface;
@@ -25,9 +26,9 @@ using detail::EllipsoidSurface;
 using detail::FollowedMoments;
 using detail::LightResiduals;
 using detail::MeshSurface;
-using detail::number_text;
 using detail::Rows;
-using detail::tuple_text;
+using polhode::detail::number_text;
+using polhode::detail::tuple_text;
 
 const std::string who = "fit_light: ";
 // A mesh has converged within this many standard errors: a facet that passes a terminator or the
@@ -41,7 +42,7 @@ constexpr double same_moments = 1e-5;
 // Least part of the way to the body of a round at which moments are taken anew.
 constexpr double least_part = 0.125;
 
-void require_axes(const Ellipsoid& s) {
+void require_axes(const light::Ellipsoid& s) {
   for (const double axis : {s.a, s.b, s.c})
     if (!(axis > 0.0) || !std::isfinite(axis))
       throw DomainError(who + "semi-axes " + tuple_text({s.a, s.b, s.c}) + " must be above 0");
@@ -55,7 +56,7 @@ void require_coefficients(const ConvexShape& shape) {
 }
 
 void require_shape(const LightShape& shape) {
-  if (const auto* e = std::get_if<Ellipsoid>(&shape)) require_axes(*e);
+  if (const auto* e = std::get_if<light::Ellipsoid>(&shape)) require_axes(*e);
   if (const auto* c = std::get_if<ConvexShape>(&shape)) require_coefficients(*c);
 }
 
@@ -103,7 +104,7 @@ void require_start(const LightFit& fit) {
   }
   if (moments != MomentSource::shape)
     return detail::require_diagonal(who, start.spin, "the axes of the ellipsoid");
-  const Ellipsoid& e = start.ellipsoid();
+  const light::Ellipsoid& e = start.ellipsoid();
   if (!(e.a >= e.b) || !(e.b >= e.c))
     throw DomainError(who + "semi-axes " + tuple_text({e.a, e.b, e.c}) +
                       " must not rise where moments follow from them");
@@ -139,7 +140,7 @@ class FacetMoments {
     if (!found.is_found() && (result.end != End::iteration_limit || left <= 0)) return false;
     const std::vector<double>& coefficients = found.body.convex().coefficients;
     try {
-      const ConvexMoments now = at(coefficients);
+      const light::ConvexMoments now = at(coefficients);
       const Mat3& T = found.body.spin.inertia_F;
       const double change = std::max(std::abs(now.Ixx - T(0, 0)), std::abs(now.Iyy - T(1, 1)));
       if (change <= same_moments && found.is_found()) return false;
@@ -161,19 +162,20 @@ class FacetMoments {
   }
 
  private:
-  ConvexMoments at(const std::vector<double>& coefficients) {
-    ConvexMoments m = convex_moments(image_.normals(), image_.areas(coefficients), distances_);
+  light::ConvexMoments at(const std::vector<double>& coefficients) {
+    light::ConvexMoments m =
+        light::convex_moments(image_.normals(), image_.areas(coefficients), distances_);
     distances_ = m.distances;
     return m;
   }
 
-  void follow(const std::vector<double>& coefficients, const ConvexMoments& m) {
+  void follow(const std::vector<double>& coefficients, const light::ConvexMoments& m) {
     followed_ = FollowedMoments::at(image_, coefficients, m);
   }
 
   // At the body that was found; where that did not bring what is linear near to what is true, the
   // rounds go back and forth, and they are taken part of the way.
-  void take_anew(std::vector<double> coefficients, const ConvexMoments& now, double change) {
+  void take_anew(std::vector<double> coefficients, const light::ConvexMoments& now, double change) {
     part_ = change > 0.5 * change_ ? std::max(0.5 * part_, least_part) : std::min(2.0 * part_, 1.0);
     change_ = change;
     if (part_ == 1.0) return follow(coefficients, now);
@@ -182,7 +184,7 @@ class FacetMoments {
     follow(coefficients, at(coefficients));
   }
 
-  GaussianImage image_;
+  light::GaussianImage image_;
   FollowedMoments followed_;
   std::vector<double> distances_;  // of the facets, as they were last
   // Difference of the moments of the last round between the linear and the exact ones.
@@ -196,13 +198,14 @@ class OfFacets {
   OfFacets(std::shared_ptr<const LightResiduals<ConvexSurface>> residuals, const ConvexShape& first)
       : residuals_(std::move(residuals)), image_(first.image) {
     // of a start that is the same at every x, so that the numbers are, too
-    distances_ = convex_moments(image_.normals(), image_.areas(first.coefficients)).distances;
+    distances_ =
+        light::convex_moments(image_.normals(), image_.areas(first.coefficients)).distances;
   }
 
   LightResiduals<ConvexSurface> about(std::span<const double> x) const {
     const std::vector<double> c = residuals_->surface().coefficients(residuals_->own_of(x));
     return residuals_->with(residuals_->surface().with(FollowedMoments::at(
-        image_, c, convex_moments(image_.normals(), image_.areas(c), distances_))));
+        image_, c, light::convex_moments(image_.normals(), image_.areas(c), distances_))));
   }
 
   bool at(std::span<const double> x, std::span<double> numbers, std::span<double> jacobian) const {
@@ -215,7 +218,7 @@ class OfFacets {
 
  private:
   std::shared_ptr<const LightResiduals<ConvexSurface>> residuals_;
-  GaussianImage image_;
+  light::GaussianImage image_;
   std::vector<double> distances_;
 };
 
@@ -484,13 +487,13 @@ std::optional<std::pair<Quaternion, double>> best_attitude(
 }  // namespace detail
 
 LightSolution fit_light(const LightFit& fit) {
-  require_sound(fit.curves, {.vectors = true});
+  light::require_sound(fit.curves, {.vectors = true});
   require_start(fit);
   return with_fitter(fit, Rows::held, [](auto fitter) { return fitter.solution(); });
 }
 
 LeastSquares least_squares_of(const LightFit& fit) {
-  require_sound(fit.curves, {.vectors = true});
+  light::require_sound(fit.curves, {.vectors = true});
   require_start(fit);
   return with_fitter(fit, Rows::exact, [](const auto& fitter) { return fitter.problem(); });
 }
@@ -506,7 +509,7 @@ std::vector<double> light_unknowns_at(const LightUnknowns& unknowns, const Light
   const Vec3& w = body.spin.w_F;
   std::vector<double> x{turn.x, turn.y, turn.z, w.x, w.y, w.z};
   if (body.is_ellipsoid() && unknowns.shape) {
-    const Ellipsoid& s = body.ellipsoid();
+    const light::Ellipsoid& s = body.ellipsoid();
     x.insert(x.end(), {s.b / s.a, s.c / s.b});
   }
   const Mat3& T = body.spin.inertia_F;
@@ -521,9 +524,9 @@ std::vector<double> light_unknowns_at(const LightUnknowns& unknowns, const Light
 }
 
 std::vector<std::vector<double>> model_fluxes(const LightModel& body,
-                                              std::span<const LightCurve> curves,
+                                              std::span<const light::LightCurve> curves,
                                               const Loss& loss) {
-  require_sound(curves, {.vectors = true});
+  light::require_sound(curves, {.vectors = true});
   require_shape(body.shape);
   detail::require_law(who, body.law, false);
   const LightFit fit{.curves = {curves.begin(), curves.end()},
@@ -535,5 +538,6 @@ std::vector<std::vector<double>> model_fluxes(const LightModel& body,
   });
 }
 
+}  // namespace fit
 }  // namespace v0
 }  // namespace polhode

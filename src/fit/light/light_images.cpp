@@ -10,6 +10,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace fit {
 namespace {
 
 // Half a turn about a direction; none where it is 0.
@@ -23,7 +24,7 @@ Quaternion half_turn(const Vec3& axis) {
 // Whether moments are those of an even filling, so that both say which axis is the longest.
 bool is_filled(const LightModel& body) {
   constexpr double same = 1e-9;
-  const Ellipsoid& s = body.ellipsoid();
+  const light::Ellipsoid& s = body.ellipsoid();
   const Mat3 even = LightModel::homogeneous(0.0, {}, {}, s).spin.inertia_F;
   const Mat3& T = body.spin.inertia_F;
   return s.a >= s.b && s.b >= s.c && std::abs(T(0, 0) / T(2, 2) - even(0, 0)) < same &&
@@ -69,13 +70,13 @@ LightModel in_axes(const Mat3& R, const LightModel& body) {
   const Mat3& T = body.spin.inertia_F;
   const Vec3 I = permuted(R, {T(0, 0), T(1, 1), T(2, 2)});
   for (int i = 0; i < 3; ++i) found.spin.inertia_F(i, i) = I[i] / I.z;
-  const Ellipsoid& e = body.ellipsoid();
+  const light::Ellipsoid& e = body.ellipsoid();
   const Vec3 s = permuted(R, {e.a, e.b, e.c});
-  found.shape = Ellipsoid{1.0, s.y / s.x, s.z / s.x};
+  found.shape = light::Ellipsoid{1.0, s.y / s.x, s.z / s.x};
   return found;
 }
 
-double shape_distance(const Ellipsoid& a, const Ellipsoid& b) {
+double shape_distance(const light::Ellipsoid& a, const light::Ellipsoid& b) {
   return std::abs(std::log(a.b / b.b)) + std::abs(std::log(a.c / b.c));
 }
 
@@ -111,5 +112,6 @@ LightModel nearest_of_same(const LightModel& about, const LightModel& body) {
   return nearest;
 }
 
+}  // namespace fit
 }  // namespace v0
 }  // namespace polhode

@@ -13,6 +13,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace fit {
 
 double LightSolution::error_factor() const {
   constexpr double least_freedom = 0.5;
@@ -51,17 +52,19 @@ void require_spin(const std::string& who, const SpinState& s, int most_iteration
                       " must be 1 or more");
   const double size = s.q.w * s.q.w + s.q.x * s.q.x + s.q.y * s.q.y + s.q.z * s.q.z;
   if (!std::isfinite(s.t0) || !std::isfinite(size) || !(size > 0.0))
-    throw DomainError(who + "the start, t0 = " + number_text(s.t0) +
+    throw DomainError(who + "the start, t0 = " + polhode::detail::number_text(s.t0) +
                       " and its quaternion, must be finite, the quaternion not 0");
   const double rate = norm(s.w_F);
   if (!std::isfinite(rate) || !(rate > 0.0))
-    throw DomainError(who + "the rate at the start, " + tuple_text({s.w_F.x, s.w_F.y, s.w_F.z}) +
+    throw DomainError(who + "the rate at the start, " +
+                      polhode::detail::tuple_text({s.w_F.x, s.w_F.y, s.w_F.z}) +
                       ", must be finite and not 0");
 }
 
-void require_law(const std::string& who, const Scattering& law, bool is_unknown) {
+void require_law(const std::string& who, const light::Scattering& law, bool is_unknown) {
   if (!(law.single >= 0.0) || !(law.multiple >= 0.0) || !(law.single + law.multiple > 0.0))
-    throw DomainError(who + "weights of scattering " + tuple_text({law.single, law.multiple}) +
+    throw DomainError(who + "weights of scattering " +
+                      polhode::detail::tuple_text({law.single, law.multiple}) +
                       " must not be below 0, and one above");
   if (is_unknown && !(law.single > 0.0))
     throw DomainError(who +
@@ -73,7 +76,7 @@ void require_diagonal(const std::string& who, const SpinState& s, const std::str
   const Mat3& T = s.inertia_F;
   if (T(0, 1) != 0.0 || T(1, 2) != 0.0 || T(0, 2) != 0.0)
     throw DomainError(who + why + " must be principal: products of inertia are " +
-                      tuple_text({T(0, 1), T(1, 2), T(0, 2)}));
+                      polhode::detail::tuple_text({T(0, 1), T(1, 2), T(0, 2)}));
   static_cast<void>(Body(T(0, 0), T(1, 1), T(2, 2)));  // says what is wrong with them
 }
 
@@ -124,5 +127,6 @@ void settle(const TurningFit& fit, int most_iterations, std::size_t groups, Ligh
 }
 
 }  // namespace detail
+}  // namespace fit
 }  // namespace v0
 }  // namespace polhode

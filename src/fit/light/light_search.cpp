@@ -15,21 +15,22 @@
 #include "fit/light/search_progress.hpp"
 #include "fit/result_bytes.hpp"
 #include "polhode/ensemble/cell_journal.hpp"
-#include "polhode/ensemble/counter_random.hpp"
 #include "polhode/ensemble/distributions.hpp"
+#include "polhode/ensemble/draws.hpp"
 #include "polhode/free/free_rotation.hpp"
 #include "polhode/free/tumbler.hpp"
 #include "polhode/math/real.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace fit {
 namespace detail {
 
 class Draws {
  public:
   Draws(const LightSearch& search, std::uint64_t member)
       // of a known body as drawn before meshes had the same search
-      : random_(search.seed, key_of(search.body ? "search_mesh" : "search_light")),
+      : random_(search.seed, ensemble::key_of(search.body ? "search_mesh" : "search_light")),
         member_(member) {}
   double uniform() { return random_.uniform(member_, next_++); }
   double between(double low, double high) { return low + (high - low) * uniform(); }
@@ -38,11 +39,11 @@ class Draws {
   }
   Quaternion attitude() {
     const double u0 = uniform(), u1 = uniform(), u2 = uniform();
-    return UniformAttitude().from_uniform(u0, u1, u2);
+    return ensemble::UniformAttitude().from_uniform(u0, u1, u2);
   }
 
  private:
-  CounterRandom random_;
+  ensemble::CounterRandom random_;
   std::uint64_t member_;
   std::uint64_t next_ = 0;
 };
@@ -59,7 +60,7 @@ constexpr double least_start_ratio = 0.15;
 constexpr std::size_t most_looked_at = 60, least_of_session = 10;
 
 bool is_thick(const TumblingBody& body) {
-  const Ellipsoid e = homogeneous_ellipsoid(body.body.moments(), 1.0);
+  const light::Ellipsoid e = light::homogeneous_ellipsoid(body.body.moments(), 1.0);
   return e.c >= least_start_ratio * e.a && e.b >= least_start_ratio * e.a;
 }
 
@@ -76,7 +77,7 @@ std::optional<LightModel> drawn_body(const LightSearch& search, const TumblerPer
     const TumblingBody& chosen = bodies[which];
     const FreeRotation motion = FreeRotation::short_arc(chosen.body, chosen.state);
     const Vec3 g = motion.at(part * periods.rotation_period).g, I = chosen.body.moments();
-    const Ellipsoid e = homogeneous_ellipsoid(I, 1.0);
+    const light::Ellipsoid e = light::homogeneous_ellipsoid(I, 1.0);
     return LightModel::homogeneous(epoch_of(search.curves), {}, {g.x / I.x, g.y / I.y, g.z / I.z},
                                    {1.0, e.b / e.a, e.c / e.a}, search.law);
   }
@@ -85,15 +86,15 @@ std::optional<LightModel> drawn_body(const LightSearch& search, const TumblerPer
 
 // Evenly spread points of each session, so that there are not many; but as many as say something of
 // a session whose factor is its own.
-std::vector<LightCurve> thinned(const std::vector<LightCurve>& curves) {
+std::vector<light::LightCurve> thinned(const std::vector<light::LightCurve>& curves) {
   std::size_t count = 0;
-  for (const LightCurve& curve : curves) count += curve.points.size();
-  std::vector<LightCurve> few;
-  for (const LightCurve& curve : curves) {
+  for (const light::LightCurve& curve : curves) count += curve.points.size();
+  std::vector<light::LightCurve> few;
+  for (const light::LightCurve& curve : curves) {
     const std::size_t size = curve.points.size();
     const std::size_t share = (most_looked_at * size + count - 1) / count;
     const std::size_t taken = std::min(size, std::max(share, least_of_session));
-    LightCurve kept{curve.name, curve.is_calibrated, {}};
+    light::LightCurve kept{curve.name, curve.is_calibrated, {}};
     for (std::size_t i = 0; i < taken; ++i) kept.points.push_back(curve.points[i * size / taken]);
     few.push_back(std::move(kept));
   }
@@ -122,10 +123,10 @@ std::vector<FreeRotation> motions_of(const Body& body, const TumblerPeriods& per
 
 }  // namespace
 
-double epoch_of(std::span<const LightCurve> curves) {
+double epoch_of(std::span<const light::LightCurve> curves) {
   double first = std::numeric_limits<double>::infinity(), last = -first;
-  for (const LightCurve& curve : curves) {
-    for (const LightPoint& p : curve.points) {
+  for (const light::LightCurve& curve : curves) {
+    for (const light::LightPoint& p : curve.points) {
       first = std::min(first, p.t);
       last = std::max(last, p.t);
     }
@@ -272,7 +273,7 @@ class Search {
     if (is_known_) unknowns.moments = MomentSource::start;
     Trials found(search_.periods.size());
     tried_ += numbers.size();
-    ordered_parallel_for(
+    ensemble::ordered_parallel_for(
         search_.journal, std::ssize(numbers), search_.threads,
         [&](std::int64_t k) {
           return starts_.trial(numbers[static_cast<std::size_t>(k)], unknowns, iterations);
@@ -392,7 +393,7 @@ class Search {
 
   // Keeps what has not come to its end where `goes_on`.
   void fit(const std::vector<Finalist>& finalists, int most_iterations, bool goes_on) {
-    ordered_parallel_for(
+    ensemble::ordered_parallel_for(
         search_.journal, std::ssize(finalists), search_.threads,
         [&](std::int64_t k) {
           if (search_.between) search_.between();
@@ -487,13 +488,14 @@ LightSearchResult search_light(const LightSearch& search) {
   static_cast<void>(least_squares_of(LightFit{search.curves, any, unknowns, search.loss}));
   check_surface(search, any);
   if (search.begins)
-    search.begins("search", detail::counted(search.starts, "start", "starts") + " of " +
-                                detail::counted(search.periods.size(), "pair of periods",
-                                                "pairs of periods"));
+    search.begins("search", polhode::detail::counted(search.starts, "start", "starts") + " of " +
+                                polhode::detail::counted(search.periods.size(), "pair of periods",
+                                                         "pairs of periods"));
   LightSearchResult found = Search(search).found();
   if (search.surface) detail::fit_surfaces(search, found);
   return found;
 }
 
+}  // namespace fit
 }  // namespace v0
 }  // namespace polhode

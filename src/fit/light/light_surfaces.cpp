@@ -12,46 +12,47 @@
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
 #include "polhode/light/facet_brightness.hpp"
-#include "polhode/light/lambert.hpp"
-#include "polhode/light/patch_brightness.hpp"
+#include "polhode/light/lommel_seeliger.hpp"
 #include "polhode/shape/mass_properties.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace fit {
 
-ConvexShape ConvexShape::of(const Ellipsoid& e, int degree, int rows) {
+ConvexShape ConvexShape::of(const light::Ellipsoid& e, int degree, int rows) {
   for (const double axis : {e.a, e.b, e.c})
     if (!(axis > 0.0) || !std::isfinite(axis))
-      throw DomainError("ConvexShape: semi-axis " + detail::number_text(axis) + " must be above 0");
-  const GaussianImage image(degree, rows);
-  return {image, image.coefficients(Ellipsoid{e.a / e.b, 1.0, e.c / e.b})};
+      throw DomainError("ConvexShape: semi-axis " + polhode::detail::number_text(axis) +
+                        " must be above 0");
+  const light::GaussianImage image(degree, rows);
+  return {image, image.coefficients(light::Ellipsoid{e.a / e.b, 1.0, e.c / e.b})};
 }
 
-FacetShape ConvexShape::mesh() const { return convex_body(image.normals(), areas()); }
+shape::FacetShape ConvexShape::mesh() const { return light::convex_body(image.normals(), areas()); }
 
 LightModel LightModel::homogeneous(double t0, const Quaternion& q, const Vec3& w_F,
-                                   const Ellipsoid& shape, const Scattering& law) {
-  const Vec3 I = homogeneous_moments(shape, 1.0);
+                                   const light::Ellipsoid& shape, const light::Scattering& law) {
+  const Vec3 I = light::homogeneous_moments(shape, 1.0);
   return {{t0, q, w_F, detail::inertia_of({I.x / I.z, I.y / I.z})}, shape, law};
 }
 
-Mat3 homogeneous_inertia(const FacetShape& shape) {
-  Mat3 T = mass_properties(shape, 1.0).inertia;
+Mat3 homogeneous_inertia(const shape::FacetShape& shape) {
+  Mat3 T = shape::mass_properties(shape, 1.0).inertia;
   const double unit = T(2, 2);
   for (Vec3& row : T.row) row = (1.0 / unit) * row;
   return T;
 }
 
-Ellipsoid ellipsoid_of_moments(const Mat3& inertia) {
+light::Ellipsoid ellipsoid_of_moments(const Mat3& inertia) {
   const Vec3 I = Body::from_tensor(inertia).moments();
   double all[3] = {I.x, I.y, I.z};
   std::ranges::sort(all);
-  const Ellipsoid e = homogeneous_ellipsoid(Vec3{all[0], all[1], all[2]}, 1.0);
+  const light::Ellipsoid e = light::homogeneous_ellipsoid(Vec3{all[0], all[1], all[2]}, 1.0);
   return {1.0, e.b / e.a, e.c / e.a};
 }
 
 ShapeInertia shape_inertia(const ConvexShape& shape) {
-  const Mat3 T = mass_properties(shape.mesh(), 1.0).inertia;
+  const Mat3 T = shape::mass_properties(shape.mesh(), 1.0).inertia;
   const Quaternion q = Body::from_tensor(T).q_FB();
   return {T(0, 0) / T(2, 2), T(1, 1) / T(2, 2), norm(attitude_residual({}, normalized(q)))};
 }
@@ -63,7 +64,7 @@ EllipsoidSurface::EllipsoidSurface(const LightFit& fit, const LightModel& body)
 
 std::vector<Unknown> EllipsoidSurface::own_unknowns(const LightShape& at) const {
   if (!is_free_) return {};
-  const Ellipsoid& e = std::get<Ellipsoid>(at);
+  const light::Ellipsoid& e = std::get<light::Ellipsoid>(at);
   const double high = moments_ == MomentSource::shape ? 1.0 : 1.0 / least_axis_ratio;
   const auto ratio = [&](const char* name, double value) -> Unknown {
     return {name, std::clamp(value, least_axis_ratio, high), least_axis_ratio, high};
@@ -71,33 +72,35 @@ std::vector<Unknown> EllipsoidSurface::own_unknowns(const LightShape& at) const 
   return {ratio("b/a", e.b / e.a), ratio("c/b", e.c / e.b)};
 }
 
-Ellipsoid EllipsoidSurface::shape_at(std::span<const double> own) const {
+light::Ellipsoid EllipsoidSurface::shape_at(std::span<const double> own) const {
   if (!is_free_) return {1.0, start_.b / start_.a, start_.c / start_.a};
   return {1.0, own[0], own[0] * own[1]};
 }
 
-double EllipsoidSurface::brightness(const Ellipsoid& shape, const Scattering& law, const Vec3& s,
-                                    const Vec3& o) const {
-  return polhode::brightness(shape, law, s, o);
+double EllipsoidSurface::brightness(const light::Ellipsoid& shape, const light::Scattering& law,
+                                    const Vec3& s, const Vec3& o) const {
+  return light::brightness(shape, law, s, o);
 }
 
-BrightnessGradient EllipsoidSurface::gradient(const Ellipsoid& shape, const Scattering& law,
-                                              const Vec3& s, const Vec3& o,
-                                              std::span<double> own_row) const {
-  const EllipsoidGradient g = brightness_gradient(shape, law, s, o);
+light::BrightnessGradient EllipsoidSurface::gradient(const light::Ellipsoid& shape,
+                                                     const light::Scattering& law, const Vec3& s,
+                                                     const Vec3& o,
+                                                     std::span<double> own_row) const {
+  const light::EllipsoidGradient g = light::brightness_gradient(shape, law, s, o);
   if (is_free_) {
     own_row[0] = g.by_axes.y;
     own_row[1] = g.by_axes.z;
   }
-  return static_cast<const BrightnessGradient&>(g);
+  return static_cast<const light::BrightnessGradient&>(g);
 }
 
-MomentRatios EllipsoidSurface::moments(const Ellipsoid& shape, std::span<const double>) const {
-  const Vec3 I = homogeneous_moments(shape, 1.0);
+MomentRatios EllipsoidSurface::moments(const light::Ellipsoid& shape,
+                                       std::span<const double>) const {
+  const Vec3 I = light::homogeneous_moments(shape, 1.0);
   return {I.x / I.z, I.y / I.z};
 }
 
-void EllipsoidSurface::finish_row(const Ellipsoid& shape, const MomentRatios& by,
+void EllipsoidSurface::finish_row(const light::Ellipsoid& shape, const MomentRatios& by,
                                   std::span<double> own_row) const {
   if (!is_free_) return;
   const double b = shape.b, c = shape.c;
@@ -125,15 +128,15 @@ std::vector<double> usual_coefficients(const LightFit& fit, const ConvexShape& b
   const std::optional<LightModel>& given = fit.regularisation.about;
   const LightModel& about = given ? *given : fit.start;
   if (about.is_convex()) return about.convex().coefficients;
-  const Ellipsoid& e = about.ellipsoid();
-  return body.image.coefficients(Ellipsoid{e.a / e.b, 1.0, e.c / e.b});
+  const light::Ellipsoid& e = about.ellipsoid();
+  return body.image.coefficients(light::Ellipsoid{e.a / e.b, 1.0, e.c / e.b});
 }
 
 }  // namespace
 
-FollowedMoments FollowedMoments::at(const GaussianImage& image,
+FollowedMoments FollowedMoments::at(const light::GaussianImage& image,
                                     const std::vector<double>& coefficients,
-                                    const ConvexMoments& m) {
+                                    const light::ConvexMoments& m) {
   const std::vector<double> A = image.areas(coefficients);
   return {m.Ixx, m.Iyy, without_first(coefficients),
           without_first(image.by_coefficients(m.Ixx_by_areas, A)),
@@ -180,18 +183,20 @@ std::vector<double> ConvexSurface::coefficients(std::span<const double> own) con
   return c;
 }
 
-double ConvexSurface::brightness(const Shape& shape, const Scattering& law, const Vec3& s,
+double ConvexSurface::brightness(const Shape& shape, const light::Scattering& law, const Vec3& s,
                                  const Vec3& o) const {
-  return patch_brightness<double>(image_.normals(), image_.widths(), shape.areas, law, s, o);
+  return light::patch_brightness<double>(image_.normals(), image_.widths(), shape.areas, law, s, o);
 }
 
-BrightnessGradient ConvexSurface::gradient(const Shape& shape, const Scattering& law, const Vec3& s,
-                                           const Vec3& o, std::span<double> own_row) const {
-  const FacetGradient g = patch_gradient(image_.normals(), image_.widths(), shape.areas, law, s, o);
-  if (!is_free_) return static_cast<const BrightnessGradient&>(g);
+light::BrightnessGradient ConvexSurface::gradient(const Shape& shape, const light::Scattering& law,
+                                                  const Vec3& s, const Vec3& o,
+                                                  std::span<double> own_row) const {
+  const light::FacetGradient g =
+      light::patch_gradient(image_.normals(), image_.widths(), shape.areas, law, s, o);
+  if (!is_free_) return static_cast<const light::BrightnessGradient&>(g);
   const std::vector<double> by = image_.by_coefficients(g.by_areas, shape.areas);
   std::copy(by.begin() + 1, by.end(), own_row.begin());
-  return static_cast<const BrightnessGradient&>(g);
+  return static_cast<const light::BrightnessGradient&>(g);
 }
 
 MomentRatios ConvexSurface::moments(const Shape&, std::span<const double> own) const {
@@ -239,7 +244,7 @@ void ConvexSurface::prior_numbers(const Shape& shape, std::span<const double> ow
 }
 
 MeshSurface::MeshSurface(const LightFit&, const LightModel& body) : mesh_(body.mesh()) {
-  for (const Facet& f : mesh_.shape().facets()) {
+  for (const shape::Facet& f : mesh_.shape().facets()) {
     normals_.push_back(f.normal);
     areas_.push_back(f.area);
   }
@@ -248,10 +253,12 @@ MeshSurface::MeshSurface(const LightFit&, const LightModel& body) : mesh_(body.m
 // The gradient of the facets which are lit and seen. At the edge of a shadow, where a facet goes
 // out as a whole, the brightness has a jump and no derivative; what a finer mesh would lose there
 // evenly is left out. At a terminator nothing is missing: the light of a facet is 0 there.
-BrightnessGradient MeshSurface::gradient(const Shape&, const Scattering& law, const Vec3& s,
-                                         const Vec3& o, std::span<double>) const {
+light::BrightnessGradient MeshSurface::gradient(const Shape&, const light::Scattering& law,
+                                                const Vec3& s, const Vec3& o,
+                                                std::span<double>) const {
   const auto of_lit = [&](const std::vector<double>& areas) {
-    return static_cast<BrightnessGradient>(facet_gradient(normals_, areas, law, s, o));
+    return static_cast<light::BrightnessGradient>(
+        light::facet_gradient(normals_, areas, law, s, o));
   };
   if (mesh_.is_shadowless()) return of_lit(areas_);
   const Vec3 sun = (1.0 / norm(s)) * s, observer = (1.0 / norm(o)) * o;
@@ -265,5 +272,6 @@ BrightnessGradient MeshSurface::gradient(const Shape&, const Scattering& law, co
 }
 
 }  // namespace detail
+}  // namespace fit
 }  // namespace v0
 }  // namespace polhode

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Likely periods of a tumbling body, from the harmonics of its light.
-#include "polhode/fit/likely_periods.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,10 +7,12 @@
 #include <optional>
 #include <span>
 
+#include "polhode/fit/light_fit.hpp"
 #include "polhode/fit/light_search.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace fit {
 
 namespace {
 
@@ -184,5 +184,6 @@ std::vector<TumblerPeriods> labelled_periods(std::span<const ScanMinimum> minima
   return found;
 }
 
+}  // namespace fit
 }  // namespace v0
 }  // namespace polhode

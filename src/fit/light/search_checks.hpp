@@ -8,10 +8,11 @@
 
 #include "math/number_text.hpp"
 #include "polhode/error.hpp"
-#include "polhode/light/light_curve_checks.hpp"
+#include "polhode/light/light_curve.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace fit {
 namespace detail {
 
 template <class Number>
@@ -22,7 +23,8 @@ void require_at_least_one(const std::string& who, const char* name, Number value
 
 inline void require_within(const std::string& who, double within) {
   if (!(within >= 1.0))
-    throw DomainError(who + "within = " + number_text(within) + " must be 1 or more");
+    throw DomainError(who + "within = " + polhode::detail::number_text(within) +
+                      " must be 1 or more");
 }
 
 // The iterations as they are where there can be no more.
@@ -32,14 +34,15 @@ inline int times(int iterations, int factor) {
 
 template <class Search>
 void check_search(const std::string& who, const Search& s) {
-  require_sound(s.curves, {.vectors = true});
+  light::require_sound(s.curves, {.vectors = true});
   if (s.periods.empty()) throw DomainError(who + "no periods to start from; expected one pair");
   for (const auto& p : s.periods) {
     if (p.mode != Regime::short_axis && p.mode != Regime::long_axis)
       throw DomainError(who + "the mode must be short_axis or long_axis");
     for (const double period : {p.precession_period, p.rotation_period})
       if (!(period > 0.0) || !std::isfinite(period))
-        throw DomainError(who + "period " + number_text(period) + " must be positive");
+        throw DomainError(who + "period " + polhode::detail::number_text(period) +
+                          " must be positive");
   }
   require_at_least_one(who, "starts", s.starts);
   require_at_least_one(who, "tries", s.tries);
@@ -51,5 +54,6 @@ void check_search(const std::string& who, const Search& s) {
 }
 
 }  // namespace detail
+}  // namespace fit
 }  // namespace v0
 }  // namespace polhode

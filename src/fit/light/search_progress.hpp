@@ -16,6 +16,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace fit {
 namespace detail {
 
 // Starts of a round for each pair of periods, and their iterations over those of the first starts.
@@ -105,5 +106,6 @@ class SearchProgress {
 };
 
 }  // namespace detail
+}  // namespace fit
 }  // namespace v0
 }  // namespace polhode

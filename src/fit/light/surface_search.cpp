@@ -21,6 +21,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace fit {
 namespace detail {
 namespace {
 
@@ -179,11 +180,12 @@ class Surfaces {
   void run() {
     const std::vector<Start> starts = starts_of();
     if (search_.begins)
-      search_.begins(
-          "surfaces",
-          (fits_.mesh() ? counted(search_.starts, "start", "starts") + " by periods, " : "") +
-              counted(starts.size(), "ellipsoid", "ellipsoids") +
-              " to begin with, and images of the best");
+      search_.begins("surfaces",
+                     (fits_.mesh() ? polhode::detail::counted(search_.starts, "start", "starts") +
+                                         " by periods, "
+                                   : "") +
+                         polhode::detail::counted(starts.size(), "ellipsoid", "ellipsoids") +
+                         " to begin with, and images of the best");
     if (fits_.mesh()) search_periods();
     fit(
         starts.size(), true,
@@ -250,7 +252,7 @@ class Surfaces {
   template <class Made, class Take>
   void fit(std::size_t count, bool has_images, const Made& made, const Take& take) {
     double fits = 0.0;
-    ordered_parallel_for(
+    ensemble::ordered_parallel_for(
         search_.journal, static_cast<std::int64_t>(count), search_.threads,
         [&](std::int64_t k) {
           if (search_.between) search_.between();
@@ -357,7 +359,7 @@ void fit_surfaces(const LightSearch& search, LightSearchResult& result) {
 void set_ellipsoid(FoundLight& one) {
   if (!one.solution.body.is_convex()) return;
   try {
-    const FacetShape mesh = one.solution.body.convex().mesh();
+    const shape::FacetShape mesh = one.solution.body.convex().mesh();
     one.ellipsoid = ellipsoid_of_moments(homogeneous_inertia(mesh));
   } catch (const DomainError& error) {
     one.solution.notes.push_back(std::string("no mesh has these areas: ") + error.what());
@@ -370,10 +372,11 @@ LightModel SurfaceSearch::convex_of(const LightModel& ellipsoid) const {
   return {ellipsoid.spin, ConvexShape::of(ellipsoid.ellipsoid(), degree, rows), ellipsoid.law};
 }
 
-LightFit SurfaceSearch::fit_from(const LightModel& start, std::vector<LightCurve> curves,
+LightFit SurfaceSearch::fit_from(const LightModel& start, std::vector<light::LightCurve> curves,
                                  const Loss& loss, int iterations) const {
   return {std::move(curves), start, unknowns, loss, iterations, 0.0, regularisation};
 }
 
+}  // namespace fit
 }  // namespace v0
 }  // namespace polhode

@@ -10,6 +10,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace fit {
 namespace detail {
 
 namespace {
@@ -101,15 +102,16 @@ double robust_factor(const Loss& loss, std::span<const FactorPoint> points) {
   return f;
 }
 
-WeighedCurves::WeighedCurves(std::span<const LightCurve> curves, const Loss& loss) : loss_(loss) {
+WeighedCurves::WeighedCurves(std::span<const light::LightCurve> curves, const Loss& loss)
+    : loss_(loss) {
   check(loss);
   std::optional<std::size_t> calibrated;
-  for (const LightCurve& curve : curves) {
+  for (const light::LightCurve& curve : curves) {
     const std::size_t group = curve.is_calibrated && calibrated ? *calibrated : of_group_.size();
     if (group == of_group_.size()) of_group_.emplace_back();
     if (curve.is_calibrated) calibrated = group;
     sessions_.push_back(curve.points.size());
-    for (const LightPoint& p : curve.points) {
+    for (const light::LightPoint& p : curve.points) {
       of_group_[group].push_back(points_.size());
       times_.push_back(p.t);
       points_.push_back({p.flux, 1.0 / p.sigma, p.to_sun, p.to_observer, group});
@@ -235,5 +237,6 @@ bool WeighedCurves::residuals(std::span<const double> brightness, std::size_t n,
 }
 
 }  // namespace detail
+}  // namespace fit
 }  // namespace v0
 }  // namespace polhode

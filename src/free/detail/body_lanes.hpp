@@ -12,7 +12,7 @@
 
 #include "free/detail/direct_flow_state.hpp"
 #include "free/detail/lanes_declared.hpp"
-#include "polhode/math/pack.hpp"
+#include "polhode/detail/math/pack.hpp"
 
 namespace polhode {
 inline namespace v0 {

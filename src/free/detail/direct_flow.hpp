@@ -12,8 +12,8 @@
 
 #include "free/detail/two_parts.hpp"
 #include "polhode/free/detail/phase_arithmetic.hpp"
-#include "polhode/math/number.hpp"
 #include "polhode/math/quaternion.hpp"
+#include "polhode/math/real.hpp"
 #include "polhode/math/vector.hpp"
 #include "polhode/rotor/rotor_state.hpp"
 

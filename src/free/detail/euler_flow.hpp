@@ -14,8 +14,8 @@
 
 #include "free/detail/flow_functions.hpp"
 #include "polhode/free/detail/polhode_curve.hpp"
+#include "polhode/math/double_double.hpp"
 #include "polhode/math/dual.hpp"
-#include "polhode/math/error_free.hpp"
 #include "polhode/math/vector.hpp"
 
 namespace polhode {

@@ -2,7 +2,7 @@
 // The path that a processor without FMA takes, for the test that its bits are the same.
 #pragma once
 
-#include "polhode/free/free_kernel.hpp"
+#include "polhode/detail/free/free_kernel.hpp"
 
 namespace polhode {
 inline namespace v0 {

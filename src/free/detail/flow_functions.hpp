@@ -12,7 +12,6 @@
 #include "polhode/elliptic/agm.hpp"
 #include "polhode/math/double_double.hpp"
 #include "polhode/math/dual.hpp"
-#include "polhode/math/error_free.hpp"
 #include "polhode/math/vector.hpp"
 
 namespace polhode {
@@ -157,11 +156,12 @@ FlowHalfPeriod<T> flow_half_period(const FlowParameters<T>& p) {
   const bool short_axis = to_double(p.delta) > 0.0;
   const T& larger = short_axis ? p.mu : p.nu;
   const T& smaller = short_axis ? p.nu : p.mu;
-  const auto modulus = BasicModulus<T>::from_ratio(smaller, T(short_axis ? p.delta : T(-p.delta)));
+  const auto modulus =
+      elliptic::BasicModulus<T>::from_ratio(smaller, T(short_axis ? p.delta : T(-p.delta)));
   const T root = sqrt(larger);
   const T ratio = p.epsilon / larger;
-  const T quarter_w = cel(T(sqrt(modulus.m1())), T(T(1.0) + ratio), T(0.0), ratio) / root;
-  return {T(2.0) * complete_k(modulus) / root, T(2.0) * p.weight * quarter_w};
+  const T quarter_w = elliptic::cel(T(sqrt(modulus.m1())), T(T(1.0) + ratio), T(0.0), ratio) / root;
+  return {T(2.0) * elliptic::complete_k(modulus) / root, T(2.0) * p.weight * quarter_w};
 }
 
 // Squared rates that are NaN or beyond the range of a double make no modulus.

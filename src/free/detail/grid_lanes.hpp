@@ -13,10 +13,10 @@
 #include "math/line_stream.hpp"
 #include "math/pack_functions.hpp"
 #include "math/pack_rows.hpp"
+#include "polhode/detail/free/free_kernel.hpp"
+#include "polhode/detail/free/states_on_grid.hpp"
+#include "polhode/detail/math/pack.hpp"
 #include "polhode/free/detail/phase_arithmetic.hpp"
-#include "polhode/free/free_kernel.hpp"
-#include "polhode/free/states_on_grid.hpp"
-#include "polhode/math/pack.hpp"
 
 namespace polhode {
 inline namespace v0 {

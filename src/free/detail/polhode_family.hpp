@@ -92,7 +92,7 @@ template <Real T>
 T action_deficit(const T& kap2, const FamilyMember<T>& f) {
   using std::sqrt;
   const T one(1.0);
-  const T integral = cel(sqrt(f.kp2), one + f.r2, one, T(0.0));
+  const T integral = elliptic::cel(sqrt(f.kp2), one + f.r2, one, T(0.0));
   return T(2.0) / pi<T>() * sqrt((one + kap2) / (one + f.r2)) * f.r2 * integral;
 }
 
@@ -101,7 +101,7 @@ template <Real T>
 T action_ratio(const T& kap2, const FamilyMember<T>& f) {
   using std::sqrt;
   const T one(1.0);
-  const T integral = cel(sqrt(f.kp2), one + kap2, one, f.kp2);
+  const T integral = elliptic::cel(sqrt(f.kp2), one + kap2, one, f.kp2);
   return T(2.0) / pi<T>() * sqrt((one + kap2) / (one + f.r2)) * integral;
 }
 
@@ -110,7 +110,7 @@ template <Real T>
 T action_ratio_across(const PolhodeCurve<T>& c) {
   using std::sqrt;
   const T one(1.0);
-  const T integral = cel(sqrt(c.kp2), one + c.kap2, one, c.kp2);
+  const T integral = elliptic::cel(sqrt(c.kp2), one + c.kap2, one, c.kp2);
   return T(2.0) / pi<T>() * sqrt(one + c.kap2) * (c.a3 / c.a1) * integral;
 }
 
@@ -119,7 +119,7 @@ template <Real T>
 T action_deficit_slope(const T& kap2, const FamilyMember<T>& f) {
   using std::sqrt;
   const T one_r = T(1.0) + f.r2;
-  const T K = complete_k(BasicModulus<T>::from_ratio(kap2 * f.r2, f.kp2));
+  const T K = elliptic::complete_k(elliptic::BasicModulus<T>::from_ratio(kap2 * f.r2, f.kp2));
   return sqrt(T(1.0) + kap2) * K / (pi<T>() * one_r * sqrt(one_r));
 }
 

@@ -111,7 +111,7 @@ inline DoubleDouble place_on(const PolhodeCurve<DoubleDouble>& c,
   }
   const DoubleDouble across = k.x / c.a1, along = k.y / c.a2, r2 = across * across + along * along;
   const DoubleDouble c2 = across * across / r2, s2 = along * along / r2;
-  return along / sqrt(r2) * carlson_rf(c2, c2 + c.kp2 * s2, DoubleDouble(1.0));
+  return along / sqrt(r2) * elliptic::carlson_rf(c2, c2 + c.kp2 * s2, DoubleDouble(1.0));
 }
 
 inline void require_elements(const Body& body, const SerretState& s) {

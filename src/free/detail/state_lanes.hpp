@@ -7,9 +7,9 @@
 #include <cstddef>
 #include <type_traits>
 
+#include "polhode/detail/math/pack.hpp"
 #include "polhode/free/detail/kernel_pack.hpp"
 #include "polhode/free/detail/state_at.hpp"
-#include "polhode/math/pack.hpp"
 
 namespace polhode {
 inline namespace v0 {

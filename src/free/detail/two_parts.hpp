@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "polhode/free/detail/phase_arithmetic.hpp"
-#include "polhode/math/error_free.hpp"
+#include "polhode/math/double_double.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "math/pack_functions.hpp"
-#include "polhode/math/pack.hpp"
+#include "polhode/detail/math/pack.hpp"
 
 namespace polhode {
 inline namespace v0 {

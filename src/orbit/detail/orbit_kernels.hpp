@@ -4,7 +4,7 @@
 
 #include "orbit/detail/elliptic_anomaly.hpp"
 #include "orbit/detail/orbit_lanes.hpp"
-#include "polhode/math/error_free.hpp"
+#include "polhode/math/double_double.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "polhode/detail/orbit/many_times.hpp"
 #include "polhode/math/double_double.hpp"
 #include "polhode/math/instruction_set.hpp"
-#include "polhode/orbit/many_times.hpp"
 
 namespace polhode {
 inline namespace v0 {

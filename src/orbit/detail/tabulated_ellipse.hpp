@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "orbit/detail/turn_counter.hpp"
-#include "polhode/orbit/planar_kepler.hpp"
+#include "polhode/orbit/kepler_orbit.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -23,6 +23,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 // What a file says of its interpolation.
@@ -75,5 +76,6 @@ class InterpolationError {
 };
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -12,6 +12,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 // HDF5 prints its errors unless it is silenced; the caller's choice is put back.
@@ -56,5 +57,6 @@ std::vector<std::string> attribute_texts(hid_t object, const char* name);
 hid_t access_to(JournaledFile& file);
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

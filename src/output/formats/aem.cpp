@@ -14,8 +14,8 @@
 #include "output/formats/formats.hpp"
 #include "output/part_file.hpp"
 #include "polhode/error.hpp"
-#include "polhode/orbit/turned_kepler_orbit.hpp"
-#include "polhode/output/text_sink.hpp"
+#include "polhode/orbit/kepler_orbit.hpp"
+#include "polhode/output/output_format.hpp"
 #include "polhode/rotor/attitude.hpp"
 #include "polhode/text/units.hpp"
 #include "text/dates.hpp"
@@ -24,6 +24,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 namespace {
 
@@ -412,5 +413,6 @@ OutputFormat aem_format() {
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

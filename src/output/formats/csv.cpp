@@ -6,13 +6,14 @@
 
 #include "output/formats/formats.hpp"
 #include "polhode/error.hpp"
-#include "polhode/output/text_sink.hpp"
+#include "polhode/output/output_format.hpp"
 #include "polhode/text/separated.hpp"
 #include "text/number_text.hpp"
 #include "text/words.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 namespace {
 
@@ -118,5 +119,6 @@ OutputFormat csv_format() {
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -6,11 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "polhode/detail/output/row_dates.hpp"
 #include "polhode/output/output_format.hpp"
-#include "polhode/output/row_dates.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 OutputFormat csv_format();
@@ -25,5 +26,6 @@ RowDates dates_of(const SinkRequest& request);
 void append_csv_row(std::string& text, std::span<const double> row, const RowDates& dates);
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -2,15 +2,12 @@
 // The laws of the library's own terms, and what each source of this folder instantiates.
 #pragma once
 
+#include "polhode/detail/perturb/facet_stream.hpp"
 #include "polhode/perturb/constant_torque.hpp"
 #include "polhode/perturb/detail/law_on_stages.hpp"
-#include "polhode/perturb/facet_stream.hpp"
 #include "polhode/perturb/gravity_gradient.hpp"
-#include "polhode/perturb/higher_gravity.hpp"
 #include "polhode/perturb/internal_damping.hpp"
-#include "polhode/perturb/linear_damping.hpp"
 #include "polhode/perturb/magnetic_torque.hpp"
-#include "polhode/perturb/oblate_gravity.hpp"
 #include "polhode/perturb/tidal_torque.hpp"
 
 #define POLHODE_EACH_LAW(DO) \

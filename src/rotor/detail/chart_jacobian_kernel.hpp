@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "polhode/math/double_double.hpp"
-#include "polhode/math/matrix6.hpp"
+#include "polhode/math/vector.hpp"
 #include "polhode/rotor/andoyer.hpp"
 #include "polhode/rotor/euler.hpp"
 #include "polhode/rotor/poincare.hpp"

@@ -5,7 +5,7 @@
 #include <cstddef>
 
 #include "polhode/math/instruction_set.hpp"
-#include "polhode/rotor/pole.hpp"
+#include "polhode/rotor/rotor_state.hpp"
 
 namespace polhode {
 inline namespace v0 {

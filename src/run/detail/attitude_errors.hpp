@@ -8,6 +8,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 // The standard error about axis k. The variance of what is known nearly exactly may be rounded to
@@ -18,5 +19,6 @@ inline double error_about(const Mat3& c, int k) { return c(k, k) < 0.0 ? 0.0 : s
 inline bool is_open(const Mat3& c) { return !(c(0, 0) <= 1.0 && c(1, 1) <= 1.0 && c(2, 2) <= 1.0); }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

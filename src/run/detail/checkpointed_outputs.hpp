@@ -15,13 +15,14 @@
 #include <vector>
 
 #include "output/part_file.hpp"
+#include "polhode/detail/trajectory/archive.hpp"
 #include "polhode/output/output_format.hpp"
-#include "polhode/run/resumable_run.hpp"
+#include "polhode/run/scenario_run.hpp"
 #include "polhode/scenario/scenario.hpp"
-#include "polhode/trajectory/archive.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 // A property in which a checkpoint must agree with the run or map that resumes from it.
@@ -201,5 +202,6 @@ class CheckpointedOutputs {
 };
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

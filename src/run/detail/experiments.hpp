@@ -15,6 +15,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 // Of a rotation.
@@ -66,5 +67,6 @@ std::string method_in_units(const Method& method, const Units& units);
 std::vector<std::string> cited_parts(const Scenario& scenario);
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -7,13 +7,14 @@
 #include <vector>
 
 #include "polhode/run/fit.hpp"
-#include "polhode/run/predictions.hpp"
+#include "polhode/run/light_report.hpp"
 #include "polhode/run/summary.hpp"
 #include "text/json.hpp"
 #include "text/number_text.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 // A table of numbers in the formats of the scenario, with notes, by PATH.part. The dimension of
@@ -22,7 +23,7 @@ void write_fit_rows(const Scenario& scenario, const std::vector<ColumnGroup>& gr
                     std::span<const double> rows, const std::vector<std::string>& notes,
                     const std::string& path, const std::string& row_dimension = {});
 // In the units of the scenario; `numbers` are the unknowns of the covariance.
-void write_fit_covariance(const Scenario& scenario, const UnknownsCovariance& covariance,
+void write_fit_covariance(const Scenario& scenario, const fit::UnknownsCovariance& covariance,
                           const std::vector<FitNumber>& numbers, const std::string& path);
 // PATH.part, then PATH.
 void write_fit_text(const Scenario& scenario, const std::string& text, const std::string& path);
@@ -56,11 +57,12 @@ void add_end(std::string& text, const Report& report, std::size_t shown,
 
 // Members "unknowns" and "covariance_core"; null for what is infinite or unknown.
 void add_unknowns(JsonWriter& json, const std::vector<FitNumber>& numbers,
-                  const UnknownsCovariance& covariance);
+                  const fit::UnknownsCovariance& covariance);
 // What a solution predicts, as an array: predictions.cpp.
 void add_predictions(JsonWriter& json, const Scenario& scenario,
                      std::span<const AttitudePrediction> predictions);
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

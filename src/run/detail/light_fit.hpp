@@ -14,29 +14,32 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 // ScenarioError where it has more than most_scan_pairs, or no periods to look at.
-LightScan light_scan(const Scenario& scenario, std::span<const LightCurve> curves,
+LightScan light_scan(const Scenario& scenario, std::span<const light::LightCurve> curves,
                      const FitOptions& options);
 // The pairs of periods of fit.scan.at.
-std::vector<ChosenPair> chosen_pairs(const Scenario& scenario, std::span<const LightCurve> curves);
+std::vector<ChosenPair> chosen_pairs(const Scenario& scenario,
+                                     std::span<const light::LightCurve> curves);
 
 // ScenarioError for a single one.
-void require_sessions(const Scenario& scenario, std::span<const LightCurve> curves);
+void require_sessions(const Scenario& scenario, std::span<const light::LightCurve> curves);
 // The session with most points.
-std::size_t longest_session(std::span<const LightCurve> curves);
+std::size_t longest_session(std::span<const light::LightCurve> curves);
 // The session that a body fits best.
-std::size_t nearest_session(std::span<const LightCurve> curves, const LightModel& body,
-                            const Loss& loss);
+std::size_t nearest_session(std::span<const light::LightCurve> curves, const fit::LightModel& body,
+                            const fit::Loss& loss);
 
 // Extends bodies near the first session to solutions of all sessions. Convex bodies begin with the
 // facets of ellipsoids, which stay the usual ones.
-void extend_to_sessions(const Scenario& scenario, std::size_t first, std::vector<LightModel> starts,
-                        const FitOptions& options, LightReport& report);
+void extend_to_sessions(const Scenario& scenario, std::size_t first,
+                        std::vector<fit::LightModel> starts, const FitOptions& options,
+                        LightReport& report);
 
 // The surface of the file.
-SurfaceSearch surface_search(const Scenario& scenario, const LightUnknowns& unknowns);
+fit::SurfaceSearch surface_search(const Scenario& scenario, const fit::LightUnknowns& unknowns);
 
 // The options of a file for a step of its fit: a LightSearch, LightExtension or ScanOptions. A
 // RunInterrupted says `where` it stopped; it and `options` must outlive the step.
@@ -54,5 +57,6 @@ void follow(const Scenario& scenario, const FitOptions& options, const std::stri
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -12,16 +12,17 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 const char* mode_word(Regime mode);  // "SAM", "LAM", or what else it is
-const char* beside_word(const FoundLight& found);
-const char* image_word(LightImage image);
-const char* loss_word(const Loss& loss);  // as fit.loss has it
+const char* beside_word(const fit::FoundLight& found);
+const char* image_word(fit::LightImage image);
+const char* loss_word(const fit::Loss& loss);  // as fit.loss has it
 
 // What solutions are ranked by, the sum that was minimised, as tables name it: "chi-square" of the
 // data; "loss" if it is robust; "cost" of convex bodies, with what regularises them.
-const char* rank_word(const LightReport& report, const Loss& loss);
+const char* rank_word(const LightReport& report, const fit::Loss& loss);
 
 // Where a direction along the axes of the state points, in rad: longitude or right ascension, 0 to
 // 2 pi, and latitude or declination.
@@ -63,25 +64,25 @@ std::vector<std::vector<double>> fluxes_of(const LightReport& report, std::size_
 
 // From so many points on, means of neighbouring points are recommended.
 inline constexpr std::size_t many_points = 3000;
-std::size_t count_points(std::span<const LightCurve> curves);
+std::size_t count_points(std::span<const light::LightCurve> curves);
 
 // A point whose residual is more than four times the spread of all.
 struct FarPoint {
   ObservedRow place;
   double r;  // in standard errors as given
 };
-std::vector<FarPoint> far_points(const LightReport& report, const LightSolution& s);
+std::vector<FarPoint> far_points(const LightReport& report, const fit::LightSolution& s);
 // "3 of table 1, 17 of table 2, ..."; tables only if there are several.
 std::string lines_of(const Scenario& scenario, const std::vector<ObservedRow>& places);
 
 // What was minimised, where that is not chi-square, and the points that are far from the model.
 void add_loss(std::string& text, const Scenario& scenario, const LightReport& report,
-              const LightSolution& s);
+              const fit::LightSolution& s);
 
 // The sentence for a scan of these curves for which one period or a constant is enough; empty
 // otherwise.
 std::string scan_verdict(const Scenario& scenario, const LightScan& scan,
-                         std::span<const LightCurve> curves);
+                         std::span<const light::LightCurve> curves);
 // The sentence for solutions none of which describes the data, and what is wrong; empty otherwise.
 std::string misfit_text(const Scenario& scenario, const LightReport& report);
 
@@ -91,5 +92,6 @@ std::string misfit_text(const Scenario& scenario, const LightReport& report);
 std::vector<std::string> data_notes(const Scenario& scenario, const LightReport& report);
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

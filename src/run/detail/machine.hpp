@@ -9,6 +9,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 // A mark of the values of sines and logarithms at some arguments.
@@ -24,5 +25,6 @@ bool differs_in_elementary_functions(const std::string& difference);
 CheckpointSetup with_machine(CheckpointSetup setup, const RunOptions& options);
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -9,6 +9,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 // Whether a path is a file or can become one: not -, no pipe, device or folder.
@@ -19,5 +20,6 @@ bool is_file(const std::string& path);
 void require_own_files(const Document& document, std::span<const std::string> paths);
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

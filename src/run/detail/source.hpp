@@ -11,14 +11,15 @@
 #include <utility>
 #include <vector>
 
+#include "polhode/detail/trajectory/archive.hpp"
 #include "polhode/ensemble/executor.hpp"
-#include "polhode/output/columns.hpp"
-#include "polhode/trajectory/archive.hpp"
-#include "polhode/trajectory/progress.hpp"
+#include "polhode/output/column_kind.hpp"
+#include "polhode/trajectory/trajectory.hpp"
 #include "run/detail/checkpointed_outputs.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 class SourceWork;
@@ -53,7 +54,7 @@ struct Source {
 
 // The sources of one scenario in each process of an executor. Processes that read another scenario,
 // or compute other last digits, are rejected.
-class SourceWork : public ExecutorWork {
+class SourceWork : public ensemble::ExecutorWork {
  public:
   // The bytes of a stage, whose own part `serialize` writes.
   std::string stage(CellRange range, const std::function<void(Archive&)>& serialize) const;
@@ -88,7 +89,7 @@ class SourceWork : public ExecutorWork {
 
 // The work of another process, which owns the map or ensemble of a scenario.
 template <class Work, class Of>
-std::unique_ptr<ExecutorWork> work_of(Scenario scenario, bool any_machine) {
+std::unique_ptr<ensemble::ExecutorWork> work_of(Scenario scenario, bool any_machine) {
   const auto of = std::make_shared<const Of>(std::move(scenario));
   auto work = std::make_unique<Work>(*of, any_machine);
   work->own(of);
@@ -96,5 +97,6 @@ std::unique_ptr<ExecutorWork> work_of(Scenario scenario, bool any_machine) {
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

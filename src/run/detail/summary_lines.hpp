@@ -11,6 +11,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 class Lines {
@@ -51,5 +52,6 @@ void add_report(Lines& lines, const RunReport& report, const std::string& evalua
                 const std::string& events);
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

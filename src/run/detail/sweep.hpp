@@ -15,14 +15,15 @@
 #include <string>
 #include <vector>
 
-#include "polhode/ensemble/ordered_parallel_for.hpp"
-#include "polhode/run/resumable_run.hpp"
+#include "polhode/ensemble/executor.hpp"
+#include "polhode/run/scenario_run.hpp"
 #include "run/detail/checkpointed_outputs.hpp"
 #include "run/detail/source.hpp"
 #include "run/time_left.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 class Sweep {
@@ -119,7 +120,7 @@ void Sweep::compute(const Source<Result>& source, const Reduce& reduce, Stage st
   clock_.begin(workers());
   try {
     if (options_.executor == nullptr || source.work == nullptr)
-      return ordered_parallel_for(
+      return ensemble::ordered_parallel_for(
           range.first_cell(), range.end_cell(), threads(),
           [&](std::int64_t cell) { return source.cell(cell, look); }, take);
     options_.executor->run(
@@ -132,7 +133,7 @@ void Sweep::compute(const Source<Result>& source, const Reduce& reduce, Stage st
           take(cell, result);
         },
         [&] { look(0.0); });
-  } catch (const ExecutorError&) {  // of another process: what this one has is whole
+  } catch (const ensemble::ExecutorError&) {  // of another process: what this one has is whole
     if (reached() > reached_before_) keep();
     throw;
   } catch (const Stopped&) {
@@ -141,5 +142,6 @@ void Sweep::compute(const Source<Result>& source, const Reduce& reduce, Stage st
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/ensemble.hpp"
-
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -9,15 +7,17 @@
 #include <variant>
 #include <vector>
 
+#include "polhode/detail/scenario/varied_scenario.hpp"
 #include "polhode/error.hpp"
 #include "polhode/run/detail/run_state.hpp"
+#include "polhode/run/ensemble_run.hpp"
 #include "polhode/run/run.hpp"
-#include "polhode/scenario/varied_scenario.hpp"
 #include "run/ensemble/member_columns.hpp"
 #include "text/words.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace {
 
 constexpr std::int64_t most_times = 1'000'000;  // that are held
@@ -65,7 +65,7 @@ struct ScenarioEnsemble::Parts {
         keys(scenario.ensemble->keys()),
         varied(scenario, keys),
         added(scenario),
-        groups(polhode::row_groups(scenario)) {
+        groups(io::row_groups(scenario)) {
     for (ColumnGroup& group : added.groups()) groups.push_back(std::move(group));
     const SaveAt& rows = *row_times(scenario);
     if (!is_closed_form(scenario.experiment) || rows.size() > most_times) return;
@@ -163,5 +163,6 @@ Scenario ScenarioEnsemble::member_scenario(std::int64_t index, std::string text)
   return parts_->varied.scenario(plan().numbers(index), std::move(text));
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -6,13 +6,14 @@
 #include <type_traits>
 #include <utility>
 
+#include "polhode/detail/trajectory/archive.hpp"
 #include "polhode/run/run.hpp"
-#include "polhode/trajectory/archive.hpp"
 #include "run/ensemble/ensemble_files.hpp"
 #include "text/words.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 namespace {
 
@@ -173,9 +174,10 @@ void EnsembleCells::begin_stage(const CellRange& range, Archive& bytes) {
 
 }  // namespace detail
 
-std::unique_ptr<ExecutorWork> ensemble_work(Scenario scenario, bool any_machine) {
+std::unique_ptr<ensemble::ExecutorWork> ensemble_work(Scenario scenario, bool any_machine) {
   return detail::work_of<detail::EnsembleCells, ScenarioEnsemble>(std::move(scenario), any_machine);
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -9,13 +9,13 @@
 #include <string>
 #include <vector>
 
-#include "polhode/run/ensemble.hpp"
 #include "polhode/run/ensemble_run.hpp"
 #include "run/detail/source.hpp"
 #include "run/ensemble/statistics/statistics.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 // The result of one cell of members: rows or statistics.
@@ -67,5 +67,6 @@ class EnsembleCells final : public SourceWork {
 };
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

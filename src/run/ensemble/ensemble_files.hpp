@@ -10,12 +10,12 @@
 #include <vector>
 
 #include "polhode/output/sink.hpp"
-#include "polhode/run/ensemble.hpp"
 #include "polhode/run/ensemble_run.hpp"
 #include "run/ensemble/statistics/statistics.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 // Where rows are kept, all or the last.
@@ -75,5 +75,6 @@ std::string all_failed_text(const std::string& name,
                             std::int64_t members);
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -21,6 +21,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace {
 
 using detail::EnsembleCells;
@@ -80,7 +81,7 @@ class EnsembleRun::Parts final : public detail::Sweep {
         cells_(std::move(cells)),
         frame_(cells_->frame()),
         histograms_(detail::histogram_paths(ensemble, paths)),
-        drawn_(ensemble.plan().keys().size(), NumberMoments(1)) {
+        drawn_(ensemble.plan().keys().size(), ensemble::NumberMoments(1)) {
     if (cells_->has_files()) origin_.row_dimension = "chunk";
     require_cells_for_all(cells_->members(0).range.end_cell(), "ensemble", "chunks of members",
                           "chunk", cells_->is_by_chunks() ? ", or a smaller ensemble.chunk" : "");
@@ -116,7 +117,7 @@ class EnsembleRun::Parts final : public detail::Sweep {
       }
       outputs_.forget();
     });
-    for (const NumberMoments& key : drawn_)
+    for (const ensemble::NumberMoments& key : drawn_)
       report_.drawn.push_back(
           {key.mean(0), key.deviation(0), key.least(0).value, key.greatest(0).value});
     return std::move(report_);
@@ -187,7 +188,7 @@ class EnsembleRun::Parts final : public detail::Sweep {
   StatisticsFrame* frame_;               // where statistics are kept
   std::vector<std::string> histograms_;  // paths of their files
   EnsembleReport report_;
-  std::vector<NumberMoments> drawn_;  // by key
+  std::vector<ensemble::NumberMoments> drawn_;  // by key
   std::optional<RowStatistics> statistics_;
 };
 
@@ -229,5 +230,6 @@ MemberReport write_member(const ScenarioEnsemble& ensemble, std::int64_t index,
   return {.failure = member.failure};
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

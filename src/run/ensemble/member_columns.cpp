@@ -14,6 +14,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 namespace {
@@ -46,7 +47,7 @@ MemberColumns::MemberColumns(const Scenario& scenario)
     : events_(std::visit([](const auto& of) { return events_of(of); }, scenario.experiment)),
       indicators_(scenario.ensemble->indicators),
       units_(scenario.units()),
-      run_width_(row_width(polhode::row_groups(scenario))),
+      run_width_(row_width(polhode::io::row_groups(scenario))),
       backwards_(runs_backwards(scenario)) {}
 
 std::vector<ColumnGroup> MemberColumns::groups() const {
@@ -86,9 +87,9 @@ std::vector<double> MemberColumns::indicators(const Rotation& rotation, std::vec
   try {
     Problem problem = rotor_problem(rotation);
     problem.stop = stop;
-    const ChaosIndicator found =
-        chaos_indicator(problem, SaveAt::times(std::move(times)), {}, progress);
-    for (const ChaosSample& at : found.samples)
+    const analysis::ChaosIndicator found =
+        analysis::chaos_indicator(problem, SaveAt::times(std::move(times)), {}, progress);
+    for (const analysis::ChaosSample& at : found.samples)
       for (const EnsembleIndicator one : indicators_)
         all.push_back(one == EnsembleIndicator::lyapunov ? at.lyapunov : at.mean_megno);
     if (!found.outcome.ok()) member.failure = found.outcome.advice;
@@ -163,5 +164,6 @@ std::optional<MemberNumber> member_number(const ScenarioEnsemble& ensemble,
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -9,11 +9,12 @@
 #include <string>
 #include <vector>
 
-#include "polhode/run/ensemble.hpp"
+#include "polhode/run/ensemble_run.hpp"
 #include "polhode/run/run.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 // "flip_first": the column of an event.
@@ -58,5 +59,6 @@ std::optional<MemberNumber> member_number(const ScenarioEnsemble& ensemble,
                                           const std::string& name);
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -6,7 +6,7 @@
 
 #include "fit/result_bytes.hpp"
 #include "polhode/ensemble/cell_journal.hpp"
-#include "polhode/ensemble/counter_random.hpp"
+#include "polhode/ensemble/draws.hpp"
 #include "polhode/error.hpp"
 #include "run/detail/fit_tables.hpp"
 #include "run/fit/fit_torques.hpp"
@@ -14,6 +14,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace {
 
 // Nearer than this two solutions are one.
@@ -31,8 +32,9 @@ const FitPlan& plan_of(const Scenario& scenario) {
   return plan;
 }
 
-SpinFit spin_fit_of(const Scenario& scenario, const FitPlan& plan, const Snapshots& seen) {
-  SpinFit problem;
+fit::SpinFit spin_fit_of(const Scenario& scenario, const FitPlan& plan,
+                         const fit::Snapshots& seen) {
+  fit::SpinFit problem;
   problem.start = spin_state(scenario.rotation());
   problem.seen = seen;
   problem.unknowns = plan.unknowns;
@@ -44,12 +46,12 @@ SpinFit spin_fit_of(const Scenario& scenario, const FitPlan& plan, const Snapsho
 }
 
 // The start of this place: the file's own, or one that is drawn.
-SpinState start_of(const FitPlan& plan, const SpinState& own, std::int64_t place) {
+fit::SpinState start_of(const FitPlan& plan, const fit::SpinState& own, std::int64_t place) {
   if (place == 0) return own;
-  SpinState start = own;
+  fit::SpinState start = own;
   const auto member = static_cast<std::uint64_t>(place);
-  const CounterRandom attitudes(plan.seed, key_of("fit.starts attitude"));
-  const CounterRandom rates(plan.seed, key_of("fit.starts rate"));
+  const ensemble::CounterRandom attitudes(plan.seed, ensemble::key_of("fit.starts attitude"));
+  const ensemble::CounterRandom rates(plan.seed, ensemble::key_of("fit.starts rate"));
   if (plan.unknowns.attitude)
     start.q = normalized(Quaternion{attitudes.normal(member, 0), attitudes.normal(member, 1),
                                     attitudes.normal(member, 2), attitudes.normal(member, 3)});
@@ -59,20 +61,21 @@ SpinState start_of(const FitPlan& plan, const SpinState& own, std::int64_t place
   return start;
 }
 
-bool are_same(const FitReport& report, const SpinSolution& kept, const SpinSolution& found) {
-  return mahalanobis(kept.covariance, detail::unknowns_of(report, kept.state, found),
-                     detail::unknowns_of(report, kept.state, kept)) <= same_distance;
+bool are_same(const FitReport& report, const fit::SpinSolution& kept,
+              const fit::SpinSolution& found) {
+  return fit::mahalanobis(kept.covariance, detail::unknowns_of(report, kept.state, found),
+                          detail::unknowns_of(report, kept.state, kept)) <= same_distance;
 }
 
 // What one start came to; that of a start which is none, since the file's own has said what is
 // wrong with the file.
 struct Tried {
-  std::optional<SpinSolution> found;
+  std::optional<fit::SpinSolution> found;
   std::string failure;
 };
 
 Tried tried(const FitReport& report, const FitPlan& plan, std::int64_t start) {
-  SpinFit one = report.problem;
+  fit::SpinFit one = report.problem;
   one.start = start_of(plan, report.problem.start, start);
   if (start == 0) return {detail::solved(report, one), {}};
   try {
@@ -85,10 +88,10 @@ Tried tried(const FitReport& report, const FitPlan& plan, std::int64_t start) {
 // The solutions so far, each once.
 class Solutions {
  public:
-  Solutions(const SpinFit& problem, const FitPlan& plan, FitReport& report)
+  Solutions(const fit::SpinFit& problem, const FitPlan& plan, FitReport& report)
       : problem_(problem), plan_(plan), report_(report) {}
 
-  void add(SpinSolution found, std::int64_t start) {
+  void add(fit::SpinSolution found, std::int64_t start) {
     if (!found.is_found()) return fail(found.result.sentence);
     for (FoundSpin& kept : report_.solutions) {
       if (!are_same(report_, kept.raw, found)) continue;
@@ -124,15 +127,15 @@ class Solutions {
     if (report_.failure.empty()) report_.failure = why;
   }
 
-  std::optional<SpinSolution> scaled(const FoundSpin& of) const {
-    const SpinSolution& raw = of.raw;
+  std::optional<fit::SpinSolution> scaled(const FoundSpin& of) const {
+    const fit::SpinSolution& raw = of.raw;
     if (!(raw.degrees_of_freedom >= least_freedom) || !(raw.result.chi_square > 0.0))
       return std::nullopt;
-    SpinFit again = problem_;
+    fit::SpinFit again = problem_;
     again.start = raw.state;
     again.scales_errors = true;
     try {
-      SpinSolution found = detail::solved(report_, again, &raw);
+      fit::SpinSolution found = detail::solved(report_, again, &raw);
       if (found.is_found()) return found;
     } catch (const DomainError&) {  // a state that is no start
       return scaled_from_its_start(of, again);
@@ -141,17 +144,18 @@ class Solutions {
   }
 
   // From the start that led to it, where that leads to it again.
-  std::optional<SpinSolution> scaled_from_its_start(const FoundSpin& of, SpinFit again) const {
+  std::optional<fit::SpinSolution> scaled_from_its_start(const FoundSpin& of,
+                                                         fit::SpinFit again) const {
     again.start = start_of(plan_, problem_.start, of.start);
     try {
-      SpinSolution found = detail::solved(report_, again);
+      fit::SpinSolution found = detail::solved(report_, again);
       if (found.is_found() && are_same(report_, of.raw, found)) return found;
     } catch (const DomainError&) {  // errors are as they were given
     }
     return std::nullopt;
   }
 
-  const SpinFit& problem_;
+  const fit::SpinFit& problem_;
   const FitPlan& plan_;
   FitReport& report_;
 };
@@ -161,7 +165,7 @@ class Solutions {
 FitProblem fit_problem(const Scenario& scenario) {
   const FitPlan& plan = plan_of(scenario);
   ReadObservations observed = read_observations(scenario);
-  SpinFit fit = spin_fit_of(scenario, plan, observed.seen);
+  fit::SpinFit fit = spin_fit_of(scenario, plan, observed.seen);
   return {std::move(fit), detail::drive_of(scenario), std::move(observed)};
 }
 
@@ -184,7 +188,7 @@ FitReport fit_scenario(const Scenario& scenario, const FitOptions& options) {
   CellClock clock(options.threads);  // results that are read take no time
   const std::size_t read = options.journal != nullptr ? options.journal->results() : 0;
   plan.places.unknowns.built([&] {
-    ordered_parallel_for(
+    ensemble::ordered_parallel_for(
         options.journal, plan.starts, options.threads,
         [&](std::int64_t start) { return tried(report, plan, start); },
         [&](std::int64_t start, const Tried& one) {
@@ -198,7 +202,7 @@ FitReport fit_scenario(const Scenario& scenario, const FitOptions& options) {
           if (report.starts < plan.starts) stop();
         },
         [](Archive& bytes, Tried& one) {
-          detail::serialize(bytes, one.found);
+          fit::detail::serialize(bytes, one.found);
           bytes(one.failure);
         });
     return 0;
@@ -207,5 +211,6 @@ FitReport fit_scenario(const Scenario& scenario, const FitOptions& options) {
   return report;
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

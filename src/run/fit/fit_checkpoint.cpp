@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/fit_checkpoint.hpp"
-
 #include <algorithm>
 #include <iterator>
 #include <utility>
 
+#include "polhode/run/fit.hpp"
 #include "polhode/run/run.hpp"
 #include "run/detail/output_checks.hpp"
 #include "run/detail/sweep.hpp"
@@ -12,6 +11,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace {
 
 detail::CheckpointSetup setup_of(const Scenario& scenario, const std::vector<std::string>& paths) {
@@ -42,7 +42,7 @@ class FitCheckpoint::Parts final : public detail::Sweep {
   using Sweep::keep;
   bool keeps() const { return outputs_.keeps(); }
   void forget() { outputs_.forget(); }
-  CellJournal& journal() { return journal_; }
+  ensemble::CellJournal& journal() { return journal_; }
 
  private:
   void serialize(Archive& bytes) override { journal_.serialize(bytes); }
@@ -52,14 +52,14 @@ class FitCheckpoint::Parts final : public detail::Sweep {
     return {detail::printable(scenario_.document.name, 200) + " " + after, after, after};
   }
 
-  CellJournal journal_;
+  ensemble::CellJournal journal_;
 };
 
 FitCheckpoint::FitCheckpoint(const Scenario& scenario, const std::vector<std::string>& outputs,
                              RunOptions options)
     : ResumableRun(std::make_unique<Parts>(scenario, outputs, std::move(options))) {}
 FitCheckpoint::Parts& FitCheckpoint::parts() { return static_cast<Parts&>(*sweep_); }
-CellJournal& FitCheckpoint::journal() { return parts().journal(); }
+ensemble::CellJournal& FitCheckpoint::journal() { return parts().journal(); }
 bool FitCheckpoint::keep() {
   if (!parts().keeps()) return false;
   parts().keep();
@@ -67,5 +67,6 @@ bool FitCheckpoint::keep() {
 }
 void FitCheckpoint::forget() { parts().forget(); }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

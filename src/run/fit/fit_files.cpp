@@ -27,6 +27,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 namespace {
@@ -61,11 +62,11 @@ Vec3 turn_to(const Vec3& predicted, const Vec3& seen) {
   return sine > 0.0 ? (std::atan2(sine, dot(seen, predicted)) / sine) * across : Vec3{};
 }
 
-std::vector<Residual> residuals_of(const FitReport& report, const SpinSolution& found) {
+std::vector<Residual> residuals_of(const FitReport& report, const fit::SpinSolution& found) {
   const ReadObservations& observed = report.observed;
-  const Snapshots& seen = observed.seen;
-  const std::vector<double> times = times_of(seen);
-  const std::vector<PredictedAttitude> at = detail::predicted_by(report, found, times);
+  const fit::Snapshots& seen = observed.seen;
+  const std::vector<double> times = fit::times_of(seen);
+  const std::vector<fit::PredictedAttitude> at = detail::predicted_by(report, found, times);
   std::vector<Residual> all;
   std::size_t k = 0, number = 0;
   const auto add = [&](const ObservedRow& place, std::size_t size) -> Residual& {
@@ -75,10 +76,10 @@ std::vector<Residual> residuals_of(const FitReport& report, const SpinSolution& 
   };
   for (std::size_t i = 0; i < seen.attitudes.size(); ++i) {
     const Quaternion& q = at[k].q;
-    add(observed.attitudes[i], 3).turn = attitude_residual(seen.attitudes[i].q, q);
+    add(observed.attitudes[i], 3).turn = fit::attitude_residual(seen.attitudes[i].q, q);
   }
   for (std::size_t i = 0; i < seen.directions.size(); ++i) {
-    const ObservedDirection& one = seen.directions[i];
+    const fit::ObservedDirection& one = seen.directions[i];
     const Vec3 in_body = rotate(conj(at[k].q), one.direction_I);
     const Vec3 turn = turn_to(one.axis_F, in_body);
     add(observed.directions[i], 2).turn = turn;
@@ -95,9 +96,9 @@ std::vector<Residual> residuals_of(const FitReport& report, const SpinSolution& 
   return all;
 }
 
-void add_body(const Scenario& scenario, const FitReport& report, const SpinState& state,
+void add_body(const Scenario& scenario, const FitReport& report, const fit::SpinState& state,
               std::vector<ScenarioChange>& changes) {
-  const SpinUnknowns& unknowns = report.problem.unknowns;
+  const fit::SpinUnknowns& unknowns = report.problem.unknowns;
   if (!unknowns.moment_ratios && !unknowns.products) return;
   const Mat3& T = state.inertia_F;
   const bool has_moments =
@@ -160,7 +161,7 @@ void write_covariance(const Scenario& scenario, const FitReport& report, std::si
 }
 
 std::string detail::text_from_state(const Scenario& scenario, const FitReport& report,
-                                    const SpinSolution& raw, const SpinState& state,
+                                    const fit::SpinSolution& raw, const fit::SpinState& state,
                                     const std::string& folder) {
   std::vector<ScenarioChange> changes = relocated_paths(scenario.document, folder);
   const std::vector<ScenarioChange> none_seen = without_observations(scenario);
@@ -168,13 +169,13 @@ std::string detail::text_from_state(const Scenario& scenario, const FitReport& r
   add_body(scenario, report, state, changes);
   changes.push_back({"state." + scenario.rotation().chart, ""});
   changes.push_back(detail::state_change(scenario, state.q, state.w_F));
-  detail::add_rows_of(scenario, times_of(report.observed.seen), changes);
+  detail::add_rows_of(scenario, fit::times_of(report.observed.seen), changes);
   return changed_text(text_with_torques(scenario, report, raw), changes);
 }
 
 std::string solution_text(const Scenario& scenario, const FitReport& report, std::size_t solution,
                           const std::optional<std::string>& folder) {
-  const SpinSolution& raw = report.solutions.at(solution).raw;
+  const fit::SpinSolution& raw = report.solutions.at(solution).raw;
   return "# Solution " + std::to_string(solution + 1) + " of " +
          std::to_string(report.solutions.size()) + " of a fit of " +
          detail::printable(scenario.document.name, 200) + "\n" +
@@ -194,7 +195,7 @@ void write_landscape(const Scenario& scenario, const LightReport& report, const 
     throw DomainError(scenario.document.name +
                       ": no scan was made, and there is no landscape; expected fit.from = "
                       "\"search\" without fit.periods");
-  const Landscape& all = report.scan->landscape;
+  const fit::Landscape& all = report.scan->landscape;
   const std::string unit = "1/" + scenario.units().time();
   const double period = scenario.units().from_core(1.0, Dimension::time);
   std::vector<double> rows;
@@ -216,13 +217,13 @@ void write_landscape(const Scenario& scenario, const LightReport& report, const 
 
 void write_residuals(const Scenario& scenario, const LightReport& report, std::size_t solution,
                      const std::string& path) {
-  const std::vector<LightCurve>& curves = report.observed.curves;
+  const std::vector<light::LightCurve>& curves = report.observed.curves;
   const std::vector<std::vector<double>> model = detail::fluxes_of(report, solution);
   std::vector<double> rows;
   std::vector<std::string> notes;
   for (std::size_t c = 0; c < curves.size(); ++c) {
     for (std::size_t k = 0; k < curves[c].points.size(); ++k) {
-      const LightPoint& p = curves[c].points[k];
+      const light::LightPoint& p = curves[c].points[k];
       const ObservedRow& place = report.observed.curve_rows.at(c).at(k);
       const double difference = model[c][k] - p.flux;
       rows.insert(rows.end(), {scenario.units().from_core(p.t, Dimension::time),
@@ -253,7 +254,7 @@ void write_covariance(const Scenario& scenario, const LightReport& report, std::
 namespace {
 
 using Changes = std::vector<ScenarioChange>;
-using detail::number_text;
+using polhode::detail::number_text;
 
 // Izz of a body of which the fit knows ratios alone: the greatest moment of the file.
 double unit_moment(const Scenario& scenario) {
@@ -263,8 +264,8 @@ double unit_moment(const Scenario& scenario) {
 
 std::vector<double> times_of(const LightReport& report) {
   std::vector<double> times;
-  for (const LightCurve& curve : report.observed.curves)
-    for (const LightPoint& p : curve.points) times.push_back(p.t);
+  for (const light::LightCurve& curve : report.observed.curves)
+    for (const light::LightPoint& p : curve.points) times.push_back(p.t);
   return times;
 }
 
@@ -276,7 +277,7 @@ void add_moments(const Scenario& scenario, const Mat3& T, Changes& changes) {
       {"body.moments", detail::row_text(unit * T(0, 0) / T(2, 2), unit * T(1, 1) / T(2, 2), unit)});
 }
 
-void add_state(const Scenario& scenario, const SpinState& state, Changes& changes) {
+void add_state(const Scenario& scenario, const fit::SpinState& state, Changes& changes) {
   changes.push_back({"state." + scenario.rotation().chart, ""});
   changes.push_back(detail::state_change(scenario, state.q, state.w_F));
 }
@@ -284,8 +285,8 @@ void add_state(const Scenario& scenario, const SpinState& state, Changes& change
 // The rest of [fit] looked for what is found: its loss alone stays.
 void add_fit(const Scenario& scenario, Changes& changes) {
   for (const char* const key : {"fit", "map", "ensemble"}) changes.push_back({key, ""});
-  const Loss& loss = require_fit(scenario).loss;
-  if (loss.kind == Loss::Kind::squared) return;
+  const fit::Loss& loss = require_fit(scenario).loss;
+  if (loss.kind == fit::Loss::Kind::squared) return;
   changes.push_back({"fit.loss", toml_text(detail::loss_word(loss))});
   changes.push_back({"fit.loss_scale", number_text(loss.scale)});
 }
@@ -297,13 +298,14 @@ void add_mixed_law(double multiple, Changes& changes) {
 
 // A fit of the mesh that begins at the solution: what was observed stays, so that it can be
 // simulated and fitted again.
-Changes mesh_changes(const Scenario& scenario, const LightReport& report, const FoundLight& found,
-                     const std::string& mesh, const std::string& folder) {
+Changes mesh_changes(const Scenario& scenario, const LightReport& report,
+                     const fit::FoundLight& found, const std::string& mesh,
+                     const std::string& folder) {
   const bool is_convex = found.solution.body.is_convex();
-  const SpinState state = detail::spin_at(found.solution.body.spin, 0.0);
+  const fit::SpinState state = fit::detail::spin_at(found.solution.body.spin, 0.0);
   Changes changes;
   add_fit(scenario, changes);
-  if (is_convex || report.unknowns.moments == MomentSource::fit) {
+  if (is_convex || report.unknowns.moments == fit::MomentSource::fit) {
     if (!is_convex && require_fit(scenario).light.mesh.empty())
       changes.push_back(
           {"light.mesh",
@@ -324,10 +326,10 @@ Changes mesh_changes(const Scenario& scenario, const LightReport& report, const 
 }
 
 Changes ellipsoid_changes(const Scenario& scenario, const LightReport& report,
-                          const FoundLight& found) {
-  const LightModel& body = found.solution.body;
-  const Ellipsoid& shape = body.ellipsoid();
-  const SpinState state = detail::spin_at(body.spin, 0.0);
+                          const fit::FoundLight& found) {
+  const fit::LightModel& body = found.solution.body;
+  const light::Ellipsoid& shape = body.ellipsoid();
+  const fit::SpinState state = fit::detail::spin_at(body.spin, 0.0);
   Changes changes;
   add_fit(scenario, changes);
   add_moments(scenario, state.inertia_F, changes);
@@ -340,9 +342,9 @@ Changes ellipsoid_changes(const Scenario& scenario, const LightReport& report,
 }
 
 // What the file has no keys for.
-std::string comment_of(const FoundLight& found) {
-  const LightModel& body = found.solution.body;
-  const Ellipsoid& e = found.ellipsoid;
+std::string comment_of(const fit::FoundLight& found) {
+  const fit::LightModel& body = found.solution.body;
+  const light::Ellipsoid& e = found.ellipsoid;
   const char* const shape = body.is_convex() ? "convex body, like the "
                             : body.is_mesh() ? "mesh, like the "
                                              : "";
@@ -355,7 +357,7 @@ std::string comment_of(const FoundLight& found) {
 
 std::string solution_text(const Scenario& scenario, const LightReport& report, std::size_t solution,
                           const std::string& mesh, const std::optional<std::string>& folder) {
-  const FoundLight& found = report.solutions.at(solution);
+  const fit::FoundLight& found = report.solutions.at(solution);
   const std::string there = folder.value_or(scenario.document.folder);
   Changes changes = relocated_paths(scenario.document, there);
   const Changes own = found.solution.body.is_ellipsoid()
@@ -371,7 +373,7 @@ std::string solution_text(const Scenario& scenario, const LightReport& report, s
 
 void write_solution(const Scenario& scenario, const LightReport& report, std::size_t solution,
                     const std::string& path) {
-  const LightModel& body = report.solutions.at(solution).solution.body;
+  const fit::LightModel& body = report.solutions.at(solution).solution.body;
   if (!body.is_convex()) {
     detail::write_fit_text(
         scenario,
@@ -394,5 +396,6 @@ void write_solution(const Scenario& scenario, const LightReport& report, std::si
   detail::write_fit_text(scenario, text, files[0]);
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

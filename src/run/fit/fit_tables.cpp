@@ -17,6 +17,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 namespace {
 
@@ -24,7 +25,7 @@ constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 constexpr std::int64_t rows_without_time = 101;
 
 std::string value_in(double number, const std::string& unit) {
-  return "{ value = " + number_text(number) + ", unit = \"" + unit + "\" }";
+  return "{ value = " + polhode::detail::number_text(number) + ", unit = \"" + unit + "\" }";
 }
 
 }  // namespace
@@ -43,7 +44,7 @@ void write_fit_rows(const Scenario& scenario, const std::vector<ColumnGroup>& gr
   sink->finish();
 }
 
-void write_fit_covariance(const Scenario& scenario, const UnknownsCovariance& c,
+void write_fit_covariance(const Scenario& scenario, const fit::UnknownsCovariance& c,
                           const std::vector<FitNumber>& numbers, const std::string& path) {
   const std::size_t n = numbers.size();
   // what one unit of each unknown is in those of the file
@@ -91,15 +92,17 @@ std::vector<ScenarioChange> without_observations(const Scenario& scenario) {
 }
 
 std::string row_text(double a, double b, double c) {
-  return "[" + number_text(a) + ", " + number_text(b) + ", " + number_text(c) + "]";
+  return "[" + polhode::detail::number_text(a) + ", " + polhode::detail::number_text(b) + ", " +
+         polhode::detail::number_text(c) + "]";
 }
 
 // In radians per unit of time of the file: these read back as they are.
 ScenarioChange state_change(const Scenario& scenario, const Quaternion& q, const Vec3& w) {
-  return {"state.attitude-rate", "{ quaternion = [" + number_text(q.w) + ", " + number_text(q.x) +
-                                     ", " + number_text(q.y) + ", " + number_text(q.z) +
-                                     "], omega_body = { value = " + row_text(w.x, w.y, w.z) +
-                                     ", unit = \"rad/" + scenario.units().time() + "\" } }"};
+  return {"state.attitude-rate",
+          "{ quaternion = [" + polhode::detail::number_text(q.w) + ", " +
+              polhode::detail::number_text(q.x) + ", " + polhode::detail::number_text(q.y) + ", " +
+              polhode::detail::number_text(q.z) + "], omega_body = { value = " +
+              row_text(w.x, w.y, w.z) + ", unit = \"rad/" + scenario.units().time() + "\" } }"};
 }
 
 void add_rows_of(const Scenario& scenario, const std::vector<double>& times,
@@ -139,7 +142,7 @@ std::string euler_text(const Scenario& scenario, const Quaternion& q) {
 }
 
 void add_unknowns(JsonWriter& json, const std::vector<FitNumber>& numbers,
-                  const UnknownsCovariance& covariance) {
+                  const fit::UnknownsCovariance& covariance) {
   json.key("unknowns").begin_object();
   for (const FitNumber& one : numbers) {
     json.key(one.name).begin_object().members("unit", one.unit);
@@ -162,5 +165,6 @@ void add_unknowns(JsonWriter& json, const std::vector<FitNumber>& numbers,
 void require_own_files(const Scenario& scenario, std::span<const std::string> paths) {
   detail::require_own_files(scenario.document, paths);
 }
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

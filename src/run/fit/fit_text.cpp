@@ -7,9 +7,9 @@
 #include <string_view>
 
 #include "fit/free_motion.hpp"
-#include "polhode/fit/derived_parameters.hpp"
+#include "polhode/fit/light_fit.hpp"
 #include "polhode/run/fit.hpp"
-#include "polhode/run/predictions.hpp"
+#include "polhode/run/light_report.hpp"
 #include "polhode/run/summary.hpp"
 #include "run/detail/fit_tables.hpp"
 #include "run/detail/summary_lines.hpp"
@@ -18,14 +18,15 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace {
 
 using detail::add_fit_line;
-using detail::counted;
 using detail::euler_text;
+using polhode::detail::counted;
 
 std::string observed_text(const Scenario& scenario, const FitReport& report) {
-  const Snapshots& seen = report.observed.seen;
+  const fit::Snapshots& seen = report.observed.seen;
   std::string text;
   const auto add = [&](std::size_t n, const char* one, const char* many) {
     if (n > 0) text += (text.empty() ? "" : ", ") + counted(n, one, many);
@@ -48,8 +49,8 @@ std::string number_or_dash(const std::optional<double>& x, const char* form) {
 }
 
 // Mode, periods and pole of a spin state, in free rotation.
-std::vector<SummaryLine> state_lines(const Scenario& scenario, const SpinState& state) {
-  const FreeRotation motion = detail::free_rotation_of(state);
+std::vector<SummaryLine> state_lines(const Scenario& scenario, const fit::SpinState& state) {
+  const FreeRotation motion = fit::detail::free_rotation_of(state);
   const Rotation& rotation = scenario.rotation();
   detail::Lines lines(scenario.units());
   detail::add_mode(lines, rotation, motion);
@@ -61,14 +62,14 @@ std::vector<SummaryLine> state_lines(const Scenario& scenario, const SpinState& 
 // Of periods and pole, with errors as given and scaled; those that the data leave open are
 // infinite.
 std::string error_lines(const Scenario& scenario, const FoundSpin& found) {
-  using Error = double DerivedParameters::*;
+  using Error = double fit::DerivedParameters::*;
   const Units& units = scenario.units();
-  std::vector<DerivedParameters> all{derived_parameters(found.raw)};
-  if (found.scaled) all.push_back(derived_parameters(*found.scaled));
+  std::vector<fit::DerivedParameters> all{fit::derived_parameters(found.raw)};
+  if (found.scaled) all.push_back(fit::derived_parameters(*found.scaled));
   std::string text;
   const auto add = [&](const char* label, Dimension dimension, Error error, Error minor = nullptr) {
     std::string errors;
-    for (const DerivedParameters& one : all) {
+    for (const fit::DerivedParameters& one : all) {
       if (!errors.empty()) errors += ", scaled ";
       errors += fmt::format("{:.2g}", units.from_core(one.*error, dimension));
       if (minor != nullptr)
@@ -77,12 +78,12 @@ std::string error_lines(const Scenario& scenario, const FoundSpin& found) {
     text += fmt::format("{:<37}{} {}\n", label, errors, units.label(dimension));
   };
   if (all.front().periods.precession_period > 0.0) {
-    add("error of P_phi", Dimension::time, &DerivedParameters::precession_error);
-    add("error of P_psi", Dimension::time, &DerivedParameters::rotation_error);
-    add("error of the short-axis period", Dimension::time, &DerivedParameters::short_error);
+    add("error of P_phi", Dimension::time, &fit::DerivedParameters::precession_error);
+    add("error of P_psi", Dimension::time, &fit::DerivedParameters::rotation_error);
+    add("error of the short-axis period", Dimension::time, &fit::DerivedParameters::short_error);
   }
-  add("error of the pole", Dimension::angle, &DerivedParameters::pole_major,
-      &DerivedParameters::pole_minor);
+  add("error of the pole", Dimension::angle, &fit::DerivedParameters::pole_major,
+      &fit::DerivedParameters::pole_minor);
   return text;
 }
 
@@ -101,7 +102,7 @@ void add_table(std::string& text, const std::vector<FitNumber>& numbers) {
                         number_or_dash(one.scaled_error, "{:.3g}"));
 }
 
-void add_correlations(std::string& text, const UnknownsCovariance& c) {
+void add_correlations(std::string& text, const fit::UnknownsCovariance& c) {
   if (c.names.size() < 2) return;
   text += "\ncorrelations, in hundredths\n";
   std::size_t width = 9;
@@ -125,7 +126,7 @@ void add_correlations(std::string& text, const UnknownsCovariance& c) {
 void add_solution(std::string& text, const Scenario& scenario, const FitReport& report,
                   std::size_t place, std::span<const double> times) {
   const FoundSpin& found = report.solutions[place];
-  const SpinSolution& raw = found.raw;
+  const fit::SpinSolution& raw = found.raw;
   const Units& units = scenario.units();
   text += "\n";
   add_fit_line(text, fmt::format("solution {} of {}", place + 1, report.solutions.size()),
@@ -153,7 +154,7 @@ void add_solution(std::string& text, const Scenario& scenario, const FitReport& 
 
 // With errors as given, in the units of the file.
 void add_figures(detail::JsonWriter& json, const Scenario& scenario, const FoundSpin& found) {
-  const DerivedParameters f = derived_parameters(found.raw);
+  const fit::DerivedParameters f = fit::derived_parameters(found.raw);
   const Units& units = scenario.units();
   const auto add = [&](const char* key, double value, double error) {
     json.key(key).object("value", units.from_core(value, Dimension::time), "error",
@@ -172,7 +173,7 @@ void add_figures(detail::JsonWriter& json, const Scenario& scenario, const Found
 void add_solution(detail::JsonWriter& json, const Scenario& scenario, const FitReport& report,
                   std::size_t place, std::span<const double> times) {
   const FoundSpin& found = report.solutions[place];
-  const SpinSolution& raw = found.raw;
+  const fit::SpinSolution& raw = found.raw;
   json.begin_object().members("converged", true, "sentence", raw.result.sentence, "starts",
                               found.starts, "iterations", raw.result.iterations, "chi_square",
                               raw.result.chi_square, "degrees_of_freedom", raw.degrees_of_freedom,
@@ -192,7 +193,7 @@ void add_solution(detail::JsonWriter& json, const Scenario& scenario, const FitR
 std::vector<FitNumber> fit_numbers(const Scenario& scenario, const FitReport& report,
                                    std::size_t solution) {
   const FoundSpin& found = report.solutions.at(solution);
-  const auto at = [&](const SpinSolution& of) {
+  const auto at = [&](const fit::SpinSolution& of) {
     return detail::unknowns_of(report, report.problem.start, of);
   };
   const std::vector<double> raw = at(found.raw), start = detail::starts_of(report);
@@ -231,7 +232,7 @@ std::string fit_text(const Scenario& scenario, const FitReport& report,
 std::string fit_json(const Scenario& scenario, const FitReport& report,
                      std::span<const double> times) {
   detail::JsonWriter json;
-  const Snapshots& seen = report.observed.seen;
+  const fit::Snapshots& seen = report.observed.seen;
   json.begin_object().members("scenario", scenario.document.name, "attitudes",
                               seen.attitudes.size(), "directions", seen.directions.size(), "rates",
                               seen.rates.size());
@@ -245,5 +246,6 @@ std::string fit_json(const Scenario& scenario, const FitReport& report,
   return json.text();
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

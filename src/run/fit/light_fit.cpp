@@ -8,11 +8,11 @@
 #include <limits>
 #include <utility>
 
+#include "polhode/detail/scenario/fit_plan.hpp"
 #include "polhode/error.hpp"
-#include "polhode/light/light_curve_checks.hpp"
+#include "polhode/light/light_curve.hpp"
 #include "polhode/rotor/attitude.hpp"
 #include "polhode/run/light_report.hpp"
-#include "polhode/scenario/fit_plan.hpp"
 #include "polhode/scenario/scenario.hpp"
 #include "run/detail/fit_tables.hpp"
 #include "run/detail/light_report.hpp"
@@ -21,6 +21,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace {
 
 // For light curves. ScenarioError unless nothing acts on the body, no torque or jump is unknown,
@@ -53,22 +54,23 @@ Vec3 permuted(const Mat3& R, const Vec3& k_B) {
 }
 
 // The state of the file at t = 0, along axes with falling semi-axes, or rising moments.
-LightModel start_of(const Scenario& scenario, const LightPlan& plan) {
+fit::LightModel start_of(const Scenario& scenario, const LightPlan& plan) {
   const Rotation& rotation = scenario.rotation();
   const RotorState& s = initial_state(rotation);
   const Vec3 I = rotation.body.moments();
-  const bool by_shape = plan.unknowns.moments == MomentSource::shape && plan.semiaxes;
+  const bool by_shape = plan.unknowns.moments == fit::MomentSource::shape && plan.semiaxes;
   const Mat3 R = sorted_axes(by_shape ? -1.0 * *plan.semiaxes : I);
   const Quaternion q_BF = attitude(R);
   const Vec3 w = R * angular_velocity(rotation.body, s);
   const Vec3 moments = permuted(R, I);
-  Ellipsoid shape = homogeneous_ellipsoid(moments, 1.0);
+  light::Ellipsoid shape = light::homogeneous_ellipsoid(moments, 1.0);
   if (plan.semiaxes) {
     const Vec3 axes = permuted(R, *plan.semiaxes);
     shape = {axes.x, axes.y, axes.z};
   }
-  LightModel start = LightModel::homogeneous(0.0, normalized(s.q * q_BF), w, shape, plan.law);
-  if (plan.unknowns.moments == MomentSource::shape) return start;
+  fit::LightModel start =
+      fit::LightModel::homogeneous(0.0, normalized(s.q * q_BF), w, shape, plan.law);
+  if (plan.unknowns.moments == fit::MomentSource::shape) return start;
   start.spin.inertia_F = Mat3::identity();
   for (int i = 0; i < 2; ++i) start.spin.inertia_F(i, i) = moments[i] / moments.z;
   return start;
@@ -87,7 +89,7 @@ void begin_surfaces(const Scenario& scenario, LightReport& report) {
   if (report.shape != LightPlan::Shape::convex) return;
   // says what is wrong with degree and rows before the search
   plan.light.places.degree.built(
-      [&] { return GaussianImage(plan.light.convex.degree, plan.light.convex.rows); });
+      [&] { return light::GaussianImage(plan.light.convex.degree, plan.light.convex.rows); });
   report.unknowns = {.shape = true,
                      .moments = plan.light.convex.moments,
                      .multiple = plan.light.unknowns.multiple};
@@ -96,14 +98,14 @@ void begin_surfaces(const Scenario& scenario, LightReport& report) {
 // A convex body begins with the ellipsoid of the first session.
 void extend_from_start(const Scenario& scenario, const FitPlan& plan, const FitOptions& options,
                        LightReport& report) {
-  const std::vector<LightCurve>& curves = report.observed.curves;
-  LightModel start = report.shape == LightPlan::Shape::mesh
-                         ? *detail::surface_search(scenario, report.unknowns).mesh
-                         : start_of(scenario, plan.light);
+  const std::vector<light::LightCurve>& curves = report.observed.curves;
+  fit::LightModel start = report.shape == LightPlan::Shape::mesh
+                              ? *detail::surface_search(scenario, report.unknowns).mesh
+                              : start_of(scenario, plan.light);
   const std::size_t first = detail::nearest_session(curves, start, plan.loss);
   if (report.shape == LightPlan::Shape::convex) {
-    const LightSolution found =
-        fit_light({{curves[first]}, start, plan.light.unknowns, plan.loss, plan.most_iterations});
+    const fit::LightSolution found = fit::fit_light(
+        {{curves[first]}, start, plan.light.unknowns, plan.loss, plan.most_iterations});
     if (!found.is_found()) {
       report.failure = found.result.sentence;
       return;
@@ -122,10 +124,10 @@ void extend_from_start(const Scenario& scenario, const FitPlan& plan, const FitO
 }
 
 // The mesh in the state of the file, or a convex body from an ellipsoid that was fitted.
-void fit_surface(const Scenario& scenario, const LightModel& begun, LightReport& report) {
-  const SurfaceSearch surface = detail::surface_search(scenario, report.unknowns);
-  const LightModel start = surface.mesh ? *surface.mesh : surface.convex_of(begun);
-  FoundLight one = found_light(fit_light(surface.fit_from(
+void fit_surface(const Scenario& scenario, const fit::LightModel& begun, LightReport& report) {
+  const fit::SurfaceSearch surface = detail::surface_search(scenario, report.unknowns);
+  const fit::LightModel start = surface.mesh ? *surface.mesh : surface.convex_of(begun);
+  fit::FoundLight one = fit::found_light(fit::fit_light(surface.fit_from(
       start, report.observed.curves, require_fit(scenario).loss, surface.most_iterations)));
   report.surfaces = 1;
   if (!one.solution.is_found()) {
@@ -136,7 +138,7 @@ void fit_surface(const Scenario& scenario, const LightModel& begun, LightReport&
   one.starts = 1;
   one.begun = begun;
   if (start.is_convex()) one.ellipsoid = begun.ellipsoid();
-  detail::set_ellipsoid(one);
+  fit::detail::set_ellipsoid(one);
   report.solutions = {std::move(one)};
 }
 
@@ -145,14 +147,14 @@ void fit_from_start(const Scenario& scenario, const FitPlan& plan, const FitOpti
                     LightReport& report) {
   if (plan.light.one_by_one) return extend_from_start(scenario, plan, options, report);
   if (report.shape == LightPlan::Shape::mesh) {
-    report.start =
-        LightModel{spin_state(scenario.rotation()), Ellipsoid{1.0, 1.0, 1.0}, plan.light.law};
+    report.start = fit::LightModel{spin_state(scenario.rotation()), light::Ellipsoid{1.0, 1.0, 1.0},
+                                   plan.light.law};
     return fit_surface(scenario, *report.start, report);
   }
   report.start = start_of(scenario, plan.light);
-  const LightFit fit{report.observed.curves, *report.start, plan.light.unknowns, plan.loss,
-                     plan.most_iterations};
-  FoundLight found = found_light(fit_light(fit));
+  const fit::LightFit fit{report.observed.curves, *report.start, plan.light.unknowns, plan.loss,
+                          plan.most_iterations};
+  fit::FoundLight found = fit::found_light(fit::fit_light(fit));
   found.starts = 1;
   if (!found.solution.is_found()) {
     report.failure = found.solution.result.sentence;
@@ -165,11 +167,11 @@ void fit_from_start(const Scenario& scenario, const FitPlan& plan, const FitOpti
 }
 
 // Of the ellipsoids that convex bodies and meshes begin with, which have shapes of their own.
-LightUnknowns unknowns_of_search(const LightPlan& plan) {
+fit::LightUnknowns unknowns_of_search(const LightPlan& plan) {
   if (plan.shape == LightPlan::Shape::ellipsoid) return plan.unknowns;
   return {.shape = true,
-          .moments =
-              plan.unknowns.moments == MomentSource::fit ? MomentSource::fit : MomentSource::shape,
+          .moments = plan.unknowns.moments == fit::MomentSource::fit ? fit::MomentSource::fit
+                                                                     : fit::MomentSource::shape,
           .multiple = plan.unknowns.multiple};
 }
 
@@ -182,14 +184,15 @@ void note_unfinished(const FitPlan& plan, LightReport& report) {
   });
   if (count > 0)
     report.notes.push_back(
-        detail::counted(static_cast<std::size_t>(count), "pair of periods", "pairs of periods") +
+        polhode::detail::counted(static_cast<std::size_t>(count), "pair of periods",
+                                 "pairs of periods") +
         " came as low as the solutions, but the fits did not converge: the table has them, and "
         "fit.iterations takes them further");
 }
 
 void search(const Scenario& scenario, const FitPlan& plan, const FitOptions& options,
             LightReport& report) {
-  LightSearch how;
+  fit::LightSearch how;
   how.curves = report.observed.curves;
   const std::size_t first = detail::longest_session(how.curves);
   if (plan.light.one_by_one) how.curves = {how.curves[first]};
@@ -208,7 +211,7 @@ void search(const Scenario& scenario, const FitPlan& plan, const FitOptions& opt
                        "; set fit.rotation = \"tumbler\" to search for two periods";
       return;
     }
-    how.periods = labelled_periods(report.scan->minima, plan.light.scan.labels);
+    how.periods = fit::labelled_periods(report.scan->minima, plan.light.scan.labels);
   }
   if (how.periods.empty()) {
     report.failure =
@@ -231,7 +234,7 @@ void search(const Scenario& scenario, const FitPlan& plan, const FitOptions& opt
     if (options.begins) options.begins(stage, work);
   };
   detail::follow(scenario, options, where, how);
-  LightSearchResult found = search_light(how);
+  fit::LightSearchResult found = fit::search_light(how);
   report.starts = found.starts;
   report.finalists = found.finalists;
   report.converged = found.converged;
@@ -247,8 +250,8 @@ void search(const Scenario& scenario, const FitPlan& plan, const FitOptions& opt
   if (report.solutions.empty() || !plan.light.one_by_one) return;
   for (std::string& note : report.notes)
     note = "search of session " + std::to_string(first + 1) + ": " + note;
-  std::vector<LightModel> starts;
-  for (const FoundLight& one : report.solutions)
+  std::vector<fit::LightModel> starts;
+  for (const fit::FoundLight& one : report.solutions)
     starts.push_back(report.shape == LightPlan::Shape::convex ? *one.begun : one.solution.body);
   detail::extend_to_sessions(scenario, first, std::move(starts), options, report);
 }
@@ -257,16 +260,16 @@ void search(const Scenario& scenario, const FitPlan& plan, const FitOptions& opt
 void add_light_times(const Scenario& scenario, LightReport& report) {
   const std::vector<Observation>& tables = require_fit(scenario).observations;
   const auto text = [&](double time) {
-    return detail::rounded_text(scenario.units().from_core(time, Dimension::time)) + " " +
+    return polhode::detail::rounded_text(scenario.units().from_core(time, Dimension::time)) + " " +
            scenario.units().time();
   };
   for (std::size_t i = 0; i < tables.size(); ++i) {
-    if (tables[i].times != LightTime::at_observer || tables[i].light_time) continue;
+    if (tables[i].times != light::LightTime::at_observer || tables[i].light_time) continue;
     const double c = scenario.units().to_core(speed_of_light, "m/s", Dimension::speed);
     double least = std::numeric_limits<double>::infinity(), most = 0.0;
     for (std::size_t k = 0; k < report.observed.curves.size(); ++k) {
       if (report.observed.curve_rows[k].front().table != i) continue;
-      for (const LightPoint& p : report.observed.curves[k].points) {
+      for (const light::LightPoint& p : report.observed.curves[k].points) {
         least = std::fmin(least, norm(p.to_observer) / c);
         most = std::fmax(most, norm(p.to_observer) / c);
       }
@@ -283,8 +286,8 @@ void add_light_times(const Scenario& scenario, LightReport& report) {
 std::size_t LightReport::points() const { return detail::count_points(observed.curves); }
 
 bool LightReport::has_errors() const {
-  return std::ranges::any_of(solutions,
-                             [](const FoundLight& one) { return one.solution.describes_data(); });
+  return std::ranges::any_of(
+      solutions, [](const fit::FoundLight& one) { return one.solution.describes_data(); });
 }
 
 bool observes_light(const Scenario& scenario) {
@@ -292,26 +295,28 @@ bool observes_light(const Scenario& scenario) {
   return plan != nullptr && plan->has_light();
 }
 
-SurfaceSearch detail::surface_search(const Scenario& scenario, const LightUnknowns& unknowns) {
+fit::SurfaceSearch detail::surface_search(const Scenario& scenario,
+                                          const fit::LightUnknowns& unknowns) {
   const LightPlan& plan = require_fit(scenario).light;
-  SurfaceSearch surface{.degree = plan.convex.degree,
-                        .rows = plan.convex.rows,
-                        .unknowns = unknowns,
-                        .regularisation = {.roughness_error = plan.convex.roughness_error,
-                                           .moments_error = plan.convex.moments_error},
-                        .pairs = plan.convex.pairs};
+  fit::SurfaceSearch surface{.degree = plan.convex.degree,
+                             .rows = plan.convex.rows,
+                             .unknowns = unknowns,
+                             .regularisation = {.roughness_error = plan.convex.roughness_error,
+                                                .moments_error = plan.convex.moments_error},
+                             .pairs = plan.convex.pairs};
   surface.most_iterations = plan.most_iterations.value_or(surface.most_iterations);
   if (plan.shape == LightPlan::Shape::mesh)
-    surface.mesh =
-        LightModel{spin_state(scenario.rotation()), ShadedMesh(light_mesh(scenario)), plan.law};
+    surface.mesh = fit::LightModel{spin_state(scenario.rotation()),
+                                   light::ShadedMesh(light_mesh(scenario)), plan.law};
   return surface;
 }
 
-LightFit light_fit_at(const Scenario& scenario, const LightReport& report, std::size_t solution) {
-  const FoundLight& found = report.solutions.at(solution);
-  const SurfaceSearch surface = detail::surface_search(scenario, report.unknowns);
-  LightFit fit = surface.fit_from(found.solution.body, report.observed.curves,
-                                  require_fit(scenario).loss, surface.most_iterations);
+fit::LightFit light_fit_at(const Scenario& scenario, const LightReport& report,
+                           std::size_t solution) {
+  const fit::FoundLight& found = report.solutions.at(solution);
+  const fit::SurfaceSearch surface = detail::surface_search(scenario, report.unknowns);
+  fit::LightFit fit = surface.fit_from(found.solution.body, report.observed.curves,
+                                       require_fit(scenario).loss, surface.most_iterations);
   if (found.solution.body.is_convex()) fit.regularisation.about = found.begun;
   return fit;
 }
@@ -320,15 +325,15 @@ LightReport fit_light_scenario(const Scenario& scenario, const FitOptions& optio
   const FitPlan& plan = require_fit(scenario);
   require_free_fit(scenario);
   if (!plan.has_light()) plan.observations.at(0).place.refuse("expected \"light-curve\"");
-  if (plan.light.unknowns.moments == MomentSource::start && plan.light.searches &&
+  if (plan.light.unknowns.moments == fit::MomentSource::start && plan.light.searches &&
       plan.light.shape != LightPlan::Shape::mesh)
     plan.light.places.moments.refuse(
         "expected \"of-shape\", or moments among free.unknowns: a search has bodies of its own");
   LightReport report;
   report.unknowns = plan.light.unknowns;
   report.observed = read_observations(scenario);
-  const std::vector<LightCurve>& curves = report.observed.curves;
-  require_sound(curves, {.vectors = true});
+  const std::vector<light::LightCurve>& curves = report.observed.curves;
+  light::require_sound(curves, {.vectors = true});
   if (plan.light.one_by_one) detail::require_sessions(scenario, curves);
   begin_surfaces(scenario, report);
   report.chosen = detail::chosen_pairs(scenario, curves);
@@ -346,5 +351,6 @@ LightReport fit_light_scenario(const Scenario& scenario, const FitOptions& optio
   return report;
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

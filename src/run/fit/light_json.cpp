@@ -9,6 +9,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace {
 
 using detail::JsonWriter;
@@ -30,7 +31,7 @@ class LightJson {
     json_.begin_object().members("scenario", scenario_.document.name, "observed", "light-curves",
                                  "points", report_.points());
     std::size_t c = 0;
-    json_.key("sessions").array(report_.observed.curves, [&](const LightCurve& curve) {
+    json_.key("sessions").array(report_.observed.curves, [&](const light::LightCurve& curve) {
       json_.object("name", curve.name, "points", curve.points.size(), "table",
                    report_.observed.curve_rows.at(c++).at(0).table + 1, "calibrated",
                    curve.is_calibrated);
@@ -40,7 +41,7 @@ class LightJson {
     if (!report_.chosen.empty()) add_chosen();
     json_.key("periods").array(report_.pairs, [&](const PairFound& pair) { add(pair); });
     if (!report_.joined.empty())
-      json_.key("joined_sessions").array(report_.joined, [&](const JoinedSession& one) {
+      json_.key("joined_sessions").array(report_.joined, [&](const fit::JoinedSession& one) {
         json_.object("session", one.session + 1, "distance", time_ * one.distance, "counts",
                      one.counts, "converged", one.converged, "solutions", one.solutions, "cost",
                      one.cost);
@@ -60,13 +61,13 @@ class LightJson {
  private:
   double angle(double x) const { return scenario_.units().from_core(x, Dimension::angle); }
 
-  void add_frequencies(const RefinedPair& r) {
+  void add_frequencies(const fit::RefinedPair& r) {
     json_.members("f1", r.fit.f1 / time_, "f2", r.fit.f2 / time_, "sigma_f1", r.sigma_f1 / time_,
                   "sigma_f2", r.sigma_f2 / time_, "scale", r.scale);
   }
 
   void add_scan(const LightScan& scan) {
-    const FrequencyGrid& g = scan.landscape.first;
+    const fit::FrequencyGrid& g = scan.landscape.first;
     json_.key("scan").begin_object();
     json_.members("order", scan.landscape.orders.second, "frequencies", g.count, "least",
                   g.at(0) / time_, "most", g.at(g.count - 1) / time_, "step", g.step / time_,
@@ -79,7 +80,7 @@ class LightJson {
           .object("chi_square", scan.constant->chi_square, "degrees_of_freedom",
                   scan.constant->degrees_of_freedom, "suffices", scan.constant->suffices);
     if (scan.one) {
-      const FourierFit& fit = scan.one->refined.fit;
+      const fit::FourierFit& fit = scan.one->refined.fit;
       std::vector<double> aliases;
       for (const double f : scan.one->aliases) aliases.push_back(time_ / f);
       json_.key("one_period")
@@ -87,8 +88,8 @@ class LightJson {
                   "degrees_of_freedom", fit.degrees_of_freedom - 1, "suffices", scan.one->suffices,
                   "aliases", aliases);
     }
-    json_.key("minima").array(scan.minima, [&](const ScanMinimum& m) {
-      const RefinedPair& r = m.refined;
+    json_.key("minima").array(scan.minima, [&](const fit::ScanMinimum& m) {
+      const fit::RefinedPair& r = m.refined;
       json_.begin_object();
       add_frequencies(r);
       json_.members("period_1", time_ / r.fit.f1, "period_2", time_ / r.fit.f2, "chi_square",
@@ -100,10 +101,10 @@ class LightJson {
   }
 
   void add_chosen() {
-    const auto add = [&](const FourierFit& fit) {
+    const auto add = [&](const fit::FourierFit& fit) {
       json_.members("period_1", time_ / fit.f1, "period_2", time_ / fit.f2, "chi_square",
                     fit.chi_square, "degrees_of_freedom", fit.degrees_of_freedom, "resolved",
-                    is_resolved(fit));
+                    fit::is_resolved(fit));
     };
     json_.key("chosen_pairs").array(report_.chosen, [&](const ChosenPair& one) {
       json_.begin_object().members("order", require_fit(scenario_).light.scan.at_order);
@@ -115,7 +116,7 @@ class LightJson {
     });
   }
 
-  void add_periods(const TumblerPeriods& p) {
+  void add_periods(const fit::TumblerPeriods& p) {
     json_.members("mode", detail::mode_word(p.mode), "precession_period",
                   time_ * p.precession_period, "rotation_period", time_ * p.rotation_period);
   }
@@ -134,14 +135,14 @@ class LightJson {
     json_.members("chi_square", pair.ellipsoid ? pair.ellipsoid->result.chi_square : unlimited,
                   "cost", pair.ellipsoid ? pair.ellipsoid->result.cost : unlimited);
     if (pair.ellipsoid) {
-      const Ellipsoid& shape = pair.ellipsoid->body.ellipsoid();
+      const light::Ellipsoid& shape = pair.ellipsoid->body.ellipsoid();
       json_.key("found").begin_object();
       add_periods(pair.ellipsoid->periods);
       add_poles(pair.ellipsoid->pole);
       json_.members("b/a", shape.b / shape.a, "c/b", shape.c / shape.b).end_object();
     }
     if (pair.surface) {
-      const LeastSquaresResult& r = pair.surface->result;
+      const fit::LeastSquaresResult& r = pair.surface->result;
       json_.key(detail::shape_word(report_.shape)).begin_object();
       json_.members("chi_square", r.chi_square, "cost", r.cost, "converged", r.is_converged());
       add_periods(pair.surface->periods);
@@ -151,20 +152,20 @@ class LightJson {
     json_.end_object();
   }
 
-  void add_convex(const LightModel& body) {
-    const ConvexShape& shape = body.convex();
+  void add_convex(const fit::LightModel& body) {
+    const fit::ConvexShape& shape = body.convex();
     const ConvexPlan& plan = require_fit(scenario_).light.convex;
     const Mat3& T = body.spin.inertia_F;
     json_.key("convex").begin_object();
     json_.members("degree", shape.image.degree(), "facets", shape.image.normals().size(),
                   "roughness_error", plan.roughness_error);
-    if (plan.moments == MomentSource::fit) json_.members("moments_error", plan.moments_error);
+    if (plan.moments == fit::MomentSource::fit) json_.members("moments_error", plan.moments_error);
     json_.members("Ixx/Izz", T(0, 0) / T(2, 2), "Iyy/Izz", T(1, 1) / T(2, 2), "coefficients",
                   shape.coefficients);
     json_.end_object();
   }
 
-  void add_figures(const LightSolution& s, const LightFigures& f) {
+  void add_figures(const fit::LightSolution& s, const LightFigures& f) {
     const auto add = [&](const char* key, const WithErrors& x) {
       json_.key(key).object("value", x.value, "error", x.error, "scaled_error", x.scaled_error,
                             "unit", x.unit);
@@ -182,15 +183,15 @@ class LightJson {
   }
 
   void add_solution(std::size_t i) {
-    const FoundLight& one = report_.solutions[i];
-    const LightSolution& s = one.solution;
+    const fit::FoundLight& one = report_.solutions[i];
+    const fit::LightSolution& s = one.solution;
     json_.begin_object();
     json_.members("beside", detail::beside_word(one), "of", one.of + 1, "image",
                   detail::image_word(one.image), "sentence",
                   one.sentence.empty() ? s.result.sentence : one.sentence, "chi_square",
                   s.result.chi_square, "cost", s.result.cost);
     json_.key("cost_terms").begin_object();
-    for (const CostTerm& term : s.terms) json_.members(term.name, term.value);
+    for (const fit::CostTerm& term : s.terms) json_.members(term.name, term.value);
     json_.end_object().members("degrees_of_freedom", s.degrees_of_freedom, "describes_data",
                                s.describes_data());
     if (const double scale = light_error_factor(s); std::isfinite(scale))
@@ -231,5 +232,6 @@ std::string fit_json(const Scenario& scenario, const LightReport& report,
   return LightJson(scenario, report, times).text();
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -15,6 +15,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 namespace {
@@ -40,10 +41,11 @@ double period_in(const Scenario& scenario, double frequency) {
 }
 
 // sum r_i r_k / sum r_i^2 over neighbours in time, without points beyond `most`.
-double correlation_of_neighbours(const LightReport& report, const LightSolution& s, double most) {
+double correlation_of_neighbours(const LightReport& report, const fit::LightSolution& s,
+                                 double most) {
   double products = 0.0, squares = 0.0;
   std::size_t k = 0;
-  for (const LightCurve& curve : report.observed.curves) {
+  for (const light::LightCurve& curve : report.observed.curves) {
     double before = 0.0;
     for (std::size_t i = 0; i < curve.points.size() && k < s.result.numbers.size(); ++i, ++k) {
       const double r = s.result.numbers[k];
@@ -58,8 +60,8 @@ double correlation_of_neighbours(const LightReport& report, const LightSolution&
 
 // How far a point is from the line through its neighbours, in errors; NaN at the ends of a session
 // and beside gaps.
-std::vector<double> departures(const LightCurve& curve) {
-  const std::vector<LightPoint>& p = curve.points;
+std::vector<double> departures(const light::LightCurve& curve) {
+  const std::vector<light::LightPoint>& p = curve.points;
   constexpr double none = std::numeric_limits<double>::quiet_NaN(), gap = 4.0;
   std::vector<double> gaps, found(p.size(), none);
   for (std::size_t i = 1; i < p.size(); ++i) gaps.push_back(p[i].t - p[i - 1].t);
@@ -74,9 +76,9 @@ std::vector<double> departures(const LightCurve& curve) {
   return found;
 }
 
-std::vector<std::vector<double>> departures_of(std::span<const LightCurve> curves) {
+std::vector<std::vector<double>> departures_of(std::span<const light::LightCurve> curves) {
   std::vector<std::vector<double>> all;
-  for (const LightCurve& curve : curves) all.push_back(departures(curve));
+  for (const light::LightCurve& curve : curves) all.push_back(departures(curve));
   return all;
 }
 
@@ -94,14 +96,14 @@ double neighbour_spread(const std::vector<std::vector<double>>& all) {
 // The lowest chi-square per degree of freedom of all models that were fitted; 0 without one.
 double least_misfit(const LightReport& report) {
   std::vector<double> all;
-  const auto add = [&](const FourierFit& fit) {
+  const auto add = [&](const fit::FourierFit& fit) {
     all.push_back(fit.chi_square / std::fmax(1.0, static_cast<double>(fit.degrees_of_freedom)));
   };
-  for (const FoundLight& one : report.solutions)
+  for (const fit::FoundLight& one : report.solutions)
     all.push_back(std::pow(one.solution.error_factor(), 2));
   if (report.scan && report.scan->one) add(report.scan->one->refined.fit);
   if (report.scan)
-    for (const ScanMinimum& one : report.scan->minima) add(one.refined.fit);
+    for (const fit::ScanMinimum& one : report.scan->minima) add(one.refined.fit);
   return all.empty() ? 0.0 : std::ranges::min(all);
 }
 
@@ -141,7 +143,7 @@ void add_magnitude_notes(const Scenario& scenario, const ReadObservations& obser
     double least = std::numeric_limits<double>::infinity(), most = -least;
     for (std::size_t c = 0; c < observed.curves.size(); ++c) {
       if (observed.curve_rows[c].front().table != t) continue;
-      for (const LightPoint& p : observed.curves[c].points) {
+      for (const light::LightPoint& p : observed.curves[c].points) {
         least = std::fmin(least, p.flux);
         most = std::fmax(most, p.flux);
       }
@@ -153,13 +155,13 @@ void add_magnitude_notes(const Scenario& scenario, const ReadObservations& obser
 
 }  // namespace
 
-std::size_t count_points(std::span<const LightCurve> curves) {
+std::size_t count_points(std::span<const light::LightCurve> curves) {
   std::size_t count = 0;
-  for (const LightCurve& curve : curves) count += curve.points.size();
+  for (const light::LightCurve& curve : curves) count += curve.points.size();
   return count;
 }
 
-std::vector<FarPoint> far_points(const LightReport& report, const LightSolution& s) {
+std::vector<FarPoint> far_points(const LightReport& report, const fit::LightSolution& s) {
   const double least = far * s.spread();
   std::vector<FarPoint> found;
   std::size_t k = 0;
@@ -183,16 +185,17 @@ std::string lines_of(const Scenario& scenario, const std::vector<ObservedRow>& p
 }
 
 void add_loss(std::string& text, const Scenario& scenario, const LightReport& report,
-              const LightSolution& s) {
-  const bool is_squared = s.loss.kind == Loss::Kind::squared;
+              const fit::LightSolution& s) {
+  const bool is_squared = s.loss.kind == fit::Loss::Kind::squared;
   if (!is_squared)
     add_fit_line(text, "loss",
                  fmt::format("{:.5g}, which was minimised: {} from {:g} standard errors on",
                              s.result.cost, loss_word(s.loss), s.loss.scale));
   const std::vector<FarPoint> points = far_points(report, s);
   if (is_squared && points.empty()) return;
-  std::string words = fmt::format("{} beyond {:g} times {:.3g} standard errors, the spread of all",
-                                  counted(points.size(), "point", "points"), far, s.spread());
+  std::string words =
+      fmt::format("{} beyond {:g} times {:.3g} standard errors, the spread of all",
+                  polhode::detail::counted(points.size(), "point", "points"), far, s.spread());
   if (!points.empty()) {
     double part = 0.0;
     std::vector<ObservedRow> places;
@@ -206,7 +209,7 @@ void add_loss(std::string& text, const Scenario& scenario, const LightReport& re
 }
 
 std::string scan_verdict(const Scenario& scenario, const LightScan& scan,
-                         std::span<const LightCurve> curves) {
+                         std::span<const light::LightCurve> curves) {
   constexpr double scatter_part = 0.5;  // of a misfit, from which on the errors are blamed for it
   if (scan.constant && scan.constant->suffices)
     return fmt::format(
@@ -214,15 +217,16 @@ std::string scan_verdict(const Scenario& scenario, const LightScan& scan,
         "degrees of freedom, and no period lowers it by more than noise does",
         scan.constant->chi_square, scan.constant->degrees_of_freedom);
   if (!scan.one || !scan.one->suffices) return {};
-  const FourierFit& fit = scan.one->refined.fit;
+  const fit::FourierFit& fit = scan.one->refined.fit;
   const std::string& time = scenario.units().time();
   const std::size_t freedom = fit.degrees_of_freedom - 1;
   const double reduced = fit.chi_square / static_cast<double>(freedom);
-  const auto strongest = std::ranges::max_element(
-      fit.terms, {}, [](const FourierTerm& term) { return std::hypot(term.cosine, term.sine); });
+  const auto strongest = std::ranges::max_element(fit.terms, {}, [](const fit::FourierTerm& term) {
+    return std::hypot(term.cosine, term.sine);
+  });
   const double period = period_in(scenario, fit.f2);
   std::string text;
-  if (reduced > most_chi_square) {
+  if (reduced > fit::most_chi_square) {
     const double factor = std::sqrt(reduced);
     const double spread = neighbour_spread(departures_of(curves));  // NaN of few points
     const std::string small =
@@ -234,7 +238,7 @@ std::string scan_verdict(const Scenario& scenario, const LightScan& scan,
     text = fmt::format(
         "no model of this kind describes these data: chi-square of one period per degree of "
         "freedom is {:.4g}, above {:g}, and two periods are no better; {}; the period is {:.7g} {}",
-        reduced, most_chi_square, cause, period, time);
+        reduced, fit::most_chi_square, cause, period, time);
   } else {
     text = fmt::format(
         "one period describes these data: {:.7g} {}, chi-square {:.5g} on {} degrees of freedom",
@@ -253,8 +257,8 @@ std::string scan_verdict(const Scenario& scenario, const LightScan& scan,
 }
 
 std::string misfit_text(const Scenario& scenario, const LightReport& report) {
-  const LightSolution* best = nullptr;
-  for (const FoundLight& one : report.solutions) {
+  const fit::LightSolution* best = nullptr;
+  for (const fit::FoundLight& one : report.solutions) {
     if (one.solution.describes_data()) return {};
     if (best == nullptr || one.solution.error_factor() < best->error_factor()) best = &one.solution;
   }
@@ -265,8 +269,8 @@ std::string misfit_text(const Scenario& scenario, const LightReport& report) {
       "nothing and are left out",
       report.start ? "the solution from this start does not describe"
                    : "no model of this kind describes",
-      best->loss.kind == Loss::Kind::squared ? "chi-square" : "the square of the spread",
-      factor * factor, report.solutions.size() > 1 ? " or more" : "", most_chi_square);
+      best->loss.kind == fit::Loss::Kind::squared ? "chi-square" : "the square of the spread",
+      factor * factor, report.solutions.size() > 1 ? " or more" : "", fit::most_chi_square);
   double part = 0.0;
   std::vector<ObservedRow> places;
   for (const FarPoint& one : far_points(report, *best)) {
@@ -277,8 +281,8 @@ std::string misfit_text(const Scenario& scenario, const LightReport& report) {
     return text + fmt::format(
                       "; {} far from the model, lines {}: {:.0f} % of chi-square; see "
                       "leave_out and fit.loss",
-                      counted(places.size(), "point is", "points are"), lines_of(scenario, places),
-                      100.0 * part / best->result.chi_square);
+                      polhode::detail::counted(places.size(), "point is", "points are"),
+                      lines_of(scenario, places), 100.0 * part / best->result.chi_square);
   const double together = correlation_of_neighbours(report, *best, far * best->spread());
   if (std::fabs(together) > structured / std::sqrt(static_cast<double>(best->points)))
     return text + fmt::format(
@@ -328,13 +332,15 @@ std::vector<std::string> data_notes(const Scenario& scenario, const LightReport&
     }
   }
   if (!places.empty())
-    notes.push_back(fmt::format(
-        "{} more than {:g} times the scatter from the neighbours, lines {}: leave_out "
-        "leaves lines out, fit.loss makes them count less",
-        counted(places.size(), "point is", "points are"), isolated, lines_of(scenario, places)));
+    notes.push_back(
+        fmt::format("{} more than {:g} times the scatter from the neighbours, lines {}: leave_out "
+                    "leaves lines out, fit.loss makes them count less",
+                    polhode::detail::counted(places.size(), "point is", "points are"), isolated,
+                    lines_of(scenario, places)));
   return notes;
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

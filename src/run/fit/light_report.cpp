@@ -14,6 +14,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 namespace {
 
@@ -38,8 +39,8 @@ const char* mode_word(Regime mode) {
   return "rest";
 }
 
-const char* beside_word(const FoundLight& found) {
-  using enum FoundLight::Beside;
+const char* beside_word(const fit::FoundLight& found) {
+  using enum fit::FoundLight::Beside;
   switch (found.beside) {
     case image:
       return "image";
@@ -55,25 +56,25 @@ const char* beside_word(const FoundLight& found) {
   return "first";
 }
 
-const char* image_word(LightImage image) {
-  using enum LightImage;
+const char* image_word(fit::LightImage image) {
+  using enum fit::LightImage;
   return image == normal       ? "normal"
          : image == bisector   ? "bisector"
          : image == difference ? "difference"
                                : "none";
 }
 
-const char* loss_word(const Loss& loss) {
-  using enum Loss::Kind;
+const char* loss_word(const fit::Loss& loss) {
+  using enum fit::Loss::Kind;
   return loss.kind == huber     ? "huber"
          : loss.kind == soft_l1 ? "soft-l1"
          : loss.kind == cauchy  ? "cauchy"
                                 : "squared";
 }
 
-const char* rank_word(const LightReport& report, const Loss& loss) {
+const char* rank_word(const LightReport& report, const fit::Loss& loss) {
   if (report.shape == LightPlan::Shape::convex) return "cost";
-  return loss.kind == Loss::Kind::squared ? "chi-square" : "loss";
+  return loss.kind == fit::Loss::Kind::squared ? "chi-square" : "loss";
 }
 
 SkyPlace sky_place(const Vec3& d) {
@@ -83,7 +84,7 @@ SkyPlace sky_place(const Vec3& d) {
 }
 
 Vec3 mirror_pole(const Vec3& pole, const LightReport& report) {
-  const LightGeometry mean = geometry_of(report.observed.curves);
+  const fit::detail::LightGeometry mean = fit::detail::geometry_of(report.observed.curves);
   const Vec3 normal = cross(mean.to_sun, mean.to_observer);
   const double size2 = dot(normal, normal);
   return size2 > 0.0 ? (2.0 * dot(normal, pole) / size2) * normal - pole : pole;
@@ -91,8 +92,8 @@ Vec3 mirror_pole(const Vec3& pole, const LightReport& report) {
 
 LightFigures light_figures(const Scenario& scenario, const LightReport& report,
                            std::size_t solution) {
-  const LightSolution& s = report.solutions.at(solution).solution;
-  const DerivedParameters f = derived_parameters(s, report.unknowns);
+  const fit::LightSolution& s = report.solutions.at(solution).solution;
+  const fit::DerivedParameters f = fit::derived_parameters(s, report.unknowns);
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   const double known = report.has_errors() ? 1.0 : none, scale = known * light_error_factor(s);
   const Units& units = scenario.units();
@@ -127,10 +128,10 @@ std::vector<PairGroup> groups_of_pairs(const LightReport& report) {
   std::ranges::stable_sort(order, {}, rank);
   std::vector<PairGroup> groups;
   for (const std::size_t i : order) {
-    const LightSolution& s = *report.pairs[i].ellipsoid;
+    const fit::LightSolution& s = *report.pairs[i].ellipsoid;
     const auto same = std::ranges::find_if(groups, [&](const PairGroup& group) {
-      const LightSolution& of = *report.pairs[group.best].ellipsoid;
-      const TumblerPeriods &a = of.periods, &b = s.periods;
+      const fit::LightSolution& of = *report.pairs[group.best].ellipsoid;
+      const fit::TumblerPeriods &a = of.periods, &b = s.periods;
       const auto are_near = [](double x, double y) { return std::fabs(x - y) <= same_part * y; };
       return a.mode == b.mode && are_near(a.precession_period, b.precession_period) &&
              are_near(a.rotation_period, b.rotation_period) &&
@@ -145,27 +146,27 @@ std::vector<PairGroup> groups_of_pairs(const LightReport& report) {
 }
 
 std::vector<std::vector<double>> fluxes_of(const LightReport& report, std::size_t solution) {
-  const LightSolution& found = report.solutions.at(solution).solution;
-  return model_fluxes(found.body, report.observed.curves, found.loss);
+  const fit::LightSolution& found = report.solutions.at(solution).solution;
+  return fit::model_fluxes(found.body, report.observed.curves, found.loss);
 }
 
 }  // namespace detail
 
-double light_error_factor(const LightSolution& found) {
+double light_error_factor(const fit::LightSolution& found) {
   const double factor = found.error_factor();
   return factor > 0.0 ? factor : std::numeric_limits<double>::quiet_NaN();
 }
 
 std::vector<FitNumber> fit_numbers(const Scenario& scenario, const LightReport& report,
                                    std::size_t solution) {
-  const LightSolution& found = report.solutions.at(solution).solution;
-  LightModel about = report.start.value_or(found.body);
+  const fit::LightSolution& found = report.solutions.at(solution).solution;
+  fit::LightModel about = report.start.value_or(found.body);
   if (report.start && found.body.is_convex()) {
-    const GaussianImage& image = found.body.convex().image;
-    about.shape = ConvexShape{image, image.coefficients(about.ellipsoid())};
+    const light::GaussianImage& image = found.body.convex().image;
+    about.shape = fit::ConvexShape{image, image.coefficients(about.ellipsoid())};
   }
-  std::vector<double> start = light_unknowns_at(report.unknowns, about, about);
-  std::vector<double> value = light_unknowns_at(report.unknowns, about, found.body);
+  std::vector<double> start = fit::light_unknowns_at(report.unknowns, about, about);
+  std::vector<double> value = fit::light_unknowns_at(report.unknowns, about, found.body);
   std::fill_n(start.begin(), 3, 0.0);  // not what rounding leaves
   if (!report.start) std::fill_n(value.begin(), 3, 0.0);
   const double known = report.has_errors() ? 1.0 : std::numeric_limits<double>::quiet_NaN();
@@ -184,5 +185,6 @@ std::vector<FitNumber> fit_numbers(const Scenario& scenario, const LightReport& 
   return numbers;
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -16,6 +16,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace {
 
 constexpr double most_frequencies = 1e7;  // of one period
@@ -23,12 +24,13 @@ constexpr double deviations = 3.0;        // of chi-square, up to which data are
 
 class Scan {
  public:
-  Scan(const Scenario& scenario, std::span<const LightCurve> curves, const FitOptions& options)
+  Scan(const Scenario& scenario, std::span<const light::LightCurve> curves,
+       const FitOptions& options)
       : scenario_(scenario),
         plan_(require_fit(scenario).light.scan),
         curves_(curves),
         options_(options),
-        advice_(scan_advice(curves, plan_.order)),
+        advice_(fit::scan_advice(curves, plan_.order)),
         least_(plan_.longest ? 1.0 / *plan_.longest : longest_usual()),
         most_(plan_.shortest ? 1.0 / *plan_.shortest : advice_.most) {
     if (!(least_ < most_))
@@ -50,7 +52,7 @@ class Scan {
   double longest_usual() const {
     if (plan_.sessions == ScanPlan::Sessions::joined) return advice_.least;
     double longest = 0.0;
-    for (const SessionTimes& one : advice_.sessions)
+    for (const fit::SessionTimes& one : advice_.sessions)
       longest = std::max(longest, one.last - one.first);
     return longest > 0.0 ? 1.0 / longest : advice_.least;
   }
@@ -58,12 +60,12 @@ class Scan {
   // More than a series has coefficients: in all sessions, each with a constant, or in one of them.
   void require_points(bool is_joined) const {
     std::size_t points = 0, constants = 0, calibrated = 0;
-    for (const LightCurve& one : curves_) {
+    for (const light::LightCurve& one : curves_) {
       points = is_joined ? points + one.points.size() : std::max(points, one.points.size());
       (one.is_calibrated ? calibrated : constants) += 1;
     }
     constants = is_joined ? constants + std::min(calibrated, std::size_t{1}) : 1;
-    const std::size_t all = 2 * FourierOrders::pair(plan_.order).harmonics() + constants;
+    const std::size_t all = 2 * fit::FourierOrders::pair(plan_.order).harmonics() + constants;
     if (points <= all)
       plan_.places.order.refuse(
           fmt::format("expected a lower one: {} points{} do not determine {} "
@@ -78,19 +80,19 @@ class Scan {
                                    text_of(1.0 / most_) + " to " + text_of(1.0 / least_) +
                                    " in data that cover " + text_of(advice_.time_base) + " are " +
                                    number(pairs) + ": " + way_out());
-    const FrequencyGrid grid = FrequencyGrid::between(least_, most_, advice_.step);
+    const fit::FrequencyGrid grid = fit::FrequencyGrid::between(least_, most_, advice_.step);
     begin(fmt::format("{} pairs of frequencies", grid.count * grid.count) +
           (curves_.size() > 1 ? fmt::format(" over {} sessions", curves_.size()) : std::string()));
-    const ScanPoints points(curves_);
+    const fit::ScanPoints points(curves_);
     LightScan scan{
-        std::move(advice_), scan_pairs(points, grid, how()), {}, std::nullopt, std::nullopt,
+        std::move(advice_), fit::scan_pairs(points, grid, how()), {}, std::nullopt, std::nullopt,
         std::nullopt};
-    scan.minima = scan_minima(points, scan.landscape, minima(plan_.minima));
+    scan.minima = fit::scan_minima(points, scan.landscape, minima(plan_.minima));
     return scan;
   }
 
   LightScan separate() {
-    const SessionScanSize size = session_scan_size(curves_, least_, most_, plan_.order);
+    const fit::SessionScanSize size = fit::session_scan_size(curves_, least_, most_, plan_.order);
     const double pairs = size.pairs(plan_.windows);
     if (pairs > most_scan_pairs)
       plan_.places.windows.refuse(
@@ -98,7 +100,7 @@ class Scan {
           ": lower fit.scan.windows, bring fit.scan.shortest and fit.scan.longest nearer "
           "to each other, or fit fewer sessions");
     begin(words_of(size));
-    SessionScan found = scan_sessions(
+    fit::SessionScan found = fit::scan_sessions(
         curves_, least_, most_, {.scan = how(), .windows = plan_.windows, .most = plan_.minima});
     if (found.minima.size() > plan_.minima) found.minima.resize(plan_.minima);
     return {std::move(advice_),
@@ -117,9 +119,9 @@ class Scan {
     bool is_within_errors() const {
       return chi_square <= freedom + deviations * std::sqrt(2.0 * freedom);
     }
-    bool is_described() const { return chi_square <= most_chi_square * freedom; }
+    bool is_described() const { return chi_square <= fit::most_chi_square * freedom; }
   };
-  static Model model_of(const FourierFit& fit, double frequencies, double choices) {
+  static Model model_of(const fit::FourierFit& fit, double frequencies, double choices) {
     return {fit.chi_square, static_cast<double>(fit.degrees_of_freedom) - frequencies, choices};
   }
 
@@ -130,7 +132,7 @@ class Scan {
     constexpr std::size_t most_order = 9;
     const double count = std::floor((most_ - least_) / scan.advice.step) + 1.0;
     if (count > most_frequencies) return;
-    const ScanPoints points(curves_);
+    const fit::ScanPoints points(curves_);
     std::optional<Model> two;
     if (const auto pair = std::ranges::find_if(scan.minima, is_sound); pair != scan.minima.end())
       two = model_of(pair->refined.fit, 2.0, 0.5 * count * count);
@@ -158,32 +160,34 @@ class Scan {
 
   // The lowest; it suffices if the data cover its period twice, as a longer one has harmonics
   // enough for any curve.
-  std::optional<OnePeriod> one_period(const LightScan& scan, const ScanPoints& points,
+  std::optional<OnePeriod> one_period(const LightScan& scan, const fit::ScanPoints& points,
                                       std::size_t order) const {
     constexpr std::size_t few = 5;
-    ScanOptions how{.order = order};
+    fit::ScanOptions how{.order = order};
     detail::follow(scenario_, options_, where_, how);
     how.progress = {};  // the scan of pairs is nearly all of the work
-    const std::vector<ScanMinimum> all = scan_minima(
-        points, scan_periods(points, FrequencyGrid::between(least_, most_, scan.advice.step), how),
+    const std::vector<fit::ScanMinimum> all = fit::scan_minima(
+        points,
+        fit::scan_periods(points, fit::FrequencyGrid::between(least_, most_, scan.advice.step),
+                          how),
         minima(few));
     const auto one = std::ranges::find_if(all, is_sound);
     if (one == all.end()) return std::nullopt;
-    const FourierFit& fit = one->refined.fit;
+    const fit::FourierFit& fit = one->refined.fit;
     OnePeriod found{order, one->refined, fit.f2 * scan.advice.time_base >= 2.0, {}};
-    for (const ScanMinimum& other : all)
+    for (const fit::ScanMinimum& other : all)
       if (is_sound(other) && is_alias(other.refined.fit, fit, scan.advice.step))
         found.aliases.push_back(other.refined.fit.f2);
     return found;
   }
 
-  static bool is_sound(const ScanMinimum& m) {
+  static bool is_sound(const fit::ScanMinimum& m) {
     return m.resolved && m.refined.converged && m.refined.fit.degrees_of_freedom > 2;
   }
 
   // Another frequency that fits as well to 3 sigma and is neither a multiple nor a part of
   // `lowest`.
-  static bool is_alias(const FourierFit& other, const FourierFit& lowest, double step) {
+  static bool is_alias(const fit::FourierFit& other, const fit::FourierFit& lowest, double step) {
     constexpr double three_sigma = 9.0;
     const double noise =
         lowest.chi_square / std::fmax(1.0, static_cast<double>(lowest.degrees_of_freedom));
@@ -242,10 +246,10 @@ class Scan {
            "[[observation]] for each, and set fit.scan.sessions = \"separate\"";
   }
 
-  std::string words_of(const SessionScanSize& size) const {
+  std::string words_of(const fit::SessionScanSize& size) const {
     return fmt::format("{} of {:.0f} pairs of frequencies each, and {} of {:.0f} on all of them",
-                       detail::counted(size.sessions, "session", "sessions"), size.coarse,
-                       detail::counted(plan_.windows, "window", "windows"), size.fine);
+                       polhode::detail::counted(size.sessions, "session", "sessions"), size.coarse,
+                       polhode::detail::counted(plan_.windows, "window", "windows"), size.fine);
   }
 
   void begin(const std::string& work) const {
@@ -258,18 +262,18 @@ class Scan {
                                         : std::string()));
   }
 
-  ScanOptions how() const {
-    ScanOptions how{.order = plan_.order};
+  fit::ScanOptions how() const {
+    fit::ScanOptions how{.order = plan_.order};
     detail::follow(scenario_, options_, where_, how);
     return how;
   }
-  MinimaOptions minima(std::size_t most) const {
-    MinimaOptions how{.most = most};
+  fit::MinimaOptions minima(std::size_t most) const {
+    fit::MinimaOptions how{.most = most};
     detail::follow(scenario_, options_, where_, how);
     return how;
   }
 
-  static std::string number(double x) { return detail::rounded_text(x); }
+  static std::string number(double x) { return polhode::detail::rounded_text(x); }
   std::string text_of(double period) const {
     return fmt::format("{:.5g} {}", scenario_.units().from_core(period, Dimension::time),
                        scenario_.units().time());
@@ -277,36 +281,38 @@ class Scan {
 
   const Scenario& scenario_;
   const ScanPlan& plan_;
-  std::span<const LightCurve> curves_;
+  std::span<const light::LightCurve> curves_;
   const FitOptions& options_;
-  ScanAdvice advice_;
+  fit::ScanAdvice advice_;
   double least_, most_;
   std::string where_ = "in the scan";
 };
 
 }  // namespace
 
-LightScan detail::light_scan(const Scenario& scenario, std::span<const LightCurve> curves,
+LightScan detail::light_scan(const Scenario& scenario, std::span<const light::LightCurve> curves,
                              const FitOptions& options) {
   return Scan(scenario, curves, options).made();
 }
 
 std::vector<ChosenPair> detail::chosen_pairs(const Scenario& scenario,
-                                             std::span<const LightCurve> curves) {
+                                             std::span<const light::LightCurve> curves) {
   const ScanPlan& plan = require_fit(scenario).light.scan;
   std::vector<ChosenPair> chosen;
   if (plan.at.empty()) return chosen;
   plan.places.at.built([&] {
-    const ScanPoints points(curves);
-    const double reach = scan_advice(curves, plan.at_order).step;
-    const FourierOrders orders = FourierOrders::pair(plan.at_order);
+    const fit::ScanPoints points(curves);
+    const double reach = fit::scan_advice(curves, plan.at_order).step;
+    const fit::FourierOrders orders = fit::FourierOrders::pair(plan.at_order);
     for (const ScanPlan::Pair& pair : plan.at)
-      chosen.push_back({fourier_fit(points, 1.0 / pair.first, 1.0 / pair.second, orders),
-                        refined_pair(points, 1.0 / pair.first, 1.0 / pair.second, orders, reach)});
+      chosen.push_back(
+          {fit::fourier_fit(points, 1.0 / pair.first, 1.0 / pair.second, orders),
+           fit::refined_pair(points, 1.0 / pair.first, 1.0 / pair.second, orders, reach)});
     return 0;
   });
   return chosen;
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -6,18 +6,19 @@
 #include <cmath>
 #include <limits>
 
-#include "polhode/run/predictions.hpp"
+#include "polhode/run/light_report.hpp"
 #include "run/detail/fit_tables.hpp"
 #include "run/detail/light_report.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace {
 
 using detail::add_fit_line;
-using detail::counted;
 using detail::LightFigures;
 using detail::WithErrors;
+using polhode::detail::counted;
 
 constexpr std::size_t most_pairs = 12, most_shown = 8;
 
@@ -52,7 +53,8 @@ double period_of(const Scenario& scenario, double frequency) {
 
 void add_observed(std::string& text, const LightReport& report) {
   std::size_t calibrated = 0;
-  for (const LightCurve& curve : report.observed.curves) calibrated += curve.is_calibrated ? 1 : 0;
+  for (const light::LightCurve& curve : report.observed.curves)
+    calibrated += curve.is_calibrated ? 1 : 0;
   const std::size_t sessions = report.observed.curves.size();
   add_fit_line(text, "observed",
                counted(report.points(), "point", "points") + " of " +
@@ -62,7 +64,7 @@ void add_observed(std::string& text, const LightReport& report) {
                                              : fmt::format(", {} calibrated", calibrated)));
 }
 
-std::string minimum_notes(const ScanMinimum& m) {
+std::string minimum_notes(const fit::ScanMinimum& m) {
   std::string text;
   if (!m.resolved) text += "  not resolved";
   if (!m.refined.converged) text += "  not converged";
@@ -71,9 +73,9 @@ std::string minimum_notes(const ScanMinimum& m) {
 }
 
 void add_scan(std::string& text, const Scenario& scenario, const LightScan& scan) {
-  const Landscape& all = scan.landscape;
+  const fit::Landscape& all = scan.landscape;
   const std::string& time = scenario.units().time();
-  const FrequencyGrid& g = all.first;
+  const fit::FrequencyGrid& g = all.first;
   add_fit_line(
       text, "scan",
       fmt::format("order {}, {}{} by {} frequencies, periods of {:.4g} to {:.4g} {}",
@@ -88,7 +90,7 @@ void add_scan(std::string& text, const Scenario& scenario, const LightScan& scan
         fmt::format("{} pairs of frequencies in {} about the lowest minima of their sum",
                     scan.separate->pairs, counted(scan.separate->windows, "window", "windows")));
   if (scan.one && !scan.constant->suffices) {
-    const FourierFit& fit = scan.one->refined.fit;
+    const fit::FourierFit& fit = scan.one->refined.fit;
     add_fit_line(text, "one frequency",
                  fmt::format("order {}, {:.7g} {}, chi-square {:.5g} on {} degrees of freedom",
                              scan.one->order, period_of(scenario, fit.f2), time, fit.chi_square,
@@ -103,9 +105,9 @@ void add_scan(std::string& text, const Scenario& scenario, const LightScan& scan
                                         scan.minima.front().refined.fit.degrees_of_freedom),
       "", "chi-square", "P1 " + time, "error", "P2 " + time, "error");
   for (std::size_t i = 0; i < scan.minima.size(); ++i) {
-    const ScanMinimum& m = scan.minima[i];
-    const RefinedPair& r = m.refined;
-    const bool is_described = r.scale * r.scale <= most_chi_square;
+    const fit::ScanMinimum& m = scan.minima[i];
+    const fit::RefinedPair& r = m.refined;
+    const bool is_described = r.scale * r.scale <= fit::most_chi_square;
     const auto error = [&](double f, double sigma) {
       if (!is_described) return std::numeric_limits<double>::infinity();
       return scenario.units().from_core(r.scale * sigma / (f * f), Dimension::time);
@@ -120,7 +122,7 @@ void add_scan(std::string& text, const Scenario& scenario, const LightScan& scan
 
 void add_chosen(std::string& text, const Scenario& scenario, const LightReport& report) {
   const std::string& time = scenario.units().time();
-  const auto chi_square = [](const FourierFit& fit) {
+  const auto chi_square = [](const fit::FourierFit& fit) {
     return fmt::format("{:.5g} ({})", fit.chi_square, fit.degrees_of_freedom);
   };
   text += fmt::format(
@@ -129,25 +131,25 @@ void add_chosen(std::string& text, const Scenario& scenario, const LightReport& 
       require_fit(scenario).light.scan.at_order, "chi-square", "P1 " + time, "P2 " + time,
       "chi-square", "P1 " + time, "P2 " + time);
   for (const ChosenPair& one : report.chosen) {
-    const RefinedPair& r = one.refined;
+    const fit::RefinedPair& r = one.refined;
     const auto minimum = [&](double f, double sigma) {
       const double error = scenario.units().from_core(r.scale * sigma / (f * f), Dimension::time);
       return number_text(period_of(scenario, f), error);
     };
-    text += fmt::format("{:>16}{:>14.7g}{:>14.7g}{:>20}{:>16}{:>16}{}{}\n", chi_square(one.fit),
-                        period_of(scenario, one.fit.f1), period_of(scenario, one.fit.f2),
-                        chi_square(r.fit), minimum(r.fit.f1, r.sigma_f1),
-                        minimum(r.fit.f2, r.sigma_f2), is_resolved(r.fit) ? "" : "  not resolved",
-                        r.converged ? "" : "  not converged");
+    text += fmt::format(
+        "{:>16}{:>14.7g}{:>14.7g}{:>20}{:>16}{:>16}{}{}\n", chi_square(one.fit),
+        period_of(scenario, one.fit.f1), period_of(scenario, one.fit.f2), chi_square(r.fit),
+        minimum(r.fit.f1, r.sigma_f1), minimum(r.fit.f2, r.sigma_f2),
+        fit::is_resolved(r.fit) ? "" : "  not resolved", r.converged ? "" : "  not converged");
   }
 }
 
 // A row for each ellipsoid that pairs of periods came to, with the periods that it has.
 void add_pair_rows(std::string& text, const Scenario& scenario, const LightReport& report) {
   const std::string& time = scenario.units().time();
-  const Loss& loss = require_fit(scenario).loss;
+  const fit::Loss& loss = require_fit(scenario).loss;
   const char* what = report.shape == LightPlan::Shape::convex ? "the cost that"
-                     : loss.kind == Loss::Kind::squared       ? "what"
+                     : loss.kind == fit::Loss::Kind::squared  ? "what"
                                                               : "the loss that";
   const bool has_surface = report.shape != LightPlan::Shape::ellipsoid;
   text += has_surface ? fmt::format("\npairs of periods by {} a {} comes to\n{:>12}{:>12}", what,
@@ -160,8 +162,8 @@ void add_pair_rows(std::string& text, const Scenario& scenario, const LightRepor
   const std::vector<detail::PairGroup> groups = detail::groups_of_pairs(report);
   for (std::size_t i = 0; i < std::min(groups.size(), most_pairs); ++i) {
     const PairFound& pair = report.pairs[groups[i].best];
-    const LightSolution& s = *pair.ellipsoid;
-    const TumblerPeriods& p = pair.surface ? pair.surface->periods : s.periods;
+    const fit::LightSolution& s = *pair.ellipsoid;
+    const fit::TumblerPeriods& p = pair.surface ? pair.surface->periods : s.periods;
     const auto period = [&](double t) {
       return t > 0.0 ? fmt::format("{:.6g}", scenario.units().from_core(t, Dimension::time)) : "-";
     };
@@ -209,7 +211,7 @@ void add_joined(std::string& text, const Scenario& scenario, const LightReport& 
       "{:>8}{:>11}{:>11}{:>12}\n",
       "session", "points", "distance " + scenario.units().time(), "fits", "converged", "solutions",
       detail::rank_word(report, require_fit(scenario).loss));
-  for (const JoinedSession& one : report.joined)
+  for (const fit::JoinedSession& one : report.joined)
     text += fmt::format("{:>8}{:>8}{:>14.6g}{:>8}{:>11}{:>11}{:>12}\n", one.session + 1,
                         report.observed.curves.at(one.session).points.size(),
                         scenario.units().from_core(one.distance, Dimension::time), one.counts,
@@ -238,13 +240,13 @@ void add_overview(std::string& text, const Scenario& scenario, const LightReport
                   "P_psi " + time, "P_short " + time, "pole", "", "b/a", "c/b", "what it is");
   const std::size_t shown = std::min(report.solutions.size(), plan.most_solutions);
   for (std::size_t i = 0; i < shown; ++i) {
-    const FoundLight& one = report.solutions[i];
-    const Ellipsoid& shape = one.ellipsoid;
+    const fit::FoundLight& one = report.solutions[i];
+    const light::Ellipsoid& shape = one.ellipsoid;
     const LightFigures f = detail::light_figures(scenario, report, i);
     std::string what = detail::beside_word(one);
-    if (one.beside == FoundLight::Beside::image)
+    if (one.beside == fit::FoundLight::Beside::image)
       what += std::string(" (") + detail::image_word(one.image) + ")";
-    if (one.beside != FoundLight::Beside::first) what += fmt::format(" of {}", one.of + 1);
+    if (one.beside != fit::FoundLight::Beside::first) what += fmt::format(" of {}", one.of + 1);
     if (!one.solution.result.bound.empty()) what += ", on a bound";
     text +=
         cells(i + 1, fmt::format("{:.5g}", one.solution.result.cost),
@@ -297,9 +299,9 @@ void add_notes(std::string& text, const std::vector<std::string>& notes) {
 // What is seen, for meshes what "converged" means, and for convex bodies what keeps them smooth.
 void add_surface(std::string& text, const Scenario& scenario, const LightReport& report,
                  std::size_t i) {
-  const LightSolution& s = report.solutions[i].solution;
+  const fit::LightSolution& s = report.solutions[i].solution;
   if (s.body.is_mesh()) {
-    const ShadedMesh& mesh = s.body.mesh();
+    const light::ShadedMesh& mesh = s.body.mesh();
     add_fit_line(text, "mesh",
                  counted(mesh.shape().facets().size(), "facet", "facets") +
                      (mesh.is_shadowless() ? "" : ", with shadows"));
@@ -307,23 +309,23 @@ void add_surface(std::string& text, const Scenario& scenario, const LightReport&
                  s.result.sentence + ": within one standard error of the least");
   }
   if (!s.body.is_convex()) return;
-  const GaussianImage& image = s.body.convex().image;
-  const Ellipsoid& like = report.solutions[i].ellipsoid;
+  const light::GaussianImage& image = s.body.convex().image;
+  const light::Ellipsoid& like = report.solutions[i].ellipsoid;
   const ConvexPlan& plan = require_fit(scenario).light.convex;
   add_fit_line(text, "convex body",
                fmt::format("{} facets, degree {}; moments as an ellipsoid 1 : {:.3f} : {:.3f}",
                            image.normals().size(), image.degree(), like.b, like.c));
   add_fit_line(text, "regularisation",
                fmt::format("roughness error {:g}", plan.roughness_error) +
-                   (plan.moments == MomentSource::fit
+                   (plan.moments == fit::MomentSource::fit
                         ? fmt::format(", moments error {:g}", plan.moments_error)
                         : std::string()));
 }
 
 void add_solution(std::string& text, const Scenario& scenario, const LightReport& report,
                   std::size_t i) {
-  const FoundLight& one = report.solutions[i];
-  const LightSolution& s = one.solution;
+  const fit::FoundLight& one = report.solutions[i];
+  const fit::LightSolution& s = one.solution;
   const LightFigures f = detail::light_figures(scenario, report, i);
   text += "\n";
   add_fit_line(text, fmt::format("solution {} of {}", i + 1, report.solutions.size()),
@@ -333,7 +335,7 @@ void add_solution(std::string& text, const Scenario& scenario, const LightReport
                            s.degrees_of_freedom));
   if (s.terms.size() > 1) {
     std::string terms;
-    for (const CostTerm& term : s.terms)
+    for (const fit::CostTerm& term : s.terms)
       terms += fmt::format("{}{} {:.5g}", terms.empty() ? "" : ", ", term.name, term.value);
     add_fit_line(text, "cost", fmt::format("{:.5g}: {}", s.result.cost, terms));
   }
@@ -388,5 +390,6 @@ std::string fit_text(const Scenario& scenario, const LightReport& report,
   return text;
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

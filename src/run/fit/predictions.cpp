@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/predictions.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 
 #include "polhode/error.hpp"
 #include "polhode/rotor/attitude.hpp"
+#include "polhode/run/light_report.hpp"
 #include "run/detail/attitude_errors.hpp"
 #include "run/detail/fit_tables.hpp"
 #include "run/detail/light_report.hpp"
@@ -16,6 +15,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
@@ -67,20 +67,21 @@ std::vector<AttitudePrediction> fit_predictions(const FitReport& report, std::si
                                                 std::span<const double> times) {
   const FoundSpin& found = report.solutions.at(solution);
   std::vector<AttitudePrediction> all;
-  for (const PredictedAttitude& one : detail::predicted_by(report, found.raw, times))
+  for (const fit::PredictedAttitude& one : detail::predicted_by(report, found.raw, times))
     all.push_back({one, std::nullopt});
   if (!found.scaled) return all;
-  const std::vector<PredictedAttitude> scaled = detail::predicted_by(report, *found.scaled, times);
+  const std::vector<fit::PredictedAttitude> scaled =
+      detail::predicted_by(report, *found.scaled, times);
   for (std::size_t i = 0; i < all.size(); ++i) all[i].scaled = scaled[i];
   return all;
 }
 
 std::vector<AttitudePrediction> fit_predictions(const LightReport& report, std::size_t solution,
                                                 std::span<const double> times) {
-  const LightSolution& found = report.solutions.at(solution).solution;
+  const fit::LightSolution& found = report.solutions.at(solution).solution;
   std::vector<AttitudePrediction> all;
   const double factor = light_error_factor(found), known = report.has_errors() ? 1.0 : unknown;
-  for (PredictedAttitude& one : predicted(found, report.unknowns, times)) {
+  for (fit::PredictedAttitude& one : fit::predicted(found, report.unknowns, times)) {
     one.covariance = times_number(known, one.covariance);
     all.push_back({one, std::nullopt});
     if (!(factor > 0.0)) continue;
@@ -113,7 +114,7 @@ std::string prediction_text(const Scenario& scenario,
       {"t, " + units.time(), "date", "phi, theta, psi", "error about x, y, z", "scaled"}};
   bool open = false;
   for (const AttitudePrediction& one : predictions) {
-    const PredictedAttitude& raw = one.raw;
+    const fit::PredictedAttitude& raw = one.raw;
     rows.push_back({fmt::format("{:.10g}", units.from_core(raw.t, Dimension::time)),
                     date_of_time(scenario, raw.t), detail::euler_text(scenario, raw.q),
                     errors_text(units, raw.covariance),
@@ -183,5 +184,6 @@ void detail::add_predictions(JsonWriter& json, const Scenario& scenario,
   });
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -13,15 +13,14 @@
 #include <vector>
 
 #include "output/part_file.hpp"
+#include "polhode/detail/scenario/fit_plan.hpp"
 #include "polhode/dynamics/integrate.hpp"
-#include "polhode/ensemble/counter_random.hpp"
+#include "polhode/ensemble/draws.hpp"
 #include "polhode/error.hpp"
 #include "polhode/light/ellipsoid.hpp"
-#include "polhode/light/lambert.hpp"
+#include "polhode/light/facet_brightness.hpp"
 #include "polhode/light/light_curve.hpp"
-#include "polhode/light/magnitudes.hpp"
-#include "polhode/light/shaded_mesh.hpp"
-#include "polhode/scenario/fit_plan.hpp"
+#include "polhode/light/lommel_seeliger.hpp"
 #include "polhode/scenario/scenario.hpp"
 #include "polhode/version.hpp"
 #include "run/detail/fit_tables.hpp"
@@ -30,6 +29,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 namespace {
@@ -46,14 +46,14 @@ struct Seen {
 class Noise {
  public:
   Noise(std::uint64_t seed, std::size_t table)
-      : random_(seed, key_of("observation[" + std::to_string(table) + "]")) {}
+      : random_(seed, ensemble::key_of("observation[" + std::to_string(table) + "]")) {}
 
   double normal(std::size_t row, std::size_t place) const {
     return random_.normal(row, static_cast<std::uint64_t>(place));
   }
 
  private:
-  CounterRandom random_;
+  ensemble::CounterRandom random_;
 };
 
 // The flux of the body, from directions along inertial axes.
@@ -63,23 +63,23 @@ class SeenBody {
     const LightPlan& plan = require_fit(scenario).light;
     const Rotation& rotation = scenario.rotation();
     if (plan.shape == LightPlan::Shape::mesh)
-      mesh_ = std::make_unique<const ShadedMesh>(light_mesh(scenario));
+      mesh_ = std::make_unique<const light::ShadedMesh>(light_mesh(scenario));
     else if (plan.semiaxes)
       shape_ = {plan.semiaxes->x, plan.semiaxes->y, plan.semiaxes->z};
     else
-      shape_ = homogeneous_ellipsoid(rotation.body.moments(), 1.0);
+      shape_ = light::homogeneous_ellipsoid(rotation.body.moments(), 1.0);
   }
 
   double flux(const Seen& seen, const Vec3& to_sun, const Vec3& to_observer) const {
     const Quaternion back = conj(mesh_ ? seen.q : seen.q_principal);
     const Vec3 s = rotate(back, to_sun), o = rotate(back, to_observer);
-    return mesh_ ? mesh_->brightness(law_, s, o) : brightness(shape_, law_, s, o);
+    return mesh_ ? mesh_->brightness(law_, s, o) : light::brightness(shape_, law_, s, o);
   }
 
  private:
-  Scattering law_;
-  Ellipsoid shape_{1.0, 1.0, 1.0};
-  std::unique_ptr<const ShadedMesh> mesh_;
+  light::Scattering law_;
+  light::Ellipsoid shape_{1.0, 1.0, 1.0};
+  std::unique_ptr<const light::ShadedMesh> mesh_;
 };
 
 // The rows of each session: those of all sessions, or of all rows.
@@ -99,15 +99,15 @@ std::vector<std::vector<std::size_t>> sessions_of(const Scenario& scenario,
   return all;
 }
 
-double sum_of(const LightCurve& curve) {
+double sum_of(const light::LightCurve& curve) {
   double sum = 0.0;
-  for (const LightPoint& p : curve.points) sum += p.flux;
+  for (const light::LightPoint& p : curve.points) sum += p.flux;
   return sum;
 }
 
 // The light curves of a table, whose rows are those of the motion.
-std::vector<LightCurve> simulated_sessions(const Scenario& scenario, std::size_t table,
-                                           const std::vector<Seen>& motion) {
+std::vector<light::LightCurve> simulated_sessions(const Scenario& scenario, std::size_t table,
+                                                  const std::vector<Seen>& motion) {
   const FitPlan& plan = require_fit(scenario);
   const std::string& name = plan.observations.at(table).name;
   const LightObservation& of = *plan.observations.at(table).light;
@@ -116,15 +116,15 @@ std::vector<LightCurve> simulated_sessions(const Scenario& scenario, std::size_t
         "expected a key sigma, not sigma_columns: a simulation has no file to take errors from");
   const SeenBody body(scenario);
   const std::vector<std::vector<std::size_t>> rows = sessions_of(scenario, motion);
-  std::vector<LightCurve> curves;
+  std::vector<light::LightCurve> curves;
   double sum = 0.0;
   std::size_t points = 0;
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    LightCurve curve{.name = name, .is_calibrated = of.is_calibrated, .points = {}};
+    light::LightCurve curve{.name = name, .is_calibrated = of.is_calibrated, .points = {}};
     for (const std::size_t k : rows[i]) curve.points.push_back({.t = motion[k].t});
     curve = with_vectors_of(scenario, table, std::move(curve));
     for (std::size_t k = 0; k < rows[i].size(); ++k) {
-      LightPoint& p = curve.points[k];
+      light::LightPoint& p = curve.points[k];
       p.flux = body.flux(motion[rows[i][k]], p.to_sun, p.to_observer);
       if (of.is_of_the_time) p.flux /= dot(p.to_sun, p.to_sun) * dot(p.to_observer, p.to_observer);
     }
@@ -139,11 +139,11 @@ std::vector<LightCurve> simulated_sessions(const Scenario& scenario, std::size_t
   for (std::size_t i = 0; i < curves.size(); ++i) {
     const double own = sum_of(curves[i]) / static_cast<double>(curves[i].points.size());
     for (std::size_t k = 0; k < curves[i].points.size(); ++k) {
-      LightPoint& p = curves[i].points[k];
+      light::LightPoint& p = curves[i].points[k];
       const double unit = of.is_calibrated ? mean : own;
       p.flux /= unit;
       // a part of the mean of its session, or a magnitude, as it is read
-      p.sigma = *of.sigma * (is_magnitude ? magnitude_slope * p.flux : own / unit);
+      p.sigma = *of.sigma * (is_magnitude ? light::magnitude_slope * p.flux : own / unit);
       p.flux += p.sigma * noise.normal(rows[i][k], 0);
     }
   }
@@ -181,8 +181,8 @@ std::vector<Seen> motion_as_fitted(const Scenario& scenario) {
   std::vector<double> at;
   for (std::int64_t k = 0; k < times.size(); ++k) at.push_back(times[k]);
   std::vector<Seen> all;
-  for (const PredictedAttitude& one :
-       driven_attitudes(spin_state(scenario.rotation()), *detail::drive_of(scenario), at))
+  for (const fit::PredictedAttitude& one :
+       fit::driven_attitudes(spin_state(scenario.rotation()), *detail::drive_of(scenario), at))
     all.push_back({one.t, one.q, one.w_F, normalized(one.q * scenario.rotation().q_file)});
   return all;
 }
@@ -217,13 +217,13 @@ std::vector<Seen> motion_of(const Scenario& scenario) {
   return all;
 }
 
-Snapshots rows_of(const FitPlan& plan, std::size_t table, const std::vector<Seen>& motion) {
+fit::Snapshots rows_of(const FitPlan& plan, std::size_t table, const std::vector<Seen>& motion) {
   const ObservedRows& of = plan.observations.at(table).rows;
   const Noise noise(plan.noise, table);
   // errors in columns are rejected when the file is written
   const std::vector<double> sigmas =
       of.sigmas.empty() ? std::vector<double>(of.error_units.size(), 0.0) : of.sigmas;
-  Snapshots rows;
+  fit::Snapshots rows;
   for (std::size_t k = 0; k < motion.size(); ++k)
     of.simulate(
         {motion[k].t, motion[k].q, motion[k].w},
@@ -273,12 +273,12 @@ void require_light(const Scenario& scenario, std::size_t table, bool is_light) {
 
 }  // namespace
 
-Snapshots simulated(const Scenario& scenario, std::size_t table) {
+fit::Snapshots simulated(const Scenario& scenario, std::size_t table) {
   require_light(scenario, table, false);
   return rows_of(simulated_plan(scenario), table, motion_of(scenario));
 }
 
-std::vector<LightCurve> simulated_light(const Scenario& scenario, std::size_t table) {
+std::vector<light::LightCurve> simulated_light(const Scenario& scenario, std::size_t table) {
   require_light(scenario, table, true);
   return detail::simulated_sessions(scenario, table, motion_of(scenario));
 }
@@ -303,5 +303,6 @@ std::vector<std::string> write_simulation(const Scenario& scenario, const std::s
   return paths;
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -22,6 +22,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 namespace {
@@ -453,5 +454,6 @@ std::string changed_text(std::string_view text, std::span<const ScenarioChange> 
   return changed;
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

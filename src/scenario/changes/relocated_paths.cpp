@@ -8,6 +8,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace {
 
 namespace fs = std::filesystem;
@@ -46,5 +47,6 @@ std::vector<ScenarioChange> relocated_paths(const Document& document, const std:
   return changes;
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -16,6 +16,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 FrameKind precessing_kind();
@@ -67,5 +68,6 @@ ObservationKind rate_kind();
 ObservationKind light_curve_kind();
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -11,14 +11,17 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 struct Clock {
-  Date epoch;                  // in TT
+  ephemeris::Date epoch;       // in TT
   std::optional<double> dut1;  // s
   double second;               // in core units of time
 
-  double core_time(const Date& date) const { return seconds_between(epoch, date, dut1) * second; }
+  double core_time(const ephemeris::Date& date) const {
+    return ephemeris::seconds_between(epoch, date, dut1) * second;
+  }
 };
 // Refuses at the place of `path` where the file has no epoch.
 Clock clock_of(const FileValues& file, std::string_view path);
@@ -30,5 +33,6 @@ double time_of_date(const FileValues& file, const std::string& date);
 std::string time_and_date(const FileValues& file, double t);
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

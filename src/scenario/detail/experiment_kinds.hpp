@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "polhode/output/output_plan.hpp"
+#include "polhode/output/output_format.hpp"
 #include "polhode/scenario/kinds.hpp"
 #include "polhode/scenario/scenario.hpp"
 #include "scenario/detail/schema_parts.hpp"
@@ -18,6 +18,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 // Where an experiment is made.
@@ -51,5 +52,6 @@ ExperimentRow row_of(const ExperimentKind& kind, const SchemaPart& own,
 MadeExperiment made_experiment(const KindContext& at);
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -17,6 +17,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 // What a column of a file is, by the word that `columns` has for it.
@@ -98,5 +99,6 @@ OrbitKind series_kind();
 OrbitKind shipped_kind();
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

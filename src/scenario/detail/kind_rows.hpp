@@ -13,6 +13,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 // A kind of a table: paths of its keys are their own names.
@@ -57,5 +58,6 @@ class TablesOfKinds {
 };
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -8,13 +8,14 @@
 #include <string>
 #include <vector>
 
-#include "polhode/scenario/obliquity.hpp"
+#include "polhode/detail/scenario/obliquity.hpp"
 #include "polhode/scenario/rotation.hpp"
 #include "scenario/detail/experiment_kinds.hpp"
 #include "scenario/scenario_parts.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 // A table [[perturbation]]: its terms are count ones from number `first` on.
@@ -40,5 +41,6 @@ MadeRotation made_rotation(const KindContext& at, const MadeRotation* base = nul
 Obliquity made_obliquity(const KindContext& at, const Obliquity* base = nullptr);
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

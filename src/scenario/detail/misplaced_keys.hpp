@@ -11,6 +11,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 // A table of the file with its own keys.
@@ -55,5 +56,6 @@ void report(std::vector<StrayKey> strays, const KnownTable& table, const std::st
 std::string table_in_words(const Schema& schema, const Key& key);
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -13,6 +13,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 // Our word for one of others, or one that is spelt much the same; else nothing. The axes of the
@@ -109,5 +110,6 @@ inline std::string meaning_of_key(std::string_view path, std::string_view name) 
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

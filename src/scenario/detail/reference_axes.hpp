@@ -6,10 +6,11 @@
 #include <string_view>
 
 #include "polhode/math/vector.hpp"
-#include "polhode/orbit/turned_kepler_orbit.hpp"
+#include "polhode/orbit/kepler_orbit.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 inline Vec3 ecliptic_from_equator(const Vec3& x) {
@@ -28,5 +29,6 @@ inline Vec3 in_other_axes(const Vec3& x, std::string_view from, std::string_view
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

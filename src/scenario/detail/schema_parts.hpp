@@ -8,6 +8,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 struct SchemaPart {
@@ -28,5 +29,6 @@ struct DescribedParts {
 };
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

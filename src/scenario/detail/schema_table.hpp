@@ -18,6 +18,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 class SchemaTable {
@@ -43,5 +44,6 @@ class SchemaTable {
 };
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -11,6 +11,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 // Each throws a DomainError "moon.csv:1: ...; expected ..." where they differ.
@@ -44,5 +45,6 @@ class TableCheck {
 };
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -10,6 +10,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 // The paths of the tables that templates know, in the schema.
@@ -42,5 +43,6 @@ std::vector<std::string_view> kinds_of(const Schema& schema, std::string_view ta
 const KindText* text_of(const Schema& schema, std::string_view table, std::string_view kind);
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -7,17 +7,19 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 struct TomlAssertion {};
 [[noreturn]] inline void toml_assertion_failed() { throw TomlAssertion(); }
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode
 
 // Without its assertions it would go on undefined.
 #undef NDEBUG
 #define TOML_ASSERT(truth) \
-  ((truth) ? static_cast<void>(0) : ::polhode::detail::toml_assertion_failed())
+  ((truth) ? static_cast<void>(0) : ::polhode::io::detail::toml_assertion_failed())
 #define TOML_MAX_NESTED_VALUES 16
 #define TOML_HEADER_ONLY 1
 // It asks of every character beyond ASCII whether it is a blank, and for most has no answer but

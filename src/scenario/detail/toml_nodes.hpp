@@ -20,6 +20,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 inline Position position(const toml::source_region& region) {
@@ -83,7 +84,7 @@ inline std::string shown(const toml::node& node) {
     case toml::node_type::integer:
       return std::to_string(*node.value<std::int64_t>());
     case toml::node_type::floating_point:
-      return number_text(*node.value<double>());
+      return polhode::detail::number_text(*node.value<double>());
     case toml::node_type::boolean:
       return *node.value<bool>() ? "true" : "false";
     case toml::node_type::table:
@@ -140,5 +141,6 @@ inline std::string_view kind_in(const toml::table& table, const std::vector<cons
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -13,6 +13,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 struct HistogramTable {
@@ -182,5 +183,6 @@ void require_ensemble_columns(const Scenario& scenario, std::span<const ColumnGr
           one, column, known, "expected columns of [output] columns, or keys that vary");
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -4,11 +4,12 @@
 
 #include <vector>
 
-#include "polhode/scenario/ensemble_plan.hpp"
+#include "polhode/detail/scenario/ensemble_plan.hpp"
 #include "scenario/table.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 struct HistogramTable;
@@ -19,5 +20,6 @@ std::vector<EnsembleFraction> fractions_of(const FileValues& file);
 std::vector<EnsembleHistogram> histograms_of(const FileValues& file);
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -17,6 +17,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 namespace {
@@ -27,7 +28,7 @@ constexpr std::int64_t largest_chunk = 1024, chunks = 64;  // where the file nam
 struct EnsembleTable {
   std::int64_t size = 1;
   std::uint64_t seed = 1;
-  DrawSource draws = DrawSource::random;
+  ensemble::DrawSource draws = ensemble::DrawSource::random;
   EnsembleKeep keep = EnsembleKeep::statistics;
   std::vector<double> quantiles;
   std::int64_t bins = 1;
@@ -41,7 +42,7 @@ constexpr std::array keys_of_ensemble = {
         .required()
         .example("10000"),
     integer_key<&EnsembleTable::seed>("seed", "Another seed draws other members.").otherwise("1"),
-    choice_key<&EnsembleTable::draws, DrawSource::random, DrawSource::sobol>(
+    choice_key<&EnsembleTable::draws, ensemble::DrawSource::random, ensemble::DrawSource::sobol>(
         "draws", "random|sobol",
         "Random numbers, or Sobol's points, over which means settle faster.")
         .otherwise("\"random\""),
@@ -129,11 +130,11 @@ class AllVaried {
     const std::vector<Placed<VaryTable>> tables = placed_tables(vary_description, file);
     for (const Placed<VaryTable>& one : tables) add(one);
     if (!axes_.empty())
-      distributions_[grid_] = tables.front().built([&] { return DrawGrid(axes_); });
+      distributions_[grid_] = tables.front().built([&] { return ensemble::DrawGrid(axes_); });
   }
 
-  std::vector<Varied> draws() const {
-    std::vector<Varied> all;
+  std::vector<ensemble::Varied> draws() const {
+    std::vector<ensemble::Varied> all;
     for (std::size_t i = 0; i < varied_.size(); ++i)
       all.push_back({joined(varied_[i].keys), distributions_[i]});
     return all;
@@ -151,7 +152,7 @@ class AllVaried {
       taken_.push_back(key);
     }
     VariedTable table = varied_table(from, numbers);
-    if (const auto* const grid = std::get_if<DrawGrid>(&table.distribution)) {
+    if (const auto* const grid = std::get_if<ensemble::DrawGrid>(&table.distribution)) {
       axes_.push_back(grid->axes().front());
       if (axes_.size() > 1) return add_axis(table.varied);
       grid_ = varied_.size();
@@ -169,8 +170,8 @@ class AllVaried {
 
   std::vector<std::string> taken_;
   std::vector<EnsembleVaried> varied_;
-  std::vector<Distribution> distributions_;
-  std::vector<DrawAxis> axes_;
+  std::vector<ensemble::Distribution> distributions_;
+  std::vector<ensemble::DrawAxis> axes_;
   std::size_t grid_ = 0;
 };
 
@@ -187,7 +188,8 @@ std::optional<EnsemblePlan> ensemble_plan(const FileValues& file, const Experime
   if (!rows_of(experiment)) table.refuse("expected a table [time] as well");
   const std::int64_t size = table->size;
   AllVaried varied(file);
-  Draws draws = table.built([&] { return Draws(varied.draws(), table->seed, table->draws); });
+  ensemble::Draws draws =
+      table.built([&] { return ensemble::Draws(varied.draws(), table->seed, table->draws); });
   if (static_cast<std::uint64_t>(size) > draws.most_members())
     table.refuse<&EnsembleTable::size>(
         "expected at most " + std::to_string(draws.most_members()) +
@@ -256,5 +258,6 @@ std::vector<double> EnsemblePlan::numbers(std::int64_t member) const {
   return all;
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

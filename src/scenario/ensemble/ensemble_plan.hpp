@@ -8,6 +8,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 SchemaPart ensemble_keys();
@@ -15,5 +16,6 @@ SchemaPart ensemble_keys();
 std::optional<EnsemblePlan> ensemble_plan(const FileValues& file, const Experiment& experiment);
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

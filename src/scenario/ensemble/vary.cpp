@@ -17,6 +17,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 namespace {
@@ -106,7 +107,8 @@ constexpr std::array keys_of_vary = {
         "ones.")
         .example("[\"wx\", \"wy\", \"wz\"]")
         .of_kinds("table"),
-    choice_key<&VaryTable::order, RowOrder::in_order, RowOrder::with_replacement>(
+    choice_key<&VaryTable::order, ensemble::RowOrder::in_order,
+               ensemble::RowOrder::with_replacement>(
         "order", "rows|draws",
         "Whether member 0 has the first row and so on, or each member a row that is drawn.")
         .otherwise("\"rows\"")
@@ -170,7 +172,7 @@ std::string count_text(std::size_t n, const char* what) {
 
 // "low 3 must be below high" of "Uniform: low 3 must be below high": a file has no class.
 template <class Build>
-Distribution without_class(const Build& build) {
+ensemble::Distribution without_class(const Build& build) {
   try {
     return build();
   } catch (const DomainError& error) {
@@ -193,16 +195,16 @@ class Drawn {
       case VaryKind::normal:
         return normal();
       case VaryKind::uniform:
-        return between<Uniform>("uniform");
+        return between<ensemble::Uniform>("uniform");
       case VaryKind::log_uniform:
-        return between<LogUniform>("log-uniform");
+        return between<ensemble::LogUniform>("log-uniform");
       case VaryKind::joint_normal:
         return joint_normal();
       case VaryKind::direction:
         return direction();
       case VaryKind::attitude:
         require_keys(4, "the four components of a quaternion");
-        return one("attitude, all alike", UniformAttitude());
+        return one("attitude, all alike", ensemble::UniformAttitude());
       case VaryKind::grid:
         return grid();
       case VaryKind::table:
@@ -216,23 +218,24 @@ class Drawn {
   template <auto member, class Build>
   VariedTable one(std::string text, const Build& build) const {
     return one(std::move(text), from_.built<member>([&] {
-      return without_class([&] { return Distribution(build()); });
+      return without_class([&] { return ensemble::Distribution(build()); });
     }));
   }
-  VariedTable one(std::string text, Distribution distribution) const {
+  VariedTable one(std::string text, ensemble::Distribution distribution) const {
     return {{std::move(text), numbers_.keys, numbers_.units}, std::move(distribution)};
   }
 
   VariedTable normal() const {
     const double mean = from_->mean.value_or(numbers_.values[0]), sigma = from_->sigma;
-    std::string text = "normal, mean " + number_text(mean) + ", sigma " + number_text(sigma);
+    std::string text = "normal, mean " + polhode::detail::number_text(mean) + ", sigma " +
+                       polhode::detail::number_text(sigma);
     if (!from_->low && !from_->high)
-      return one<&VaryTable::sigma>(text, [&] { return Normal(mean, sigma); });
-    if (from_->low) text += ", from " + number_text(*from_->low);
-    if (from_->high) text += ", to " + number_text(*from_->high);
+      return one<&VaryTable::sigma>(text, [&] { return ensemble::Normal(mean, sigma); });
+    if (from_->low) text += ", from " + polhode::detail::number_text(*from_->low);
+    if (from_->high) text += ", to " + polhode::detail::number_text(*from_->high);
     const auto cut = [&] {
-      return TruncatedNormal(mean, sigma, from_->low.value_or(-infinity),
-                             from_->high.value_or(infinity));
+      return ensemble::TruncatedNormal(mean, sigma, from_->low.value_or(-infinity),
+                                       from_->high.value_or(infinity));
     };
     return from_->low ? one<&VaryTable::low>(text, cut) : one<&VaryTable::high>(text, cut);
   }
@@ -240,7 +243,8 @@ class Drawn {
   template <class Of>
   VariedTable between(const std::string& kind) const {
     const double low = *from_->low, high = *from_->high;
-    return one<&VaryTable::low>(kind + ", " + number_text(low) + " to " + number_text(high),
+    return one<&VaryTable::low>(kind + ", " + polhode::detail::number_text(low) + " to " +
+                                    polhode::detail::number_text(high),
                                 [&] { return Of(low, high); });
   }
 
@@ -254,7 +258,7 @@ class Drawn {
       from_.refuse<&VaryTable::covariance>("expected " + count_text(n, "row") + " of " +
                                            count_text(n, "number") + ", one for each of keys");
     return one<&VaryTable::covariance>(
-        "joint normal", [&] { return JointNormal(means, from_->covariance.elements); });
+        "joint normal", [&] { return ensemble::JointNormal(means, from_->covariance.elements); });
   }
 
   void require_keys(std::size_t n, const std::string& words) const {
@@ -273,7 +277,7 @@ class Drawn {
     const auto is_angle = [&](const NumberLocation& place) {
       return value_at(from_.at().values(), place.path).key->dimension == Dimension::angle;
     };
-    VariedTable made = one("direction, all alike", IsotropicDirection());
+    VariedTable made = one("direction, all alike", ensemble::IsotropicDirection());
     if (numbers_.keys.size() == 2 && std::ranges::all_of(numbers_.places, is_angle)) {
       if (!direction_angles(numbers_.keys))
         from_.refuse<&VaryTable::keys>(
@@ -297,11 +301,11 @@ class Drawn {
   }
 
   VariedTable grid() const {
-    const DrawAxis axis{from_->from, from_->to, from_->count};
-    return one<&VaryTable::count>("grid, " + number_text(axis.from) + " to " +
-                                      number_text(axis.to) + ", " + std::to_string(axis.count) +
-                                      " values",
-                                  [&] { return DrawGrid({axis}); });
+    const ensemble::DrawAxis axis{from_->from, from_->to, from_->count};
+    return one<&VaryTable::count>("grid, " + polhode::detail::number_text(axis.from) + " to " +
+                                      polhode::detail::number_text(axis.to) + ", " +
+                                      std::to_string(axis.count) + " values",
+                                  [&] { return ensemble::DrawGrid({axis}); });
   }
 
   VariedTable table() const {
@@ -318,7 +322,7 @@ class Drawn {
       rows.reserve(read.rows() * n);
       for (std::size_t k = 0; k < read.rows(); ++k)
         for (const std::vector<double>& column : read.columns) rows.push_back(column[k]);
-      return DrawTable(n, std::move(rows), from_->order);
+      return ensemble::DrawTable(n, std::move(rows), from_->order);
     });
   }
 
@@ -381,5 +385,6 @@ VariedTable varied_table(const Placed<VaryTable>& table, const VariedNumbers& nu
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

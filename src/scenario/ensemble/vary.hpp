@@ -9,13 +9,14 @@
 #include <string_view>
 #include <vector>
 
-#include "polhode/scenario/ensemble_plan.hpp"
+#include "polhode/detail/scenario/ensemble_plan.hpp"
 #include "scenario/number_location.hpp"
 #include "scenario/table.hpp"
 #include "text/value_access.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 enum class VaryKind {
@@ -41,7 +42,7 @@ struct VaryTable {
   std::int64_t count = 1;
   std::string file;
   std::optional<std::vector<std::string>> columns;
-  RowOrder order = RowOrder::in_order;
+  ensemble::RowOrder order = ensemble::RowOrder::in_order;
 };
 extern const Table<VaryTable> vary_description;
 
@@ -67,10 +68,11 @@ VariedNumbers varied_numbers(const KeyValues& table, std::string_view name);
 
 struct VariedTable {
   EnsembleVaried varied;
-  Distribution distribution;  // a grid has its own axis alone
+  ensemble::Distribution distribution;  // a grid has its own axis alone
 };
 VariedTable varied_table(const Placed<VaryTable>& table, const VariedNumbers& numbers);
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

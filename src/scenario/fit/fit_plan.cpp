@@ -12,6 +12,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 namespace {
@@ -71,14 +72,14 @@ const FitPlan& require_fit(const Scenario& scenario) {
                     "\"; expected \"fit\"");
 }
 
-SpinState spin_state(const Rotation& rotation) {
+fit::SpinState spin_state(const Rotation& rotation) {
   const RotorState& s = initial_state(rotation);
   const Quaternion& f = rotation.q_file;
   const Vec3& I = rotation.body.moments();
   const Mat3 R = rotation_matrix(f);
   Mat3 diagonal;
   for (int i = 0; i < 3; ++i) diagonal(i, i) = I[i];
-  SpinState state;
+  fit::SpinState state;
   state.q = normalized(s.q * conj(f));
   state.w_F = rotate(f, angular_velocity(rotation.body, s));
   state.inertia_F = f == Quaternion{} ? diagonal : R * diagonal * transpose(R);
@@ -87,5 +88,6 @@ SpinState spin_state(const Rotation& rotation) {
   return state;
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

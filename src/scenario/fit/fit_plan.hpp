@@ -2,7 +2,7 @@
 // From the values of a file of kind "fit" to its plan.
 #pragma once
 
-#include "polhode/scenario/fit_plan.hpp"
+#include "polhode/detail/scenario/fit_plan.hpp"
 #include "polhode/scenario/kinds.hpp"
 #include "scenario/detail/schema_parts.hpp"
 #include "scenario/tables/fit.hpp"
@@ -10,6 +10,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 // Throws a ScenarioError at the place of what is wrong. So do all below.
@@ -23,12 +24,13 @@ void require_words(const Placed<FreeTable>& free, const Placed<FitTable>& fit, b
 
 // The tables [[free.prior]] into the plan, which has its unknowns.
 SchemaPart prior_keys();
-void add_priors(const FileValues& at, const SpinState& start, FitPlan& plan);
+void add_priors(const FileValues& at, const fit::SpinState& start, FitPlan& plan);
 
 // The tables [[free.parameter]] and [[free.jump]], and their priors.
 SchemaPart drive_keys();
 void add_drive(const FileValues& at, const Rotation& rotation, FitPlan& plan);
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "polhode/detail/scenario/varied_scenario.hpp"
 #include "polhode/scenario/scenario.hpp"
-#include "polhode/scenario/varied_scenario.hpp"
 #include "scenario/ensemble/vary.hpp"
 #include "scenario/fit/fit_plan.hpp"
 #include "scenario/scenario_parts.hpp"
@@ -17,6 +17,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 namespace {
 
@@ -57,7 +58,7 @@ constexpr Table<ParameterTable> parameter_description = {
     keys_of_parameter};
 
 struct JumpTable {
-  SpinJump::Of of = SpinJump::Of::rate;
+  fit::SpinJump::Of of = fit::SpinJump::Of::rate;
   double t = 0.0;
   Vec3 change;
   std::optional<Vec3> sigmas;
@@ -79,9 +80,9 @@ consteval KindKey<JumpTable> errors_key(std::string_view kinds, Dimension dimens
 
 constexpr std::string_view of_momentum = "momentum-body|momentum-inertial";
 constexpr std::array keys_of_jump = {
-    choice_key<&JumpTable::of, SpinJump::Of::rate, SpinJump::Of::body_momentum,
-               SpinJump::Of::inertial_momentum>("kind", "rate|momentum-body|momentum-inertial",
-                                                "What jumps.")
+    choice_key<&JumpTable::of, fit::SpinJump::Of::rate, fit::SpinJump::Of::body_momentum,
+               fit::SpinJump::Of::inertial_momentum>("kind", "rate|momentum-body|momentum-inertial",
+                                                     "What jumps.")
         .required()
         .example("\"rate\""),
     quantity_key<&JumpTable::t>("t", Dimension::time, "When, counted from the epoch.")
@@ -175,9 +176,9 @@ void add_drive(const FileValues& at, const Rotation& rotation, FitPlan& plan) {
 
 }  // namespace detail
 
-SpinDrive spin_drive(const Scenario& scenario) {
+fit::SpinDrive spin_drive(const Scenario& scenario) {
   const FitDrive& plan = require_fit(scenario).drive;
-  SpinDrive drive;
+  fit::SpinDrive drive;
   drive.q_FB = scenario.rotation().q_file;
   drive.jumps = plan.jumps;
   drive.tolerance = plan.tolerance;
@@ -199,5 +200,6 @@ SpinDrive spin_drive(const Scenario& scenario) {
   return drive;
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a file says of light curves, to a plan.
-#include "polhode/scenario/light_plan.hpp"
+#include "polhode/detail/scenario/light_plan.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -12,16 +12,17 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 namespace {
 
 using Shape = LightPlan::Shape;
 
-Scattering law_of(const Placed<LightTable>& light) {
+light::Scattering law_of(const Placed<LightTable>& light) {
   if (light->law != LightLaw::mixed)
     light.refuse_any<&LightTable::multiple>("expected none unless light.law = \"mixed\"");
-  if (light->law == LightLaw::lambert) return Scattering::lambert();
-  return Scattering::mixed(light->law == LightLaw::mixed ? light->multiple : 0.0);
+  if (light->law == LightLaw::lambert) return light::Scattering::lambert();
+  return light::Scattering::mixed(light->law == LightLaw::mixed ? light->multiple : 0.0);
 }
 
 // A shape that is no ellipsoid does not go with every key.
@@ -41,12 +42,12 @@ void require_shape(const Placed<LightTable>& light, const Placed<FreeTable>& fre
 }
 
 // A mesh does not change, and in a fit its moments do not follow it.
-MomentSource moments_of(const Placed<LightTable>& light, MomentSource source) {
-  if (light->shape != Shape::mesh || source != MomentSource::shape) return source;
+fit::MomentSource moments_of(const Placed<LightTable>& light, fit::MomentSource source) {
+  if (light->shape != Shape::mesh || source != fit::MomentSource::shape) return source;
   light.refuse_any<&LightTable::source>(
       "expected \"of-body\" with a mesh, whose moments are those of [body]; body.shape gives "
       "[body] those of an even filling");
-  return MomentSource::start;
+  return fit::MomentSource::start;
 }
 
 ScanPlan scan_of(const Placed<ScanTable>& table) {
@@ -72,10 +73,10 @@ ScanPlan scan_of(const Placed<ScanTable>& table) {
   return scan;
 }
 
-std::vector<TumblerPeriods> periods_of(const FileValues& at, bool searches) {
-  std::vector<TumblerPeriods> all;
-  for (const Placed<TumblerPeriods>& one : periods_tables(at)) {
-    if (!searches) one.refuse<&TumblerPeriods::mode>("expected fit.from = \"search\" as well");
+std::vector<fit::TumblerPeriods> periods_of(const FileValues& at, bool searches) {
+  std::vector<fit::TumblerPeriods> all;
+  for (const Placed<fit::TumblerPeriods>& one : periods_tables(at)) {
+    if (!searches) one.refuse<&fit::TumblerPeriods::mode>("expected fit.from = \"search\" as well");
     all.push_back(*one);
   }
   return all;
@@ -123,7 +124,7 @@ LightPlan light_plan(const FileValues& at, const Rotation& rotation, const Place
   const Placed<LightTable> light = light_table(at);
   const Placed<SimulateTable> simulate = simulate_table(at);
   require_shape(light, free, rotation);
-  const MomentSource moments = free->has("moments") ? MomentSource::fit : light->source;
+  const fit::MomentSource moments = free->has("moments") ? fit::MomentSource::fit : light->source;
   LightPlan plan{.shape = light->shape,
                  .mesh = light->mesh.value_or(""),
                  .convex = static_cast<const ConvexPlan&>(*light),
@@ -157,7 +158,7 @@ LightPlan light_plan(const FileValues& at, const Rotation& rotation, const Place
 
 }  // namespace detail
 
-FacetShape light_mesh(const Scenario& scenario) {
+shape::FacetShape light_mesh(const Scenario& scenario) {
   static_cast<void>(require_fit(scenario));
   const detail::Placed<detail::LightTable> light =
       detail::light_table(detail::file_values(scenario.document));
@@ -166,5 +167,6 @@ FacetShape light_mesh(const Scenario& scenario) {
       [&] { return read_obj(light.file_at<&detail::LightTable::mesh>()); });
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -11,12 +11,9 @@
 
 #include "polhode/error.hpp"
 #include "polhode/light/aspect.hpp"
-#include "polhode/light/magnitudes.hpp"
+#include "polhode/light/light_curve.hpp"
 #include "polhode/orbit/any_orbit.hpp"
 #include "polhode/orbit/table_orbit.hpp"
-#include "polhode/tables/alcdef.hpp"
-#include "polhode/tables/lc.hpp"
-#include "polhode/tables/light_columns.hpp"
 #include "polhode/tables/light_curve_file.hpp"
 #include "scenario/fit/observation_table.hpp"
 #include "scenario/kinds/observations/shared_keys.hpp"
@@ -24,6 +21,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace {
 
 using detail::ObservationTable;
@@ -45,7 +43,7 @@ struct LightCurveTable : ObservationTable {
 
   // Whether points have light times of their own, by their vectors to the observer.
   bool has_own_light_times() const {
-    return of.times == LightTime::at_observer && light.orbit.empty() && !of.light_time;
+    return of.times == light::LightTime::at_observer && light.orbit.empty() && !of.light_time;
   }
 
   const LightObservation& light;
@@ -98,18 +96,18 @@ void require_declared(const LightCurveTable& of, const LightSession& session) {
   if (session.times && *session.times != of.of.times)
     of.place.refuse<&O::times>(
         std::string("expected ") +
-        (*session.times == LightTime::at_body ? "\"at-body\"" : "\"at-observer\"") +
+        (*session.times == light::LightTime::at_body ? "\"at-body\"" : "\"at-observer\"") +
         ", as the file says of its times");
 }
 
 // Errors and vectors that the table has and points have not.
-void complete(LightCurve& curve, const LightObservation& of) {
+void complete(light::LightCurve& curve, const LightObservation& of) {
   const bool is_part = of.format == Format::lc ||
                        (of.format == Format::columns && of.brightness == L::Brightness::flux);
-  const double unit = is_part && of.sigma ? std::fabs(mean_flux(curve)) : 0.0;
-  for (LightPoint& p : curve.points) {
+  const double unit = is_part && of.sigma ? std::fabs(light::mean_flux(curve)) : 0.0;
+  for (light::LightPoint& p : curve.points) {
     if (of.sigma && p.sigma == 0.0)
-      p.sigma = (is_part ? unit : magnitude_slope * p.flux) * *of.sigma;
+      p.sigma = (is_part ? unit : light::magnitude_slope * p.flux) * *of.sigma;
     if (of.to_sun && of.sun_columns.empty()) p.to_sun = *of.to_sun;
     if (of.to_observer && of.observer_columns.empty()) p.to_observer = *of.to_observer;
   }
@@ -166,12 +164,13 @@ class LightOrbit {
 };
 
 // Vectors, and times at the body where `given` are those at the observer.
-LightCurve with_orbits(const LightCurveTable& of, LightCurve curve, LightTime given) {
+light::LightCurve with_orbits(const LightCurveTable& of, light::LightCurve curve,
+                              light::LightTime given) {
   const LightOrbit<&L::orbit> body(of);
   const LightOrbit<&L::observer_orbit> observer(of);
   const double c = speed_of(of);
   curve = of.light_place.built<&L::orbit>([&] {
-    return with_vectors(
+    return light::with_vectors(
         std::move(curve), given, [&](double t) { return body.position(t); },
         [&](double t) { return observer.position(t); }, [](double) { return Vec3{}; }, c);
   });
@@ -180,28 +179,28 @@ LightCurve with_orbits(const LightCurveTable& of, LightCurve curve, LightTime gi
     const auto [first, last] = std::ranges::minmax(curve.points, {}, time);
     orbit.require_cover(time(first), time(last), event);
   };
-  require_cover(body, "leaves", [](const LightPoint& p) { return p.t; });
+  require_cover(body, "leaves", [](const light::LightPoint& p) { return p.t; });
   require_cover(observer, "arrives",
-                [&](const LightPoint& p) { return p.t + norm(p.to_observer) / c; });
+                [&](const light::LightPoint& p) { return p.t + norm(p.to_observer) / c; });
   return curve;
 }
 
 // From when light arrived to when it left, by the vector to the observer of each point.
-LightCurve after_own_light_times(const LightCurveTable& of, LightCurve curve) {
+light::LightCurve after_own_light_times(const LightCurveTable& of, light::LightCurve curve) {
   constexpr double unit_length = 1e-9;  // of a direction that was written with ten digits
-  if (std::ranges::all_of(curve.points, [](const LightPoint& p) {
+  if (std::ranges::all_of(curve.points, [](const light::LightPoint& p) {
         return std::fabs(norm(p.to_observer) - 1.0) < unit_length;
       }))
     of.place.refuse<&O::times>(
         "expected a key light_time as well: vectors to the observer have length 1, so "
         "that they are directions and no distances");
-  return of.place.built<&O::times>([&] { return at_body(std::move(curve), speed_of(of)); });
+  return of.place.built<&O::times>([&] { return light::at_body(std::move(curve), speed_of(of)); });
 }
 
 // In core time at the body, with vectors along the axes of the state.
-LightCurve in_core(const LightCurveTable& of, LightCurve curve) {
+light::LightCurve in_core(const LightCurveTable& of, light::LightCurve curve) {
   const double unit = of.clock ? of.clock->second : of.time_unit;
-  for (LightPoint& p : curve.points) {
+  for (light::LightPoint& p : curve.points) {
     p.t = unit * p.t - of.light_time();
     p.to_sun = turned(of.to_state, p.to_sun);
     p.to_observer = turned(of.to_state, p.to_observer);
@@ -277,17 +276,17 @@ LightColumns written_columns(const LightCurveTable& of, std::size_t sessions, bo
 
 // The first flaw of what was read, with the key that mends it.
 void require_usable(const LightCurveTable& of, const LightCurveFile& file) {
-  const LightCurveNeeds needs{.vectors = of.light.orbit.empty()};
+  const light::LightCurveNeeds needs{.vectors = of.light.orbit.empty()};
   try {
     require_sound(file, needs);
   } catch (const DomainError& error) {
-    const std::optional<LightCurveFlaw> flaw = first_flaw(light_curves(file), needs);
+    const std::optional<light::LightCurveFlaw> flaw = light::first_flaw(light_curves(file), needs);
     if (!flaw) throw;
     const LightSession& session = file.sessions[flaw->curve];
     std::string way;
-    if (flaw->kind == LightCurveFlaw::Kind::order)
+    if (flaw->kind == light::LightCurveFlaw::Kind::order)
       way = "sort = true sorts them";
-    else if (flaw->kind == LightCurveFlaw::Kind::error)
+    else if (flaw->kind == light::LightCurveFlaw::Kind::error)
       way = "sigma gives points without an error one";
     else if (flaw->point && *flaw->point < session.lines.size())
       way = "leave_out = [" + std::to_string(session.lines[*flaw->point]) + "] leaves it out";
@@ -325,10 +324,10 @@ void detail::read_light_curves(const ObservationTable& table, std::size_t index,
   }
   require_usable(of, file);
   for (LightSession& session : file.sessions) {
-    LightCurve curve = in_core(of, std::move(session.curve));
+    light::LightCurve curve = in_core(of, std::move(session.curve));
     if (of.light.is_of_the_time)
-      curve =
-          of.light_place.built<&L::is_of_the_time>([&] { return at_unit_distances(curve, 1.0); });
+      curve = of.light_place.built<&L::is_of_the_time>(
+          [&] { return light::at_unit_distances(curve, 1.0); });
     std::vector<ObservedRow> rows;
     for (std::size_t k = 0; k < curve.points.size(); ++k)
       rows.push_back({index, static_cast<std::uint32_t>(k < session.lines.size() ? session.lines[k]
@@ -338,9 +337,10 @@ void detail::read_light_curves(const ObservationTable& table, std::size_t index,
   }
 }
 
-LightCurve with_vectors_of(const Scenario& scenario, std::size_t index, LightCurve curve) {
+light::LightCurve with_vectors_of(const Scenario& scenario, std::size_t index,
+                                  light::LightCurve curve) {
   const LightCurveTable of(detail::observation_table(scenario, index));
-  if (!of.light.orbit.empty()) return with_orbits(of, std::move(curve), LightTime::at_body);
+  if (!of.light.orbit.empty()) return with_orbits(of, std::move(curve), light::LightTime::at_body);
   const auto required = [&](const char* key, const std::optional<Vec3>& given) {
     if (given && norm(*given) > 0.0) return turned(of.to_state, *given);
     of.place.refuse<&O::kind>(std::string("expected a key ") + key +
@@ -348,7 +348,7 @@ LightCurve with_vectors_of(const Scenario& scenario, std::size_t index, LightCur
   };
   const Vec3 sun = required("to_sun", of.light.to_sun);
   const Vec3 observer = required("to_observer", of.light.to_observer);
-  for (LightPoint& p : curve.points) {
+  for (light::LightPoint& p : curve.points) {
     p.to_sun = sun;
     p.to_observer = observer;
   }
@@ -356,17 +356,17 @@ LightCurve with_vectors_of(const Scenario& scenario, std::size_t index, LightCur
 }
 
 std::string light_curve_text(const Scenario& scenario, std::size_t index,
-                             std::span<const LightCurve> curves,
+                             std::span<const light::LightCurve> curves,
                              std::span<const std::string> notes) {
   const LightCurveTable of(detail::observation_table(scenario, index));
   const bool has_columns = of.light.format == Format::columns;
   const double unit = has_columns ? 1.0 : of.clock->second;
   const bool has_orbit = !of.light.orbit.empty();
-  std::vector<LightCurve> written(curves.begin(), curves.end());
-  for (LightCurve& curve : written)
-    for (LightPoint& p : curve.points) {
+  std::vector<light::LightCurve> written(curves.begin(), curves.end());
+  for (light::LightCurve& curve : written)
+    for (light::LightPoint& p : curve.points) {
       const bool arrives =
-          of.has_own_light_times() || (has_orbit && of.of.times == LightTime::at_observer);
+          of.has_own_light_times() || (has_orbit && of.of.times == light::LightTime::at_observer);
       p.t = (p.t + (arrives ? norm(p.to_observer) / speed_of(of) : of.light_time())) / unit;
       p.to_sun = turned(conj(of.to_state), p.to_sun);
       p.to_observer = turned(conj(of.to_state), p.to_observer);
@@ -376,7 +376,8 @@ std::string light_curve_text(const Scenario& scenario, std::size_t index,
     return light_csv(written, notes, written_columns(of, curves.size(), !has_orbit),
                      [&](double t) { return detail::clock_text(of, t); });
   if (of.light.format == Format::lc)
-    return lc_text(written, converted(of.clock->epoch, *of.of.time_scale, of.clock->dut1));
+    return lc_text(written,
+                   ephemeris::converted(of.clock->epoch, *of.of.time_scale, of.clock->dut1));
   return of.place.built<&O::file>([&] {
     return alcdef_text(written, of.clock->epoch,
                        {.object = of.of.name,
@@ -386,5 +387,6 @@ std::string light_curve_text(const Scenario& scenario, std::size_t index,
   });
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -19,6 +19,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 namespace {
@@ -45,7 +46,7 @@ constexpr std::array shared = {
                        "path is from the folder of this file.")
         .required()
         .example("\"attitudes.csv\""),
-    choice_key<&O::times, LightTime::at_body, LightTime::at_observer>(
+    choice_key<&O::times, light::LightTime::at_body, light::LightTime::at_observer>(
         "times", "at-body|at-observer",
         "Whose times rows have: when light left the body, or when it arrived.")
         .required()
@@ -63,15 +64,16 @@ constexpr std::array shared = {
         "What the column of times holds: time from t = 0, Julian dates, modified ones, or dates "
         "like 2013-01-05T18:30:00. All but the first need `state.epoch`.")
         .otherwise("\"number\""),
-    choice_key<&O::time_scale, TimeScale::UTC, TimeScale::TAI, TimeScale::TT, TimeScale::TDB>(
+    choice_key<&O::time_scale, ephemeris::TimeScale::UTC, ephemeris::TimeScale::TAI,
+               ephemeris::TimeScale::TT, ephemeris::TimeScale::TDB>(
         "time_scale", "UTC|TAI|TT|TDB", "Time scale of dates, which need one.")
         .example("\"UTC\""),
     unit_key<&O::time_unit>("time_unit", "Unit of times that are numbers; left out, `units.time`.")
         .example("\"d\""),
 };
 // What is read of a table of any kind.
-constexpr auto read_keys =
-    joined(std::array{word_key<&O::kind>("kind", "", "What its rows are.").required()}, shared);
+constexpr auto read_keys = polhode::io::joined(
+    std::array{word_key<&O::kind>("kind", "", "What its rows are.").required()}, shared);
 
 // The keys of each kind, the shared ones first.
 std::deque<std::vector<Key>> all_keys(std::span<const ObservationKind> kinds) {
@@ -135,11 +137,11 @@ void require_light_curve(const Observation& o, const Placed<O>& times, const Pla
   table.refuse_any<&L::sigma_columns, &L::session_column, &L::sun_columns, &L::observer_columns>(
       "expected none: the format has its own columns");
   if (is_alcdef) {
-    if (*o.time_scale != TimeScale::UTC)
+    if (*o.time_scale != ephemeris::TimeScale::UTC)
       times.refuse<&O::time_scale>("expected \"UTC\", as dates of ALCDEF are");
     return;
   }
-  if (o.times != LightTime::at_body)
+  if (o.times != light::LightTime::at_body)
     times.refuse<&O::times>("expected \"at-body\", as those of lc are");
   if (!light.orbit.empty()) table.refuse<&L::orbit>("expected none: lc has vectors");
   if (state_is_inertial(table.at()))
@@ -150,7 +152,7 @@ void require_light_curve(const Observation& o, const Placed<O>& times, const Pla
 }
 
 void require_clock(const O& o, const Placed<O>& table, const Placed<L>* light) {
-  const bool is_at_observer = o.times == LightTime::at_observer;
+  const bool is_at_observer = o.times == light::LightTime::at_observer;
   const bool is_light = light != nullptr;
   const bool has_orbit = is_light && !o.light->orbit.empty();
   const bool has_vectors = is_light && (!o.light->observer_columns.empty() || o.light->to_observer);
@@ -229,5 +231,6 @@ Observation observation_of(const FileValues& file, std::size_t index, const Kind
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -18,12 +18,13 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 namespace {
 
 // A Julian date to all its digits: day and fraction as texts.
-std::string julian_text(const Date& date, double zero) {
+std::string julian_text(const ephemeris::Date& date, double zero) {
   const double day = date.day - std::floor(zero), rest = date.fraction - (zero - std::floor(zero));
   double whole = std::floor(day), part = (day - whole) + rest;
   whole += std::floor(part);
@@ -36,8 +37,8 @@ std::string julian_text(const Date& date, double zero) {
   return fmt::format("{:.0f}{}", whole, digits.substr(1));
 }
 
-std::string date_text(const Date& date) {
-  const CalendarTime t = calendar_time(date);
+std::string date_text(const ephemeris::Date& date) {
+  const ephemeris::CalendarTime t = ephemeris::calendar_time(date);
   const double second = std::floor(t.second * 1e9) * 1e-9;
   return fmt::format("{:04}-{:02}-{:02}T{:02}:{:02}:{:012.9f}", t.year, t.month, t.day, t.hour,
                      t.minute, second);
@@ -58,9 +59,10 @@ ObservationTable observation_table(const Scenario& scenario, std::size_t index) 
 }
 
 std::string clock_text(const ObservationTable& of, double t) {
-  if (!of.clock) return detail::number_text(t / of.time_unit);
-  const Date date = converted(date_after(of.clock->epoch, t / of.clock->second, of.clock->dut1),
-                              *of.of.time_scale, of.clock->dut1);
+  if (!of.clock) return polhode::detail::number_text(t / of.time_unit);
+  const ephemeris::Date date = ephemeris::converted(
+      ephemeris::date_after(of.clock->epoch, t / of.clock->second, of.clock->dut1),
+      *of.of.time_scale, of.clock->dut1);
   if (of.of.time_format == Observation::TimeFormat::date) return date_text(date);
   return julian_text(
       date, of.of.time_format == Observation::TimeFormat::modified_julian ? modified_zero : 0.0);
@@ -83,7 +85,7 @@ FieldReader time_reader(const ObservationTable& table) {
       return unit * number_from_field(field) - lag;
     };
   const detail::Clock clock = *table.clock;
-  const TimeScale scale = *table.of.time_scale;
+  const ephemeris::TimeScale scale = *table.of.time_scale;
   if (table.of.time_format == TimeFormat::date)
     return [=](std::string_view field) {
       return clock.core_time(detail::date_in(field, scale)) - lag;
@@ -101,7 +103,7 @@ FieldReader time_reader(const ObservationTable& table) {
 
 void require_order(const ObservationTable& of, const NumberTable& table) {
   const auto shown = [&](double t) {
-    return detail::number_text(of.scenario.units().from_core(t, Dimension::time)) + " " +
+    return polhode::detail::number_text(of.scenario.units().from_core(t, Dimension::time)) + " " +
            of.scenario.units().time();
   };
   for (std::size_t k = 1; k < table.rows(); ++k) {
@@ -127,7 +129,8 @@ std::vector<double> sigmas_of(const ObservedRows& of, const NumberTable& table, 
     const std::size_t place = of.columns.size() + (of.sigma_columns.size() == 1 ? 0 : i);
     const double sigma = table.columns[place][row];
     if (!(sigma > 0.0))
-      refuse_row(table, row, "error " + detail::number_text(sigma) + "; expected one above 0");
+      refuse_row(table, row,
+                 "error " + polhode::detail::number_text(sigma) + "; expected one above 0");
     sigmas.push_back(of.error_units[i] * sigma);
   }
   return sigmas;
@@ -192,7 +195,7 @@ std::string time_text(const ObservationTable& of, double t) {
 
 void append_row(std::string& text, const ObservationTable& of, const FileRow& row) {
   text += time_text(of, row.t);
-  for (const double x : row.numbers) text += "," + detail::number_text(x);
+  for (const double x : row.numbers) text += "," + polhode::detail::number_text(x);
   text += "\n";
 }
 
@@ -217,8 +220,8 @@ ReadObservations read_observations(const Scenario& scenario) {
   return all;
 }
 
-std::string observation_text(const Scenario& scenario, std::size_t index, const Snapshots& rows,
-                             std::span<const std::string> notes) {
+std::string observation_text(const Scenario& scenario, std::size_t index,
+                             const fit::Snapshots& rows, std::span<const std::string> notes) {
   static_cast<void>(require_fit(scenario));
   const ObservationTable of = observation_table(scenario, index);
   require_names(of);
@@ -231,5 +234,6 @@ std::string observation_text(const Scenario& scenario, std::size_t index, const 
   return text;
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "polhode/scenario/fit_plan.hpp"
+#include "polhode/detail/scenario/fit_plan.hpp"
 #include "polhode/scenario/scenario.hpp"
 #include "scenario/detail/clock.hpp"
 #include "scenario/scenario_parts.hpp"
@@ -14,6 +14,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 constexpr double modified_zero = 2400000.5;  // of modified Julian dates
@@ -41,7 +42,7 @@ struct ObservationTable {
   std::optional<Clock> clock = std::nullopt;
 
   double light_time() const {
-    return of.times == LightTime::at_observer ? of.light_time.value_or(0.0) : 0.0;
+    return of.times == light::LightTime::at_observer ? of.light_time.value_or(0.0) : 0.0;
   }
 };
 
@@ -54,5 +55,6 @@ std::string clock_text(const ObservationTable& of, double t);
 void read_light_curves(const ObservationTable& of, std::size_t index, ReadObservations& all);
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

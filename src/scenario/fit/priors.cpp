@@ -12,6 +12,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 namespace {
 
@@ -98,10 +99,10 @@ Mat3 euler_covariance(const Quaternion& q, const Vec3& sigmas) {
   return covariance;
 }
 
-ObservedAttitude attitude_prior(const Placed<PriorTable>& table, const Quaternion& q) {
+fit::ObservedAttitude attitude_prior(const Placed<PriorTable>& table, const Quaternion& q) {
   const std::vector<double>& s = table->sigmas;
   const Mat3 c = table->euler_sigmas ? euler_covariance(q, *table->euler_sigmas)
-                                     : covariance_of(Vec3{s.at(0), s.at(1), s.at(2)});
+                                     : fit::covariance_of(Vec3{s.at(0), s.at(1), s.at(2)});
   const Vec3 rows[3] = {
       {c(0, 0), c(0, 1), c(0, 2)}, {c(1, 0), c(1, 1), c(1, 2)}, {c(2, 0), c(2, 1), c(2, 2)}};
   if (!(dot(rows[0], cross(rows[1], rows[2])) > 0.0))
@@ -110,7 +111,7 @@ ObservedAttitude attitude_prior(const Placed<PriorTable>& table, const Quaternio
   return {0.0, q, c};
 }
 
-bool is_unknown(PriorTable::Of kind, const SpinUnknowns& u) {
+bool is_unknown(PriorTable::Of kind, const fit::SpinUnknowns& u) {
   using enum PriorTable::Of;
   return kind == attitude  ? u.attitude
          : kind == rate    ? u.rate
@@ -120,7 +121,7 @@ bool is_unknown(PriorTable::Of kind, const SpinUnknowns& u) {
 
 // The unknowns of a kind, and where a fit begins.
 std::vector<std::pair<std::string, double>> numbers_of(PriorTable::Of kind,
-                                                       const SpinState& start) {
+                                                       const fit::SpinState& start) {
   const Mat3& T = start.inertia_F;
   const double unit = T(2, 2);
   if (kind == PriorTable::Of::rate)
@@ -134,7 +135,7 @@ std::vector<std::pair<std::string, double>> numbers_of(PriorTable::Of kind,
 
 SchemaPart prior_keys() { return part_of<prior_description>(); }
 
-void add_priors(const FileValues& at, const SpinState& start, FitPlan& plan) {
+void add_priors(const FileValues& at, const fit::SpinState& start, FitPlan& plan) {
   std::vector<PriorTable::Of> seen;
   for (const Placed<PriorTable>& table : placed_tables(prior_description, at)) {
     const PriorTable::Of kind = table->kind;
@@ -160,5 +161,6 @@ void add_priors(const FileValues& at, const SpinState& start, FitPlan& plan) {
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -26,6 +26,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 namespace {
@@ -506,5 +507,6 @@ const Schema& scenario_schema() {
   return kinds.schema();
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

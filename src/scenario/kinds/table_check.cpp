@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "polhode/scenario/schema.hpp"
-#include "polhode/text/epoch.hpp"
+#include "polhode/text/units.hpp"
 #include "scenario/detail/clock.hpp"
 #include "scenario/tables/state.hpp"
 #include "text/number_text.hpp"
@@ -14,6 +14,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 namespace {
 
@@ -31,7 +32,7 @@ std::string name_of(const std::string& column, const std::vector<std::string>& n
   return is_number && number >= 1 && number <= names.size() ? names[number - 1] : column;
 }
 
-Date date_of(const TableHeader::Note& said) {
+ephemeris::Date date_of(const TableHeader::Note& said) {
   try {
     return epoch_date(said.text);
   } catch (const DomainError& error) {
@@ -108,10 +109,10 @@ void TableCheck::epoch() const {
   if (!epoch)
     throw DomainError(counts + "; expected epoch = " + in_quotes(said.text) + " in [state]");
   const Clock clock = clock_of(at_.file_values(), at_.key_path("file"));
-  const double apart = seconds_between(clock.epoch, date_of(said), clock.dut1);
+  const double apart = ephemeris::seconds_between(clock.epoch, date_of(said), clock.dut1);
   if (std::fabs(apart) > same_epoch)
-    throw DomainError(counts + ", " + number_text(apart) + " s after epoch = " + in_quotes(*epoch) +
-                      "; expected a table from that epoch on, or dates");
+    throw DomainError(counts + ", " + polhode::detail::number_text(apart) + " s after epoch = " +
+                      in_quotes(*epoch) + "; expected a table from that epoch on, or dates");
 }
 
 void TableCheck::scale(const std::string& used) const {
@@ -123,5 +124,6 @@ void TableCheck::scale(const std::string& used) const {
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -12,6 +12,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 
 TermParts parts_of(const Rotation& rotation) {
   return {.body = &rotation.body,
@@ -128,5 +129,6 @@ TermsOfProgram made_terms(const PerturbationKind& kind, std::span<const KeyValue
   }
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -5,6 +5,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 namespace {
 
@@ -80,5 +81,6 @@ void KindRows::add(const Key& key, std::string_view table, std::string_view kind
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -8,6 +8,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 namespace {
 
@@ -154,5 +155,6 @@ std::string table_in_words(const Schema& schema, const Key& key) {
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

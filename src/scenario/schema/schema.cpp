@@ -7,6 +7,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace {
 
 std::string quantity(const Key& key, const Units& units) {
@@ -96,5 +97,6 @@ std::string expectation(const Key& key, const Units& units) {
   return {};
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -10,6 +10,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace {
 
 using detail::JsonWriter;
@@ -364,5 +365,6 @@ std::string json_schema(const Schema& schema) {
   return json.text();
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -17,6 +17,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace {
 
 // The parts of all kinds, each once, with the words of the kinds that have it.
@@ -81,5 +82,6 @@ void detail::SchemaTable::add(const SchemaPart& part, std::string_view kinds) {
   texts_.insert(texts_.end(), part.kinds.begin(), part.kinds.end());
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -11,6 +11,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace {
 
 using detail::frame_table;
@@ -141,5 +142,6 @@ std::string scenario_template(std::string_view name, const Schema& schema,
   return detail::template_text(found->subject, schema, program);
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

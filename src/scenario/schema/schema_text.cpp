@@ -11,6 +11,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace {
 
 std::string value_in_words(const Key& key) {
@@ -173,5 +174,6 @@ std::string markdown_units() {
   return page;
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -10,6 +10,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace {
 
 using detail::frame_table;
@@ -470,5 +471,6 @@ std::string detail::template_text(const TemplateSubject& subject, const Schema& 
   return page;
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -7,6 +7,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 namespace {
 
@@ -56,9 +57,9 @@ std::shared_ptr<const ScenarioShape> shape_of(const Placed<BodyTable>& table) {
       table.refuse<&BodyTable::scale>("expected a key shape as well, which it scales");
     return nullptr;
   }
-  FacetShape mesh = mesh_of(table);
-  MassProperties inside =
-      table.built<&BodyTable::shape>([&] { return mass_properties(mesh, table->density); });
+  shape::FacetShape mesh = mesh_of(table);
+  shape::MassProperties inside =
+      table.built<&BodyTable::shape>([&] { return shape::mass_properties(mesh, table->density); });
   return std::make_shared<const ScenarioShape>(
       ScenarioShape{*table->shape, std::move(mesh), inside});
 }
@@ -67,7 +68,7 @@ Body body_of(const Placed<BodyTable>& table, const ScenarioShape* shape) {
   if (table->column_axes && !table->moments)
     table.refuse<&BodyTable::column_axes>("expected a key moments as well");
   if (shape != nullptr)
-    return table.built<&BodyTable::shape>([&] { return polhode::body(shape->inside); });
+    return table.built<&BodyTable::shape>([&] { return shape::body(shape->inside); });
   if (!table->moments)
     return table.built<&BodyTable::tensor>([&] { return Body::from_tensor(*table->tensor); });
   return table.built<&BodyTable::moments>([&] {
@@ -79,5 +80,6 @@ Body body_of(const Placed<BodyTable>& table, const ScenarioShape* shape) {
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -11,6 +11,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 struct BodyTable : MeshKeys {
@@ -27,5 +28,6 @@ std::shared_ptr<const ScenarioShape> shape_of(const Placed<BodyTable>& table);
 Body body_of(const Placed<BodyTable>& table, const ScenarioShape* shape);
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

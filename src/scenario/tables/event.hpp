@@ -13,6 +13,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 SchemaPart event_keys();
@@ -22,5 +23,6 @@ std::vector<ScenarioEvent> events_of(const FileValues& file, const ColumnKinds& 
                                       std::string_view message);
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -5,6 +5,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 namespace {
 
@@ -29,8 +30,8 @@ constexpr Table<FreeTable> free_description = {
     keys_of_free};
 
 constexpr std::array keys_of_fit = {
-    choice_key<&FitTable::loss, Loss::Kind::squared, Loss::Kind::huber, Loss::Kind::soft_l1,
-               Loss::Kind::cauchy>(
+    choice_key<&FitTable::loss, fit::Loss::Kind::squared, fit::Loss::Kind::huber,
+               fit::Loss::Kind::soft_l1, fit::Loss::Kind::cauchy>(
         "loss", "squared|huber|soft-l1|cauchy",
         "What an observation costs: the square of its residual, or less where it is far out.")
         .otherwise("\"squared\""),
@@ -137,5 +138,6 @@ Placed<SimulateTable> simulate_table(const FileValues& file) {
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

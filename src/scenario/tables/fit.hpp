@@ -9,12 +9,13 @@
 #include <string_view>
 #include <vector>
 
-#include "polhode/fit/loss.hpp"
+#include "polhode/fit/least_squares.hpp"
 #include "polhode/scenario/scenario.hpp"
 #include "scenario/table.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 struct FreeTable {
@@ -26,7 +27,7 @@ SchemaPart free_keys();
 Placed<FreeTable> free_table(const FileValues& file);
 
 struct FitTable {
-  Loss::Kind loss = Loss::Kind::squared;
+  fit::Loss::Kind loss = fit::Loss::Kind::squared;
   double loss_scale = 1.0;
   int iterations = 0;
   double tolerance = 0.0;
@@ -48,5 +49,6 @@ Placed<FitTable> fit_table(const FileValues& file);
 Placed<SimulateTable> simulate_table(const FileValues& file);
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

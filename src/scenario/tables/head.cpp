@@ -9,6 +9,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 namespace {
 
@@ -101,5 +102,6 @@ void refuse_columns(const FileValues& file, std::string_view message) {
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -13,6 +13,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 struct HeadTable {
@@ -39,5 +40,6 @@ Placed<OutputTable> output_table(const FileValues& file);
 [[noreturn]] void refuse_columns(const FileValues& file, std::string_view message);
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -6,6 +6,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 namespace {
 
@@ -30,7 +31,7 @@ constexpr std::array keys_of_light = {
         "filling of the moments.")
         .example("[1, 0.7, 0.6]")
         .positive(),
-    choice_key<&LightTable::source, MomentSource::shape, MomentSource::start>(
+    choice_key<&LightTable::source, fit::MomentSource::shape, fit::MomentSource::start>(
         "moments", "of-shape|of-body",
         "The moments of inertia of a fit where they are no unknowns: of the shape filled "
         "evenly, or those of [body]. Left out, those of a convex body are unknowns about those "
@@ -137,23 +138,23 @@ constexpr Table<ScanTable> scan_description = {
     keys_of_scan};
 
 constexpr std::array keys_of_periods = {
-    choice_key<&TumblerPeriods::mode, Regime::short_axis, Regime::long_axis>(
+    choice_key<&fit::TumblerPeriods::mode, Regime::short_axis, Regime::long_axis>(
         "mode", "SAM|LAM", "Short-axis or long-axis mode.")
         .required()
         .example("\"LAM\""),
-    quantity_key<&TumblerPeriods::precession_period>(
+    quantity_key<&fit::TumblerPeriods::precession_period>(
         "precession_period", Dimension::time, "P_phi, of the long axis about the angular momentum.")
         .required()
         .example("\"7.4 d\"")
         .positive(),
-    quantity_key<&TumblerPeriods::rotation_period>(
+    quantity_key<&fit::TumblerPeriods::rotation_period>(
         "rotation_period", Dimension::time,
         "P_psi, about the long axis or back and forth about it.")
         .required()
         .example("\"5.4 d\"")
         .positive(),
 };
-constexpr Table<TumblerPeriods> periods_description = {
+constexpr Table<fit::TumblerPeriods> periods_description = {
     {.path = "fit.periods[]",
      .help = "Pairs of periods that a search begins with, in place of a scan."},
     keys_of_periods};
@@ -165,10 +166,11 @@ SchemaPart light_keys() {
 }
 Placed<LightTable> light_table(const FileValues& file) { return {light_description, file}; }
 Placed<ScanTable> scan_table(const FileValues& file) { return {scan_description, file}; }
-std::vector<Placed<TumblerPeriods>> periods_tables(const FileValues& file) {
+std::vector<Placed<fit::TumblerPeriods>> periods_tables(const FileValues& file) {
   return placed_tables(periods_description, file);
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

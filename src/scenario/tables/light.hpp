@@ -7,11 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "polhode/scenario/light_plan.hpp"
+#include "polhode/detail/scenario/light_plan.hpp"
 #include "scenario/table.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 enum class LightLaw { lommel_seeliger, lambert, mixed };
@@ -20,7 +21,7 @@ struct LightTable : ConvexPlan {
   LightPlan::Shape shape = LightPlan::Shape::ellipsoid;
   std::optional<std::string> mesh;
   std::optional<Vec3> semiaxes;
-  MomentSource source = MomentSource::shape;
+  fit::MomentSource source = fit::MomentSource::shape;
   bool convex = false;  // the table of its keys
   LightLaw law = LightLaw::lommel_seeliger;
   double multiple = 0.0;
@@ -33,8 +34,9 @@ struct ScanTable : ScanPlan {
 SchemaPart light_keys();
 Placed<LightTable> light_table(const FileValues& file);
 Placed<ScanTable> scan_table(const FileValues& file);
-std::vector<Placed<TumblerPeriods>> periods_tables(const FileValues& file);
+std::vector<Placed<fit::TumblerPeriods>> periods_tables(const FileValues& file);
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

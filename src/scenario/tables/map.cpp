@@ -20,6 +20,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 namespace {
 
@@ -29,7 +30,7 @@ constexpr std::int64_t least_samples = 8;  // of spectrum
 struct MapTable {
   MapKind kind = MapKind::chaos;
   std::string column, orbit;
-  std::optional<AndoyerAngle> angle;
+  std::optional<analysis::AndoyerAngle> angle;
   double value = 0.0;
   Crossing crossing = Crossing::rising;
   std::optional<double> period;
@@ -56,7 +57,8 @@ constexpr std::array keys_of_map = {
         .required()
         .example("\"saturn\"")
         .of_kinds("spin-orbit-section"),
-    choice_key<&MapTable::angle, AndoyerAngle::l, AndoyerAngle::g, AndoyerAngle::h>(
+    choice_key<&MapTable::angle, analysis::AndoyerAngle::l, analysis::AndoyerAngle::g,
+               analysis::AndoyerAngle::h>(
         "angle", "l|g|h",
         "The section is where this angle of Andoyer's passes a value; g or h for the plane of "
         "l and L.")
@@ -152,13 +154,13 @@ std::string column_of(const Placed<MapTable>& map, const System& system,
   return column;
 }
 
-SectionSurface surface_of(const Placed<MapTable>& map) {
+analysis::SectionSurface surface_of(const Placed<MapTable>& map) {
   if (map->angle) {
     map.refuse_any<&MapTable::epoch>("expected only with period");
-    return AndoyerSurface{*map->angle, map->value, map->crossing};
+    return analysis::AndoyerSurface{*map->angle, map->value, map->crossing};
   }
   map.refuse_any<&MapTable::value, &MapTable::crossing>("expected only with angle");
-  return Strobe{*map->period, map->epoch};
+  return analysis::Strobe{*map->period, map->epoch};
 }
 
 std::string section_orbit(const Placed<MapTable>& map, const std::vector<ScenarioOrbit>& orbits) {
@@ -168,7 +170,7 @@ std::string section_orbit(const Placed<MapTable>& map, const std::vector<Scenari
   const KeplerElements* const elements = kepler_elements(orbit);
   if (elements == nullptr)
     map.refuse<&MapTable::orbit>("expected an orbit with elements: others have no pericentre");
-  map.built<&MapTable::orbit>([&] { require_pericentres(*elements, "map"); });
+  map.built<&MapTable::orbit>([&] { analysis::require_pericentres(*elements, "map"); });
   return orbit.name;
 }
 
@@ -272,5 +274,6 @@ void require_map(const Scenario& scenario, const Experiment& cell) {
   detail::require_rows(map, detail::rows_of(cell));
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

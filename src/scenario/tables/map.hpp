@@ -10,6 +10,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 SchemaPart map_keys();
@@ -19,5 +20,6 @@ std::optional<MapPlan> map_plan(const FileValues& file, const ColumnKinds& colum
                                 const Experiment& experiment);
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -11,6 +11,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 struct MeshKeys {
@@ -30,17 +31,18 @@ inline constexpr KindKey<A> scale_key =
         .positive();
 
 template <class A>
-FacetShape mesh_of(const Placed<A>& table) {
+shape::FacetShape mesh_of(const Placed<A>& table) {
   if (!table->scale)
     table.template refuse<&MeshKeys::scale>(
         std::string("expected the length of one unit of the mesh, such as ") +
         (table.at().units().length() == "1" ? "1" : "\"1 m\""));
   return table.template built<&MeshKeys::shape>([&] {
-    const FacetShape mesh = read_obj(table.template file_at<&MeshKeys::shape>());
+    const shape::FacetShape mesh = read_obj(table.template file_at<&MeshKeys::shape>());
     return *table->scale == 1.0 ? mesh : mesh.moved({}, *table->scale);
   });
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

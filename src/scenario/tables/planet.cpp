@@ -5,6 +5,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 namespace {
 
@@ -210,5 +211,6 @@ Placed<InsolationTable> insolation_table(const FileValues& file) {
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

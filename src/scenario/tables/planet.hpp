@@ -10,6 +10,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 struct PlanetTable {
@@ -50,5 +51,6 @@ Placed<TidesTable> tides_table(const FileValues& file);
 Placed<InsolationTable> insolation_table(const FileValues& file);
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

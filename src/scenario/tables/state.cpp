@@ -15,6 +15,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 namespace {
 
@@ -330,7 +331,7 @@ ChartState chart_state_of(const KeyValues& table, const ChartKind& chart, const 
     state.numbers[place++] =
         table.number(table.has(variable.name) ? variable.name : variable.otherwise);
   for (const ChartOption& option : chart.options) state.numbers[place++] = option_of(table, option);
-  state.numbers = completed(chart, state.numbers, {&body});
+  state.numbers = polhode::io::completed(chart, state.numbers, {&body});
   // what needs a body is seen when all else is there: see RotationBuilder::made
   if (!chart.needs_body) static_cast<void>(chart.to_hub(state.numbers, {nullptr}));
   return state;
@@ -368,10 +369,12 @@ void require_angles(const FileValues& file, const Body& body, const TumblerState
       table.built([&] { return psi_max(FreeRotation(body, to_rotor(body, at_rest))); });
   if (std::fabs(state.psi0) > limit * (1.0 + 1e-15))
     table.refuse<&TumblerTable::psi0>(
-        "expected at most psi_max = " + number_text(file.units.from_core(limit, Dimension::angle)) +
-        " " + file.units.angle() + " on either side");
+        "expected at most psi_max = " +
+        polhode::detail::number_text(file.units.from_core(limit, Dimension::angle)) + " " +
+        file.units.angle() + " on either side");
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -8,11 +8,12 @@
 #include <string>
 
 #include "polhode/scenario/rotation.hpp"
-#include "polhode/tables/chart_kind.hpp"
+#include "polhode/tables/convert.hpp"
 #include "scenario/table.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 struct StateTable {
@@ -39,5 +40,6 @@ InitialState state_of(const FileValues& file, const std::string& form,
 void require_angles(const FileValues& file, const Body& body, const TumblerState& state);
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -11,6 +11,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 namespace {
 
@@ -103,7 +104,7 @@ Surface mesh_surface(Rotation& rotation, const Placed<SurfaceTable>& from) {
   if (from.is_explicit<&SurfaceTable::sides>())
     from.refuse<&SurfaceTable::sides>("expected no sides together with a shape");
   const Vec3 of_shape = rotation.shape ? rotation.shape->inside.centre : Vec3{};
-  const FacetShape mesh = mesh_of(from);
+  const shape::FacetShape mesh = mesh_of(from);
   rotation.surface_meshes.push_back({*from->shape, mesh});
   return from.built<&SurfaceTable::shape>([&] {
     return Surface::of_shape(mesh, from->centre_of_mass.value_or(of_shape), finish_of(from));
@@ -131,11 +132,12 @@ void add_surface(Rotation& rotation, const FileValues& file) {
   for (const Placed<SurfaceTable>& one : placed_tables(surface_description, file))
     parts.push_back(one->shape ? mesh_surface(rotation, one) : plate_surface(one));
   if (parts.empty()) return;
-  const Surface all = joined(parts);
+  const Surface all = polhode::joined(parts);
   const Quaternion& q_FB = rotation.q_file;
   rotation.surface = std::make_shared<const Surface>(q_FB == Quaternion{} ? all : all.along(q_FB));
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -7,6 +7,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 SchemaPart surface_keys();
@@ -14,5 +15,6 @@ SchemaPart surface_keys();
 void add_surface(Rotation& rotation, const FileValues& file);
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

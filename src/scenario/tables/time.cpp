@@ -12,6 +12,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 namespace {
 
@@ -104,8 +105,9 @@ SaveAt automatic_times(const Rotation& rotation, const Placed<TimeTable>& time) 
     const Effect e = terms_effect(system, Setting{system.body(), t, s, system.frame().at(t).q_IS});
     const Vec3 moment = cross(s.g, w) + e.u;
     const Vec3& I = system.body().moments();
-    acceleration = larger(acceleration, norm(Vec3{moment.x / I.x, moment.y / I.y, moment.z / I.z}));
-    rate = larger(rate, norm(w));
+    acceleration = polhode::detail::larger(
+        acceleration, norm(Vec3{moment.x / I.x, moment.y / I.y, moment.z / I.z}));
+    rate = polhode::detail::larger(rate, norm(w));
   };
   for (int k = 0; k < looks; ++k) {
     const double part = static_cast<double>(k) / looks;
@@ -117,12 +119,13 @@ SaveAt automatic_times(const Rotation& rotation, const Placed<TimeTable>& time) 
     time.refuse<&TimeTable::step>("expected torques that are numbers along the free rotation");
   const double steps = std::isnan(step) ? 1.0 : std::max(std::ceil(std::fabs(span) / step), 1.0);
   if (!(steps < most_rows))
-    time.refuse<&TimeTable::step>("it takes " + number_text(steps) +
+    time.refuse<&TimeTable::step>("it takes " + polhode::detail::number_text(steps) +
                                   " rows; expected an error that 1e8 rows can keep");
   return time.built<&TimeTable::step>(
       [&] { return SaveAt::count(start, stop, static_cast<std::int64_t>(steps) + 1); });
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

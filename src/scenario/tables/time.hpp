@@ -11,6 +11,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 struct TimeTable {
@@ -34,5 +35,6 @@ SaveAt automatic_span(const Placed<TimeTable>& time);
 SaveAt automatic_times(const Rotation& rotation, const Placed<TimeTable>& time);
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -5,12 +5,13 @@
 #include <cstddef>
 #include <span>
 
+#include "polhode/detail/math/trigonometry.hpp"
 #include "polhode/math/instruction_set.hpp"
-#include "polhode/math/trigonometry.hpp"
 #include "polhode/math/vector.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace secular {
 namespace detail {
 
 // s turned about n by twice the angle of these sines: 1 - cos without cancellation. What rounding
@@ -50,5 +51,6 @@ void turned_in_lanes(std::span<const FrozenOrbit> orbits, const SpinColumns& bod
                      std::size_t stride);
 
 }  // namespace detail
+}  // namespace secular
 }  // namespace v0
 }  // namespace polhode

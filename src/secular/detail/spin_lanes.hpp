@@ -9,6 +9,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace secular {
 namespace detail {
 
 // Packs at a time: their chains of operations overlap.
@@ -40,5 +41,6 @@ template <InstructionSet isa>
 }
 
 }  // namespace detail
+}  // namespace secular
 }  // namespace v0
 }  // namespace polhode

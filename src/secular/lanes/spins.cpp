@@ -4,6 +4,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace secular {
 namespace detail {
 
 template void turned_in_lanes<InstructionSet::POLHODE_ISA>(std::span<const FrozenOrbit>,
@@ -11,5 +12,6 @@ template void turned_in_lanes<InstructionSet::POLHODE_ISA>(std::span<const Froze
                                                            std::size_t);
 
 }  // namespace detail
+}  // namespace secular
 }  // namespace v0
 }  // namespace polhode

@@ -5,6 +5,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 namespace {
 
@@ -47,5 +48,6 @@ constexpr ChartKind charts[] = {
 std::span<const ChartKind> andoyer_charts() { return charts; }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

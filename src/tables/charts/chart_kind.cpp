@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/tables/chart_kind.hpp"
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -9,12 +7,14 @@
 #include <utility>
 
 #include "polhode/error.hpp"
+#include "polhode/tables/convert.hpp"
 #include "polhode/text/separated.hpp"
 #include "tables/detail/chart_families.hpp"
 #include "text/words.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace {
 
 constexpr double left_out = std::numeric_limits<double>::quiet_NaN();
@@ -153,5 +153,6 @@ FreeRotation free_rotation(const Body& body, const ChartState& state) {
   return FreeRotation(body, state.chart.to_hub(state.numbers, {&body}));
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

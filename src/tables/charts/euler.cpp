@@ -5,6 +5,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 namespace {
 
@@ -68,5 +69,6 @@ constexpr ChartKind charts[] = {
 std::span<const ChartKind> euler_charts() { return charts; }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

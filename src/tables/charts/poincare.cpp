@@ -7,6 +7,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 namespace {
 
@@ -101,5 +102,6 @@ constexpr ChartKind charts[] = {
 std::span<const ChartKind> poincare_charts() { return charts; }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

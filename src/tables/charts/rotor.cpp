@@ -6,6 +6,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 namespace {
 
@@ -112,5 +113,6 @@ constexpr ChartKind charts[] = {
 std::span<const ChartKind> rotor_charts() { return charts; }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

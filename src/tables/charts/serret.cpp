@@ -5,6 +5,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 namespace {
 
@@ -33,7 +34,7 @@ RotorState from_serret(const ChartNumbers& x, const ChartPlace& at) {
   return to_rotor(*at.body, state(x), at.t);
 }
 FreeRotation motion_of(const Body& body, const ChartNumbers& x) {
-  return free_rotation(body, state(x));
+  return polhode::free_rotation(body, state(x));
 }
 ChartNumbers of_motion(const FreeRotation& motion, double t) {
   const SerretState e = to_serret(motion, t);
@@ -80,5 +81,6 @@ constexpr ChartKind charts[] = {
 std::span<const ChartKind> serret_charts() { return charts; }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -4,10 +4,11 @@
 
 #include <span>
 
-#include "polhode/tables/chart_kind.hpp"
+#include "polhode/tables/convert.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 // Of all charts that are made of Andoyer's variables.
@@ -24,5 +25,6 @@ std::span<const ChartKind> serret_charts();
 std::span<const ChartKind> sadov_charts();
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -8,6 +8,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 class GzipFile {
@@ -33,5 +34,6 @@ class GzipFile {
 std::string text_of_file(const std::string& path, std::size_t largest);
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

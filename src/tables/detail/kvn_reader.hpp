@@ -14,6 +14,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 // The lines of a CCSDS message in keyword = value notation.
@@ -103,5 +104,6 @@ class KvnEphemerisReader : public KvnReader {
 };
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -12,6 +12,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 constexpr std::size_t largest_light_file = std::size_t{256} << 20;
@@ -29,28 +30,31 @@ class LightTimes {
  public:
   // Without an epoch: midnight before the first date that comes. Throws DomainError with the reason
   // alone, as all of its functions do.
-  LightTimes(TimeScale scale, const std::optional<Date>& epoch, double julian_zero = 0.0);
+  LightTimes(ephemeris::TimeScale scale, const std::optional<ephemeris::Date>& epoch,
+             double julian_zero = 0.0);
 
   double of_julian_date(std::string_view field);
   double of_date(std::string_view field);
   // None before the first date.
-  const std::optional<Date>& epoch() const { return epoch_; }
+  const std::optional<ephemeris::Date>& epoch() const { return epoch_; }
 
  private:
-  double seconds(const Date& date);
+  double seconds(const ephemeris::Date& date);
 
-  TimeScale scale_;
+  ephemeris::TimeScale scale_;
   double julian_zero_;
-  std::optional<Date> epoch_;
-  std::optional<Date> epoch_in_tt_;
+  std::optional<ephemeris::Date> epoch_;
+  std::optional<ephemeris::Date> epoch_in_tt_;
 };
 
 // The same for a file: the reason comes behind its name.
-LightTimes light_times(const std::string& shown, TimeScale scale, const std::optional<Date>& epoch);
+LightTimes light_times(const std::string& shown, ephemeris::TimeScale scale,
+                       const std::optional<ephemeris::Date>& epoch);
 
 // The Julian date in the scale of a date, with 12 decimals, of which zeros at the end are left out.
-std::string julian_text(const Date& date);
+std::string julian_text(const ephemeris::Date& date);
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -6,6 +6,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 inline std::string_view trimmed(std::string_view text, std::string_view blanks = " \t") {
@@ -21,5 +22,6 @@ inline std::string_view without_mark(std::string_view text) {
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

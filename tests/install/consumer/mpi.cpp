@@ -3,4 +3,4 @@
 
 #include "polhode/mpi/mpi_ranks.hpp"
 
-int main() { std::puts(polhode::mpi_ranks(2) ? "several processes" : "one process"); }
+int main() { std::puts(polhode::ensemble::mpi_ranks(2) ? "several processes" : "one process"); }

@@ -11,7 +11,7 @@
 #include "budgets.hpp"
 #include "message_of.hpp"
 #include "polhode/free/free_rotation.hpp"
-#include "polhode/perturb/linear_damping.hpp"
+#include "polhode/perturb/internal_damping.hpp"
 #include "polhode/perturb/torque_table.hpp"
 #include "polhode/perturb/user_terms.hpp"
 #include "unit/analysis/hyperion.hpp"
@@ -24,7 +24,7 @@ using testing::HasSubstr;
 
 const Body body(1.0, 1.7, 2.2);
 const RotorState tumbling{{0.8, 0.2, -0.4, 0.4}, {0.3, 0.2, 1.9}};
-const Deviation in_plane{{0.0, 0.0, 1.0}, {0.0, 0.0, 0.5}};
+const analysis::Deviation in_plane{{0.0, 0.0, 1.0}, {0.0, 0.0, 0.5}};
 
 Problem free_problem(double stop, const Method& method) {
   return {System(body), tumbling, 0.0, stop, method, {}};
@@ -34,12 +34,12 @@ TEST(ChaosIndicator, FreeRotationIsRegular) {
   const double stop = 2000.0;
   for (const Method& method :
        {Method(Adaptive{1e-11}), Method(Splitting{0.3}), Method(Collocation{1e-11})}) {
-    const ChaosIndicator found =
-        chaos_indicator(free_problem(stop, method), SaveAt::count(0.0, stop, 5));
+    const analysis::ChaosIndicator found =
+        analysis::chaos_indicator(free_problem(stop, method), SaveAt::count(0.0, stop, 5));
     ASSERT_TRUE(found.outcome.ok());
-    EXPECT_EQ(found.by, DeviationBy::variational);
+    EXPECT_EQ(found.by, analysis::DeviationBy::variational);
     EXPECT_NEAR(found.mean_megno(), 2.0, budget::chaos_megno_regular);
-    const ChaosSample& last = found.samples.back();
+    const analysis::ChaosSample& last = found.samples.back();
     // a deviation that grows as t: L = ln t + a constant
     EXPECT_NEAR(last.growth - found.samples[1].growth, std::log(4.0), budget::chaos_ln_growth);
     EXPECT_EQ(last.lyapunov, last.growth / stop);
@@ -49,7 +49,7 @@ TEST(ChaosIndicator, FreeRotationIsRegular) {
 
 // Of the deviation that is taken when none is given, from `tumbling` on.
 double growth_by(const Matrix6& M) {
-  const Deviation d = ChaosOptions().deviation;
+  const analysis::Deviation d = analysis::ChaosOptions().deviation;
   const double g = norm(tumbling.g);
   const double before = std::sqrt(dot(d.turn, d.turn) + dot(d.momentum, d.momentum));
   double square = 0.0;
@@ -65,8 +65,9 @@ double growth_by(const Matrix6& M) {
 TEST(ChaosIndicator, GrowthIsThatOfTheStateTransitionMatrix) {
   const FreeRotation free(body, tumbling);
   for (const Method& method : {Method(Adaptive{1e-13}), Method(Collocation{1e-13})}) {
-    const auto found = chaos_indicator(free_problem(40.0, method), SaveAt::count(0.0, 40.0, 9));
-    for (const ChaosSample& row : found.samples)
+    const auto found =
+        analysis::chaos_indicator(free_problem(40.0, method), SaveAt::count(0.0, 40.0, 9));
+    for (const analysis::ChaosSample& row : found.samples)
       EXPECT_NEAR(row.growth, growth_by(free.state_transition(row.t)), budget::chaos_growth);
   }
 }
@@ -79,8 +80,8 @@ TEST(ChaosIndicator, UnstableAxisGrowsByTheExponentOfEuler) {
   const RotorState on_axis{{1.0, 0.0, 0.0, 0.0}, {0.0, g, 0.0}};
   const double stop = 60.0;
   for (const Method& method : {Method(Adaptive{1e-12}), Method(Collocation{1e-12})}) {
-    const auto found = chaos_indicator({System(body), on_axis, 0.0, stop, method, {}},
-                                       SaveAt::times({50.0, stop}));
+    const auto found = analysis::chaos_indicator({System(body), on_axis, 0.0, stop, method, {}},
+                                                 SaveAt::times({50.0, stop}));
     ASSERT_EQ(found.samples.size(), 2U);
     const double slope = (found.samples[1].growth - found.samples[0].growth) / 10.0;
     EXPECT_NEAR(slope, s, budget::chaos_unstable_axis);
@@ -94,10 +95,10 @@ TEST(ChaosIndicator, OfHyperionIsThatOfThePlanarEquation) {
     const double spin = 1.0 + 0.3 * angle;
     const RotorState s = hyperion_state(angle, spin);
     const SaveAt last = SaveAt::times({orbits * hyperion_orbit});
-    const auto found =
-        chaos_indicator(hyperion(s, orbits, Adaptive{1e-13}), last, {.deviation = in_plane});
-    const auto swept =
-        chaos_indicator(hyperion(s, orbits, Collocation{1e-13}), last, {.deviation = in_plane});
+    const auto found = analysis::chaos_indicator(hyperion(s, orbits, Adaptive{1e-13}), last,
+                                                 {.deviation = in_plane});
+    const auto swept = analysis::chaos_indicator(hyperion(s, orbits, Collocation{1e-13}), last,
+                                                 {.deviation = in_plane});
     const double scale = spin * C;
     const auto end =
         PlanarSpin::after({angle, spin, 1.0, 0.5 * scale / C}, orbits * hyperion_orbit, 60000);
@@ -138,9 +139,10 @@ TEST(ChaosIndicator, OfTheStandardMap) {
                       {AnyPerturbation("pendulum", PendulumKick{K})});
   const RotorState s{rotation_z(0.4), {0.0, 0.0, 0.7}};
   const auto growth = [&](double steps, bool neighbour) {
-    return chaos_indicator({system, s, 0.0, steps, Splitting{1.0, SplittingScheme::order2}, {}},
-                           SaveAt::times({steps}),
-                           {.deviation = in_plane, .momentum_scale = 1.0, .neighbour = neighbour})
+    return analysis::chaos_indicator(
+               {system, s, 0.0, steps, Splitting{1.0, SplittingScheme::order2}, {}},
+               SaveAt::times({steps}),
+               {.deviation = in_plane, .momentum_scale = 1.0, .neighbour = neighbour})
         .samples.back()
         .growth;
   };
@@ -153,8 +155,8 @@ TEST(ChaosIndicator, OfTheStandardMap) {
 TEST(ChaosIndicator, EveryWayToCarryADeviationAgrees) {
   const RotorState s = hyperion_state(1.2, 1.3, 0.4);
   const SaveAt rows = SaveAt::count(0.0, 5.0 * hyperion_orbit, 6);
-  const auto exact = chaos_indicator(hyperion(s, 5.0, Adaptive{1e-13}), rows);
-  const auto near = [&](const ChaosIndicator& found, double budget) {
+  const auto exact = analysis::chaos_indicator(hyperion(s, 5.0, Adaptive{1e-13}), rows);
+  const auto near = [&](const analysis::ChaosIndicator& found, double budget) {
     ASSERT_EQ(found.samples.size(), exact.samples.size());
     for (std::size_t k = 1; k < exact.samples.size(); ++k) {
       EXPECT_NEAR(found.samples[k].growth, exact.samples[k].growth, budget);
@@ -162,18 +164,19 @@ TEST(ChaosIndicator, EveryWayToCarryADeviationAgrees) {
       EXPECT_NEAR(found.samples[k].mean_megno, exact.samples[k].mean_megno, budget);
     }
   };
-  const ChaosOptions neighbour{.neighbour = true};
-  near(chaos_indicator(hyperion(s, 5.0, Adaptive{1e-13}), rows, neighbour),
+  const analysis::ChaosOptions neighbour{.neighbour = true};
+  near(analysis::chaos_indicator(hyperion(s, 5.0, Adaptive{1e-13}), rows, neighbour),
        budget::chaos_neighbour);
-  near(chaos_indicator(hyperion(s, 5.0, VariationOfConstants{1e-13}), rows), 0.0);
+  near(analysis::chaos_indicator(hyperion(s, 5.0, VariationOfConstants{1e-13}), rows), 0.0);
   for (const int stages : {4, 8, 16}) {
-    near(chaos_indicator(hyperion(s, 5.0, Collocation{1e-13, stages}), rows), budget::chaos_growth);
-    near(chaos_indicator(hyperion(s, 5.0, Collocation{1e-13, stages}), rows, neighbour),
+    near(analysis::chaos_indicator(hyperion(s, 5.0, Collocation{1e-13, stages}), rows),
+         budget::chaos_growth);
+    near(analysis::chaos_indicator(hyperion(s, 5.0, Collocation{1e-13, stages}), rows, neighbour),
          budget::chaos_neighbour);
   }
   const Splitting fine{hyperion_orbit / 256.0, SplittingScheme::ABA1064};
-  near(chaos_indicator(hyperion(s, 5.0, fine), rows), budget::chaos_trapezoid);
-  near(chaos_indicator(hyperion(s, 5.0, fine), rows, neighbour), budget::chaos_trapezoid);
+  near(analysis::chaos_indicator(hyperion(s, 5.0, fine), rows), budget::chaos_trapezoid);
+  near(analysis::chaos_indicator(hyperion(s, 5.0, fine), rows, neighbour), budget::chaos_trapezoid);
 }
 
 // After 10^5 turns the deviation is a phase, driven by a rest of 10^-5 of it: a neighbour that is
@@ -182,8 +185,9 @@ TEST(ChaosIndicator, ANeighbourLastsAlongRegularMotion) {
   const double stop = 1.2e5;
   const Problem problem = free_problem(stop, Splitting{0.3});
   const SaveAt rows = SaveAt::times({stop});
-  const ChaosSample exact = chaos_indicator(problem, rows).samples.back();
-  const ChaosSample near = chaos_indicator(problem, rows, {.neighbour = true}).samples.back();
+  const analysis::ChaosSample exact = analysis::chaos_indicator(problem, rows).samples.back();
+  const analysis::ChaosSample near =
+      analysis::chaos_indicator(problem, rows, {.neighbour = true}).samples.back();
   EXPECT_NEAR(near.growth, exact.growth, budget::chaos_long_neighbour);
   EXPECT_NEAR(near.mean_megno, exact.mean_megno, budget::chaos_long_neighbour);
 }
@@ -194,24 +198,25 @@ TEST(ChaosIndicator, ATermOnDoubleAloneHasANeighbour) {
     return std::decay_t<decltype(s.q.w)>(-0.05) * s.g;
   };
   const auto found = [&](const AnyPerturbation& term) {
-    return chaos_indicator(
+    return analysis::chaos_indicator(
         {System(body, Frame::inertial(), {term}), tumbling, 0.0, 20.0, Adaptive{1e-13}, {}},
         SaveAt::times({20.0}));
   };
-  const ChaosIndicator a = found({"plain", TorqueTerm(plain)}), b = found({"any", TorqueTerm(any)});
-  EXPECT_EQ(a.by, DeviationBy::neighbour);
-  EXPECT_EQ(b.by, DeviationBy::variational);
+  const analysis::ChaosIndicator a = found({"plain", TorqueTerm(plain)}),
+                                 b = found({"any", TorqueTerm(any)});
+  EXPECT_EQ(a.by, analysis::DeviationBy::neighbour);
+  EXPECT_EQ(b.by, analysis::DeviationBy::variational);
   EXPECT_THAT(a.method, HasSubstr("a second motion at 1e-08"));
   EXPECT_THAT(b.method, HasSubstr("variational equations"));
   EXPECT_NEAR(a.samples.back().growth, b.samples.back().growth, budget::chaos_neighbour);
   // a flow that is no kick
   const System damped(body, Frame::inertial(),
                       {AnyPerturbation("damping", LinearDamping(Vec3{0.1, 0.1, 0.1}))});
-  const auto split =
-      chaos_indicator({damped, tumbling, 0.0, 20.0, Splitting{0.02}, {}}, SaveAt::times({20.0}));
-  const auto adaptive =
-      chaos_indicator({damped, tumbling, 0.0, 20.0, Adaptive{1e-13}, {}}, SaveAt::times({20.0}));
-  EXPECT_EQ(split.by, DeviationBy::neighbour);
+  const auto split = analysis::chaos_indicator({damped, tumbling, 0.0, 20.0, Splitting{0.02}, {}},
+                                               SaveAt::times({20.0}));
+  const auto adaptive = analysis::chaos_indicator(
+      {damped, tumbling, 0.0, 20.0, Adaptive{1e-13}, {}}, SaveAt::times({20.0}));
+  EXPECT_EQ(split.by, analysis::DeviationBy::neighbour);
   EXPECT_NEAR(split.samples.back().growth, adaptive.samples.back().growth, budget::chaos_damped);
 }
 
@@ -223,13 +228,13 @@ TEST(ChaosIndicator, InAMovingFrameAndBackwards) {
   const System inertial(body, Frame::inertial(), {pull}), frame(body, moving, {pull});
   for (const double stop : {12.0, -12.0}) {
     const auto found = [&](const System& system, const Method& method) {
-      return chaos_indicator(
+      return analysis::chaos_indicator(
                  {system, reference_state(system, 0.0, tumbling), 0.0, stop, method, {}},
                  SaveAt::times({stop}))
           .samples.back();
     };
-    const ChaosSample a = found(inertial, Adaptive{1e-13});
-    for (const ChaosSample& b :
+    const analysis::ChaosSample a = found(inertial, Adaptive{1e-13});
+    for (const analysis::ChaosSample& b :
          {found(frame, Adaptive{1e-13}), found(frame, Collocation{1e-13}),
           found(inertial, Collocation{1e-13}), found(inertial, Collocation{.step = 0.05}),
           found(frame, Splitting{0.01, SplittingScheme::order8}),
@@ -262,7 +267,7 @@ TEST(ChaosIndicator, StepsEndWhereATorqueJumps) {
       EXPECT_NEAR(growth_by(state_transitions(problem, end).back().transition), want,
                   budget::chaos_growth);
       for (const bool neighbour : {false, true}) {
-        const auto found = chaos_indicator(problem, end, {.neighbour = neighbour});
+        const auto found = analysis::chaos_indicator(problem, end, {.neighbour = neighbour});
         EXPECT_LE(found.statistics.rejected, plain.rejected + 3) << backwards << neighbour;
         EXPECT_LE(found.statistics.steps, 2 * plain.steps) << backwards << neighbour;
         EXPECT_NEAR(found.samples.back().growth, want,
@@ -276,19 +281,20 @@ TEST(ChaosIndicator, StepsEndWhereATorqueJumps) {
 TEST(ChaosIndicator, TellsHyperionsMotionsApart) {
   const double orbits = 500.0;
   const auto found = [&](double angle, double spin, double tilt) {
-    return chaos_indicator(hyperion(hyperion_state(angle, spin, tilt), orbits, Adaptive{1e-9}),
-                           SaveAt::times({orbits * hyperion_orbit}));
+    return analysis::chaos_indicator(
+        hyperion(hyperion_state(angle, spin, tilt), orbits, Adaptive{1e-9}),
+        SaveAt::times({orbits * hyperion_orbit}));
   };
   for (const double spin : {1.0, 1.3, 1.6, 2.0}) {
-    const ChaosIndicator chaotic = found(std::numbers::pi / 2.0, spin, 0.5);
+    const analysis::ChaosIndicator chaotic = found(std::numbers::pi / 2.0, spin, 0.5);
     const double days = chaotic.lyapunov_time() / hyperion_day;
     EXPECT_GT(days, 20.0) << spin;
     EXPECT_LT(days, 100.0) << spin;
     EXPECT_GT(chaotic.mean_megno(), 20.0) << spin;
   }
   const RotorState fast = hyperion_state(0.3, 12.0, 0.3);
-  const auto regular = chaos_indicator(hyperion(fast, 100.0, Adaptive{1e-9}),
-                                       SaveAt::times({100.0 * hyperion_orbit}));
+  const auto regular = analysis::chaos_indicator(hyperion(fast, 100.0, Adaptive{1e-9}),
+                                                 SaveAt::times({100.0 * hyperion_orbit}));
   EXPECT_LT(regular.mean_megno(), 2.5);
 }
 
@@ -299,7 +305,7 @@ TEST(ChaosIndicator, WhatCannotGoOnSaysWhy) {
                              }));
   for (const Method& method : {Method(Adaptive{1e-10}), Method(Collocation{1e-10})}) {
     const Problem problem{System(body, Frame::inertial(), {wall}), tumbling, 0.0, 5.0, method, {}};
-    const auto found = chaos_indicator(problem, SaveAt::times({1.0, 2.0, 5.0}));
+    const auto found = analysis::chaos_indicator(problem, SaveAt::times({1.0, 2.0, 5.0}));
     EXPECT_EQ(found.samples.size(), 2U);
     EXPECT_FALSE(found.outcome.ok());
     EXPECT_THAT(found.outcome.advice, HasSubstr("wall"));
@@ -308,18 +314,20 @@ TEST(ChaosIndicator, WhatCannotGoOnSaysWhy) {
 
 TEST(ChaosIndicator, RefusesWhatIsNoProblem) {
   const SaveAt end = SaveAt::times({1.0});
-  const auto with = [&](const ChaosOptions& options) {
-    return message_of([&] { chaos_indicator(free_problem(1.0, Adaptive{}), end, options); });
+  const auto with = [&](const analysis::ChaosOptions& options) {
+    return message_of(
+        [&] { analysis::chaos_indicator(free_problem(1.0, Adaptive{}), end, options); });
   };
   EXPECT_THAT(with({.deviation = {}}), HasSubstr("deviation must be finite and not zero"));
   EXPECT_THAT(with({.momentum_scale = -1.0}), HasSubstr("momentum_scale -1 must be positive"));
   EXPECT_THAT(with({.distance = 1.0}), HasSubstr("distance 1 must be positive and at most 0.01"));
   const Problem rest{System(body), {{1.0, 0.0, 0.0, 0.0}, {}}, 0.0, 1.0, Adaptive{}, {}};
-  EXPECT_REJECTED(chaos_indicator(rest, end), "at rest");
+  EXPECT_REJECTED(analysis::chaos_indicator(rest, end), "at rest");
   const Problem fine = free_problem(1.0, Adaptive{1e-20, Precision::double_double});
-  EXPECT_REJECTED(chaos_indicator(fine, end), "from 1e-15");
-  EXPECT_REJECTED(chaos_indicator(free_problem(1.0, Adaptive{}), SaveAt::times({0.5, 0.2})),
-                  "chaos_indicator: sample times must run");
+  EXPECT_REJECTED(analysis::chaos_indicator(fine, end), "from 1e-15");
+  EXPECT_REJECTED(
+      analysis::chaos_indicator(free_problem(1.0, Adaptive{}), SaveAt::times({0.5, 0.2})),
+      "chaos_indicator: sample times must run");
 }
 
 }  // namespace

@@ -52,12 +52,12 @@ TEST(SpinOrbitSection, OfHyperionIsThatOfThePlanarEquation) {
     for (const Method& method :
          {Method(Adaptive{1e-13}), Method(VariationOfConstants{1e-13}),
           Method(Splitting{hyperion_orbit / 512.0, SplittingScheme::ABA1064})}) {
-      const SpinOrbitSection found =
-          spin_orbit_section(hyperion(hyperion_state(angle, spin), orbits, method), saturn);
+      const analysis::SpinOrbitSection found = analysis::spin_orbit_section(
+          hyperion(hyperion_state(angle, spin), orbits, method), saturn);
       ASSERT_TRUE(found.outcome.ok());
       ASSERT_EQ(found.points.size(), expected.size());
       for (std::size_t k = 0; k < expected.size(); ++k) {
-        const SpinOrbitPoint& point = found.points[k];
+        const analysis::SpinOrbitPoint& point = found.points[k];
         EXPECT_EQ(point.t, static_cast<double>(k) * hyperion_orbit);
         EXPECT_NEAR(folded(point.angle - expected[k].first), 0.0, budget::section_planar);
         EXPECT_NEAR(point.spin, expected[k].second, budget::section_planar);
@@ -82,8 +82,9 @@ TEST(SpinOrbitSection, IsMeasuredFromTheOrbit) {
                       {AnyPerturbation("Saturn", GravityGradient(1.0, turned))});
   const double stop = 8.0 * hyperion_orbit;
   const RotorState start = reference_state(system, 0.0, {q * s.q, s.g});
-  const auto a = spin_orbit_section(hyperion(s, 8.0, Adaptive{1e-13}), saturn);
-  const auto b = spin_orbit_section({system, start, 0.0, stop, Adaptive{1e-13}, {}}, turned);
+  const auto a = analysis::spin_orbit_section(hyperion(s, 8.0, Adaptive{1e-13}), saturn);
+  const auto b =
+      analysis::spin_orbit_section({system, start, 0.0, stop, Adaptive{1e-13}, {}}, turned);
   ASSERT_EQ(a.points.size(), 9U);
   ASSERT_EQ(b.points.size(), 9U);
   for (std::size_t k = 0; k < 9; ++k) {
@@ -95,16 +96,16 @@ TEST(SpinOrbitSection, IsMeasuredFromTheOrbit) {
 
 TEST(SpinOrbitSection, OfATiltedBodyIsAProjection) {
   const double angle = 0.6, tilt = 0.4, spin = 1.7;
-  const auto found =
-      spin_orbit_section(hyperion(hyperion_state(angle, spin, tilt), 0.5, Adaptive{}), saturn);
+  const auto found = analysis::spin_orbit_section(
+      hyperion(hyperion_state(angle, spin, tilt), 0.5, Adaptive{}), saturn);
   ASSERT_EQ(found.points.size(), 1U);
-  const SpinOrbitPoint& point = found.points[0];
+  const analysis::SpinOrbitPoint& point = found.points[0];
   EXPECT_NEAR(point.tilt, tilt, budget::section_rounding);
   EXPECT_NEAR(point.spin, spin * std::cos(tilt), budget::section_rounding);
   EXPECT_NEAR(std::tan(point.angle), std::tan(angle) * std::cos(tilt), budget::section_rounding);
   // upside down: the other way round
-  const auto under =
-      spin_orbit_section(hyperion(hyperion_state(angle, spin, pi), 0.5, Adaptive{}), saturn);
+  const auto under = analysis::spin_orbit_section(
+      hyperion(hyperion_state(angle, spin, pi), 0.5, Adaptive{}), saturn);
   EXPECT_NEAR(under.points[0].spin, -spin, budget::section_rounding);
   EXPECT_NEAR(under.points[0].tilt, pi, budget::section_rounding);
 }
@@ -122,9 +123,9 @@ TEST(SpinOrbitSection, FollowsAnOrbitThatPrecesses) {
                                     {.node = -0.01, .argument = 0.03, .mean_anomaly = 0.02});
   const System free(body);
   const Problem problem{free, tumbling, 2.0, 80.0, Adaptive{1e-12}, {}};
-  const SpinOrbitSection found = spin_orbit_section(problem, orbit);
+  const analysis::SpinOrbitSection found = analysis::spin_orbit_section(problem, orbit);
   ASSERT_GT(found.points.size(), 5U);
-  for (const SpinOrbitPoint& point : found.points) {
+  for (const analysis::SpinOrbitPoint& point : found.points) {
     const Vec3 x = orbit.position(point.t);
     EXPECT_NEAR(norm(x), 1.1, budget::section_rounding);
     EXPECT_LT(norm(x), norm(orbit.position(point.t + 0.01)));
@@ -146,10 +147,11 @@ TEST(SpinOrbitSection, SpinIsThatOfABodyWithADamper) {
   const System damped(body, Frame::inertial(), {}, KaneDamper(0.3, 0.05));
   const Problem problem{
       damped, {tumbling.q, tumbling.g, {0.1, -0.2, 0.4}}, 0.0, 30.0, Adaptive{1e-11}};
-  const std::vector<SpinOrbitPoint> points = spin_orbit_section(problem, saturn).points;
+  const std::vector<analysis::SpinOrbitPoint> points =
+      analysis::spin_orbit_section(problem, saturn).points;
   ASSERT_EQ(points.size(), 5U);
   std::vector<double> times;
-  for (const SpinOrbitPoint& point : points) times.push_back(point.t);
+  for (const analysis::SpinOrbitPoint& point : points) times.push_back(point.t);
   const auto samples = integrate(problem, Keep{.samples = SaveAt::times(times)}).samples();
   for (std::size_t k = 0; k < 5; ++k) {
     const Vec3& I = body.moments();
@@ -165,8 +167,10 @@ TEST(SpinOrbitSection, SpinIsThatOfABodyWithADamper) {
 TEST(SpinOrbitSection, OfASymmetricStartIsSymmetric) {
   for (const double angle : {0.0, pi / 2.0}) {
     const RotorState s = hyperion_state(angle, 2.3);
-    const auto there = spin_orbit_section(hyperion(s, 12.0, Adaptive{1e-13}), saturn).points;
-    const auto back = spin_orbit_section(hyperion(s, -12.0, Adaptive{1e-13}), saturn).points;
+    const auto there =
+        analysis::spin_orbit_section(hyperion(s, 12.0, Adaptive{1e-13}), saturn).points;
+    const auto back =
+        analysis::spin_orbit_section(hyperion(s, -12.0, Adaptive{1e-13}), saturn).points;
     ASSERT_EQ(there.size(), 13U);
     ASSERT_EQ(back.size(), 13U);
     for (std::size_t k = 0; k < 13; ++k) {
@@ -178,12 +182,12 @@ TEST(SpinOrbitSection, OfASymmetricStartIsSymmetric) {
 }
 
 TEST(SpinOrbitSection, OfTheReversedRunIsTheSame) {
-  const auto there =
-      spin_orbit_section(hyperion(hyperion_state(0.9, 2.4, 0.1), 20.0, Adaptive{1e-13}), saturn);
+  const auto there = analysis::spin_orbit_section(
+      hyperion(hyperion_state(0.9, 2.4, 0.1), 20.0, Adaptive{1e-13}), saturn);
   ASSERT_EQ(there.points.size(), 21U);
-  const SpinOrbitPoint& last = there.points.back();
-  const auto back =
-      spin_orbit_section({hyperion_system(), last.s, last.t, 0.0, Adaptive{1e-13}, {}}, saturn);
+  const analysis::SpinOrbitPoint& last = there.points.back();
+  const auto back = analysis::spin_orbit_section(
+      {hyperion_system(), last.s, last.t, 0.0, Adaptive{1e-13}, {}}, saturn);
   ASSERT_EQ(back.points.size(), 21U);
   for (std::size_t k = 0; k < 21; ++k) {
     EXPECT_NEAR(folded(back.points[k].angle - there.points[20 - k].angle), 0.0,
@@ -211,10 +215,10 @@ double resonant_spin(double low, double high, int half_turns) {
 TEST(SpinOrbitSection, OfAResonanceIsAPoint) {
   for (const auto& [low, high, half_turns] : {std::tuple{0.3, 0.8, 2}, std::tuple{2.2, 2.5, 4}}) {
     const double spin = resonant_spin(low, high, half_turns);
-    const auto found =
-        spin_orbit_section(hyperion(hyperion_state(0.0, spin), 30.0, Adaptive{1e-13}), saturn);
+    const auto found = analysis::spin_orbit_section(
+        hyperion(hyperion_state(0.0, spin), 30.0, Adaptive{1e-13}), saturn);
     ASSERT_EQ(found.points.size(), 31U);
-    for (const SpinOrbitPoint& point : found.points) {
+    for (const analysis::SpinOrbitPoint& point : found.points) {
       EXPECT_NEAR(point.angle, 0.0, budget::section_planar);
       EXPECT_NEAR(point.spin, spin, budget::section_planar);
     }
@@ -224,9 +228,9 @@ TEST(SpinOrbitSection, OfAResonanceIsAPoint) {
 // How many boxes of a plane the points of a run are in.
 std::size_t boxes(double angle, double spin, double orbits) {
   std::set<std::pair<int, int>> met;
-  const auto found =
-      spin_orbit_section(hyperion(hyperion_state(angle, spin), orbits, Adaptive{1e-9}), saturn);
-  for (const SpinOrbitPoint& point : found.points)
+  const auto found = analysis::spin_orbit_section(
+      hyperion(hyperion_state(angle, spin), orbits, Adaptive{1e-9}), saturn);
+  for (const analysis::SpinOrbitPoint& point : found.points)
     met.emplace(static_cast<int>(std::floor(point.angle * 32.0 / pi)),
                 static_cast<int>(std::floor(point.spin * 16.0)));
   return met.size();
@@ -236,8 +240,8 @@ std::size_t boxes(double angle, double spin, double orbits) {
 TEST(SpinOrbitSection, ChaosFillsAnAreaAndRegularMotionACurve) {
   const double orbits = 400.0;
   const auto megno = [&](double angle, double spin) {
-    return chaos_indicator(hyperion(hyperion_state(angle, spin), orbits, Adaptive{1e-9}),
-                           SaveAt::times({orbits * hyperion_orbit}))
+    return analysis::chaos_indicator(hyperion(hyperion_state(angle, spin), orbits, Adaptive{1e-9}),
+                                     SaveAt::times({orbits * hyperion_orbit}))
         .mean_megno();
   };
   EXPECT_GT(megno(pi / 2.0, 1.0), 10.0);
@@ -275,11 +279,12 @@ TEST(AndoyerSection, OfFreeRotationIsTheCurveOfItsEnergy) {
   for (const Method& method :
        {Method(Adaptive{1e-13}), Method(Adaptive{.tolerance = 1e-6, .largest_step = 0.3}),
         Method(VariationOfConstants{1e-12}), Method(Splitting{0.5}), Method(Splitting{3.0})}) {
-    const AndoyerSection found = andoyer_section({System(body), tumbling, 0.0, stop, method, {}},
-                                                 AndoyerSurface{AndoyerAngle::g, value});
+    const analysis::AndoyerSection found =
+        analysis::andoyer_section({System(body), tumbling, 0.0, stop, method, {}},
+                                  analysis::AndoyerSurface{analysis::AndoyerAngle::g, value});
     ASSERT_TRUE(found.outcome.ok());
     EXPECT_EQ(found.points.size(), passes(free, stop, value)) << found.method;
-    for (const AndoyerPoint& point : found.points) {
+    for (const analysis::AndoyerPoint& point : found.points) {
       EXPECT_NEAR(std::remainder(point.andoyer.g - value, 2.0 * pi), 0.0, budget::section_curve);
       EXPECT_NEAR(point.andoyer.L, free_L(point.andoyer.l, free.energy(), G),
                   budget::section_curve);
@@ -293,35 +298,39 @@ TEST(AndoyerSection, LongStepsLoseNoPass) {
   const double stop = 300.0;
   for (const Method& method : {Method(Adaptive{1e-6}), Method(VariationOfConstants{1e-6}),
                                Method(Splitting{3.0}), Method(Splitting{20.0})}) {
-    const AndoyerSection found = andoyer_section({System(body), tumbling, 0.0, stop, method, {}},
-                                                 AndoyerSurface{AndoyerAngle::g, 1.1});
+    const analysis::AndoyerSection found =
+        analysis::andoyer_section({System(body), tumbling, 0.0, stop, method, {}},
+                                  analysis::AndoyerSurface{analysis::AndoyerAngle::g, 1.1});
     EXPECT_EQ(found.points.size(), passes(FreeRotation(body, tumbling), stop, 1.1));
   }
 }
 
 TEST(AndoyerSection, KnowsWhichWayItIsPassed) {
   const Problem problem{System(body), tumbling, 0.0, 100.0, Adaptive{1e-12}, {}};
-  const auto count = [&](AndoyerAngle angle, Crossing crossing) {
-    return andoyer_section(problem, AndoyerSurface{angle, 0.4, crossing}).points.size();
+  const auto count = [&](analysis::AndoyerAngle angle, Crossing crossing) {
+    return analysis::andoyer_section(problem, analysis::AndoyerSurface{angle, 0.4, crossing})
+        .points.size();
   };
   // about the short axis g rises and l falls, and h stays
-  EXPECT_EQ(count(AndoyerAngle::g, Crossing::rising), count(AndoyerAngle::g, Crossing::both));
-  EXPECT_EQ(count(AndoyerAngle::g, Crossing::falling), 0U);
-  EXPECT_EQ(count(AndoyerAngle::l, Crossing::falling), count(AndoyerAngle::l, Crossing::both));
-  EXPECT_GT(count(AndoyerAngle::l, Crossing::both), 5U);
-  EXPECT_EQ(count(AndoyerAngle::h, Crossing::both), 0U);
+  EXPECT_EQ(count(analysis::AndoyerAngle::g, Crossing::rising),
+            count(analysis::AndoyerAngle::g, Crossing::both));
+  EXPECT_EQ(count(analysis::AndoyerAngle::g, Crossing::falling), 0U);
+  EXPECT_EQ(count(analysis::AndoyerAngle::l, Crossing::falling),
+            count(analysis::AndoyerAngle::l, Crossing::both));
+  EXPECT_GT(count(analysis::AndoyerAngle::l, Crossing::both), 5U);
+  EXPECT_EQ(count(analysis::AndoyerAngle::h, Crossing::both), 0U);
 }
 
 // By a period: the samples of the run itself, whichever way it goes and wherever the epoch is.
 TEST(AndoyerSection, ByAPeriodIsAStrobe) {
-  const Strobe strobe{2.5, 0.75};
+  const analysis::Strobe strobe{2.5, 0.75};
   for (const double stop : {31.0, -31.0}) {
     const Problem problem{System(body), tumbling, 0.0, stop, Adaptive{1e-11}, {}};
-    const AndoyerSection found = andoyer_section(problem, strobe);
+    const analysis::AndoyerSection found = analysis::andoyer_section(problem, strobe);
     ASSERT_EQ(found.points.size(), stop > 0.0 ? 13U : 12U);
     EXPECT_EQ(found.points[0].t, stop > 0.0 ? 0.75 : -1.75);
     std::vector<double> times;
-    for (const AndoyerPoint& point : found.points) times.push_back(point.t);
+    for (const analysis::AndoyerPoint& point : found.points) times.push_back(point.t);
     const std::vector<Sample> samples =
         integrate(problem, Keep{.samples = SaveAt::times(times)}).samples();
     for (std::size_t k = 0; k < samples.size(); ++k) {
@@ -330,17 +339,18 @@ TEST(AndoyerSection, ByAPeriodIsAStrobe) {
     }
   }
   const Problem shorter{System(body), tumbling, 1.0, 2.0, Adaptive{}, {}};
-  EXPECT_TRUE(andoyer_section(shorter, strobe).points.empty());
+  EXPECT_TRUE(analysis::andoyer_section(shorter, strobe).points.empty());
   const Problem from_one{System(body), tumbling, 0.75 + 7 * 2.5, 60.0, Adaptive{}, {}};
-  EXPECT_EQ(andoyer_section(from_one, strobe).points[0].t, from_one.start);
+  EXPECT_EQ(analysis::andoyer_section(from_one, strobe).points[0].t, from_one.start);
 }
 
 TEST(AndoyerSection, PointsMayGoOneByOne) {
   const Problem problem{System(body), tumbling, 0.0, 40.0, Adaptive{1e-12}, {}};
-  const AndoyerSection whole = andoyer_section(problem);
-  std::vector<AndoyerPoint> points;
-  const AndoyerSection end = andoyer_section(
-      problem, AndoyerSurface{}, [&](const AndoyerPoint& point) { points.push_back(point); });
+  const analysis::AndoyerSection whole = analysis::andoyer_section(problem);
+  std::vector<analysis::AndoyerPoint> points;
+  const analysis::AndoyerSection end = analysis::andoyer_section(
+      problem, analysis::AndoyerSurface{},
+      [&](const analysis::AndoyerPoint& point) { points.push_back(point); });
   EXPECT_TRUE(end.points.empty());
   EXPECT_EQ(end.statistics.steps, whole.statistics.steps);
   ASSERT_EQ(points.size(), whole.points.size());
@@ -352,29 +362,30 @@ TEST(AndoyerSection, ARunThatCannotGoOnKeepsItsPoints) {
                                return (1e-3 * std::sqrt(20.0 - t)) * s.g;
                              }));
   const System system(body, Frame::inertial(), {wall});
-  const auto found = andoyer_section({system, tumbling, 0.0, 50.0, Adaptive{1e-10}, {}});
+  const auto found = analysis::andoyer_section({system, tumbling, 0.0, 50.0, Adaptive{1e-10}, {}});
   EXPECT_FALSE(found.outcome.ok());
   EXPECT_THAT(found.outcome.advice, HasSubstr("wall"));
   EXPECT_GT(found.points.size(), 2U);
 }
 
 TEST(Sections, RefuseWhatHasNone) {
-  const auto andoyer = [&](const SectionSurface& surface, const Method& method) {
+  const auto andoyer = [&](const analysis::SectionSurface& surface, const Method& method) {
     return message_of([&] {
-      andoyer_section({System(body), tumbling, 0.0, 1.0, method, {}}, surface);
+      analysis::andoyer_section({System(body), tumbling, 0.0, 1.0, method, {}}, surface);
     });
   };
-  EXPECT_THAT(andoyer(Strobe{0.0}, Adaptive{}), HasSubstr("andoyer_section: period 0"));
-  EXPECT_THAT(andoyer(Strobe{1.0, std::numeric_limits<double>::quiet_NaN()}, Adaptive{}),
+  EXPECT_THAT(andoyer(analysis::Strobe{0.0}, Adaptive{}), HasSubstr("andoyer_section: period 0"));
+  EXPECT_THAT(andoyer(analysis::Strobe{1.0, std::numeric_limits<double>::quiet_NaN()}, Adaptive{}),
               HasSubstr("must be finite"));
-  EXPECT_THAT(
-      andoyer(AndoyerSurface{AndoyerAngle::g, std::numeric_limits<double>::infinity()}, Adaptive{}),
-      HasSubstr("value inf must be finite"));
-  EXPECT_EQ(andoyer(Strobe{1.0}, Splitting{3.0}), "");
+  EXPECT_THAT(andoyer(analysis::AndoyerSurface{analysis::AndoyerAngle::g,
+                                               std::numeric_limits<double>::infinity()},
+                      Adaptive{}),
+              HasSubstr("value inf must be finite"));
+  EXPECT_EQ(andoyer(analysis::Strobe{1.0}, Splitting{3.0}), "");
   const auto orbit = [&](double e) {
     const KeplerOrbit path({.gm = 1.0, .pericentre = 1.0, .eccentricity = e});
     return message_of([&] {
-      spin_orbit_section({System(body), tumbling, 0.0, 1.0, Adaptive{}, {}}, path);
+      analysis::spin_orbit_section({System(body), tumbling, 0.0, 1.0, Adaptive{}, {}}, path);
     });
   };
   EXPECT_THAT(orbit(0.0), HasSubstr("a circular orbit has no pericentre"));

@@ -61,12 +61,12 @@ std::vector<double> real_parts(const std::vector<Complex>& x, double mean) {
   return re;
 }
 
-void expect_found(const Spectrum& found, const std::vector<Known>& all) {
+void expect_found(const analysis::Spectrum& found, const std::vector<Known>& all) {
   ASSERT_THAT(found.lines, SizeIs(all.size()));
   Worst frequency, amplitude, phase;
   for (const Known& one : all) {
-    const SpectralLine* best = &found.lines[0];
-    for (const SpectralLine& line : found.lines)
+    const analysis::SpectralLine* best = &found.lines[0];
+    for (const analysis::SpectralLine& line : found.lines)
       if (std::fabs(line.frequency - one.frequency) < std::fabs(best->frequency - one.frequency))
         best = &line;
     frequency.add(std::fabs(best->frequency - one.frequency));
@@ -81,12 +81,12 @@ void expect_found(const Spectrum& found, const std::vector<Known>& all) {
 TEST(Spectrum, FindsTheLinesOfASum) {
   for (const unsigned seed : {1u, 2u, 3u}) {
     const std::vector<Known> all = lines(12, -0.1, seed);
-    const Spectrum found = spectrum(start, 1.0, sum_of(all));
+    const analysis::Spectrum found = analysis::spectrum(start, 1.0, sum_of(all));
     expect_found(found, all);
-    EXPECT_EQ(unresolved(found), 0);
+    EXPECT_EQ(analysis::unresolved(found), 0);
     const std::vector<Known> positive = lines(12, 0.0, seed);
-    const Spectrum of_real =
-        spectrum(start, 1.0, std::span<const double>(real_parts(sum_of(positive), 3.25)));
+    const analysis::Spectrum of_real =
+        analysis::spectrum(start, 1.0, std::span<const double>(real_parts(sum_of(positive), 3.25)));
     expect_found(of_real, positive);
     EXPECT_NEAR(of_real.mean, 3.25, budget::spectrum_amplitude);
   }
@@ -95,20 +95,20 @@ TEST(Spectrum, FindsTheLinesOfASum) {
 TEST(Spectrum, EveryWindowFindsThem) {
   const std::vector<Known> all = lines(6, -0.05, 5);
   for (const int window : {0, 1, 2, 3, 5})
-    expect_found(spectrum(start, 1.0, sum_of(all), {.lines = 6, .window = window}), all);
+    expect_found(analysis::spectrum(start, 1.0, sum_of(all), {.lines = 6, .window = window}), all);
 }
 
 // Squares of the samples have no room in double.
 TEST(Spectrum, FindsLinesOfAnySize) {
   const std::vector<Known> all = lines(4, 0.0, 6);
-  const double mean_size = spectrum(start, 1.0, sum_of(all), {.lines = 4}).size;
+  const double mean_size = analysis::spectrum(start, 1.0, sum_of(all), {.lines = 4}).size;
   for (const double size : {1e-300, 1e300}) {
     std::vector<Complex> x = sum_of(all);
     for (Complex& one : x) one *= size;
-    Spectrum found = spectrum(start, 1.0, x, {.lines = 4});
+    analysis::Spectrum found = analysis::spectrum(start, 1.0, x, {.lines = 4});
     EXPECT_LT(found.residual, budget::spectrum_amplitude * size);
     EXPECT_NEAR(found.size / size, mean_size, budget::spectrum_amplitude);
-    for (SpectralLine& line : found.lines) line.amplitude /= size;
+    for (analysis::SpectralLine& line : found.lines) line.amplitude /= size;
     expect_found(found, all);
   }
 }
@@ -120,8 +120,9 @@ TEST(Spectrum, TellsWhatNoiseDoes) {
   std::mt19937_64 draw(9);
   std::normal_distribution<double> noise(0.0, 0.01);
   for (double& one : x) one += noise(draw);
-  const Spectrum found = spectrum(start, 1.0, std::span<const double>(x), {.lines = 1});
-  const SpectralLine& line = found.lines[0];
+  const analysis::Spectrum found =
+      analysis::spectrum(start, 1.0, std::span<const double>(x), {.lines = 1});
+  const analysis::SpectralLine& line = found.lines[0];
   EXPECT_LT(std::fabs(line.frequency - all[0].frequency),
             budget::spectrum_noise * line.frequency_error);
   EXPECT_LT(std::fabs(line.amplitude - 1.0), budget::spectrum_noise * line.amplitude_error);
@@ -131,23 +132,25 @@ TEST(Spectrum, TellsWhatNoiseDoes) {
 
 TEST(Spectrum, CountsLinesThatAreClose) {
   const std::vector<Known> close = {{0.3, 1.0, 0.0}, {0.3 + 0.4 * apart, 0.5, 1.0}};
-  const Spectrum found = spectrum(start, 1.0, sum_of(close), {.lines = 2});
-  EXPECT_EQ(unresolved(found), 2);
+  const analysis::Spectrum found = analysis::spectrum(start, 1.0, sum_of(close), {.lines = 2});
+  EXPECT_EQ(analysis::unresolved(found), 2);
   EXPECT_NEAR(found.lines[0].isolation, 0.4 * apart, budget::spectrum_frequency);
   EXPECT_NEAR(found.resolution, apart, budget::spectrum_frequency);
   const std::vector<Known> slow = {{0.3 * apart, 1.0, 0.0}};
   const std::vector<double> x = real_parts(sum_of(slow), 0.0);
-  const Spectrum of_slow = spectrum(start, 1.0, std::span<const double>(x), {.lines = 1});
+  const analysis::Spectrum of_slow =
+      analysis::spectrum(start, 1.0, std::span<const double>(x), {.lines = 1});
   EXPECT_EQ(of_slow.lines[0].isolation, 2.0 * of_slow.lines[0].frequency);
-  EXPECT_EQ(unresolved(of_slow), 1);
+  EXPECT_EQ(analysis::unresolved(of_slow), 1);
 }
 
 // A ramp is no sum of lines: what is fitted to it must not run away towards a constant.
 TEST(Spectrum, StaysBoundedWhereThereAreNoLines) {
   std::vector<double> x;
   for (int k = 0; k < count; ++k) x.push_back(std::tanh(0.01 * (k - 5000)) + 1e-4 * k);
-  const Spectrum found = spectrum(start, 1.0, std::span<const double>(x), {.lines = 6});
-  for (const SpectralLine& line : found.lines) {
+  const analysis::Spectrum found =
+      analysis::spectrum(start, 1.0, std::span<const double>(x), {.lines = 6});
+  for (const analysis::SpectralLine& line : found.lines) {
     EXPECT_LT(line.amplitude, 5.0);
     EXPECT_GT(line.frequency, 0.04 * apart);
   }
@@ -155,18 +158,19 @@ TEST(Spectrum, StaysBoundedWhereThereAreNoLines) {
 
 TEST(Spectrum, LeavesOutWhatIsSmall) {
   const std::vector<Known> all = {{0.2, 1.0, 0.0}, {0.5, 1e-3, 1.0}};
-  EXPECT_THAT(spectrum(start, 1.0, sum_of(all), {.smallest = 1e-2}).lines, SizeIs(1));
-  EXPECT_THAT(spectrum(start, 1.0, sum_of(all)).lines, SizeIs(2));
+  EXPECT_THAT(analysis::spectrum(start, 1.0, sum_of(all), {.smallest = 1e-2}).lines, SizeIs(1));
+  EXPECT_THAT(analysis::spectrum(start, 1.0, sum_of(all)).lines, SizeIs(2));
   const std::vector<double> constant(100, 2.5);
-  const Spectrum none = spectrum(0.0, 1.0, std::span<const double>(constant));
+  const analysis::Spectrum none = analysis::spectrum(0.0, 1.0, std::span<const double>(constant));
   EXPECT_THAT(none.lines, IsEmpty());
   EXPECT_NEAR(none.mean, 2.5, budget::spectrum_amplitude);
 }
 
 TEST(Spectrum, NamesWhatIsWrong) {
   std::vector<double> x(100, 1.0);
-  const auto of = [&](double interval, const SpectrumOptions& options) {
-    return message_of([&] { spectrum(0.0, interval, std::span<const double>(x), options); });
+  const auto of = [&](double interval, const analysis::SpectrumOptions& options) {
+    return message_of(
+        [&] { analysis::spectrum(0.0, interval, std::span<const double>(x), options); });
   };
   EXPECT_THAT(of(0.0, {}), HasSubstr("expected a positive one"));
   EXPECT_THAT(of(1.0, {.window = 6}), HasSubstr("got window 6; expected 0 to 5"));

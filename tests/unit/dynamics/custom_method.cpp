@@ -15,7 +15,7 @@
 #include "message_of.hpp"
 #include "own_steps.hpp"
 #include "polhode/analysis/chaos_indicator.hpp"
-#include "polhode/dynamics/resume.hpp"
+#include "polhode/dynamics/integrate.hpp"
 
 namespace {
 
@@ -139,7 +139,7 @@ TEST(CustomMethod, IsRefusedForOtherStates) {
   EXPECT_MESSAGE(state_transitions(problem, times),
                  "state_transitions: method \"runge-kutta-4\" carries no derivatives: take "
                  "Adaptive, Collocation, Splitting or VariationOfConstants");
-  EXPECT_MESSAGE(chaos_indicator(problem, times, {}),
+  EXPECT_MESSAGE(analysis::chaos_indicator(problem, times, {}),
                  "chaos_indicator: method \"runge-kutta-4\" carries no deviations: take Adaptive, "
                  "Collocation, Splitting or VariationOfConstants");
   const System damped(test::w1_body, Frame::inertial(), {}, KaneDamper(0.1, 0.1));

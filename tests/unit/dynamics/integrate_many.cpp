@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // A body among others has the bits of its run alone, and fails alone.
-#include "polhode/dynamics/integrate_many.hpp"
-
 #include <gmock/gmock.h>
 
 #include <cmath>

@@ -335,7 +335,8 @@ TEST(KaneDamperRun, RefusesWhatDoesNotCarryItsState) {
   EXPECT_MESSAGE(state_transitions(bare, SaveAt::times({1.0})),
                  "state_transitions: a Kane damper has a state of its own, which integrate alone "
                  "carries; InternalDamping, its limit of strong friction, has no state");
-  EXPECT_REJECTED(chaos_indicator(bare, SaveAt::times({1.0})), "which integrate alone carries");
+  EXPECT_REJECTED(analysis::chaos_indicator(bare, SaveAt::times({1.0})),
+                  "which integrate alone carries");
   const Problem without{System(body), {start.q, start.g, {0.0, 0.1, 0.0}}, 0.0, 1.0, sharp};
   EXPECT_MESSAGE(integrate(without),
                  "integrate: damper_rate (0, 0.1, 0) must be zero for a system without a damper");

@@ -11,10 +11,9 @@
 #include "polhode/orbit/any_orbit.hpp"
 #include "polhode/orbit/table_orbit.hpp"
 #include "polhode/perturb/atmospheric_drag.hpp"
-#include "polhode/perturb/higher_gravity.hpp"
+#include "polhode/perturb/gravity_gradient.hpp"
 #include "polhode/perturb/kane_damper.hpp"
 #include "polhode/perturb/magnetic_torque.hpp"
-#include "polhode/perturb/oblate_gravity.hpp"
 #include "polhode/perturb/solar_pressure.hpp"
 #include "polhode/perturb/tidal_torque.hpp"
 #include "polhode/perturb/user_terms.hpp"
@@ -149,7 +148,7 @@ std::vector<AnyPerturbation> terms_of_a_place() {
   const Surface plate = Surface::of_plate({0.0, 3.0, 0.4}, {1.0, 0.0, 0.0}, 1e-4, {}, true);
   const Sunlight light{1.0, 1e3};
   const FieldAlongOrbit field(orbit, DipoleField({0.0, 0.3, 1.0}));
-  MassMoments moments;
+  shape::MassMoments moments;
   moments.third[0] = 1e-3;
   const Mat3 tensor{{{1e-2, 0.0, 0.0}, {0.0, 1e-2, 0.0}, {0.0, 0.0, 1e-2}}};
   return {{"gravity", GravityGradient(1e-3, orbit)},

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // A run reports how far it has come, and can be stopped from outside: the same for every method.
-#include "polhode/trajectory/progress.hpp"
-
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -12,6 +10,7 @@
 #include "polhode/dynamics/integrate.hpp"
 #include "polhode/orbit/kepler_orbit.hpp"
 #include "polhode/perturb/gravity_gradient.hpp"
+#include "polhode/trajectory/trajectory.hpp"
 
 namespace {
 

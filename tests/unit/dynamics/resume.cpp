@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A run that goes on from a checkpoint gives the bits of the straight run: every method, forwards
 // and backwards, between steps and inside one, with events and without.
-#include "polhode/dynamics/resume.hpp"
-
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -15,12 +13,13 @@
 
 #include "message_of.hpp"
 #include "own_steps.hpp"
+#include "polhode/detail/trajectory/archive.hpp"
+#include "polhode/dynamics/integrate.hpp"
 #include "polhode/error.hpp"
 #include "polhode/orbit/kepler_orbit.hpp"
 #include "polhode/perturb/gravity_gradient.hpp"
 #include "polhode/perturb/torque_table.hpp"
 #include "polhode/perturb/user_terms.hpp"
-#include "polhode/trajectory/archive.hpp"
 #include "unit/dynamics/resume_support.hpp"
 
 namespace {

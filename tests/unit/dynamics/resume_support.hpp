@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "polhode/dynamics/resume.hpp"
+#include "polhode/dynamics/integrate.hpp"
 
 namespace polhode::test {
 

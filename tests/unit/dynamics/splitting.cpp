@@ -14,7 +14,7 @@
 #include "dynamics/splitting/splitting_map.hpp"
 #include "message_of.hpp"
 #include "polhode/free/free_rotation.hpp"
-#include "polhode/perturb/momentum_term.hpp"
+#include "polhode/perturb/user_terms.hpp"
 #include "splitting_support.hpp"
 #include "unit/dynamics/splitting_support.hpp"
 

@@ -256,8 +256,8 @@ TEST(Switches, AJumpByTheStateHasNoKnownTransition) {
                     HasSubstr("its transition matrix is not known; take differences of runs"))));
     EXPECT_EQ(state_transitions(problem, SaveAt::times({1.0})).size(), 1U);  // no jump until there
     for (const bool neighbour : {false, true}) {
-      const ChaosIndicator result =
-          chaos_indicator(problem, SaveAt::times({0.5, 3.0}), {.neighbour = neighbour});
+      const analysis::ChaosIndicator result =
+          analysis::chaos_indicator(problem, SaveAt::times({0.5, 3.0}), {.neighbour = neighbour});
       EXPECT_EQ(result.outcome.status, Outcome::Status::failed);
       EXPECT_THAT(
           result.outcome.advice,
@@ -271,7 +271,8 @@ TEST(Switches, AJumpByTheStateHasNoKnownTransition) {
 TEST(Switches, AJumpInTheLastPartOfAStepHasNoKnownTransition) {
   const Problem problem = bang(half_turned, Splitting{.step = 0.9});
   EXPECT_THROW(state_transitions(problem, SaveAt::times({1.6})), DomainError);
-  EXPECT_EQ(chaos_indicator(problem, SaveAt::times({1.6})).outcome.status, Outcome::Status::failed);
+  EXPECT_EQ(analysis::chaos_indicator(problem, SaveAt::times({1.6})).outcome.status,
+            Outcome::Status::failed);
 }
 
 TEST(Switches, AJumpByTheTimeAloneHasATransition) {
@@ -283,8 +284,8 @@ TEST(Switches, AJumpByTheTimeAloneHasATransition) {
     const Problem problem = bang(clock_value, method);
     EXPECT_EQ(state_transitions(problem, SaveAt::times({3.0})).size(), 1U);
     for (const bool neighbour : {false, true})
-      EXPECT_TRUE(
-          chaos_indicator(problem, SaveAt::times({3.0}), {.neighbour = neighbour}).outcome.ok());
+      EXPECT_TRUE(analysis::chaos_indicator(problem, SaveAt::times({3.0}), {.neighbour = neighbour})
+                      .outcome.ok());
   }
 }
 
@@ -302,7 +303,8 @@ TEST(Switches, KinksByTheStateHaveDeviations) {
     problem.method = method;
     EXPECT_EQ(state_transitions(problem, SaveAt::times({40.0})).size(), 1U);
     for (const bool neighbour : {false, true}) {
-      const auto result = chaos_indicator(problem, SaveAt::times({40.0}), {.neighbour = neighbour});
+      const auto result =
+          analysis::chaos_indicator(problem, SaveAt::times({40.0}), {.neighbour = neighbour});
       EXPECT_TRUE(result.outcome.ok()) << result.outcome.advice;
     }
   }

@@ -9,14 +9,14 @@
 #include <vector>
 
 #include "budgets.hpp"
-#include "polhode/dynamics/resume.hpp"
+#include "polhode/dynamics/integrate.hpp"
 #include "polhode/error.hpp"
 #include "polhode/orbit/any_orbit.hpp"
 #include "polhode/orbit/kepler_orbit.hpp"
 #include "polhode/perturb/atmospheric_drag.hpp"
 #include "polhode/perturb/constant_torque.hpp"
 #include "polhode/perturb/gravity_gradient.hpp"
-#include "polhode/perturb/linear_damping.hpp"
+#include "polhode/perturb/internal_damping.hpp"
 #include "polhode/perturb/solar_pressure.hpp"
 #include "polhode/perturb/user_terms.hpp"
 #include "unit/dynamics/plates_reference.hpp"

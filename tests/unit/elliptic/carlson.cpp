@@ -18,10 +18,10 @@ class Carlson : public ::testing::Test {
   void check(double x, double y, double z, double p) {
     const std::string where = listed(x, y, z, p);
     const T a(x), b(y), c(z), d(p);
-    rf_.add(relative_error(carlson_rf(a, b, c), exact_rf(x, y, z)), where);
-    rc_.add(relative_error(carlson_rc(a, d), exact_rc(x, p)), where);
-    rd_.add(relative_error(carlson_rd(a, b, d), exact_rd(x, y, p)), where);
-    rj_.add(relative_error(carlson_rj(a, b, c, d), exact_rj(x, y, z, p)), where);
+    rf_.add(relative_error(elliptic::carlson_rf(a, b, c), exact_rf(x, y, z)), where);
+    rc_.add(relative_error(elliptic::carlson_rc(a, d), exact_rc(x, p)), where);
+    rd_.add(relative_error(elliptic::carlson_rd(a, b, d), exact_rd(x, y, p)), where);
+    rj_.add(relative_error(elliptic::carlson_rj(a, b, c, d), exact_rj(x, y, z, p)), where);
   }
   void TearDown() override {
     rf_.expect_within(budget::elliptic_carlson, "RF");
@@ -100,10 +100,11 @@ TYPED_TEST(Carlson, WholeRange) {
     const double x = any(), y = any(), z = any();
     const double p = short_number(larger(x, y, z) * drawn_power(draw, -1, 20));
     const std::string at = listed(x, y, z, p);
-    add(this->rf_, carlson_rf(T(x), T(y), T(z)), exact_rf(x, y, z), at);
-    add(this->rc_, carlson_rc(T(x), T(y)), exact_rc(x, y), at);
-    add(this->rd_, carlson_rd(T(x), T(y), T(z)), exact_rd(x, y, z), at);
-    if (p < 1e290) add(this->rj_, carlson_rj(T(x), T(y), T(z), T(p)), exact_rj(x, y, z, p), at);
+    add(this->rf_, elliptic::carlson_rf(T(x), T(y), T(z)), exact_rf(x, y, z), at);
+    add(this->rc_, elliptic::carlson_rc(T(x), T(y)), exact_rc(x, y), at);
+    add(this->rd_, elliptic::carlson_rd(T(x), T(y), T(z)), exact_rd(x, y, z), at);
+    if (p < 1e290)
+      add(this->rj_, elliptic::carlson_rj(T(x), T(y), T(z), T(p)), exact_rj(x, y, z, p), at);
   }
 }
 
@@ -115,9 +116,9 @@ TYPED_TEST(Carlson, PrincipalValues) {
     const double x = drawn_power(draw, -6, 6), y = drawn_power(draw, -6, 6),
                  z = drawn_power(draw, -6, 6), p = -drawn_power(draw, -6, 6);
     const std::string at = listed(x, y, z, p);
-    this->rc_.add(relative_error(carlson_rc(T(x), T(p)), exact_rc(x, p)), at);
+    this->rc_.add(relative_error(elliptic::carlson_rc(T(x), T(p)), exact_rc(x, p)), at);
     const Exact exact = exact_rj(x, y, z, p);
-    const double error = absolute_error(carlson_rj(T(x), T(y), T(z), T(p)), exact);
+    const double error = absolute_error(elliptic::carlson_rj(T(x), T(y), T(z), T(p)), exact);
     const double middle = larger(smaller(x, y), smaller(larger(x, y), z));
     const double term = std::is_same_v<T, double> ? 0.0 : 3.0 * exact_rf(x, y, z).a / (middle - p);
     this->rj_.add(error / larger(std::abs(exact.a), term), at);
@@ -126,21 +127,21 @@ TYPED_TEST(Carlson, PrincipalValues) {
 
 TYPED_TEST(Carlson, Limits) {
   const TypeParam zero(0.0), one(1.0);
-  EXPECT_TRUE(std::isinf(to_double(carlson_rf(zero, zero, one))));
-  EXPECT_TRUE(std::isinf(to_double(carlson_rc(one, zero))));
-  EXPECT_TRUE(std::isinf(to_double(carlson_rd(one, one, zero))));
-  EXPECT_TRUE(std::isinf(to_double(carlson_rd(zero, zero, one))));
-  EXPECT_TRUE(std::isinf(to_double(carlson_rj(one, one, one, zero))));
-  EXPECT_TRUE(std::isinf(to_double(carlson_rj(zero, zero, one, one))));
-  EXPECT_TRUE(std::isnan(to_double(carlson_rf(one, -one, one))));
-  EXPECT_TRUE(std::isnan(to_double(carlson_rc(-one, one))));
-  EXPECT_TRUE(std::isnan(to_double(carlson_rd(one, one, -one))));
-  EXPECT_TRUE(std::isnan(to_double(carlson_rj(-one, one, one, one))));
-  EXPECT_TRUE(std::isnan(to_double(carlson_rj(one, -one, one, -one))));
+  EXPECT_TRUE(std::isinf(to_double(elliptic::carlson_rf(zero, zero, one))));
+  EXPECT_TRUE(std::isinf(to_double(elliptic::carlson_rc(one, zero))));
+  EXPECT_TRUE(std::isinf(to_double(elliptic::carlson_rd(one, one, zero))));
+  EXPECT_TRUE(std::isinf(to_double(elliptic::carlson_rd(zero, zero, one))));
+  EXPECT_TRUE(std::isinf(to_double(elliptic::carlson_rj(one, one, one, zero))));
+  EXPECT_TRUE(std::isinf(to_double(elliptic::carlson_rj(zero, zero, one, one))));
+  EXPECT_TRUE(std::isnan(to_double(elliptic::carlson_rf(one, -one, one))));
+  EXPECT_TRUE(std::isnan(to_double(elliptic::carlson_rc(-one, one))));
+  EXPECT_TRUE(std::isnan(to_double(elliptic::carlson_rd(one, one, -one))));
+  EXPECT_TRUE(std::isnan(to_double(elliptic::carlson_rj(-one, one, one, one))));
+  EXPECT_TRUE(std::isnan(to_double(elliptic::carlson_rj(one, -one, one, -one))));
   // where p far above the others would be exchanged without an end
   const TypeParam far(-0x1p64), below(-10.5), above(0x1p18);
-  EXPECT_TRUE(std::isnan(to_double(carlson_rj(far, below, one, above))));
-  EXPECT_TRUE(std::isnan(to_double(carlson_rf(one, zero / zero, one))));
+  EXPECT_TRUE(std::isnan(to_double(elliptic::carlson_rj(far, below, one, above))));
+  EXPECT_TRUE(std::isnan(to_double(elliptic::carlson_rf(one, zero / zero, one))));
 }
 
 // Derivatives by the duplication, against differences at 60 digits.
@@ -151,8 +152,8 @@ class CarlsonDerivative : public ::testing::Test {
   void check(double x, double y, double z, double p) {
     const D a = D::variable(T(x), 0), b = D::variable(T(y), 1), c = D::variable(T(z), 2),
             d = D::variable(T(p), 3);
-    const D rf = carlson_rf(a, b, c), rc = carlson_rc(a, d), rd = carlson_rd(a, b, d),
-            rj = carlson_rj(a, b, c, d);
+    const D rf = elliptic::carlson_rf(a, b, c), rc = elliptic::carlson_rc(a, d),
+            rd = elliptic::carlson_rd(a, b, d), rj = elliptic::carlson_rj(a, b, c, d);
     for (std::size_t i = 0; i < 4; ++i) {
       const By by = static_cast<By>(i + 1);
       const std::string where = std::to_string(i + 1) + ": " + listed(x, y, z, p);
@@ -213,12 +214,12 @@ TYPED_TEST(CarlsonDerivative, AllEqual) {
       const T exact = T(numerator) / (T(denominator) * scale);
       worst.add(std::abs(to_double(slope / exact - T(1.0))), listed(x));
     };
-    check(carlson_rf(a, b, c).derivative[1], -1.0, 6.0, power);
-    check(carlson_rc(a, b).derivative[1], -1.0, 3.0, power);
-    check(carlson_rd(a, b, c).derivative[0], -3.0, 10.0, power * x);
-    check(carlson_rd(a, b, c).derivative[2], -9.0, 10.0, power * x);
-    check(carlson_rj(a, b, c, d).derivative[2], -3.0, 10.0, power * x);
-    check(carlson_rj(a, b, c, d).derivative[3], -3.0, 5.0, power * x);
+    check(elliptic::carlson_rf(a, b, c).derivative[1], -1.0, 6.0, power);
+    check(elliptic::carlson_rc(a, b).derivative[1], -1.0, 3.0, power);
+    check(elliptic::carlson_rd(a, b, c).derivative[0], -3.0, 10.0, power * x);
+    check(elliptic::carlson_rd(a, b, c).derivative[2], -9.0, 10.0, power * x);
+    check(elliptic::carlson_rj(a, b, c, d).derivative[2], -3.0, 10.0, power * x);
+    check(elliptic::carlson_rj(a, b, c, d).derivative[3], -3.0, 5.0, power * x);
   }
   EXPECT_LE(worst.units(), budget::elliptic_carlson_derivative) << worst.where();
 }
@@ -240,14 +241,14 @@ TYPED_TEST(CarlsonDerivative, ClosedRules) {
   for (int i = 0; i < 100; ++i) {
     const T x(drawn(draw, 0.01, 2.0)), y(drawn(draw, 0.01, 2.0)), z(drawn(draw, 0.01, 2.0));
     const Three rf =
-        carlson_rf(Three::variable(x, 0), Three::variable(y, 1), Three::variable(z, 2));
-    const T rule = -carlson_rd(y, z, x) / T(6.0);
+        elliptic::carlson_rf(Three::variable(x, 0), Three::variable(y, 1), Three::variable(z, 2));
+    const T rule = -elliptic::carlson_rd(y, z, x) / T(6.0);
     worst.add(std::abs(to_double(rf.derivative[0] / rule - T(1.0))), listed(x, y, z));
     // RJ is homogeneous of degree -3/2.
     const T p(drawn(draw, 0.01, 2.0));
     using Four = Dual<T, 4>;
-    const Four rj = carlson_rj(Four::variable(x, 0), Four::variable(y, 1), Four::variable(z, 2),
-                               Four::variable(p, 3));
+    const Four rj = elliptic::carlson_rj(Four::variable(x, 0), Four::variable(y, 1),
+                                         Four::variable(z, 2), Four::variable(p, 3));
     const T euler =
         x * rj.derivative[0] + y * rj.derivative[1] + z * rj.derivative[2] + p * rj.derivative[3];
     worst.add(std::abs(to_double(euler / (T(-1.5) * rj.value) - T(1.0))), listed(x, y, z, p));

@@ -2,9 +2,8 @@
 #include "budgets.hpp"
 #include "message_of.hpp"
 #include "polhode/elliptic/agm.hpp"
-#include "polhode/elliptic/heuman.hpp"
+#include "polhode/elliptic/legendre.hpp"
 #include "polhode/elliptic/legendre_pi.hpp"
-#include "polhode/elliptic/nome.hpp"
 #include "polhode/error.hpp"
 #include "unit/elliptic/support.hpp"
 
@@ -12,26 +11,26 @@ namespace polhode::test {
 namespace {
 
 TEST(Modulus, Factories) {
-  const Modulus mod = Modulus::from_ratio(1.0, 3.0);
+  const elliptic::Modulus mod = elliptic::Modulus::from_ratio(1.0, 3.0);
   EXPECT_EQ(mod.m(), 0.25);
   EXPECT_EQ(mod.m1(), 0.75);
   EXPECT_EQ(mod.complement().m(), 0.75);
-  EXPECT_EQ(Modulus::from_ratio(2.0, 0.0).m1(), 0.0);
-  EXPECT_EQ(Modulus::from_ratio(1.0, 1e-300).m1(), 1e-300);
-  EXPECT_EQ(to_double(BasicModulus<DoubleDouble>::from_ratio(1.0, 3.0)).m1(), 0.75);
+  EXPECT_EQ(elliptic::Modulus::from_ratio(2.0, 0.0).m1(), 0.0);
+  EXPECT_EQ(elliptic::Modulus::from_ratio(1.0, 1e-300).m1(), 1e-300);
+  EXPECT_EQ(to_double(elliptic::BasicModulus<DoubleDouble>::from_ratio(1.0, 3.0)).m1(), 0.75);
 }
 
 TEST(Modulus, Refuses) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THROW(Modulus::from_ratio(-1.0, 3.0), DomainError);
-  EXPECT_THROW(Modulus::from_ratio(0.0, 0.0), DomainError);
-  EXPECT_THROW(Modulus::from_ratio(nan, 1.0), DomainError);
-  EXPECT_THROW(Modulus::from_ratio(1.0, HUGE_VAL), DomainError);
-  EXPECT_THROW(Modulus::from_ratio(1e308, 1e308), DomainError);
-  EXPECT_THROW(Modulus::from_pair(0.5, 0.500001), DomainError);
-  EXPECT_THROW(Modulus::from_pair(1.5, -0.5), DomainError);
-  EXPECT_THROW(Modulus::from_pair(nan, 0.5), DomainError);
-  EXPECT_MESSAGE(Modulus::from_ratio(-1.0, 3.0),
+  EXPECT_THROW(elliptic::Modulus::from_ratio(-1.0, 3.0), DomainError);
+  EXPECT_THROW(elliptic::Modulus::from_ratio(0.0, 0.0), DomainError);
+  EXPECT_THROW(elliptic::Modulus::from_ratio(nan, 1.0), DomainError);
+  EXPECT_THROW(elliptic::Modulus::from_ratio(1.0, HUGE_VAL), DomainError);
+  EXPECT_THROW(elliptic::Modulus::from_ratio(1e308, 1e308), DomainError);
+  EXPECT_THROW(elliptic::Modulus::from_pair(0.5, 0.500001), DomainError);
+  EXPECT_THROW(elliptic::Modulus::from_pair(1.5, -0.5), DomainError);
+  EXPECT_THROW(elliptic::Modulus::from_pair(nan, 0.5), DomainError);
+  EXPECT_MESSAGE(elliptic::Modulus::from_ratio(-1.0, 3.0),
                  "Modulus: ratio (-1, 3) breaks 0 <= a, b and 0 < a + b < inf");
 }
 
@@ -42,14 +41,19 @@ class CompleteIntegrals : public ::testing::Test {
     oracle::Draw draw(seed, 0);
     for (int i = 0; i < count; ++i) {
       const ExactModulus mod = drawn_modulus<T>(draw, where);
-      const BasicModulus<T> used = as<T>(mod);
+      const elliptic::BasicModulus<T> used = as<T>(mod);
       const std::string at = listed(mod.m(), mod.m1());
-      worst_.add(relative_error(complete_k(used), exact_complete(Complete::k, mod)), "K " + at);
-      worst_.add(relative_error(complete_e(used), exact_complete(Complete::e, mod)), "E " + at);
-      worst_.add(relative_error(complete_b(used), exact_complete(Complete::b, mod)), "B " + at);
-      worst_.add(relative_error(complete_d(used), exact_complete(Complete::d, mod)), "D " + at);
-      nome_.add(relative_error(nome(used), exact_nome(mod)), "q " + at);
-      nome_.add(relative_error(complementary_nome(used), exact_nome(mod.complement())), "q1 " + at);
+      worst_.add(relative_error(elliptic::complete_k(used), exact_complete(Complete::k, mod)),
+                 "K " + at);
+      worst_.add(relative_error(elliptic::complete_e(used), exact_complete(Complete::e, mod)),
+                 "E " + at);
+      worst_.add(relative_error(elliptic::complete_b(used), exact_complete(Complete::b, mod)),
+                 "B " + at);
+      worst_.add(relative_error(elliptic::complete_d(used), exact_complete(Complete::d, mod)),
+                 "D " + at);
+      nome_.add(relative_error(elliptic::nome(used), exact_nome(mod)), "q " + at);
+      nome_.add(relative_error(elliptic::complementary_nome(used), exact_nome(mod.complement())),
+                "q1 " + at);
     }
   }
   void TearDown() override {
@@ -72,8 +76,9 @@ TYPED_TEST(CompleteIntegrals, Pi) {
     const ExactModulus mod = i % 3 == 0
                                  ? ExactModulus::from_pair(1.0 - DoubleDouble(0x1p-60), 0x1p-60)
                                  : drawn_modulus<T>(draw, Near::generic);
-    this->worst_.add(relative_error(complete_pi(T(n), as<T>(mod)), exact_complete_pi(n, mod)),
-                     "Pi " + listed(n, mod.m(), mod.m1()));
+    this->worst_.add(
+        relative_error(elliptic::complete_pi(T(n), as<T>(mod)), exact_complete_pi(n, mod)),
+        "Pi " + listed(n, mod.m(), mod.m1()));
   }
 }
 
@@ -81,7 +86,9 @@ TYPED_TEST(CompleteIntegrals, Pi) {
 // 19.7.8] at 700 digits.
 TYPED_TEST(CompleteIntegrals, PiOfHugeModuli) {
   using T = TypeParam;
-  const auto mod = [](double m) { return BasicModulus<T>::from_any_pair(T(m), T(1.0 - m)); };
+  const auto mod = [](double m) {
+    return elliptic::BasicModulus<T>::from_any_pair(T(m), T(1.0 - m));
+  };
   const auto check = [&](const T& got, double expected, const std::string& what) {
     EXPECT_LT(std::abs(to_double(got) / expected - 1.0), budget::elliptic_python) << what;
   };
@@ -94,7 +101,7 @@ TYPED_TEST(CompleteIntegrals, PiOfHugeModuli) {
         Row{1.0000001, -1e250, 2.8820943095204228043e-123},
         Row{1e10, -1e230, 2.5397750740931965433e-113},
         Row{1e200, -1e220, 2.3718998110500402205e-109}, Row{3, -1e100, 1.1511172704566681875e-48}})
-    check(complete_pi(T(row.n), mod(row.m)), row.pi, "complete " + listed(row.n, row.m));
+    check(elliptic::complete_pi(T(row.n), mod(row.m)), row.pi, "complete " + listed(row.n, row.m));
   struct Incomplete {
     double phi, n, m, pi;
   };
@@ -103,7 +110,8 @@ TYPED_TEST(CompleteIntegrals, PiOfHugeModuli) {
                                 Incomplete{0.3, 2, -1e220, 2.5287932100215448001e-108},
                                 Incomplete{1.2, 2, -1e300, 3.4594852369645304333e-148},
                                 Incomplete{-2.5, 3, -1e215, -7.7716165625982665111e-106}})
-    check(legendre_pi(T(row.phi), T(row.n), mod(row.m)), row.pi, listed(row.phi, row.n, row.m));
+    check(elliptic::legendre_pi(T(row.phi), T(row.n), mod(row.m)), row.pi,
+          listed(row.phi, row.n, row.m));
 }
 
 TYPED_TEST(CompleteIntegrals, Cel) {
@@ -114,7 +122,7 @@ TYPED_TEST(CompleteIntegrals, Cel) {
     const double p = drawn_power(draw, -8, 8);
     const double a = drawn(draw, 0.0, 2.0);
     const double b = i % 4 == 0 ? 0.0 : drawn(draw, 0.0, 2.0);
-    this->worst_.add(relative_error(cel(T(kc), T(p), T(a), T(b)), exact_cel(kc, p, a, b)),
+    this->worst_.add(relative_error(elliptic::cel(T(kc), T(p), T(a), T(b)), exact_cel(kc, p, a, b)),
                      "cel " + listed(kc, p, a, b));
   }
 }
@@ -122,30 +130,31 @@ TYPED_TEST(CompleteIntegrals, Cel) {
 TYPED_TEST(CompleteIntegrals, Limits) {
   using T = TypeParam;
   const T zero(0.0), one(1.0), half_pi = T(0.5) * pi<T>();
-  const auto flat = BasicModulus<T>::from_ratio(zero, one);
-  const auto full = BasicModulus<T>::from_ratio(one, zero);
-  EXPECT_EQ(complete_k(flat), half_pi);
-  EXPECT_EQ(complete_e(flat), half_pi);
-  EXPECT_EQ(complete_b(flat), T(0.5) * half_pi);
-  EXPECT_EQ(complete_d(flat), T(0.5) * half_pi);
-  EXPECT_EQ(complete_k(full), T(HUGE_VAL));
-  EXPECT_EQ(complete_d(full), T(HUGE_VAL));
-  EXPECT_EQ(complete_pi(T(-2.0), full), T(HUGE_VAL));
-  EXPECT_EQ(complete_e(full), one);
-  EXPECT_EQ(complete_b(full), one);
-  EXPECT_EQ(cel(zero, one, one, -one), T(-HUGE_VAL));
+  const auto flat = elliptic::BasicModulus<T>::from_ratio(zero, one);
+  const auto full = elliptic::BasicModulus<T>::from_ratio(one, zero);
+  EXPECT_EQ(elliptic::complete_k(flat), half_pi);
+  EXPECT_EQ(elliptic::complete_e(flat), half_pi);
+  EXPECT_EQ(elliptic::complete_b(flat), T(0.5) * half_pi);
+  EXPECT_EQ(elliptic::complete_d(flat), T(0.5) * half_pi);
+  EXPECT_EQ(elliptic::complete_k(full), T(HUGE_VAL));
+  EXPECT_EQ(elliptic::complete_d(full), T(HUGE_VAL));
+  EXPECT_EQ(elliptic::complete_pi(T(-2.0), full), T(HUGE_VAL));
+  EXPECT_EQ(elliptic::complete_e(full), one);
+  EXPECT_EQ(elliptic::complete_b(full), one);
+  EXPECT_EQ(elliptic::cel(zero, one, one, -one), T(-HUGE_VAL));
   // int cos / (cos^2 + p sin^2) = arctan(sqrt(p - 1)) / sqrt(p - 1)
-  this->worst_.add(std::abs(to_double(cel(zero, T(2.0), T(3.0), zero) / (T(0.75) * pi<T>()) - one)),
-                   "cel(0, 2, 3, 0)");
-  EXPECT_TRUE(std::isnan(to_double(cel(one, -one, one, one))));
-  EXPECT_EQ(complete_pi(T(1.5), flat), zero);  // the principal value
-  EXPECT_EQ(complete_pi(one, flat), T(HUGE_VAL));
-  EXPECT_EQ(complete_pi(T(1.5), full), T(-HUGE_VAL));
-  EXPECT_EQ(nome(flat), zero);
-  EXPECT_EQ(nome(full), one);
-  EXPECT_EQ(complementary_nome(flat), one);
-  EXPECT_EQ(agm(one, zero), zero);
-  EXPECT_EQ(agm(one, one), one);
+  this->worst_.add(
+      std::abs(to_double(elliptic::cel(zero, T(2.0), T(3.0), zero) / (T(0.75) * pi<T>()) - one)),
+      "cel(0, 2, 3, 0)");
+  EXPECT_TRUE(std::isnan(to_double(elliptic::cel(one, -one, one, one))));
+  EXPECT_EQ(elliptic::complete_pi(T(1.5), flat), zero);  // the principal value
+  EXPECT_EQ(elliptic::complete_pi(one, flat), T(HUGE_VAL));
+  EXPECT_EQ(elliptic::complete_pi(T(1.5), full), T(-HUGE_VAL));
+  EXPECT_EQ(elliptic::nome(flat), zero);
+  EXPECT_EQ(elliptic::nome(full), one);
+  EXPECT_EQ(elliptic::complementary_nome(flat), one);
+  EXPECT_EQ(elliptic::agm(one, zero), zero);
+  EXPECT_EQ(elliptic::agm(one, one), one);
 }
 
 TYPED_TEST(CompleteIntegrals, Heuman) {
@@ -156,35 +165,41 @@ TYPED_TEST(CompleteIntegrals, Heuman) {
     const Near where = i % 3 == 0 ? Near::generic : (i % 3 == 1 ? Near::one : Near::zero);
     const ExactModulus mod = drawn_modulus<T>(draw, where);
     const double psi = drawn(draw, 0.0, 1.5) * draw.sign();
-    worst.add(relative_error(heuman_lambda0(T(psi), as<T>(mod)), exact_heuman_lambda0(psi, mod)),
+    worst.add(relative_error(elliptic::heuman_lambda0(T(psi), as<T>(mod)),
+                             exact_heuman_lambda0(psi, mod)),
               listed(psi, mod.m(), mod.m1()));
   }
   // Where Boost's is wrong by 3e-9.
   const DoubleDouble k = 1.0 - DoubleDouble(1e-9);
   const auto mod = ExactModulus::from_pair(k * k, (1.0 - k) * (1.0 + k));
-  worst.add(relative_error(heuman_lambda0(T(1.5), as<T>(mod)), exact_heuman_lambda0(1.5, mod)),
-            "k = 1 - 1e-9");
+  worst.add(
+      relative_error(elliptic::heuman_lambda0(T(1.5), as<T>(mod)), exact_heuman_lambda0(1.5, mod)),
+      "k = 1 - 1e-9");
   EXPECT_LE(worst.units(), budget::elliptic_heuman) << worst.where();
 }
 
 TYPED_TEST(CompleteIntegrals, HeumanLimits) {
   using T = TypeParam;
   const T zero(0.0), one(1.0), half_pi = T(0.5) * pi<T>();
-  const auto generic = BasicModulus<T>::from_ratio(one, T(3.0));
-  const auto full = BasicModulus<T>::from_ratio(one, zero);
-  const auto flat = BasicModulus<T>::from_ratio(zero, one);
-  EXPECT_EQ(heuman_lambda0(zero, generic), zero);
-  EXPECT_EQ(heuman_lambda0(one, zero, generic), one);
-  EXPECT_EQ(heuman_lambda0(-one, zero, flat), -one);
-  EXPECT_EQ(heuman_lambda0(half_pi, full), one);
+  const auto generic = elliptic::BasicModulus<T>::from_ratio(one, T(3.0));
+  const auto full = elliptic::BasicModulus<T>::from_ratio(one, zero);
+  const auto flat = elliptic::BasicModulus<T>::from_ratio(zero, one);
+  EXPECT_EQ(elliptic::heuman_lambda0(zero, generic), zero);
+  EXPECT_EQ(elliptic::heuman_lambda0(one, zero, generic), one);
+  EXPECT_EQ(elliptic::heuman_lambda0(-one, zero, flat), -one);
+  EXPECT_EQ(elliptic::heuman_lambda0(half_pi, full), one);
   // not 2: pi<T>() is no half turn
-  this->worst_.add(std::abs(to_double(heuman_lambda0(pi<T>(), generic) / T(2.0) - one)), "pi");
+  this->worst_.add(std::abs(to_double(elliptic::heuman_lambda0(pi<T>(), generic) / T(2.0) - one)),
+                   "pi");
   using std::sin;
-  this->worst_.add(std::abs(to_double(heuman_lambda0(T(0.7), flat) / sin(T(0.7)) - one)), "m = 0");
+  this->worst_.add(std::abs(to_double(elliptic::heuman_lambda0(T(0.7), flat) / sin(T(0.7)) - one)),
+                   "m = 0");
   // Quasi-period.
-  const T inside = heuman_lambda0(T(0.25), generic);
+  const T inside = elliptic::heuman_lambda0(T(0.25), generic);
   this->worst_.add(
-      std::abs(to_double(heuman_lambda0(T(0.25) + T(3.0) * pi<T>(), generic) - inside)) / 6.0 - 1.0,
+      std::abs(to_double(elliptic::heuman_lambda0(T(0.25) + T(3.0) * pi<T>(), generic) - inside)) /
+              6.0 -
+          1.0,
       "psi + 3 pi");
 }
 
@@ -201,21 +216,21 @@ TYPED_TEST(CompleteDerivatives, ByModulus) {
   for (int i = 0; i < 60; ++i) {
     const ExactModulus mod =
         i % 3 == 0 ? drawn_modulus<T>(draw, Near::one) : drawn_modulus<T>(draw, Near::generic);
-    const BasicModulus<T> base = as<T>(mod);
+    const elliptic::BasicModulus<T> base = as<T>(mod);
     const D m = D::variable(base.m(), 0);
-    const auto used = BasicModulus<D>::from_pair(m, D(base.m1(), (-m).derivative));
+    const auto used = elliptic::BasicModulus<D>::from_pair(m, D(base.m1(), (-m).derivative));
     const std::string at = listed(mod.m(), mod.m1());
     const auto check = [&](const char* name, const D& got, const Exact& exact) {
       worst.add(relative_error(wide(got.derivative[0]), exact), name + at);
     };
-    check("K ", complete_k(used), exact_complete(Complete::k, mod, Along::modulus));
-    check("E ", complete_e(used), exact_complete(Complete::e, mod, Along::modulus));
-    check("D ", complete_d(used), exact_complete(Complete::d, mod, Along::modulus));
-    check("q ", nome(used), exact_nome(mod, Along::modulus));
+    check("K ", elliptic::complete_k(used), exact_complete(Complete::k, mod, Along::modulus));
+    check("E ", elliptic::complete_e(used), exact_complete(Complete::e, mod, Along::modulus));
+    check("D ", elliptic::complete_d(used), exact_complete(Complete::d, mod, Along::modulus));
+    check("q ", elliptic::nome(used), exact_nome(mod, Along::modulus));
     if (i % 3 == 0) continue;
-    check("B ", complete_b(used), exact_complete(Complete::b, mod, Along::modulus));
+    check("B ", elliptic::complete_b(used), exact_complete(Complete::b, mod, Along::modulus));
     const double n = drawn(draw, -2.0, 0.9);
-    const D pi_n = complete_pi(D::variable(T(n), 1), used);
+    const D pi_n = elliptic::complete_pi(D::variable(T(n), 1), used);
     check("Pi ", pi_n, exact_complete_pi(n, mod, Along::modulus));
     worst.add(
         relative_error(wide(pi_n.derivative[1]), exact_complete_pi(n, mod, Along::characteristic)),
@@ -229,11 +244,11 @@ TYPED_TEST(CompleteDerivatives, AtZero) {
   using T = TypeParam;
   using D = Dual<T, 1>;
   const D m = D::variable(T(0.0), 0);
-  const auto mod = BasicModulus<D>::from_pair(m, T(1.0) - m);
+  const auto mod = elliptic::BasicModulus<D>::from_pair(m, T(1.0) - m);
   WorstUnits<T> worst;
-  worst.add(std::abs(to_double(complete_k(mod).derivative[0] / pi<T>() - T(0.125))), "K");
-  worst.add(std::abs(to_double(complete_e(mod).derivative[0] / pi<T>() + T(0.125))), "E");
-  worst.add(std::abs(to_double(nome(mod).derivative[0] - T(0.0625))), "q");
+  worst.add(std::abs(to_double(elliptic::complete_k(mod).derivative[0] / pi<T>() - T(0.125))), "K");
+  worst.add(std::abs(to_double(elliptic::complete_e(mod).derivative[0] / pi<T>() + T(0.125))), "E");
+  worst.add(std::abs(to_double(elliptic::nome(mod).derivative[0] - T(0.0625))), "q");
   EXPECT_LE(worst.units(), budget::elliptic_complete_derivative) << worst.where();
 }
 

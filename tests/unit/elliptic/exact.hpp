@@ -19,7 +19,8 @@ struct Exact {
 double relative_error(DoubleDouble computed, const Exact& exact);
 double absolute_error(DoubleDouble computed, const Exact& exact);
 
-using ExactModulus = BasicModulus<DoubleDouble>;  // the smaller member counts, the other is 1 minus
+using ExactModulus =
+    elliptic::BasicModulus<DoubleDouble>;  // the smaller member counts, the other is 1 minus
 
 // Partial derivatives: `by` names the argument, none the value itself.
 enum class By { none, first, second, third, fourth };

@@ -13,7 +13,7 @@ class JacobiFunctions : public ::testing::Test {
  protected:
   // The error of each function over what one rounding of u, and of the function, does to it.
   void check(double u, const ExactModulus& mod) {
-    const Jacobi<T> j = jacobi(T(u), as<T>(mod));
+    const elliptic::Jacobi<T> j = elliptic::jacobi(T(u), as<T>(mod));
     const ExactJacobi exact = exact_jacobi(u, mod);
     const double s = std::abs(exact.sn.a), c = std::abs(exact.cn.a), d = exact.dn.a;
     const double m = mod.m().hi;
@@ -27,7 +27,7 @@ class JacobiFunctions : public ::testing::Test {
     oracle::Draw draw(seed, 0);
     for (int i = 0; i < count; ++i) {
       const ExactModulus mod = drawn_modulus<T>(draw, where);
-      const double k = complete_k(to_double(mod));
+      const double k = elliptic::complete_k(elliptic::to_double(mod));
       check(short_number(k * draw.uniform(-reach, reach)), mod);
     }
   }
@@ -51,10 +51,10 @@ TYPED_TEST(JacobiFunctions, SmallArgument) {
 TYPED_TEST(JacobiFunctions, Limits) {
   using T = TypeParam;
   const T zero(0.0), one(1.0);
-  const auto full = BasicModulus<T>::from_ratio(one, zero);
-  const auto flat = BasicModulus<T>::from_ratio(zero, one);
-  const auto some = BasicModulus<T>::from_ratio(one, one);
-  const Jacobi<T> at_zero = jacobi(zero, some);
+  const auto full = elliptic::BasicModulus<T>::from_ratio(one, zero);
+  const auto flat = elliptic::BasicModulus<T>::from_ratio(zero, one);
+  const auto some = elliptic::BasicModulus<T>::from_ratio(one, one);
+  const elliptic::Jacobi<T> at_zero = elliptic::jacobi(zero, some);
   EXPECT_EQ(at_zero.sn, zero);
   EXPECT_EQ(at_zero.cn, one);
   EXPECT_EQ(at_zero.dn, one);
@@ -62,14 +62,14 @@ TYPED_TEST(JacobiFunctions, Limits) {
   using std::sin;
   using std::tanh;
   const T u(1.25);
-  EXPECT_EQ(jacobi(u, full).sn, tanh(u));
-  EXPECT_EQ(jacobi(u, full).cn, one / cosh(u));
-  EXPECT_EQ(jacobi(u, full).dn, one / cosh(u));
-  this->worst_.add(std::abs(to_double(jacobi(u, flat).sn / sin(u) - one)), "m = 0");
-  EXPECT_EQ(jacobi(u, flat).dn, one);
+  EXPECT_EQ(elliptic::jacobi(u, full).sn, tanh(u));
+  EXPECT_EQ(elliptic::jacobi(u, full).cn, one / cosh(u));
+  EXPECT_EQ(elliptic::jacobi(u, full).dn, one / cosh(u));
+  this->worst_.add(std::abs(to_double(elliptic::jacobi(u, flat).sn / sin(u) - one)), "m = 0");
+  EXPECT_EQ(elliptic::jacobi(u, flat).dn, one);
   const T infinity(HUGE_VAL);
-  EXPECT_TRUE(std::isnan(to_double(jacobi(infinity, some).sn)));
-  EXPECT_EQ(jacobi(-u, some).sn, -jacobi(u, some).sn);
+  EXPECT_TRUE(std::isnan(to_double(elliptic::jacobi(infinity, some).sn)));
+  EXPECT_EQ(elliptic::jacobi(-u, some).sn, -elliptic::jacobi(u, some).sn);
 }
 
 TYPED_TEST(JacobiFunctions, Amplitude) {
@@ -77,17 +77,18 @@ TYPED_TEST(JacobiFunctions, Amplitude) {
   oracle::Draw draw(76, 0);
   for (int i = 0; i < 100; ++i) {
     const ExactModulus mod = drawn_modulus<T>(draw, i % 2 == 0 ? Near::generic : Near::one);
-    const BasicModulus<T> used = as<T>(mod);
-    const T k = complete_k(used);
+    const elliptic::BasicModulus<T> used = as<T>(mod);
+    const T k = elliptic::complete_k(used);
     const T rest = T(draw.uniform(-1.0, 1.0)) * k;
     const double turns = std::round(draw.uniform(-20.0, 20.0));
     const T u = rest + T(2.0 * turns) * k;
-    const Jacobi<T> j = jacobi(rest, used);
+    const elliptic::Jacobi<T> j = elliptic::jacobi(rest, used);
     using std::atan2;
     const T want = T(turns) * pi<T>() + atan2(j.sn, j.cn);
     const double scale = std::abs(to_double(want)) + std::abs(to_double(u) * to_double(j.dn));
-    this->worst_.add(std::abs(to_double(amplitude(u, used) - want)) / scale, listed(u, mod.m1()));
-    const Jacobi<T> around = jacobi(u, used);
+    this->worst_.add(std::abs(to_double(elliptic::amplitude(u, used) - want)) / scale,
+                     listed(u, mod.m1()));
+    const elliptic::Jacobi<T> around = elliptic::jacobi(u, used);
     const double sign = std::fmod(turns, 2.0) == 0.0 ? 1.0 : -1.0;
     this->worst_.add(std::abs(to_double(around.dn - j.dn)) /
                          (to_double(j.dn) + std::abs(to_double(u * j.sn * j.cn))),
@@ -102,12 +103,13 @@ TYPED_TEST(JacobiFunctions, InverseOfF) {
   oracle::Draw draw(77, 0);
   for (int i = 0; i < 100; ++i) {
     const ExactModulus mod = drawn_modulus<T>(draw, static_cast<Near>(i % 3));
-    const BasicModulus<T> used = as<T>(mod);
-    const T u = T(draw.uniform(-0.9, 0.9)) * complete_k(used);
-    const Jacobi<T> j = jacobi(u, used);
+    const elliptic::BasicModulus<T> used = as<T>(mod);
+    const T u = T(draw.uniform(-0.9, 0.9)) * elliptic::complete_k(used);
+    const elliptic::Jacobi<T> j = elliptic::jacobi(u, used);
     const double slope = 1.0 + std::abs(to_double(j.sn) / to_double(u * j.dn));
-    this->worst_.add(std::abs(to_double(legendre_f(j.sn, j.cn, used) / u - T(1.0))) / slope,
-                     listed(u, mod.m1()));
+    this->worst_.add(
+        std::abs(to_double(elliptic::legendre_f(j.sn, j.cn, used) / u - T(1.0))) / slope,
+        listed(u, mod.m1()));
   }
 }
 
@@ -115,12 +117,12 @@ template <class T>
 class JacobiDerivatives : public ::testing::Test {
  protected:
   using D2 = Dual<T, 2>;
-  static BasicModulus<D2> moving(const BasicModulus<T>& base) {
+  static elliptic::BasicModulus<D2> moving(const elliptic::BasicModulus<T>& base) {
     const D2 m = D2::variable(base.m(), 1);
-    return BasicModulus<D2>::from_pair(m, D2(base.m1(), (-m).derivative));
+    return elliptic::BasicModulus<D2>::from_pair(m, D2(base.m1(), (-m).derivative));
   }
   void check(double u, const ExactModulus& mod) {
-    const Jacobi<D2> j = jacobi(D2::variable(T(u), 0), moving(as<T>(mod)));
+    const elliptic::Jacobi<D2> j = elliptic::jacobi(D2::variable(T(u), 0), moving(as<T>(mod)));
     const std::string at = listed(u, mod.m(), mod.m1());
     const ExactJacobi by_u = exact_jacobi(u, mod, Along::argument);
     const ExactJacobi by_m = exact_jacobi(u, mod, Along::modulus);
@@ -141,7 +143,7 @@ TYPED_TEST(JacobiDerivatives, Generic) {
   oracle::Draw draw(78, 0);
   for (int i = 0; i < 60; ++i) {
     const ExactModulus mod = drawn_modulus<TypeParam>(draw, Near::generic);
-    const double k = complete_k(to_double(mod));
+    const double k = elliptic::complete_k(elliptic::to_double(mod));
     this->check(short_number(k * draw.uniform(0.1, 0.9) + 2.0 * k * (i % 4)), mod);
   }
 }
@@ -159,7 +161,8 @@ TYPED_TEST(JacobiDerivatives, AtOne) {
   using std::sinh;
   for (const double u0 : {-3.0, 0.5, 1.0, 4.0}) {
     const T u(u0);
-    const auto j = jacobi(Dual<T, 2>(u), this->moving(BasicModulus<T>::from_ratio(T(1.0), T(0.0))));
+    const auto j = elliptic::jacobi(
+        Dual<T, 2>(u), this->moving(elliptic::BasicModulus<T>::from_ratio(T(1.0), T(0.0))));
     const T s = sinh(u), c = cosh(u);
     const T exact = T(-0.25) * (s * c - u) / (c * c);
     this->worst_.add(std::abs(to_double(-j.sn.derivative[1] / exact + T(1.0))), listed(u));
@@ -176,15 +179,15 @@ TYPED_TEST(JacobiDerivatives, Amplitude) {
     const ExactModulus mod = drawn_modulus<T>(draw, Near::generic);
     const T u(drawn(draw, -30.0, 30.0));
     const auto used = this->moving(as<T>(mod));
-    const auto am = amplitude(Dual<T, 2>::variable(u, 0), used);
+    const auto am = elliptic::amplitude(Dual<T, 2>::variable(u, 0), used);
     // F(am u, m) = u along the curve: 1 = F_phi am_u and 0 = F_phi am_m + F_m.
     using std::cos;
     using std::round;
     using std::sin;
     const T turns = round(am.value / pi<T>());
     const auto inside = am - turns * pi<T>();
-    const auto back =
-        legendre_f(sin(inside), cos(inside), used) + T(2.0) * turns * complete_k(used);
+    const auto back = elliptic::legendre_f(sin(inside), cos(inside), used) +
+                      T(2.0) * turns * elliptic::complete_k(used);
     const double slack = 1.0 + std::abs(to_double(u));
     this->worst_.add(std::abs(to_double(back.derivative[0] - T(1.0))) / slack, listed(u, mod.m()));
     this->worst_.add(std::abs(to_double(back.derivative[1])) / slack, listed(u, mod.m()));

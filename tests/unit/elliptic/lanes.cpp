@@ -16,12 +16,9 @@
 #include "oracle/random_draw.hpp"
 #include "polhode/elliptic/agm.hpp"
 #include "polhode/elliptic/carlson.hpp"
-#include "polhode/elliptic/heuman.hpp"
 #include "polhode/elliptic/jacobi.hpp"
-#include "polhode/elliptic/jacobi_zeta.hpp"
 #include "polhode/elliptic/legendre.hpp"
 #include "polhode/elliptic/legendre_pi.hpp"
-#include "polhode/elliptic/nome.hpp"
 #include "polhode/math/double_double.hpp"
 
 namespace {
@@ -91,47 +88,49 @@ void expect_lanes(const F& f) {
 }
 
 TYPED_TEST(EllipticLanes, Agm) {
-  expect_lanes<TypeParam, 2>([](const auto& a, const auto& b) { return agm(a, b); });
+  expect_lanes<TypeParam, 2>([](const auto& a, const auto& b) { return elliptic::agm(a, b); });
 }
 TYPED_TEST(EllipticLanes, Cel) {
-  expect_lanes<TypeParam, 4>(
-      [](const auto& kc, const auto& p, const auto& a, const auto& b) { return cel(kc, p, a, b); });
+  expect_lanes<TypeParam, 4>([](const auto& kc, const auto& p, const auto& a, const auto& b) {
+    return elliptic::cel(kc, p, a, b);
+  });
 }
 TYPED_TEST(EllipticLanes, CarlsonRf) {
   expect_lanes<TypeParam, 3>(
-      [](const auto& x, const auto& y, const auto& z) { return carlson_rf(x, y, z); });
+      [](const auto& x, const auto& y, const auto& z) { return elliptic::carlson_rf(x, y, z); });
 }
 TYPED_TEST(EllipticLanes, CarlsonRd) {
   expect_lanes<TypeParam, 3>(
-      [](const auto& x, const auto& y, const auto& z) { return carlson_rd(x, y, z); });
+      [](const auto& x, const auto& y, const auto& z) { return elliptic::carlson_rd(x, y, z); });
 }
 
 TYPED_TEST(EllipticLanes, CarlsonRc) {
-  expect_lanes<TypeParam, 2>([](const auto& x, const auto& y) { return carlson_rc(x, y); });
+  expect_lanes<TypeParam, 2>(
+      [](const auto& x, const auto& y) { return elliptic::carlson_rc(x, y); });
   // arguments next to each other, by the series and by both logarithms
   expect_lanes<TypeParam, 2>([](const auto& x, const auto& y) {
     using std::abs;
-    return carlson_rc(abs(x), abs(x) * (1.0 + 0.001 * (y - 10.0)));
+    return elliptic::carlson_rc(abs(x), abs(x) * (1.0 + 0.001 * (y - 10.0)));
   });
 }
 TYPED_TEST(EllipticLanes, CarlsonRj) {
   expect_lanes<TypeParam, 4>([](const auto& x, const auto& y, const auto& z, const auto& p) {
-    return carlson_rj(x, y, z, p);
+    return elliptic::carlson_rj(x, y, z, p);
   });
   // p not far above the others
   expect_lanes<TypeParam, 4>([](const auto& x, const auto& y, const auto& z, const auto& p) {
-    return carlson_rj(x, y, z, (x + y + z) * (p / (1.0 + p)));
+    return elliptic::carlson_rj(x, y, z, (x + y + z) * (p / (1.0 + p)));
   });
 }
 
 template <class T>
-BasicModulus<Pack<T>> pack_of(const std::array<std::array<double, 2>, lanes>& ratio) {
+elliptic::BasicModulus<Pack<T>> pack_of(const std::array<std::array<double, 2>, lanes>& ratio) {
   Pack<T> a, b;
   for (std::size_t i = 0; i < lanes; ++i) {
     a.lane[i] = T(ratio[i][0]);
     b.lane[i] = T(ratio[i][1]);
   }
-  return BasicModulus<Pack<T>>::from_ratio(a, b);
+  return elliptic::BasicModulus<Pack<T>>::from_ratio(a, b);
 }
 
 // Lanes of moduli with angles, sines and cosines or arguments, and characteristics.
@@ -139,7 +138,9 @@ template <class T>
 struct Arguments {
   Pack<T> m, m1, s, c, u, n;
 
-  BasicModulus<Pack<T>> modulus() const { return BasicModulus<Pack<T>>::from_any_pair(m, m1); }
+  elliptic::BasicModulus<Pack<T>> modulus() const {
+    return elliptic::BasicModulus<Pack<T>>::from_any_pair(m, m1);
+  }
 };
 // Ordinary: 0 <= m < 1, n < 1. Otherwise any m and n, multiples of the quarter turn, 0 and NaN.
 template <class T>
@@ -189,7 +190,7 @@ void expect_lanes_of_moduli(const F& f) {
   oracle::Draw draw(63, 0);
   for (int k = 0; k < packs; ++k) {
     const Arguments<T> a = drawn_arguments<T>(draw, k % 4 != 0);
-    const BasicModulus<Pack<T>> mod = a.modulus();
+    const elliptic::BasicModulus<Pack<T>> mod = a.modulus();
     const Pack<T> got = f(Asked{a.u, a.s, a.c, a.n, mod});
     for (std::size_t i = 0; i < lanes; ++i) {
       SCOPED_TRACE(testing::Message() << "pack " << k << ", lane " << i);
@@ -201,35 +202,46 @@ void expect_lanes_of_moduli(const F& f) {
 }
 
 TYPED_TEST(EllipticLanes, LegendreOfSineAndCosine) {
-  expect_lanes_of_moduli<TypeParam>([](const auto& a) { return legendre_f(a.s, a.c, a.mod); });
-  expect_lanes_of_moduli<TypeParam>([](const auto& a) { return legendre_e(a.s, a.c, a.mod); });
-  expect_lanes_of_moduli<TypeParam>([](const auto& a) { return legendre_d(a.s, a.c, a.mod); });
-  expect_lanes_of_moduli<TypeParam>([](const auto& a) { return legendre_b(a.s, a.c, a.mod); });
+  expect_lanes_of_moduli<TypeParam>(
+      [](const auto& a) { return elliptic::legendre_f(a.s, a.c, a.mod); });
+  expect_lanes_of_moduli<TypeParam>(
+      [](const auto& a) { return elliptic::legendre_e(a.s, a.c, a.mod); });
+  expect_lanes_of_moduli<TypeParam>(
+      [](const auto& a) { return elliptic::legendre_d(a.s, a.c, a.mod); });
+  expect_lanes_of_moduli<TypeParam>(
+      [](const auto& a) { return elliptic::legendre_b(a.s, a.c, a.mod); });
 }
 TYPED_TEST(EllipticLanes, LegendreOfAngle) {
-  expect_lanes_of_moduli<TypeParam>([](const auto& a) { return legendre_f(a.u, a.mod); });
-  expect_lanes_of_moduli<TypeParam>([](const auto& a) { return legendre_e(a.u, a.mod); });
-  expect_lanes_of_moduli<TypeParam>([](const auto& a) { return legendre_d(a.u, a.mod); });
-  expect_lanes_of_moduli<TypeParam>([](const auto& a) { return legendre_b(a.u, a.mod); });
+  expect_lanes_of_moduli<TypeParam>([](const auto& a) { return elliptic::legendre_f(a.u, a.mod); });
+  expect_lanes_of_moduli<TypeParam>([](const auto& a) { return elliptic::legendre_e(a.u, a.mod); });
+  expect_lanes_of_moduli<TypeParam>([](const auto& a) { return elliptic::legendre_d(a.u, a.mod); });
+  expect_lanes_of_moduli<TypeParam>([](const auto& a) { return elliptic::legendre_b(a.u, a.mod); });
 }
 TYPED_TEST(EllipticLanes, LegendrePi) {
   expect_lanes_of_moduli<TypeParam>(
-      [](const auto& a) { return legendre_pi(a.s, a.c, a.n, a.mod); });
-  expect_lanes_of_moduli<TypeParam>([](const auto& a) { return legendre_pi(a.u, a.n, a.mod); });
-  expect_lanes_of_moduli<TypeParam>([](const auto& a) { return complete_pi(a.n, a.mod); });
+      [](const auto& a) { return elliptic::legendre_pi(a.s, a.c, a.n, a.mod); });
+  expect_lanes_of_moduli<TypeParam>(
+      [](const auto& a) { return elliptic::legendre_pi(a.u, a.n, a.mod); });
+  expect_lanes_of_moduli<TypeParam>(
+      [](const auto& a) { return elliptic::complete_pi(a.n, a.mod); });
 }
 TYPED_TEST(EllipticLanes, Amplitude) {
-  expect_lanes_of_moduli<TypeParam>([](const auto& a) { return amplitude(a.u, a.mod); });
+  expect_lanes_of_moduli<TypeParam>([](const auto& a) { return elliptic::amplitude(a.u, a.mod); });
 }
 TYPED_TEST(EllipticLanes, Nome) {
-  expect_lanes_of_moduli<TypeParam>([](const auto& a) { return nome(a.mod); });
-  expect_lanes_of_moduli<TypeParam>([](const auto& a) { return complementary_nome(a.mod); });
+  expect_lanes_of_moduli<TypeParam>([](const auto& a) { return elliptic::nome(a.mod); });
+  expect_lanes_of_moduli<TypeParam>(
+      [](const auto& a) { return elliptic::complementary_nome(a.mod); });
 }
 TYPED_TEST(EllipticLanes, HeumanAndZeta) {
-  expect_lanes_of_moduli<TypeParam>([](const auto& a) { return heuman_lambda0(a.s, a.c, a.mod); });
-  expect_lanes_of_moduli<TypeParam>([](const auto& a) { return heuman_lambda0(a.u, a.mod); });
-  expect_lanes_of_moduli<TypeParam>([](const auto& a) { return jacobi_zeta(a.s, a.c, a.mod); });
-  expect_lanes_of_moduli<TypeParam>([](const auto& a) { return jacobi_zeta(a.u, a.mod); });
+  expect_lanes_of_moduli<TypeParam>(
+      [](const auto& a) { return elliptic::heuman_lambda0(a.s, a.c, a.mod); });
+  expect_lanes_of_moduli<TypeParam>(
+      [](const auto& a) { return elliptic::heuman_lambda0(a.u, a.mod); });
+  expect_lanes_of_moduli<TypeParam>(
+      [](const auto& a) { return elliptic::jacobi_zeta(a.s, a.c, a.mod); });
+  expect_lanes_of_moduli<TypeParam>(
+      [](const auto& a) { return elliptic::jacobi_zeta(a.u, a.mod); });
 }
 
 // Moduli 0 and 1 and next to both, arguments up to many periods, 0 and NaN.
@@ -246,20 +258,21 @@ TYPED_TEST(EllipticLanes, JacobiAndCompleteIntegrals) {
       u.lane[i] = T(draw.chance(0.1) ? 0.0 : draw.sign() * draw.power_of_ten(-20.0, 3.0));
       if (draw.chance(0.02)) u.lane[i] = T(std::numeric_limits<double>::quiet_NaN());
     }
-    const BasicModulus<Pack<T>> mod = pack_of<T>(ratio);
-    const Jacobi<Pack<T>> j = jacobi(u, mod);
-    const Pack<T> K = complete_k(mod), E = complete_e(mod), B = complete_b(mod);
-    const Pack<T> D = complete_d(mod);
+    const elliptic::BasicModulus<Pack<T>> mod = pack_of<T>(ratio);
+    const elliptic::Jacobi<Pack<T>> j = elliptic::jacobi(u, mod);
+    const Pack<T> K = elliptic::complete_k(mod), E = elliptic::complete_e(mod),
+                  B = elliptic::complete_b(mod);
+    const Pack<T> D = elliptic::complete_d(mod);
     for (std::size_t i = 0; i < lanes; ++i) {
-      const auto one = BasicModulus<T>::from_ratio(T(ratio[i][0]), T(ratio[i][1]));
-      const Jacobi<T> alone = jacobi(u.lane[i], one);
+      const auto one = elliptic::BasicModulus<T>::from_ratio(T(ratio[i][0]), T(ratio[i][1]));
+      const elliptic::Jacobi<T> alone = elliptic::jacobi(u.lane[i], one);
       expect_equal(j.sn.lane[i], alone.sn);
       expect_equal(j.cn.lane[i], alone.cn);
       expect_equal(j.dn.lane[i], alone.dn);
-      expect_equal(K.lane[i], complete_k(one));
-      expect_equal(E.lane[i], complete_e(one));
-      expect_equal(B.lane[i], complete_b(one));
-      expect_equal(D.lane[i], complete_d(one));
+      expect_equal(K.lane[i], elliptic::complete_k(one));
+      expect_equal(E.lane[i], elliptic::complete_e(one));
+      expect_equal(B.lane[i], elliptic::complete_b(one));
+      expect_equal(D.lane[i], elliptic::complete_d(one));
     }
     if (testing::Test::HasFailure()) return;
   }

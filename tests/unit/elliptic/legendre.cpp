@@ -32,14 +32,18 @@ class LegendreIntegrals : public ::testing::Test {
     DoubleDouble c_exact = sqrt((1.0 - DoubleDouble(at.s)) * (1.0 + DoubleDouble(at.s)));
     if (at.c < 0.0) c_exact = -c_exact;
     const T c = as<T>(c_exact);
-    const BasicModulus<T> mod = as<T>(at.mod);
+    const elliptic::BasicModulus<T> mod = as<T>(at.mod);
     const auto exact = [&](Legendre kind) {
       return exact_legendre(kind, at.s, wide(c), at.n, at.mod);
     };
-    worst_.add(relative_error(legendre_f(s, c, mod), exact(Legendre::f)), "F " + text(at));
-    worst_.add(relative_error(legendre_e(s, c, mod), exact(Legendre::e)), "E " + text(at));
-    worst_.add(relative_error(legendre_d(s, c, mod), exact(Legendre::d)), "D " + text(at));
-    worst_.add(relative_error(legendre_pi(s, c, n, mod), exact(Legendre::pi)), "Pi " + text(at));
+    worst_.add(relative_error(elliptic::legendre_f(s, c, mod), exact(Legendre::f)),
+               "F " + text(at));
+    worst_.add(relative_error(elliptic::legendre_e(s, c, mod), exact(Legendre::e)),
+               "E " + text(at));
+    worst_.add(relative_error(elliptic::legendre_d(s, c, mod), exact(Legendre::d)),
+               "D " + text(at));
+    worst_.add(relative_error(elliptic::legendre_pi(s, c, n, mod), exact(Legendre::pi)),
+               "Pi " + text(at));
   }
   void TearDown() override { worst_.expect_within(budget::elliptic_legendre); }
   WorstUnits<T> worst_;
@@ -73,28 +77,28 @@ TYPED_TEST(LegendreIntegrals, SmallAmplitude) {
 TYPED_TEST(LegendreIntegrals, Limits) {
   using T = TypeParam;
   const T zero(0.0), one(1.0), n(-0.5);
-  const auto mod = BasicModulus<T>::from_ratio(T(3.0), one);
-  const auto full = BasicModulus<T>::from_ratio(one, zero);
+  const auto mod = elliptic::BasicModulus<T>::from_ratio(T(3.0), one);
+  const auto full = elliptic::BasicModulus<T>::from_ratio(one, zero);
   const auto near = [&](const T& a, const T& b, const char* what) {
     this->worst_.add(std::abs(to_double(a / b - one)), what);
   };
-  near(legendre_f(one, zero, mod), complete_k(mod), "K");
-  near(legendre_e(-one, zero, mod), -complete_e(mod), "-E");
-  near(legendre_d(one, zero, mod), complete_d(mod), "D");
-  near(legendre_pi(one, zero, n, mod), complete_pi(n, mod), "Pi");
-  near(legendre_f(zero, -one, mod), T(2.0) * complete_k(mod), "2K");
-  near(legendre_pi(T(-0.0), -one, n, mod), T(2.0) * complete_pi(n, mod), "2Pi");
-  EXPECT_EQ(legendre_f(zero, one, mod), zero);
-  EXPECT_EQ(legendre_pi(zero, one, T(-1e6), full), zero);
-  EXPECT_EQ(legendre_e(one, zero, full), one);
-  EXPECT_EQ(legendre_f(one, zero, full), T(HUGE_VAL));
-  EXPECT_EQ(legendre_pi(one, zero, n, full), T(HUGE_VAL));
-  const auto beyond = BasicModulus<T>::from_any_pair(T(2.0), -one);
-  EXPECT_TRUE(std::isnan(to_double(legendre_pi(T(0.8), T(0.6), T(0.5), beyond))));
-  EXPECT_TRUE(std::isnan(to_double(legendre_pi(T(0.8), T(0.6), T(5.0), beyond))));
+  near(elliptic::legendre_f(one, zero, mod), elliptic::complete_k(mod), "K");
+  near(elliptic::legendre_e(-one, zero, mod), -elliptic::complete_e(mod), "-E");
+  near(elliptic::legendre_d(one, zero, mod), elliptic::complete_d(mod), "D");
+  near(elliptic::legendre_pi(one, zero, n, mod), elliptic::complete_pi(n, mod), "Pi");
+  near(elliptic::legendre_f(zero, -one, mod), T(2.0) * elliptic::complete_k(mod), "2K");
+  near(elliptic::legendre_pi(T(-0.0), -one, n, mod), T(2.0) * elliptic::complete_pi(n, mod), "2Pi");
+  EXPECT_EQ(elliptic::legendre_f(zero, one, mod), zero);
+  EXPECT_EQ(elliptic::legendre_pi(zero, one, T(-1e6), full), zero);
+  EXPECT_EQ(elliptic::legendre_e(one, zero, full), one);
+  EXPECT_EQ(elliptic::legendre_f(one, zero, full), T(HUGE_VAL));
+  EXPECT_EQ(elliptic::legendre_pi(one, zero, n, full), T(HUGE_VAL));
+  const auto beyond = elliptic::BasicModulus<T>::from_any_pair(T(2.0), -one);
+  EXPECT_TRUE(std::isnan(to_double(elliptic::legendre_pi(T(0.8), T(0.6), T(0.5), beyond))));
+  EXPECT_TRUE(std::isnan(to_double(elliptic::legendre_pi(T(0.8), T(0.6), T(5.0), beyond))));
   // At m1 = 0: F = artanh(s), E = s.
   using std::log;
-  near(legendre_f(T(3.0) / T(5.0), T(4.0) / T(5.0), full), log(T(2.0)), "artanh");
+  near(elliptic::legendre_f(T(3.0) / T(5.0), T(4.0) / T(5.0), full), log(T(2.0)), "artanh");
 }
 
 template <class T>
@@ -103,7 +107,7 @@ class LegendreDerivatives : public ::testing::Test {
   // phi, m, n are the variables.
   void check(const Point& at) {
     using D = Dual<T, 3>;
-    const BasicModulus<T> base = as<T>(at.mod);
+    const elliptic::BasicModulus<T> base = as<T>(at.mod);
     DoubleDouble c_exact = sqrt((1.0 - DoubleDouble(at.s)) * (1.0 + DoubleDouble(at.s)));
     if (at.c < 0.0) c_exact = -c_exact;
     const T c0 = as<T>(c_exact);
@@ -111,7 +115,7 @@ class LegendreDerivatives : public ::testing::Test {
     const D s(T(at.s), {c0, zero, zero});
     const D c(c0, {-T(at.s), zero, zero});
     const D m = D::variable(base.m(), 1);
-    const auto mod = BasicModulus<D>::from_pair(m, D(base.m1(), (-m).derivative));
+    const auto mod = elliptic::BasicModulus<D>::from_pair(m, D(base.m1(), (-m).derivative));
     const D n = D::variable(T(at.n), 2);
     const auto one = [&](Legendre kind, const D& got, const char* name) {
       const auto by = [&](Along along) {
@@ -126,10 +130,10 @@ class LegendreDerivatives : public ::testing::Test {
                    name + ("/dn " + text(at)));
       }
     };
-    one(Legendre::f, legendre_f(s, c, mod), "F");
-    one(Legendre::e, legendre_e(s, c, mod), "E");
-    one(Legendre::d, legendre_d(s, c, mod), "D");
-    one(Legendre::pi, legendre_pi(s, c, n, mod), "Pi");
+    one(Legendre::f, elliptic::legendre_f(s, c, mod), "F");
+    one(Legendre::e, elliptic::legendre_e(s, c, mod), "E");
+    one(Legendre::d, elliptic::legendre_d(s, c, mod), "D");
+    one(Legendre::pi, elliptic::legendre_pi(s, c, n, mod), "Pi");
   }
   void TearDown() override { worst_.expect_within(budget::elliptic_legendre_derivative); }
   WorstUnits<T> worst_;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Jacobi's functions in lanes: beside 50 digits, the same bits whatever the lane, the neighbours,
 // the number of arguments and the set of instructions, and what does not go in lanes.
-#include "polhode/elliptic/many_jacobi.hpp"
-
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -32,12 +30,12 @@ struct Columns {
   std::vector<double> sn, cn, dn;
 
   explicit Columns(std::size_t n) : sn(n), cn(n), dn(n) {}
-  JacobiSpans spans() { return {sn, cn, dn}; }
+  elliptic::JacobiSpans spans() { return {sn, cn, dn}; }
 };
 
 Columns in_lanes(const Arguments& at, InstructionSet set = widest_instruction_set()) {
   Columns results(at.u.size());
-  jacobi(at.u, at.m, at.m1, results.spans(), set);
+  elliptic::jacobi(at.u, at.m, at.m1, results.spans(), set);
   return results;
 }
 
@@ -57,12 +55,12 @@ class ManyJacobi : public ::testing::Test {
     oracle::Draw draw(seed, 0);
     for (int i = 0; i < count; ++i) {
       const ExactModulus mod = drawn_modulus<double>(draw, where);
-      const double k = complete_k(to_double(mod));
+      const double k = elliptic::complete_k(elliptic::to_double(mod));
       add(short_number(k * draw.uniform(-reach, reach)), mod);
     }
   }
   void add(double u, const ExactModulus& mod) {
-    const Modulus used = as<double>(mod);
+    const elliptic::Modulus used = as<double>(mod);
     arguments_.add(u, used.m(), used.m1());
     moduli_.push_back(mod);
   }
@@ -131,13 +129,14 @@ TEST(ManyJacobiBits, NoSineOrCosineExceedsOne) {
     const double m1 = i % 3 == 0   ? draw.power_of_ten(-300.0, 0.0)
                       : i % 3 == 1 ? draw.uniform(0.0, 1.0)
                                    : 1.0 + draw.power_of_ten(-8.0, 8.0);
-    const double m = 1.0 - m1, k = complete_k(Modulus::from_any_pair(m, m1));
+    const double m = 1.0 - m1, k = elliptic::complete_k(elliptic::Modulus::from_any_pair(m, m1));
     const double near = i % 2 == 0 ? draw.power_of_ten(-18.0, -6.0) : 0.0;
     all.add(k * (static_cast<double>(i % 7) - 3.0) + near, m, m1);
   }
   const Columns got = in_lanes(all);
   for (std::size_t i = 0; i < all.u.size(); ++i) {
-    const auto one = jacobi(all.u[i], Modulus::from_any_pair(all.m[i], all.m1[i]));
+    const auto one =
+        elliptic::jacobi(all.u[i], elliptic::Modulus::from_any_pair(all.m[i], all.m1[i]));
     for (const double x : {got.sn[i], got.cn[i], one.sn, one.cn})
       ASSERT_LE(std::fabs(x), 1.0) << listed(all.u[i], all.m[i], all.m1[i]);
   }
@@ -169,10 +168,10 @@ TEST(ManyJacobiBits, AloneAndAmongOthers) {
 TEST(ManyJacobiBits, OneModulus) {
   const Arguments all = of_all_kinds(300);
   for (const double m1 : {1.0, 0.75, 0.1400001, 0.13, 2e-9, 1e-250, 0.0, 2.5, -0.5}) {
-    const Modulus mod = Modulus::from_any_pair(1.0 - m1, m1);
+    const elliptic::Modulus mod = elliptic::Modulus::from_any_pair(1.0 - m1, m1);
     const std::size_t n = all.u.size();
     Columns one(n);
-    jacobi(all.u, mod, one.spans());
+    elliptic::jacobi(all.u, mod, one.spans());
     const Columns each =
         in_lanes({all.u, std::vector<double>(n, mod.m()), std::vector<double>(n, mod.m1())});
     for (std::size_t i = 0; i < n; ++i) expect_same(one, i, each, i);
@@ -182,7 +181,7 @@ TEST(ManyJacobiBits, OneModulus) {
 TEST(ManyJacobiBits, ResultsOverArguments) {
   Arguments all = of_all_kinds(333);
   const Columns want = in_lanes(all);
-  jacobi(all.u, all.m, all.m1, JacobiSpans{all.u, all.m, all.m1});
+  elliptic::jacobi(all.u, all.m, all.m1, elliptic::JacobiSpans{all.u, all.m, all.m1});
   Columns got(all.u.size());
   got.sn = all.u;
   got.cn = all.m;
@@ -197,7 +196,8 @@ TEST(ManyJacobiDomain, OneByOne) {
                       {3.5, -0.75, 0.0, 0.5, 1e-200, 5e-324, -1e300}};
   const Columns got = in_lanes(odd);
   for (std::size_t i = 0; i < odd.u.size(); ++i) {
-    const Jacobi<double> want = jacobi(odd.u[i], Modulus::from_any_pair(odd.m[i], odd.m1[i]));
+    const elliptic::Jacobi<double> want =
+        elliptic::jacobi(odd.u[i], elliptic::Modulus::from_any_pair(odd.m[i], odd.m1[i]));
     EXPECT_EQ(got.sn[i], want.sn) << i;
     EXPECT_EQ(got.cn[i], want.cn) << i;
     EXPECT_EQ(got.dn[i], want.dn) << i;
@@ -227,12 +227,12 @@ TEST(ManyJacobiDomain, Zeros) {
 TEST(ManyJacobiErrors, SpansAndPairs) {
   const std::vector<double> three(3, 0.5), two(2, 0.5), one(1, 0.5), quarter(3, 0.25);
   Columns results(3), few(2);
-  EXPECT_NO_THROW(jacobi(three, one, one, results.spans()));
-  EXPECT_THROW(jacobi(three, two, three, results.spans()), DomainError);
-  EXPECT_THROW(jacobi(three, three, one, results.spans()), DomainError);
-  EXPECT_THROW(jacobi(three, three, three, few.spans()), DomainError);
-  EXPECT_THROW(jacobi(three, three, quarter, results.spans()), DomainError);
-  jacobi({}, {}, {}, JacobiSpans{});
+  EXPECT_NO_THROW(elliptic::jacobi(three, one, one, results.spans()));
+  EXPECT_THROW(elliptic::jacobi(three, two, three, results.spans()), DomainError);
+  EXPECT_THROW(elliptic::jacobi(three, three, one, results.spans()), DomainError);
+  EXPECT_THROW(elliptic::jacobi(three, three, three, few.spans()), DomainError);
+  EXPECT_THROW(elliptic::jacobi(three, three, quarter, results.spans()), DomainError);
+  elliptic::jacobi({}, {}, {}, elliptic::JacobiSpans{});
 }
 
 }  // namespace

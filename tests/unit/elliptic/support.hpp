@@ -43,8 +43,8 @@ inline DoubleDouble wide(double x) { return x; }
 inline DoubleDouble wide(DoubleDouble x) { return x; }
 
 template <class T>
-BasicModulus<T> as(const ExactModulus& mod) {
-  return BasicModulus<T>::from_pair(as<T>(mod.m()), as<T>(mod.m1()));
+elliptic::BasicModulus<T> as(const ExactModulus& mod) {
+  return elliptic::BasicModulus<T>::from_pair(as<T>(mod.m()), as<T>(mod.m1()));
 }
 
 // The least m or m1 of a sweep: below, a DoubleDouble has no room for its low part.

@@ -20,7 +20,7 @@
 #include "ensemble/number_moments.hpp"
 #include "message_of.hpp"
 #include "oracle/random_draw.hpp"
-#include "polhode/ensemble/quantiles.hpp"
+#include "polhode/ensemble/bins.hpp"
 
 namespace {
 
@@ -45,55 +45,59 @@ AnyMember member(std::int64_t index) {
 }
 
 struct ToLeftOut {
-  static LeftOut empty() { return {}; }
-  static void add(LeftOut& to, const AnyMember& m) {
+  static ensemble::LeftOut empty() { return {}; }
+  static void add(ensemble::LeftOut& to, const AnyMember& m) {
     if (std::isnan(m.a)) to.add(m.index);
   }
 };
 struct ToNumbers {
-  static NumberMoments empty() { return NumberMoments(3); }
-  static void add(NumberMoments& to, const AnyMember& m) {
+  static ensemble::NumberMoments empty() { return ensemble::NumberMoments(3); }
+  static void add(ensemble::NumberMoments& to, const AnyMember& m) {
     to.add(m.index, std::vector{m.a, m.b, 1e3 + m.c});
   }
 };
 struct ToAttitudes {
-  static AttitudeMoments empty() { return {}; }
-  static void add(AttitudeMoments& to, const AnyMember& m) { to.add(m.index, m.q); }
+  static ensemble::AttitudeMoments empty() { return {}; }
+  static void add(ensemble::AttitudeMoments& to, const AnyMember& m) { to.add(m.index, m.q); }
 };
 struct ToSpread {
-  static AttitudeSpread empty() { return AttitudeSpread({1.0, 0.1, 0.0, 0.0}); }
-  static void add(AttitudeSpread& to, const AnyMember& m) { to.add(m.index, m.q); }
+  static ensemble::AttitudeSpread empty() { return ensemble::AttitudeSpread({1.0, 0.1, 0.0, 0.0}); }
+  static void add(ensemble::AttitudeSpread& to, const AnyMember& m) { to.add(m.index, m.q); }
 };
 struct ToAngles {
-  static AngleMoments empty() { return {}; }
-  static void add(AngleMoments& to, const AnyMember& m) { to.add(m.index, m.c); }
+  static ensemble::AngleMoments empty() { return {}; }
+  static void add(ensemble::AngleMoments& to, const AnyMember& m) { to.add(m.index, m.c); }
 };
 struct ToHistogram {
-  static Histogram empty() { return Histogram(Bins::linear(-2.0, 2.0, 12)); }
-  static void add(Histogram& to, const AnyMember& m) { to.add(m.index, m.a); }
+  static ensemble::Histogram empty() {
+    return ensemble::Histogram(ensemble::Bins::linear(-2.0, 2.0, 12));
+  }
+  static void add(ensemble::Histogram& to, const AnyMember& m) { to.add(m.index, m.a); }
 };
 struct ToHistogram2D {
-  static Histogram2D empty() { return {Bins::linear(-2.0, 2.0, 12), Bins::linear(-3.0, 3.0, 40)}; }
-  static void add(Histogram2D& to, const AnyMember& m) { to.add(m.index, m.a, m.b); }
+  static ensemble::Histogram2D empty() {
+    return {ensemble::Bins::linear(-2.0, 2.0, 12), ensemble::Bins::linear(-3.0, 3.0, 40)};
+  }
+  static void add(ensemble::Histogram2D& to, const AnyMember& m) { to.add(m.index, m.a, m.b); }
 };
 struct ToExact {
-  static Quantiles empty() { return {Bins::linear(-2.0, 2.0, 12), 1000}; }
-  static void add(Quantiles& to, const AnyMember& m) { to.add(m.index, m.a); }
+  static ensemble::Quantiles empty() { return {ensemble::Bins::linear(-2.0, 2.0, 12), 1000}; }
+  static void add(ensemble::Quantiles& to, const AnyMember& m) { to.add(m.index, m.a); }
 };
 struct ToBins {
-  static Quantiles empty() { return {Bins::linear(-2.0, 2.0, 120), 20}; }
-  static void add(Quantiles& to, const AnyMember& m) { to.add(m.index, m.a); }
+  static ensemble::Quantiles empty() { return {ensemble::Bins::linear(-2.0, 2.0, 120), 20}; }
+  static void add(ensemble::Quantiles& to, const AnyMember& m) { to.add(m.index, m.a); }
 };
 struct ToFractions {
-  static Fractions empty() { return Fractions(3); }
-  static void add(Fractions& to, const AnyMember& m) {
+  static ensemble::Fractions empty() { return ensemble::Fractions(3); }
+  static void add(ensemble::Fractions& to, const AnyMember& m) {
     if (std::isnan(m.a)) return to.leave_out(m.index);
     to.add(m.index, m.a < 0.0 ? 0 : m.a < 1.0 ? 1 : 2);
   }
 };
 struct ToFirstEvents {
-  static FirstEvents empty() { return {Bins::linear(0.0, 3.0, 30), 15}; }
-  static void add(FirstEvents& to, const AnyMember& m) {
+  static ensemble::FirstEvents empty() { return {ensemble::Bins::linear(0.0, 3.0, 30), 15}; }
+  static void add(ensemble::FirstEvents& to, const AnyMember& m) {
     if (m.a < 0.0) return to.add_without();
     to.add(m.index, m.a);
   }
@@ -121,7 +125,7 @@ auto chunk(std::int64_t begin, std::int64_t end) {
 
 TYPED_TEST(Accumulators, HaveTheBitsOfTheListOfChunksWhoeverComputedThem) {
   using A = decltype(TypeParam::empty());
-  static_assert(Accumulator<A>);
+  static_assert(ensemble::Accumulator<A>);
   constexpr std::int64_t each = 25, chunks = 12;
   A straight = TypeParam::empty();
   for (std::int64_t k = 0; k < chunks; ++k)
@@ -191,13 +195,13 @@ TYPED_TEST(Accumulators, RefuseNumbersThatTheyDidNotWrite) {
 }
 
 TEST(LeftOut, NamesTheFirst) {
-  LeftOut early, late;
+  ensemble::LeftOut early, late;
   for (std::int64_t k = 0; k < 5; ++k) early.add(10 * k);
   for (std::int64_t k = 5; k < 20; ++k) late.add(10 * k);
   early.merge(late);
   EXPECT_EQ(early.count(), 20);
-  ASSERT_EQ(early.first().size(), LeftOut::kept);
-  for (std::size_t i = 0; i < LeftOut::kept; ++i)
+  ASSERT_EQ(early.first().size(), ensemble::LeftOut::kept);
+  for (std::size_t i = 0; i < ensemble::LeftOut::kept; ++i)
     EXPECT_EQ(early.first()[i], static_cast<std::int64_t>(10 * i));
 }
 

@@ -12,8 +12,8 @@
 #include "budgets.hpp"
 #include "ensemble/number_moments.hpp"
 #include "oracle/random_draw.hpp"
+#include "polhode/detail/math/trigonometry.hpp"
 #include "polhode/free/sadov.hpp"
-#include "polhode/math/trigonometry.hpp"
 #include "worst.hpp"
 
 namespace {
@@ -26,7 +26,7 @@ constexpr double turn = 6.283185307179586;
 TEST(AngleMoments, OfEvenlySpacedAnglesAreInClosedForm) {
   for (const double step : {1e-3, 0.01, 0.02}) {
     constexpr int n = 101;
-    AngleMoments found;
+    ensemble::AngleMoments found;
     const double middle = 3.0;
     for (int k = 0; k < n; ++k) found.add(k, middle + step * (k - 50));
     const double R = std::sin(0.5 * n * step) / (n * std::sin(0.5 * step));
@@ -39,7 +39,7 @@ TEST(AngleMoments, OfEvenlySpacedAnglesAreInClosedForm) {
 }
 
 TEST(AngleMoments, DoNotKnowWholeTurns) {
-  AngleMoments plain, turned;
+  ensemble::AngleMoments plain, turned;
   for (int k = 0; k < 50; ++k) {
     const double a = 0.02 * k;
     plain.add(k, a);
@@ -54,20 +54,20 @@ TEST(AngleMoments, AllAroundHaveNoMean) {
   constexpr int seeds = 300;
   for (std::uint64_t seed = 0; seed < seeds; ++seed) {
     oracle::Draw draw(3909, seed);
-    AngleMoments found;
+    ensemble::AngleMoments found;
     for (int k = 0; k < 500; ++k) found.add(k, draw.uniform(0.0, turn));
     with_mean += found.mean() ? 1 : 0;
   }
   EXPECT_LE(with_mean, 3);  // 1 in 1000 of them by chance
-  EXPECT_FALSE(AngleMoments().mean());
+  EXPECT_FALSE(ensemble::AngleMoments().mean());
   // two say little: they agree, or not
   for (const double apart : {0.8, 1.6}) {
-    AngleMoments two;
+    ensemble::AngleMoments two;
     two.add(0, 1.0);
     two.add(1, 1.0 + apart);
     EXPECT_EQ(two.mean().has_value(), std::cos(0.5 * apart) >= 0.9) << apart;
   }
-  AngleMoments opposite;
+  ensemble::AngleMoments opposite;
   opposite.add(0, 0.3);
   opposite.add(1, 0.3 + 0.5 * turn);
   EXPECT_FALSE(opposite.mean());
@@ -91,7 +91,7 @@ TEST(AngleMoments, PhasesOfFreeTumblersSpreadAsTheirRatesSay) {
   std::vector<FreeRotation> motions;
   std::vector<SadovState> start;
   std::vector<SadovFrequencies> rates;
-  NumberMoments at_start(4);
+  ensemble::NumberMoments at_start(4);
   for (int m = 0; m < members; ++m) {
     const RotorState s{
         {1.0, 0.05 * draw.normal(), 0.0, 0.05 * draw.normal()},
@@ -105,8 +105,8 @@ TEST(AngleMoments, PhasesOfFreeTumblersSpreadAsTheirRatesSay) {
         m, std::vector{start.back().phi_l, start.back().phi_g, rates.back().n_l, rates.back().n_g});
   }
   for (const double t : {3.0, 40.0, 700.0}) {
-    NumberMoments found(2);
-    AngleMoments angles;
+    ensemble::NumberMoments found(2);
+    ensemble::AngleMoments angles;
     for (int m = 0; m < members; ++m) {
       const auto i = static_cast<std::size_t>(m);
       const SadovState s = to_sadov(body, motions[i].at(t));

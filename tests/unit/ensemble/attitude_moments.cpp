@@ -15,7 +15,7 @@
 #include "ensemble/attitude_spread.hpp"
 #include "message_of.hpp"
 #include "oracle/random_draw.hpp"
-#include "polhode/math/trigonometry.hpp"
+#include "polhode/detail/math/trigonometry.hpp"
 #include "worst.hpp"
 
 namespace {
@@ -39,8 +39,8 @@ double angle_between(const Quaternion& a, const Quaternion& b) {
   const Quaternion d = conj(a) * b;
   return 2.0 * std::atan2(norm(Vec3{d.x, d.y, d.z}), std::abs(d.w));
 }
-AttitudeMoments moments(const std::vector<Quaternion>& all) {
-  AttitudeMoments found;
+ensemble::AttitudeMoments moments(const std::vector<Quaternion>& all) {
+  ensemble::AttitudeMoments found;
   std::int64_t member = 0;
   for (const Quaternion& q : all) found.add(member++, q);
   return found;
@@ -48,7 +48,7 @@ AttitudeMoments moments(const std::vector<Quaternion>& all) {
 
 TEST(AttitudeMoments, AreThoseOfFiftyDigitsWhateverSignAndLength) {
   oracle::Draw draw(3902, 0);
-  AttitudeMoments found;
+  ensemble::AttitudeMoments found;
   Exact sums[4][4] = {};
   constexpr int n = 10'000;
   for (int k = 0; k < n; ++k) {
@@ -76,8 +76,8 @@ TEST(AttitudeMoments, OfTwoAttitudesAreInClosedForm) {
   oracle::Draw draw(3903, 0);
   for (const double a : {1e-3, 0.4, 0.8}) {
     const Quaternion start = haar(draw), end = start * turn(a);
-    const AttitudeMoments found = moments({start, {-end.w, -end.x, -end.y, -end.z}});
-    const PrincipalAttitudes p = found.principal();
+    const ensemble::AttitudeMoments found = moments({start, {-end.w, -end.x, -end.y, -end.z}});
+    const ensemble::PrincipalAttitudes p = found.principal();
     EXPECT_NEAR(p.values[0], 0.5 * (1.0 + std::cos(0.5 * a)), budget::attitude_values);
     EXPECT_NEAR(p.values[1], 0.5 * (1.0 - std::cos(0.5 * a)), budget::attitude_values);
     EXPECT_NEAR(p.values[2], 0.0, budget::attitude_values);
@@ -92,7 +92,7 @@ TEST(AttitudeMoments, OfTwoAttitudesAreInClosedForm) {
 TEST(AttitudeMoments, OfAttitudesAllAboutAnAxisHaveNoMean) {
   std::vector<Quaternion> all;
   for (int k = 0; k < 360; ++k) all.push_back(turn(2.0 * pi<double>() * k / 360.0));
-  const AttitudeMoments found = moments(all);
+  const ensemble::AttitudeMoments found = moments(all);
   for (int k = 0; k < 4; ++k)
     EXPECT_NEAR(found.principal().values[static_cast<std::size_t>(k)], k < 2 ? 0.5 : 0.0,
                 budget::attitude_values);
@@ -111,7 +111,7 @@ TEST(AttitudeMoments, OfUniformAttitudesAreHaars) {
   int with_mean = 0;
   for (std::uint64_t seed = 0; seed < seeds; ++seed) {
     oracle::Draw draw(3904, seed);
-    AttitudeMoments found;
+    ensemble::AttitudeMoments found;
     for (int k = 0; k < n; ++k) found.add(k, haar(draw));
     for (const double l : found.principal().values) sum += 12.0 * n * (l - 0.25) * (l - 0.25);
     with_mean += found.mean() ? 1 : 0;
@@ -123,7 +123,7 @@ TEST(AttitudeMoments, OfUniformAttitudesAreHaars) {
 }
 
 TEST(AttitudeMoments, OfNoneAreNotNumbers) {
-  const AttitudeMoments none;
+  const ensemble::AttitudeMoments none;
   EXPECT_TRUE(std::isnan(none.moment(0, 0)));
   EXPECT_TRUE(std::isnan(none.concentration()));
   EXPECT_FALSE(none.mean());
@@ -153,24 +153,24 @@ TEST(AttitudeMoments, HaveTheBitsOfOneByOneInRowsAndBlocksByEverySet) {
   for (const std::size_t epochs : {1u, 2u, 7u, 8u, 61u}) {
     constexpr std::size_t members = 37;
     const std::vector<RotorState> states = hard_rows(members, epochs);
-    std::vector<AttitudeMoments> expected(epochs);
+    std::vector<ensemble::AttitudeMoments> expected(epochs);
     for (std::size_t m = 0; m < members; ++m)
       for (std::size_t e = 0; e < epochs; ++e)
         expected[e].add(static_cast<std::int64_t>(100 + m), states[m * epochs + e].q);
     for (const InstructionSet set : supported_instruction_sets())
       for (const std::size_t at_a_time : {1u, 16u, 37u}) {
-        std::vector<AttitudeMoments> found(epochs);
+        std::vector<ensemble::AttitudeMoments> found(epochs);
         for (std::size_t m = 0; m < members; m += at_a_time) {
           const std::size_t end = std::min<std::size_t>(members, m + at_a_time);
-          add_rows(std::span(found), static_cast<std::int64_t>(100 + m),
-                   std::span(states).subspan(m * epochs, (end - m) * epochs), set);
+          ensemble::add_rows(std::span(found), static_cast<std::int64_t>(100 + m),
+                             std::span(states).subspan(m * epochs, (end - m) * epochs), set);
         }
         for (std::size_t e = 0; e < epochs; ++e)
           EXPECT_EQ(found[e].numbers(), expected[e].numbers()) << e << " of " << epochs;
       }
     std::vector<RotorState> of_epoch;
     for (std::size_t m = 0; m < members; ++m) of_epoch.push_back(states[m * epochs]);
-    AttitudeMoments block;
+    ensemble::AttitudeMoments block;
     block.add(100, std::span(of_epoch).first(20));
     block.add(120, std::span(of_epoch).subspan(20));
     EXPECT_EQ(block.numbers(), expected[0].numbers());
@@ -179,11 +179,11 @@ TEST(AttitudeMoments, HaveTheBitsOfOneByOneInRowsAndBlocksByEverySet) {
 }
 
 TEST(AttitudeMoments, SayWhatTheyRefuse) {
-  std::vector<AttitudeMoments> three(3);
+  std::vector<ensemble::AttitudeMoments> three(3);
   const std::vector<RotorState> states(7);
-  EXPECT_MESSAGE(add_rows(std::span(three), 0, states),
+  EXPECT_MESSAGE(ensemble::add_rows(std::span(three), 0, states),
                  "add_rows: got 7 states at 3 epochs; expected as many, or a multiple");
-  EXPECT_MESSAGE(add_rows(std::span<AttitudeMoments>(), 0, states),
+  EXPECT_MESSAGE(ensemble::add_rows(std::span<ensemble::AttitudeMoments>(), 0, states),
                  "add_rows: got 7 states at 0 epochs; expected as many, or a multiple");
   EXPECT_MESSAGE(three[0].moment(0, 4),
                  "AttitudeMoments::moment: got components 0 and 4; expected 0 to 3");
@@ -241,11 +241,11 @@ struct Cloud {
   }
 };
 
-AttitudeSpread spread(const Quaternion& reference, const std::vector<RotorState>& states,
-                      std::size_t chunk) {
-  AttitudeSpread total(reference);
+ensemble::AttitudeSpread spread(const Quaternion& reference, const std::vector<RotorState>& states,
+                                std::size_t chunk) {
+  ensemble::AttitudeSpread total(reference);
   for (std::size_t begin = 0; begin < states.size(); begin += chunk) {
-    AttitudeSpread part(reference);
+    ensemble::AttitudeSpread part(reference);
     part.add(static_cast<std::int64_t>(begin),
              std::span(states).subspan(begin, std::min<std::size_t>(chunk, states.size() - begin)));
     total.merge(part);
@@ -257,7 +257,7 @@ TEST(AttitudeSpread, FindsTheMeanAndCovarianceThatWerePutIn) {
   for (const double width : {1e-6, 1e-3, 0.1, 0.4}) {
     const Cloud cloud(3000, width, 1);
     ASSERT_LT(cloud.widest, 0.5 * pi<double>());
-    const auto found = frechet_mean(cloud.states);
+    const auto found = ensemble::frechet_mean(cloud.states);
     ASSERT_TRUE(found);
     EXPECT_LE(angle_between(found->mean, centre), budget::attitude_spread) << width;
     const double floor = budget::attitude_spread * std::sqrt(trace(cloud.covariance));
@@ -276,7 +276,7 @@ TEST(AttitudeSpread, OneStepIsWithinItsBounds) {
     double before = 0.0;
     for (const double part : {0.003, 0.03, 0.3}) {
       const Vec3 off = (part * width) * Vec3{0.6, -0.64, 0.48};
-      const AttitudeSpread once = spread(centre * turn(off), cloud.states, 500);
+      const ensemble::AttitudeSpread once = spread(centre * turn(off), cloud.states, 500);
       const auto found = once.frechet();
       ASSERT_TRUE(found);
       const double error = angle_between(found->mean, centre);
@@ -315,7 +315,8 @@ TEST(AttitudeSpread, BoundsHoldOfSmallClouds) {
       sum = sum + v;
     }
     const double off = width * draw.power_of_ten(-2.0, 0.0);
-    AttitudeSpread all(centre * turn(off * Vec3{draw.normal(), draw.normal(), draw.normal()}));
+    ensemble::AttitudeSpread all(centre *
+                                 turn(off * Vec3{draw.normal(), draw.normal(), draw.normal()}));
     Mat3 covariance{};
     bool is_narrow = true;  // so that the mean is the one put in
     for (Vec3& v : vectors) {
@@ -342,7 +343,7 @@ TEST(AttitudeSpread, BoundsHoldOfSmallClouds) {
 TEST(AttitudeSpread, OfTurnsAboutOneAxisIsThatOfTheirAngles) {
   std::vector<RotorState> states;
   for (const double a : {0.1, 0.5, 1.2, -0.3, 0.9}) states.push_back({turn({0.0, a, 0.0}), {}});
-  const auto found = frechet_mean(states);
+  const auto found = ensemble::frechet_mean(states);
   ASSERT_TRUE(found);
   EXPECT_LE(angle_between(found->mean, turn({0.0, 0.48, 0.0})), budget::attitude_spread);
   EXPECT_NEAR(found->covariance(1, 1), 0.362, budget::attitude_covariance);
@@ -359,18 +360,18 @@ TEST(AttitudeSpread, OfCloudsWithoutAMeanSaysSo) {
     opposite.push_back({turn({k % 2 == 0 ? 0.0 : pi<double>(), 0.0, 0.0}), {}});
   }
   for (const auto& states : {uniform, about_axis, opposite}) {
-    EXPECT_FALSE(frechet_mean(states));
+    EXPECT_FALSE(ensemble::frechet_mean(states));
     EXPECT_FALSE(spread(states[0].q, states, 100).frechet());
   }
-  EXPECT_FALSE(AttitudeSpread(centre).frechet());
-  EXPECT_FALSE(frechet_mean({}));
+  EXPECT_FALSE(ensemble::AttitudeSpread(centre).frechet());
+  EXPECT_FALSE(ensemble::frechet_mean({}));
 }
 
 // One member far away: no bound from a single pass.
 TEST(AttitudeSpread, HasNoBoundWhereAMemberMayBeHalfATurnAway) {
   Cloud cloud(500, 0.1, 3);
   cloud.states.push_back({centre * turn({3.14, 0.0, 0.0}), {}});
-  const AttitudeSpread all = spread(centre * turn({0.05, 0.0, 0.0}), cloud.states, 100);
+  const ensemble::AttitudeSpread all = spread(centre * turn({0.05, 0.0, 0.0}), cloud.states, 100);
   const auto found = all.frechet();
   ASSERT_TRUE(found);
   EXPECT_EQ(found->mean_error, std::numeric_limits<double>::infinity());
@@ -379,7 +380,7 @@ TEST(AttitudeSpread, HasNoBoundWhereAMemberMayBeHalfATurnAway) {
 }
 
 TEST(AttitudeSpread, OfOneHasAMeanAndNoCovariance) {
-  AttitudeSpread one(centre);
+  ensemble::AttitudeSpread one(centre);
   one.add(4, centre * turn({0.1, 0.2, 0.0}));
   const auto found = one.frechet();
   ASSERT_TRUE(found);
@@ -393,7 +394,7 @@ TEST(AttitudeSpread, HasTheBitsOfOneByOneInRowsByEverySet) {
   oracle::Draw draw(3908, 0);
   for (const std::size_t epochs : {1u, 8u, 27u}) {
     constexpr std::size_t members = 21;
-    std::vector<AttitudeSpread> empty;
+    std::vector<ensemble::AttitudeSpread> empty;
     for (std::size_t e = 0; e < epochs; ++e)
       empty.emplace_back(Quaternion{draw.normal(), draw.normal(), draw.normal(), draw.normal()});
     std::vector<RotorState> states;
@@ -405,17 +406,17 @@ TEST(AttitudeSpread, HasTheBitsOfOneByOneInRowsByEverySet) {
       if (draw.chance(0.03)) s.q.x = 1e250;
       states.push_back(s);
     }
-    std::vector<AttitudeSpread> expected = empty;
+    std::vector<ensemble::AttitudeSpread> expected = empty;
     for (std::size_t m = 0; m < members; ++m)
       for (std::size_t e = 0; e < epochs; ++e)
         expected[e].add(static_cast<std::int64_t>(m + 5), states[m * epochs + e].q);
     for (const InstructionSet set : supported_instruction_sets())
       for (const std::size_t at_a_time : {1u, 8u, 21u}) {
-        std::vector<AttitudeSpread> found = empty;
+        std::vector<ensemble::AttitudeSpread> found = empty;
         for (std::size_t m = 0; m < members; m += at_a_time) {
           const std::size_t end = std::min<std::size_t>(members, m + at_a_time);
-          add_rows(std::span(found), static_cast<std::int64_t>(m + 5),
-                   std::span(states).subspan(m * epochs, (end - m) * epochs), set);
+          ensemble::add_rows(std::span(found), static_cast<std::int64_t>(m + 5),
+                             std::span(states).subspan(m * epochs, (end - m) * epochs), set);
         }
         for (std::size_t e = 0; e < epochs; ++e)
           EXPECT_EQ(found[e].numbers(), expected[e].numbers()) << e << " of " << epochs;
@@ -424,12 +425,12 @@ TEST(AttitudeSpread, HasTheBitsOfOneByOneInRowsByEverySet) {
 }
 
 TEST(AttitudeSpread, SaysWhatItRefuses) {
-  EXPECT_MESSAGE(AttitudeSpread({0.0, 0.0, 0.0, 0.0}),
+  EXPECT_MESSAGE(ensemble::AttitudeSpread({0.0, 0.0, 0.0, 0.0}),
                  "AttitudeSpread: reference (0, 0, 0, 0) is no attitude; expected a finite "
                  "quaternion other than 0");
-  AttitudeSpread all({});
+  ensemble::AttitudeSpread all({});
   EXPECT_MESSAGE(
-      all.merge(AttitudeSpread({0.0, 1.0, 0.0, 0.0})),
+      all.merge(ensemble::AttitudeSpread({0.0, 1.0, 0.0, 0.0})),
       "AttitudeSpread::merge: got moments about (0, 1, 0, 0); expected about (1, 0, 0, 0)");
 }
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "message_of.hpp"
-#include "polhode/ensemble/parts.hpp"
+#include "polhode/ensemble/executor.hpp"
 #include "polhode/error.hpp"
 #include "polhode/free/free_rotation.hpp"
 
@@ -48,7 +48,7 @@ TEST(Parts, AreTheWholeOnceInOrder) {
     for (const int threads : {1, 2, 3, 8}) {
       std::vector<int> seen(size, 0);
       std::size_t next = 0;
-      run_parts(
+      ensemble::run_parts(
           size, 1024, threads,
           [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) ++seen[i];
@@ -64,13 +64,13 @@ TEST(Parts, AreTheWholeOnceInOrder) {
 }
 
 TEST(Parts, AreManyEnoughAndLongEnough) {
-  EXPECT_EQ(parts_for(1'000'000, 1024, 1).count, 1);
-  EXPECT_EQ(parts_for(1'000'000, 1024, 2).count, 32);
-  EXPECT_EQ(parts_for(1'000'000, 1024, 2).each % 1024, 0u);
-  EXPECT_EQ(parts_for(3000, 1024, 8).count, 3);
-  EXPECT_EQ(parts_for(1500, 1024, 8).count, 1);
-  EXPECT_EQ(parts_for(0, 1024, 2).count, 0);
-  EXPECT_THROW(parts_for(10, 1, 0), DomainError);
+  EXPECT_EQ(ensemble::parts_for(1'000'000, 1024, 1).count, 1);
+  EXPECT_EQ(ensemble::parts_for(1'000'000, 1024, 2).count, 32);
+  EXPECT_EQ(ensemble::parts_for(1'000'000, 1024, 2).each % 1024, 0u);
+  EXPECT_EQ(ensemble::parts_for(3000, 1024, 8).count, 3);
+  EXPECT_EQ(ensemble::parts_for(1500, 1024, 8).count, 1);
+  EXPECT_EQ(ensemble::parts_for(0, 1024, 2).count, 0);
+  EXPECT_THROW(ensemble::parts_for(10, 1, 0), DomainError);
 }
 
 TEST(Batches, HaveTheBitsOfOneThread) {
@@ -81,15 +81,15 @@ TEST(Batches, HaveTheBitsOfOneThread) {
   const auto results = [&](int threads) {
     std::vector<RotorState> all(5 * n);
     const auto room = [&](std::size_t k) { return std::span(all).subspan(k * n, n); };
-    EXPECT_TRUE(propagate({&body, 1}, states, times, 0.5, room(0), threads).empty());
-    states_at(kernel, times, room(1), threads);
-    states_on_grid(kernel, {0.25, 0.01}, 77, room(2), threads);
+    EXPECT_TRUE(ensemble::propagate({&body, 1}, states, times, 0.5, room(0), threads).empty());
+    ensemble::states_at(kernel, times, room(1), threads);
+    ensemble::states_on_grid(kernel, {0.25, 0.01}, 77, room(2), threads);
     std::vector<AndoyerState> andoyer(n);
-    to_andoyer(states, andoyer, threads);
-    to_rotor(andoyer, room(3), threads);
+    ensemble::to_andoyer(states, andoyer, threads);
+    ensemble::to_rotor(andoyer, room(3), threads);
     std::vector<EulerState> euler(n);
-    to_euler(states, euler, threads);
-    to_rotor(euler, room(4), threads);
+    ensemble::to_euler(states, euler, threads);
+    ensemble::to_rotor(euler, room(4), threads);
     return all;
   };
   const std::vector<RotorState> alone = results(1);
@@ -99,20 +99,20 @@ TEST(Batches, HaveTheBitsOfOneThread) {
 TEST(Batches, FlowChartsHaveTheBitsOfOneThread) {
   const std::vector<RotorState> states = drawn_states(40'000);
   std::vector<SadovState> alone(states.size()), together(states.size());
-  to_sadov(body, states, alone, 1);
-  to_sadov(body, states, together, 2);
+  ensemble::to_sadov(body, states, alone, 1);
+  ensemble::to_sadov(body, states, together, 2);
   EXPECT_EQ(alone, together);
   std::vector<RotorState> back(states.size()), back_together(states.size());
-  to_rotor(body, alone, back, 1);
-  to_rotor(body, alone, back_together, 2);
+  ensemble::to_rotor(body, alone, back, 1);
+  ensemble::to_rotor(body, alone, back_together, 2);
   EXPECT_TRUE(same_bits(back, back_together));
   const std::vector<double> times = some_times(states.size());
   std::vector<SerretState> serret(states.size()), serret_together(states.size());
-  to_serret(body, states, times, serret, 1);
-  to_serret(body, states, times, serret_together, 2);
+  ensemble::to_serret(body, states, times, serret, 1);
+  ensemble::to_serret(body, states, times, serret_together, 2);
   EXPECT_EQ(serret, serret_together);
-  to_rotor(body, serret, times, back, 1);
-  to_rotor(body, serret, times, back_together, 2);
+  ensemble::to_rotor(body, serret, times, back, 1);
+  ensemble::to_rotor(body, serret, times, back_together, 2);
   EXPECT_TRUE(same_bits(back, back_together));
 }
 
@@ -124,14 +124,15 @@ TEST(Batches, BodiesThatFailAreNamedInOrder) {
   const double time = 1.0;
   for (const int threads : {1, 2, 8}) {
     std::vector<RotorState> results(n);
-    const auto failed = propagate({&body, 1}, states, {&time, 1}, 0.0, results, threads);
+    const auto failed = ensemble::propagate({&body, 1}, states, {&time, 1}, 0.0, results, threads);
     ASSERT_EQ(failed.size(), 3u);
     EXPECT_EQ(failed[0].index, 17u);
     EXPECT_EQ(failed[1].index, 30'000u);
     EXPECT_EQ(failed[2].index, 49'999u);
     EXPECT_NE(failed[0].reason.find("finite"), std::string::npos) << failed[0].reason;
     std::vector<SadovState> sadov(n);
-    const std::string message = test::message_of([&] { to_sadov(body, states, sadov, threads); });
+    const std::string message =
+        test::message_of([&] { ensemble::to_sadov(body, states, sadov, threads); });
     EXPECT_NE(message.find("(state 17)"), std::string::npos) << message;
   }
 }
@@ -142,11 +143,12 @@ TEST(Batches, RefuseWhatOneThreadRefuses) {
   std::vector<AndoyerState> andoyer(9);
   const std::vector<double> times = some_times(10);
   const FreeKernel kernel = FreeRotation(body, states[0]).kernel();
-  EXPECT_THROW(propagate({&body, 1}, states, times, 0.0, results, 2), DomainError);
-  EXPECT_THROW(states_at(kernel, times, results, 2), DomainError);
-  EXPECT_THROW(to_andoyer(states, andoyer, 2), DomainError);
-  EXPECT_THROW(states_on_grid(kernel, {}, (std::uint64_t{1} << 53) - 8, results, 2), DomainError);
-  EXPECT_THROW(states_at(kernel, std::span(times).first(9), results, 0), DomainError);
+  EXPECT_THROW(ensemble::propagate({&body, 1}, states, times, 0.0, results, 2), DomainError);
+  EXPECT_THROW(ensemble::states_at(kernel, times, results, 2), DomainError);
+  EXPECT_THROW(ensemble::to_andoyer(states, andoyer, 2), DomainError);
+  EXPECT_THROW(ensemble::states_on_grid(kernel, {}, (std::uint64_t{1} << 53) - 8, results, 2),
+               DomainError);
+  EXPECT_THROW(ensemble::states_at(kernel, std::span(times).first(9), results, 0), DomainError);
 }
 
 }  // namespace

@@ -14,7 +14,7 @@
 namespace {
 
 using polhode::Archive;
-using polhode::CellJournal;
+using polhode::ensemble::CellJournal;
 
 struct Interrupted {};
 
@@ -25,7 +25,7 @@ std::vector<double> worked(CellJournal* journal, int threads, std::int64_t most,
   double sum = 0.0;
   for (const std::int64_t count : {7, 5}) {
     const double from = sum;
-    polhode::ordered_parallel_for(
+    polhode::ensemble::ordered_parallel_for(
         journal, count, threads,
         [&](std::int64_t k) {
           ++computed;

@@ -7,8 +7,8 @@
 #include <numbers>
 #include <vector>
 
-#include "polhode/ensemble/counter_random.hpp"
 #include "polhode/ensemble/distributions.hpp"
+#include "polhode/ensemble/draws.hpp"
 #include "statistics.hpp"
 #include "worst.hpp"
 
@@ -23,14 +23,15 @@ constexpr std::uint64_t members = 8192;
 constexpr int seeds = 12;
 
 Vec3 direction(std::uint64_t seed, std::uint64_t member) {
-  const CounterRandom random(seed, key_of("spin.axis"));
-  return IsotropicDirection{}.from_uniform(random.uniform(member, 0), random.uniform(member, 1));
+  const ensemble::CounterRandom random(seed, ensemble::key_of("spin.axis"));
+  return ensemble::IsotropicDirection{}.from_uniform(random.uniform(member, 0),
+                                                     random.uniform(member, 1));
 }
 
 Quaternion attitude(std::uint64_t seed, std::uint64_t member) {
-  const CounterRandom random(seed, key_of("state.attitude"));
-  return UniformAttitude{}.from_uniform(random.uniform(member, 0), random.uniform(member, 1),
-                                        random.uniform(member, 2));
+  const ensemble::CounterRandom random(seed, ensemble::key_of("state.attitude"));
+  return ensemble::UniformAttitude{}.from_uniform(
+      random.uniform(member, 0), random.uniform(member, 1), random.uniform(member, 2));
 }
 
 // Pooled over the seeds: the probability of a number of each member.
@@ -57,7 +58,7 @@ TEST(IsotropicDirection, HasLengthOne) {
   for (std::uint64_t m = 0; m < members; ++m)
     worst.add(std::abs(norm(direction(1, m)) - 1.0) / eps);
   for (const double u : {0x1p-53, 0.5, 1.0 - 0x1p-53})  // at the poles
-    worst.add(std::abs(norm(IsotropicDirection{}.from_uniform(u, 0.3)) - 1.0) / eps);
+    worst.add(std::abs(norm(ensemble::IsotropicDirection{}.from_uniform(u, 0.3)) - 1.0) / eps);
   EXPECT_LE(worst.value(), budget::unit_length);
 }
 
@@ -65,7 +66,7 @@ TEST(IsotropicDirection, HasLengthOne) {
 TEST(IsotropicDirection, IsExactNextToThePoles) {
   Worst<> worst;
   for (const double u : {0x1p-53, 1.37e-9, 3e-5, 1.0 - 0x1p-53, 1.0 - 0x1.3p-30}) {
-    const Vec3 v = IsotropicDirection{}.from_uniform(u, 0.3);
+    const Vec3 v = ensemble::IsotropicDirection{}.from_uniform(u, 0.3);
     const double across = 2.0 * std::sqrt(u) * std::sqrt(1.0 - u);
     worst.add(std::abs(std::hypot(v.x, v.y) / across - 1.0) / eps);
   }

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "message_of.hpp"
-#include "polhode/ensemble/counter_random.hpp"
+#include "polhode/ensemble/draws.hpp"
 #include "statistics.hpp"
 #include "worst.hpp"
 
@@ -39,10 +39,10 @@ double ulps(double got, const Exact& want) {
 TEST(NormalQuantile, HasFullPrecisionUpToBothEnds) {
   Worst<> worst;
   const auto add = [&](double u) {
-    worst.add(ulps(normal_quantile(u), exact_quantile(u)), std::to_string(u));
+    worst.add(ulps(ensemble::normal_quantile(u), exact_quantile(u)), std::to_string(u));
   };
   std::mt19937_64 random(1);
-  for (int i = 0; i < 1500; ++i) add(open_uniform(random()));
+  for (int i = 0; i < 1500; ++i) add(ensemble::open_uniform(random()));
   for (int e = 2; e <= 1022; e += e < 60 ? 1 : 13)  // and both sides of the bounds of its parts
     for (const double part : {1.0, 1.37, 1.89}) add(std::ldexp(part, -e));
   for (int e = 2; e <= 53; ++e) add(1.0 - std::ldexp(1.0, -e));
@@ -53,11 +53,11 @@ TEST(NormalQuantile, HasFullPrecisionUpToBothEnds) {
 }
 
 TEST(NormalQuantile, IsOddAboutOneHalf) {
-  EXPECT_EQ(normal_quantile(0.5), 0.0);
+  EXPECT_EQ(ensemble::normal_quantile(0.5), 0.0);
   for (const double u : {0x1p-53, 0x3p-53, 0x1.8p-20, 0x1.4p-6, 0x1.3333p-2, 0x1.ffffp-2})
-    EXPECT_EQ(normal_quantile(1.0 - u), -normal_quantile(u));
+    EXPECT_EQ(ensemble::normal_quantile(1.0 - u), -ensemble::normal_quantile(u));
   for (const double u : {std::nan(""), 0.0, 1.0, -0.3, 1.7})
-    EXPECT_TRUE(std::isnan(normal_quantile(u))) << u;
+    EXPECT_TRUE(std::isnan(ensemble::normal_quantile(u))) << u;
 }
 
 // Grows with u, over the seams too.
@@ -65,7 +65,7 @@ TEST(NormalQuantile, Grows) {
   for (const double start : {1e-300, 1.38e-11, 0.07499, 0.4999, 0.92499}) {
     double before = -infinity;
     for (int i = 0; i < 2000; ++i) {
-      const double z = normal_quantile(start * (1.0 + 1e-6 * i));
+      const double z = ensemble::normal_quantile(start * (1.0 + 1e-6 * i));
       ASSERT_GE(z, before);
       before = z;
     }
@@ -73,10 +73,10 @@ TEST(NormalQuantile, Grows) {
 }
 
 TEST(Uniform, IsAnInterval) {
-  const Uniform of(-3.0, 7.0);
+  const ensemble::Uniform of(-3.0, 7.0);
   EXPECT_EQ(of.from_uniform(0.25), -0.5);
-  EXPECT_LE(Uniform(0.1, 0.3).from_uniform(1.0 - 0x1p-53), 0.3);
-  EXPECT_GE(Uniform(0.1, 0.3).from_uniform(0x1p-53), 0.1);
+  EXPECT_LE(ensemble::Uniform(0.1, 0.3).from_uniform(1.0 - 0x1p-53), 0.3);
+  EXPECT_GE(ensemble::Uniform(0.1, 0.3).from_uniform(0x1p-53), 0.1);
 }
 
 TEST(LogUniform, IsUniformInTheLogarithm) {
@@ -84,7 +84,7 @@ TEST(LogUniform, IsUniformInTheLogarithm) {
   for (const auto& [low, high] : {std::pair(1e-3, 20.0), {1.0, 1.0000001}, {1e-150, 1e140}})
     for (const double u : {0x1p-53, 0.01, 0.3, 0.5, 0.77, 1.0 - 0x1p-53}) {
       const Exact want = Exact(low) * pow(Exact(high) / Exact(low), Exact(u));
-      const double got = LogUniform(low, high).from_uniform(u);
+      const double got = ensemble::LogUniform(low, high).from_uniform(u);
       // in eps of the logarithm of the ratio, or of the number
       worst.add(static_cast<double>(Exact(abs(got / want - 1))) / eps /
                 larger(1.0, std::log(high / low)));
@@ -96,11 +96,12 @@ TEST(LogUniform, IsUniformInTheLogarithm) {
 TEST(Distributions, StayWithinTheirBounds) {
   std::mt19937_64 random(2);
   for (int i = 0; i < 2000; ++i) {
-    const double low = open_uniform(random()), high = low * (1.0 + 1e-3 * open_uniform(random()));
+    const double low = ensemble::open_uniform(random()),
+                 high = low * (1.0 + 1e-3 * ensemble::open_uniform(random()));
     for (const double u : {0x1p-53, 1.0 - 0x1p-53}) {
-      for (const double x :
-           {Uniform(low, high).from_uniform(u), LogUniform(low, high).from_uniform(u),
-            TruncatedNormal(0.3, 0.1, low, high).from_uniform(u)}) {
+      for (const double x : {ensemble::Uniform(low, high).from_uniform(u),
+                             ensemble::LogUniform(low, high).from_uniform(u),
+                             ensemble::TruncatedNormal(0.3, 0.1, low, high).from_uniform(u)}) {
         ASSERT_GE(x, low);
         ASSERT_LE(x, high);
       }
@@ -122,7 +123,7 @@ TEST(TruncatedNormal, InvertsItsDistributionFunction) {
                                   {-2.0, 30.0},
                                   {0.7, 0.8},
                                   {-1e9, 0.25}}) {
-    const TruncatedNormal of(0.0, 1.0, low, high);
+    const ensemble::TruncatedNormal of(0.0, 1.0, low, high);
     const Exact from = low == -infinity ? Exact(0) : exact_below(low);
     const Exact above = high == infinity ? Exact(0) : exact_below(-Exact(high));
     for (const double u : {0x1p-53, 1e-6, 0.03, 0.4, 0.5, 0.6, 0.97, 1.0 - 1e-6, 1.0 - 0x1p-53}) {
@@ -145,18 +146,19 @@ TEST(TruncatedNormal, InvertsItsDistributionFunction) {
 
 TEST(TruncatedNormal, OfSigmaZeroIsItsMean) {
   for (const double u : {1e-300, 0.2, 0.5, 0.8, 1.0 - 0x1p-53}) {
-    EXPECT_EQ(Normal(0.3, 0.0).from_uniform(u), 0.3);
-    EXPECT_EQ(TruncatedNormal(0.3, 0.0, -1.0, infinity).from_uniform(u), 0.3);
-    EXPECT_EQ(TruncatedNormal(0.3, 0.0, 0.3, 1.0).from_uniform(u), 0.3);
+    EXPECT_EQ(ensemble::Normal(0.3, 0.0).from_uniform(u), 0.3);
+    EXPECT_EQ(ensemble::TruncatedNormal(0.3, 0.0, -1.0, infinity).from_uniform(u), 0.3);
+    EXPECT_EQ(ensemble::TruncatedNormal(0.3, 0.0, 0.3, 1.0).from_uniform(u), 0.3);
   }
 }
 
 TEST(TruncatedNormal, IsScaledAndTheNormalOneWithoutBounds) {
-  const TruncatedNormal all(2.0, 3.0, -infinity, infinity);
+  const ensemble::TruncatedNormal all(2.0, 3.0, -infinity, infinity);
   for (const double u : {1e-9, 0.2, 0.5, 0.9})
-    EXPECT_NEAR(all.from_uniform(u), Normal(2.0, 3.0).from_uniform(u),
+    EXPECT_NEAR(all.from_uniform(u), ensemble::Normal(2.0, 3.0).from_uniform(u),
                 budget::truncated_normal_scaled);
-  const TruncatedNormal mass(5.0, 2.0, 0.0, infinity), mirrored(-5.0, 2.0, -infinity, 0.0);
+  const ensemble::TruncatedNormal mass(5.0, 2.0, 0.0, infinity),
+      mirrored(-5.0, 2.0, -infinity, 0.0);
   for (const double u : {0x1p-53, 0.25, 0.5, 0.75}) {
     EXPECT_GE(mass.from_uniform(u), 0.0);
     EXPECT_NEAR(mass.from_uniform(u), -mirrored.from_uniform(1.0 - u),
@@ -168,7 +170,7 @@ TEST(TruncatedNormal, IsScaledAndTheNormalOneWithoutBounds) {
 template <class Of, class Below>
 void expect_distribution(const Of& of, const Below& below) {
   expect_as_it_should_be(over_seeds(12, [&](std::uint64_t seed) {
-    const CounterRandom random(seed, key_of("x"));
+    const ensemble::CounterRandom random(seed, ensemble::key_of("x"));
     std::vector<double> sample;
     for (std::uint64_t m = 0; m < 8192; ++m)
       sample.push_back(of.from_uniform(random.uniform(m, 0)));
@@ -179,11 +181,12 @@ void expect_distribution(const Of& of, const Below& below) {
 double normal_below(double z) { return 0.5 * std::erfc(-z / std::sqrt(2.0)); }
 
 TEST(Distributions, AreDrawn) {
-  expect_distribution(Uniform(-2.0, 5.0), [](double x) { return (x + 2.0) / 7.0; });
-  expect_distribution(LogUniform(0.01, 100.0),
+  expect_distribution(ensemble::Uniform(-2.0, 5.0), [](double x) { return (x + 2.0) / 7.0; });
+  expect_distribution(ensemble::LogUniform(0.01, 100.0),
                       [](double x) { return std::log(x / 0.01) / std::log(1e4); });
-  expect_distribution(Normal(3.0, 0.5), [](double x) { return normal_below((x - 3.0) / 0.5); });
-  expect_distribution(TruncatedNormal(1.0, 2.0, 0.0, 4.0), [](double x) {
+  expect_distribution(ensemble::Normal(3.0, 0.5),
+                      [](double x) { return normal_below((x - 3.0) / 0.5); });
+  expect_distribution(ensemble::TruncatedNormal(1.0, 2.0, 0.0, 4.0), [](double x) {
     const double from = normal_below(-0.5);
     return (normal_below((x - 1.0) / 2.0) - from) / (normal_below(1.5) - from);
   });
@@ -192,7 +195,7 @@ TEST(Distributions, AreDrawn) {
 TEST(CounterRandom, NormalNumbersHaveTheirTailsAndMoments) {
   std::vector<double> tails, kurtosis;
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
-    const CounterRandom random(seed, key_of("z"));
+    const ensemble::CounterRandom random(seed, ensemble::key_of("z"));
     double beyond = 0.0;
     std::vector<double> fourth;
     constexpr std::uint64_t members = 100'000;
@@ -210,28 +213,30 @@ TEST(CounterRandom, NormalNumbersHaveTheirTailsAndMoments) {
 }
 
 TEST(Distributions, WhatIsNoneIsRefused) {
-  EXPECT_MESSAGE(Uniform(2.0, 1.0), "Uniform: low 2 must be below high, which is 1");
-  EXPECT_MESSAGE(Uniform(1.0, 1.0), "Uniform: low 1 must be below high, which is 1");
-  EXPECT_MESSAGE(Uniform(0.0, infinity), "Uniform: high inf must be finite");
-  EXPECT_MESSAGE(Uniform(-1.5e308, 1.5e308), "Uniform: high - low inf must be finite");
-  EXPECT_MESSAGE(LogUniform(0.0, 1.0), "LogUniform: low 0 must be positive");
-  EXPECT_MESSAGE(LogUniform(3.0, 2.0), "LogUniform: low 3 must be below high, which is 2");
-  EXPECT_MESSAGE(LogUniform(1e-200, 1e200), "LogUniform: high / low inf must be at most 1e300");
-  EXPECT_MESSAGE(Normal(std::nan(""), 1.0), "Normal: mean nan must be finite");
-  EXPECT_MESSAGE(Normal(0.0, -1.0), "Normal: sigma -1 must not be negative");
-  EXPECT_MESSAGE(TruncatedNormal(0.0, -1.0, -1.0, 1.0),
+  EXPECT_MESSAGE(ensemble::Uniform(2.0, 1.0), "Uniform: low 2 must be below high, which is 1");
+  EXPECT_MESSAGE(ensemble::Uniform(1.0, 1.0), "Uniform: low 1 must be below high, which is 1");
+  EXPECT_MESSAGE(ensemble::Uniform(0.0, infinity), "Uniform: high inf must be finite");
+  EXPECT_MESSAGE(ensemble::Uniform(-1.5e308, 1.5e308), "Uniform: high - low inf must be finite");
+  EXPECT_MESSAGE(ensemble::LogUniform(0.0, 1.0), "LogUniform: low 0 must be positive");
+  EXPECT_MESSAGE(ensemble::LogUniform(3.0, 2.0),
+                 "LogUniform: low 3 must be below high, which is 2");
+  EXPECT_MESSAGE(ensemble::LogUniform(1e-200, 1e200),
+                 "LogUniform: high / low inf must be at most 1e300");
+  EXPECT_MESSAGE(ensemble::Normal(std::nan(""), 1.0), "Normal: mean nan must be finite");
+  EXPECT_MESSAGE(ensemble::Normal(0.0, -1.0), "Normal: sigma -1 must not be negative");
+  EXPECT_MESSAGE(ensemble::TruncatedNormal(0.0, -1.0, -1.0, 1.0),
                  "TruncatedNormal: sigma -1 must not be negative");
-  EXPECT_MESSAGE(TruncatedNormal(0.0, 0.0, 1.0, 2.0),
+  EXPECT_MESSAGE(ensemble::TruncatedNormal(0.0, 0.0, 1.0, 2.0),
                  "TruncatedNormal: low 1 must be at most the mean, where sigma is 0");
-  EXPECT_MESSAGE(TruncatedNormal(0.0, 0.0, -2.0, -1.0),
+  EXPECT_MESSAGE(ensemble::TruncatedNormal(0.0, 0.0, -2.0, -1.0),
                  "TruncatedNormal: high -1 must be at least the mean, where sigma is 0");
-  EXPECT_MESSAGE(TruncatedNormal(0.0, 1.0, 1.0, -1.0),
+  EXPECT_MESSAGE(ensemble::TruncatedNormal(0.0, 1.0, 1.0, -1.0),
                  "TruncatedNormal: low 1 must be below high, which is -1");
-  EXPECT_MESSAGE(TruncatedNormal(0.0, 1.0, std::nan(""), 1.0),
+  EXPECT_MESSAGE(ensemble::TruncatedNormal(0.0, 1.0, std::nan(""), 1.0),
                  "TruncatedNormal: low nan must be below high, which is 1");
-  EXPECT_MESSAGE(TruncatedNormal(0.0, 2.0, 75.0, 80.0),
+  EXPECT_MESSAGE(ensemble::TruncatedNormal(0.0, 2.0, 75.0, 80.0),
                  "TruncatedNormal: low 75 must be at most 37 sigma above the mean");
-  EXPECT_MESSAGE(TruncatedNormal(0.0, 2.0, -80.0, -75.0),
+  EXPECT_MESSAGE(ensemble::TruncatedNormal(0.0, 2.0, -80.0, -75.0),
                  "TruncatedNormal: high -75 must be at most 37 sigma below the mean");
 }
 

@@ -13,10 +13,7 @@
 #include <vector>
 
 #include "message_of.hpp"
-#include "polhode/ensemble/counter_random.hpp"
-#include "polhode/ensemble/draw_points.hpp"
-#include "polhode/ensemble/parts.hpp"
-#include "polhode/ensemble/sobol_points.hpp"
+#include "polhode/ensemble/executor.hpp"
 #include "statistics.hpp"
 #include "worst.hpp"
 
@@ -25,47 +22,47 @@ namespace {
 using namespace polhode;
 using namespace polhode::test;
 
-std::vector<Varied> of_each() {
+std::vector<ensemble::Varied> of_each() {
   const std::vector<double> numbers{1, 2, 3, 4, 5, 6, 7, 8};
-  return {{"uniform", Uniform(1.0, 2.0)},
-          {"log", LogUniform(1e-3, 1e3)},
-          {"normal", Normal(0.0, 1.0)},
-          {"positive", TruncatedNormal(1.0, 1.0, 0.0, 1e9)},
-          {"joint", JointNormal({1.0, 2.0}, {2.0, 1.0, 1.0, 2.0})},
-          {"axis", IsotropicDirection{}},
-          {"attitude", UniformAttitude{}},
-          {"grid", DrawGrid({{0.0, 1.0, 3}, {0.0, 9.0, 10}})},
-          {"clone", DrawTable(2, numbers, RowOrder::with_replacement)}};
+  return {{"uniform", ensemble::Uniform(1.0, 2.0)},
+          {"log", ensemble::LogUniform(1e-3, 1e3)},
+          {"normal", ensemble::Normal(0.0, 1.0)},
+          {"positive", ensemble::TruncatedNormal(1.0, 1.0, 0.0, 1e9)},
+          {"joint", ensemble::JointNormal({1.0, 2.0}, {2.0, 1.0, 1.0, 2.0})},
+          {"axis", ensemble::IsotropicDirection{}},
+          {"attitude", ensemble::UniformAttitude{}},
+          {"grid", ensemble::DrawGrid({{0.0, 1.0, 3}, {0.0, 9.0, 10}})},
+          {"clone", ensemble::DrawTable(2, numbers, ensemble::RowOrder::with_replacement)}};
 }
 
 TEST(Draws, CountTheirNumbers) {
-  const std::vector<Varied> all = of_each();
+  const std::vector<ensemble::Varied> all = of_each();
   const std::size_t numbers[] = {1, 1, 1, 1, 2, 3, 4, 2, 2},
                     uniforms[] = {1, 1, 1, 1, 2, 2, 3, 0, 1};
   for (std::size_t key = 0; key < all.size(); ++key) {
-    EXPECT_EQ(numbers_of(all[key].distribution), numbers[key]) << all[key].name;
-    EXPECT_EQ(uniforms_of(all[key].distribution), uniforms[key]) << all[key].name;
+    EXPECT_EQ(ensemble::numbers_of(all[key].distribution), numbers[key]) << all[key].name;
+    EXPECT_EQ(ensemble::uniforms_of(all[key].distribution), uniforms[key]) << all[key].name;
   }
-  EXPECT_EQ(uniforms_of(DrawTable(1, {1.0}, RowOrder::in_order)), 0u);
+  EXPECT_EQ(ensemble::uniforms_of(ensemble::DrawTable(1, {1.0}, ensemble::RowOrder::in_order)), 0u);
 }
 
 // The text of the header: the distribution at the numbers of CounterRandom, or of Sobol's point.
 TEST(Draws, AreTheDistributionsOfTheirNumbers) {
-  const std::vector<Varied> all = of_each();
-  const Draws random(all, 5), sobol(all, 5, DrawSource::sobol);
-  const SobolPoints points(12);
+  const std::vector<ensemble::Varied> all = of_each();
+  const ensemble::Draws random(all, 5), sobol(all, 5, ensemble::DrawSource::sobol);
+  const ensemble::SobolPoints points(12);
   for (const std::uint64_t member : {std::uint64_t{0}, std::uint64_t{17}, std::uint64_t{123456}}) {
     std::size_t dimension = 0;
     for (std::size_t key = 0; key < all.size(); ++key) {
-      const CounterRandom numbers(5, key_of(all[key].name));
-      std::vector<double> u(uniforms_of(all[key].distribution)), v = u;
-      std::vector<double> x(numbers_of(all[key].distribution)), y = x;
+      const ensemble::CounterRandom numbers(5, ensemble::key_of(all[key].name));
+      std::vector<double> u(ensemble::uniforms_of(all[key].distribution)), v = u;
+      std::vector<double> x(ensemble::numbers_of(all[key].distribution)), y = x;
       for (std::size_t i = 0; i < u.size(); ++i) {
         u[i] = numbers.uniform(member, i);
-        v[i] = open_uniform(points.bits(member, dimension++) ^ numbers.shared_bits(i));
+        v[i] = ensemble::open_uniform(points.bits(member, dimension++) ^ numbers.shared_bits(i));
       }
-      draw(all[key].distribution, member, u, x);
-      draw(all[key].distribution, member, v, y);
+      ensemble::draw(all[key].distribution, member, u, x);
+      ensemble::draw(all[key].distribution, member, v, y);
       EXPECT_EQ(random.values(member, key), x) << all[key].name;
       EXPECT_EQ(sobol.values(member, key), y) << all[key].name;
     }
@@ -75,14 +72,15 @@ TEST(Draws, AreTheDistributionsOfTheirNumbers) {
 // So that members drawn by an older version, another compiler or another processor are the same.
 TEST(Draws, KeepTheirBits) {
   const std::uint64_t hashes[] = {0xe213a035a6892e23, 0x3ddd598250aa5f58};
-  for (const DrawSource source : {DrawSource::random, DrawSource::sobol}) {
-    const Draws draws(of_each(), 2029, source);
-    std::uint64_t hash = key_of("");  // on by FNV-1a, a number at a time
+  for (const ensemble::DrawSource source :
+       {ensemble::DrawSource::random, ensemble::DrawSource::sobol}) {
+    const ensemble::Draws draws(of_each(), 2029, source);
+    std::uint64_t hash = ensemble::key_of("");  // on by FNV-1a, a number at a time
     for (std::uint64_t member = 0; member < 20'000; ++member)
       for (std::size_t key = 0; key < draws.varied().size(); ++key)
         for (const double x : draws.values(member, key))
           hash = (hash ^ std::bit_cast<std::uint64_t>(x)) * 0x100000001b3;
-    EXPECT_EQ(hash, hashes[source == DrawSource::sobol ? 1 : 0]);
+    EXPECT_EQ(hash, hashes[source == ensemble::DrawSource::sobol ? 1 : 0]);
   }
 }
 
@@ -90,45 +88,48 @@ TEST(Draws, MayHaveManyNumbers) {
   constexpr std::size_t n = 30;
   std::vector<double> one(n * n), u(n), x(n);
   for (std::size_t i = 0; i < n; ++i) one[(n + 1) * i] = 1.0;
-  const JointNormal normal(std::vector<double>(n), one);
-  CounterRandom(1, key_of("many")).uniforms(4, u);
+  const ensemble::JointNormal normal(std::vector<double>(n), one);
+  ensemble::CounterRandom(1, ensemble::key_of("many")).uniforms(4, u);
   normal.from_uniform(u, x);
-  EXPECT_EQ(Draws({{"many", normal}}, 1).values(4, 0), x);
+  EXPECT_EQ(ensemble::Draws({{"many", normal}}, 1).values(4, 0), x);
 }
 
 TEST(Draws, AMemberAloneIsThatOfARun) {
-  for (const DrawSource source : {DrawSource::random, DrawSource::sobol}) {
-    const Draws draws(of_each(), 3, source);
+  for (const ensemble::DrawSource source :
+       {ensemble::DrawSource::random, ensemble::DrawSource::sobol}) {
+    const ensemble::Draws draws(of_each(), 3, source);
     const std::size_t keys = draws.varied().size();
     std::vector<std::vector<double>> run(2000 * keys);
-    run_parts(2000, 32, 3, [&](std::size_t begin, std::size_t end) {
+    ensemble::run_parts(2000, 32, 3, [&](std::size_t begin, std::size_t end) {
       for (std::size_t m = begin; m < end; ++m)
         for (std::size_t key = 0; key < keys; ++key) run[m * keys + key] = draws.values(m, key);
     });
     for (std::size_t m = 2000; m-- > 0;)
       for (std::size_t key = keys; key-- > 0;)
-        ASSERT_EQ(Draws(of_each(), 3, source).values(m, key), run[m * keys + key]);
+        ASSERT_EQ(ensemble::Draws(of_each(), 3, source).values(m, key), run[m * keys + key]);
   }
 }
 
 TEST(Draws, DoNotDependOnOtherKeys) {
-  const std::vector<Varied> all = of_each();
-  const Draws whole(all, 3), sobol(all, 3, DrawSource::sobol);
+  const std::vector<ensemble::Varied> all = of_each();
+  const ensemble::Draws whole(all, 3), sobol(all, 3, ensemble::DrawSource::sobol);
   for (std::size_t key = 0; key < all.size(); ++key) {
-    EXPECT_EQ(Draws({all[key]}, 3).values(99, 0), whole.values(99, key));
-    const std::vector<Varied> fewer(all.begin(),
-                                    all.begin() + static_cast<std::ptrdiff_t>(key + 1));
-    EXPECT_EQ(Draws(fewer, 3, DrawSource::sobol).values(99, key), sobol.values(99, key));
+    EXPECT_EQ(ensemble::Draws({all[key]}, 3).values(99, 0), whole.values(99, key));
+    const std::vector<ensemble::Varied> fewer(all.begin(),
+                                              all.begin() + static_cast<std::ptrdiff_t>(key + 1));
+    EXPECT_EQ(ensemble::Draws(fewer, 3, ensemble::DrawSource::sobol).values(99, key),
+              sobol.values(99, key));
   }
-  EXPECT_NE(Draws({all[0]}, 4).value(99, 0), whole.value(99, 0));
+  EXPECT_NE(ensemble::Draws({all[0]}, 4).value(99, 0), whole.value(99, 0));
 }
 
 // Different keys and different seeds: as if they did not know of each other.
 TEST(Draws, KeysAreIndependent) {
   std::vector<double> found;
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
-    const Draws draws({{"a", Normal(0, 1)}, {"b", Normal(0, 1)}}, seed);
-    const Draws other({{"a", Normal(0, 1)}}, seed + 50);
+    const ensemble::Draws draws({{"a", ensemble::Normal(0, 1)}, {"b", ensemble::Normal(0, 1)}},
+                                seed);
+    const ensemble::Draws other({{"a", ensemble::Normal(0, 1)}}, seed + 50);
     std::vector<double> products, of_seeds;
     for (std::uint64_t m = 0; m < 8192; ++m) {
       products.push_back(draws.value(m, 0) * draws.value(m, 1));
@@ -141,12 +142,13 @@ TEST(Draws, KeysAreIndependent) {
 }
 
 TEST(Draws, ListedPointsGoByTheMember) {
-  const DrawTable table(1, {10, 20, 30}, RowOrder::in_order);
-  const Draws draws({{"row", table}, {"grid", DrawGrid({{0, 1, 2}})}}, 1);
+  const ensemble::DrawTable table(1, {10, 20, 30}, ensemble::RowOrder::in_order);
+  const ensemble::Draws draws({{"row", table}, {"grid", ensemble::DrawGrid({{0, 1, 2}})}}, 1);
   EXPECT_EQ(draws.most_members(), 3u);
-  const DrawTable longer(1, {1, 2, 3, 4}, RowOrder::in_order);
-  EXPECT_EQ(Draws({{"row", table}, {"longer", longer}}, 1).most_members(), 3u);
-  EXPECT_EQ(Draws(of_each(), 1).most_members(), std::numeric_limits<std::uint64_t>::max());
+  const ensemble::DrawTable longer(1, {1, 2, 3, 4}, ensemble::RowOrder::in_order);
+  EXPECT_EQ(ensemble::Draws({{"row", table}, {"longer", longer}}, 1).most_members(), 3u);
+  EXPECT_EQ(ensemble::Draws(of_each(), 1).most_members(),
+            std::numeric_limits<std::uint64_t>::max());
   EXPECT_EQ(draws.value(1, 0), 20.0);
   EXPECT_EQ(draws.value(2, 1), 0.0);  // the grid again
   EXPECT_MESSAGE(draws.value(3, 0), "DrawTable::row: index 3 must be below 3");
@@ -154,39 +156,41 @@ TEST(Draws, ListedPointsGoByTheMember) {
 
 // Sobol's points through a normal: the mean of z^2 is nearer to 1.
 TEST(Draws, SobolPointsGoThroughTheSameDistributions) {
-  const std::vector<Varied> varied{{"z", JointNormal({0, 0, 0}, {1, 0.5, 0, 0.5, 1, 0, 0, 0, 1})}};
+  const std::vector<ensemble::Varied> varied{
+      {"z", ensemble::JointNormal({0, 0, 0}, {1, 0.5, 0, 0.5, 1, 0, 0, 0, 1})}};
   double errors[2] = {0.0, 0.0};
   for (std::uint64_t seed = 1; seed <= 10; ++seed)
-    for (const DrawSource source : {DrawSource::random, DrawSource::sobol}) {
-      const Draws draws(varied, seed, source);
+    for (const ensemble::DrawSource source :
+         {ensemble::DrawSource::random, ensemble::DrawSource::sobol}) {
+      const ensemble::Draws draws(varied, seed, source);
       double sum = 0.0;
       for (std::uint64_t m = 0; m < 4096; ++m) {
         const std::vector<double> x = draws.values(m, 0);
         sum += x[0] * x[1] / 4096;
       }
-      errors[source == DrawSource::sobol ? 1 : 0] += std::pow(sum - 0.5, 2);
+      errors[source == ensemble::DrawSource::sobol ? 1 : 0] += std::pow(sum - 0.5, 2);
     }
   EXPECT_LE(std::sqrt(errors[1] / errors[0]), budget::sobol_over_random);
 }
 
 TEST(Draws, WhatCannotBeDrawnIsRefused) {
-  const Distribution any = Uniform(0, 1);
-  EXPECT_MESSAGE(Draws({{"", any}}, 1), "Draws: name \"\" must not be empty");
-  EXPECT_MESSAGE(Draws({{"a", any}, {"a", any}}, 1),
+  const ensemble::Distribution any = ensemble::Uniform(0, 1);
+  EXPECT_MESSAGE(ensemble::Draws({{"", any}}, 1), "Draws: name \"\" must not be empty");
+  EXPECT_MESSAGE(ensemble::Draws({{"a", any}, {"a", any}}, 1),
                  "Draws: names \"a\" and \"a\" must differ, and so must their keys");
-  std::vector<Varied> many;
+  std::vector<ensemble::Varied> many;
   for (int i = 0; i < 3668; ++i) many.push_back({"x" + std::to_string(i), any});
-  EXPECT_MESSAGE(Draws(many, 1, DrawSource::sobol),
+  EXPECT_MESSAGE(ensemble::Draws(many, 1, ensemble::DrawSource::sobol),
                  "SobolPoints: 3668 dimensions must be from 1 to 3667");
-  EXPECT_EQ(message_of([&] { Draws(many, 1); }), "");
-  const Draws draws({{"axis", IsotropicDirection{}}}, 1);
+  EXPECT_EQ(message_of([&] { ensemble::Draws(many, 1); }), "");
+  const ensemble::Draws draws({{"axis", ensemble::IsotropicDirection{}}}, 1);
   EXPECT_MESSAGE(draws.value(0, 0), "Draws: room for 1 numbers of \"axis\" must be for 3");
 }
 
 // Points that are listed: a grid in its order, the rows of a table.
 
 TEST(DrawGrid, CountsTheLastAxisTheFastest) {
-  const DrawGrid grid({{1.0, 3.0, 3}, {5.0, 5.0, 1}, {0.0, -1.0, 2}});
+  const ensemble::DrawGrid grid({{1.0, 3.0, 3}, {5.0, 5.0, 1}, {0.0, -1.0, 2}});
   ASSERT_EQ(grid.size(), 6u);
   const double want[6][3] = {{1, 5, 0}, {1, 5, -1}, {2, 5, 0}, {2, 5, -1}, {3, 5, 0}, {3, 5, -1}};
   for (std::uint64_t index = 6; index-- > 0;) {
@@ -197,7 +201,7 @@ TEST(DrawGrid, CountsTheLastAxisTheFastest) {
 }
 
 TEST(DrawGrid, EndsAreExactAndPointsRoundedOnce) {
-  const DrawGrid grid({{0.1, 0.7, 7}});
+  const ensemble::DrawGrid grid({{0.1, 0.7, 7}});
   for (int k = 0; k < 7; ++k) {
     double x = 0.0;
     grid.at(static_cast<std::uint64_t>(k), {&x, 1});
@@ -207,35 +211,36 @@ TEST(DrawGrid, EndsAreExactAndPointsRoundedOnce) {
 
 TEST(DrawGrid, WhatIsNoneIsRefused) {
   const double infinity = std::numeric_limits<double>::infinity();
-  EXPECT_MESSAGE(DrawGrid({}), "DrawGrid: 0 axes must be one or more");
-  EXPECT_MESSAGE(DrawGrid({{0, 1, 2}, {0, infinity, 2}}),
+  EXPECT_MESSAGE(ensemble::DrawGrid({}), "DrawGrid: 0 axes must be one or more");
+  EXPECT_MESSAGE(ensemble::DrawGrid({{0, 1, 2}, {0, infinity, 2}}),
                  "DrawGrid: axis[1]: to inf must be finite");
-  EXPECT_MESSAGE(DrawGrid({{0, 1, 0}}), "DrawGrid: axis[0]: count 0 must be 1 or more");
-  EXPECT_MESSAGE(DrawGrid({{0, 1, -3}, {0, 1, -4}}),
+  EXPECT_MESSAGE(ensemble::DrawGrid({{0, 1, 0}}), "DrawGrid: axis[0]: count 0 must be 1 or more");
+  EXPECT_MESSAGE(ensemble::DrawGrid({{0, 1, -3}, {0, 1, -4}}),
                  "DrawGrid: axis[0]: count -3 must be 1 or more");
   EXPECT_MESSAGE(
-      DrawGrid({{0, 1, 1LL << 40}, {0, 1, 1LL << 40}}),
+      ensemble::DrawGrid({{0, 1, 1LL << 40}, {0, 1, 1LL << 40}}),
       "DrawGrid: axis[1]: count 1099511627776 makes more points than 2^53, which must be the most");
   double x = 0.0;
-  EXPECT_MESSAGE(DrawGrid({{0, 1, 2}}).at(2, {&x, 1}), "DrawGrid::at: index 2 must be below 2");
+  EXPECT_MESSAGE(ensemble::DrawGrid({{0, 1, 2}}).at(2, {&x, 1}),
+                 "DrawGrid::at: index 2 must be below 2");
 }
 
 TEST(DrawTable, HasItsRows) {
-  const DrawTable table(2, {1, 2, 3, 4, 5, 6}, RowOrder::in_order);
+  const ensemble::DrawTable table(2, {1, 2, 3, 4, 5, 6}, ensemble::RowOrder::in_order);
   EXPECT_EQ(table.rows(), 3u);
   EXPECT_EQ(table.row(2)[0], 5.0);
   EXPECT_EQ(table.row(2)[1], 6.0);
-  EXPECT_EQ(DrawTable(table).row(0).data(), table.row(0).data());  // shared
+  EXPECT_EQ(ensemble::DrawTable(table).row(0).data(), table.row(0).data());  // shared
 }
 
 TEST(DrawTable, DrawsEveryRowAsOften) {
   std::vector<double> numbers(37);
   for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = static_cast<double>(i);
-  const DrawTable table(1, numbers, RowOrder::with_replacement);
+  const ensemble::DrawTable table(1, numbers, ensemble::RowOrder::with_replacement);
   EXPECT_EQ(table.from_uniform(0x1p-53)[0], 0.0);
   EXPECT_EQ(table.from_uniform(1.0 - 0x1p-53)[0], 36.0);
   expect_as_it_should_be(over_seeds(12, [&](std::uint64_t seed) {
-    const CounterRandom random(seed, key_of("clone"));
+    const ensemble::CounterRandom random(seed, ensemble::key_of("clone"));
     std::vector<double> counts(37);
     for (std::uint64_t m = 0; m < 8192; ++m)
       ++counts[static_cast<std::size_t>(table.from_uniform(random.uniform(m, 0))[0])];
@@ -244,20 +249,22 @@ TEST(DrawTable, DrawsEveryRowAsOften) {
 }
 
 TEST(DrawTable, WhatIsNoneIsRefused) {
-  constexpr RowOrder any = RowOrder::in_order;
-  EXPECT_MESSAGE(DrawTable(0, {1}, any), "DrawTable: 0 columns must be one or more");
-  EXPECT_MESSAGE(DrawTable(2, {}, any), "DrawTable: 0 rows must be one or more");
-  EXPECT_MESSAGE(DrawTable(2, {1, 2, 3}, any), "DrawTable: 3 numbers must be whole rows of 2");
-  EXPECT_MESSAGE(DrawTable(2, {1, 2, 3, std::nan("")}, any),
+  constexpr ensemble::RowOrder any = ensemble::RowOrder::in_order;
+  EXPECT_MESSAGE(ensemble::DrawTable(0, {1}, any), "DrawTable: 0 columns must be one or more");
+  EXPECT_MESSAGE(ensemble::DrawTable(2, {}, any), "DrawTable: 0 rows must be one or more");
+  EXPECT_MESSAGE(ensemble::DrawTable(2, {1, 2, 3}, any),
+                 "DrawTable: 3 numbers must be whole rows of 2");
+  EXPECT_MESSAGE(ensemble::DrawTable(2, {1, 2, 3, std::nan("")}, any),
                  "DrawTable: row 1, column 1: nan must be finite");
-  EXPECT_MESSAGE(DrawTable(1, {1, 2}, any).row(2), "DrawTable::row: index 2 must be below 2");
+  EXPECT_MESSAGE(ensemble::DrawTable(1, {1, 2}, any).row(2),
+                 "DrawTable::row: index 2 must be below 2");
 }
 
 // Sobol's points: those of others, of any index, evenly in every cell, and what a shift does.
 
 // The first 30 bits, by SciPy 1.17: qmc.Sobol(d=3667, scramble=False, bits=30).
 TEST(SobolPoints, AreThoseOfSciPy) {
-  const SobolPoints points(3667);
+  const ensemble::SobolPoints points(3667);
   constexpr std::size_t dimensions[7] = {0, 1, 2, 7, 39, 999, 3666};
   struct Row {
     std::uint64_t index;
@@ -279,7 +286,7 @@ TEST(SobolPoints, AreThoseOfSciPy) {
 // All 64 bits, far along too.
 TEST(SobolPoints, AreThoseOfBoostFromOneToTheNext) {
   constexpr std::size_t dimensions = 11;
-  const SobolPoints points(dimensions);
+  const ensemble::SobolPoints points(dimensions);
   boost::random::sobol engine(dimensions);
   for (const std::uint64_t start : {std::uint64_t{0}, std::uint64_t{123456789012345}}) {
     engine.seed(start);
@@ -292,9 +299,9 @@ TEST(SobolPoints, AreThoseOfBoostFromOneToTheNext) {
 // not; and in the first two dimensions in every rectangle of that area.
 TEST(SobolPoints, AreNets) {
   constexpr std::size_t dimensions = 40;
-  const SobolPoints points(dimensions);
+  const ensemble::SobolPoints points(dimensions);
   constexpr std::uint64_t size = 256;
-  for (const std::uint64_t shift : {std::uint64_t{0}, CounterRandom(1, 2).shared_bits(3)})
+  for (const std::uint64_t shift : {std::uint64_t{0}, ensemble::CounterRandom(1, 2).shared_bits(3)})
     for (const std::uint64_t start : {std::uint64_t{0}, 77 * size})
       for (std::size_t i = 0; i < dimensions; ++i) {
         std::set<std::uint64_t> seen;
@@ -325,27 +332,29 @@ double product(const Number& number) {
 }
 
 double mean_of_random(std::uint64_t seed, std::uint64_t count) {
-  const CounterRandom random(seed, key_of("x"));
+  const ensemble::CounterRandom random(seed, ensemble::key_of("x"));
   double sum = 0.0;
   for (std::uint64_t m = 0; m < count; ++m)
     sum += product([&](std::size_t i) { return random.uniform(m, i); });
   return sum / static_cast<double>(count);
 }
 
-double mean_of_points(const SobolPoints& points, std::uint64_t seed, std::uint64_t count) {
-  const CounterRandom random(seed, key_of("x"));
+double mean_of_points(const ensemble::SobolPoints& points, std::uint64_t seed,
+                      std::uint64_t count) {
+  const ensemble::CounterRandom random(seed, ensemble::key_of("x"));
   std::vector<std::uint64_t> shifts;
   for (std::size_t i = 0; i < factors; ++i) shifts.push_back(random.shared_bits(i));
   double sum = 0.0;
   for (std::uint64_t m = 0; m < count; ++m)
-    sum += product([&](std::size_t i) { return open_uniform(points.bits(m, i) ^ shifts[i]); });
+    sum += product(
+        [&](std::size_t i) { return ensemble::open_uniform(points.bits(m, i) ^ shifts[i]); });
   return sum / static_cast<double>(count);
 }
 
 TEST(SobolPoints, IntegrateBetterThanRandomOnesAndWithoutBias) {
   constexpr int seeds = 40;
   constexpr std::uint64_t count = 4096;
-  const SobolPoints points(factors);
+  const ensemble::SobolPoints points(factors);
   std::vector<double> means;
   double of_random = 0.0, of_points = 0.0, of_fewer = 0.0;
   for (int seed = 1; seed <= seeds; ++seed) {
@@ -363,23 +372,24 @@ TEST(SobolPoints, IntegrateBetterThanRandomOnesAndWithoutBias) {
 
 // One point, whichever, is uniform over the shifts of many seeds.
 TEST(SobolPoints, OneShiftedPointIsUniform) {
-  const SobolPoints points(5);
+  const ensemble::SobolPoints points(5);
   std::vector<double> found;
   for (const std::uint64_t member : {0u, 1u, 77u, 123456u}) {
     std::vector<double> sample;
     for (std::uint64_t seed = 0; seed < 4096; ++seed)
-      sample.push_back(
-          open_uniform(points.bits(member, 4) ^ CounterRandom(seed, member).shared_bits(4)));
+      sample.push_back(ensemble::open_uniform(
+          points.bits(member, 4) ^ ensemble::CounterRandom(seed, member).shared_bits(4)));
     found.push_back(kolmogorov(sample, [](double u) { return u; }));
   }
   expect_as_it_should_be(pooled(found));
 }
 
 TEST(SobolPoints, HaveAMostOfDimensions) {
-  EXPECT_EQ(SobolPoints(3667).dimensions(), 3667u);
-  EXPECT_EQ(SobolPoints::most_dimensions, 3667u);
-  EXPECT_MESSAGE(SobolPoints(0), "SobolPoints: 0 dimensions must be from 1 to 3667");
-  EXPECT_MESSAGE(SobolPoints(3668), "SobolPoints: 3668 dimensions must be from 1 to 3667");
+  EXPECT_EQ(ensemble::SobolPoints(3667).dimensions(), 3667u);
+  EXPECT_EQ(ensemble::SobolPoints::most_dimensions, 3667u);
+  EXPECT_MESSAGE(ensemble::SobolPoints(0), "SobolPoints: 0 dimensions must be from 1 to 3667");
+  EXPECT_MESSAGE(ensemble::SobolPoints(3668),
+                 "SobolPoints: 3668 dimensions must be from 1 to 3667");
 }
 
 }  // namespace

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "message_of.hpp"
-#include "polhode/ensemble/counter_random.hpp"
 #include "polhode/ensemble/distributions.hpp"
+#include "polhode/ensemble/draws.hpp"
 #include "statistics.hpp"
 #include "worst.hpp"
 
@@ -35,10 +35,10 @@ std::vector<double> drawn_covariance(std::size_t n, std::size_t rank, unsigned s
 }
 
 // The covariance F F^T by the columns of F: draws at z = 0 but for one number.
-std::vector<double> covariance_of(const JointNormal& of) {
+std::vector<double> covariance_of(const ensemble::JointNormal& of) {
   const std::size_t n = of.size();
   std::vector<double> c(n * n), x(n);
-  const double one = 0.3, z = normal_quantile(one);
+  const double one = 0.3, z = ensemble::normal_quantile(one);
   for (std::size_t k = 0; k < n; ++k) {
     std::vector<double> u(n, 0.5);
     u[k] = one;
@@ -64,11 +64,11 @@ TEST(JointNormal, HasTheCovarianceOfAnyRank) {
 }
 
 TEST(JointNormal, OfOneNumberIsNormal) {
-  const JointNormal of({3.0}, {4.0});
+  const ensemble::JointNormal of({3.0}, {4.0});
   double x = 0.0;
   for (const double u : {1e-9, 0.2, 0.9}) {
     of.from_uniform({&u, 1}, {&x, 1});
-    EXPECT_EQ(x, Normal(3.0, 2.0).from_uniform(u));
+    EXPECT_EQ(x, ensemble::Normal(3.0, 2.0).from_uniform(u));
   }
 }
 
@@ -82,15 +82,21 @@ TEST(JointNormal, KeepsSmallVariances) {
 
 // A covariance that was computed: its halves differ by roundings.
 TEST(JointNormal, TakesRoundings) {
-  EXPECT_EQ(message_of([] { JointNormal({0.0, 0.0}, {1.0, 0.5, 0.5 + eps, 1.0}); }), "");
-  EXPECT_NE(message_of([] { JointNormal({0.0, 0.0}, {1.0, 0.5, 0.5 + 1e-9, 1.0}); }), "");
-  EXPECT_EQ(message_of([] { JointNormal({0.0, 0.0}, {1.0, 1.0 + eps, 1.0 + eps, 1.0}); }), "");
-  EXPECT_NE(message_of([] { JointNormal({0.0, 0.0}, {1.0, 1.0 + 1e-9, 1.0 + 1e-9, 1.0}); }), "");
+  EXPECT_EQ(message_of([] { ensemble::JointNormal({0.0, 0.0}, {1.0, 0.5, 0.5 + eps, 1.0}); }), "");
+  EXPECT_NE(message_of([] { ensemble::JointNormal({0.0, 0.0}, {1.0, 0.5, 0.5 + 1e-9, 1.0}); }), "");
+  EXPECT_EQ(message_of([] {
+              ensemble::JointNormal({0.0, 0.0}, {1.0, 1.0 + eps, 1.0 + eps, 1.0});
+            }),
+            "");
+  EXPECT_NE(message_of([] {
+              ensemble::JointNormal({0.0, 0.0}, {1.0, 1.0 + 1e-9, 1.0 + 1e-9, 1.0});
+            }),
+            "");
 }
 
 // Two numbers that are one, and a fixed one.
 TEST(JointNormal, MayBeFlat) {
-  const JointNormal of({1.0, 2.0, 7.0}, {4.0, -2.0, 0.0, -2.0, 1.0, 0.0, 0.0, 0.0, 0.0});
+  const ensemble::JointNormal of({1.0, 2.0, 7.0}, {4.0, -2.0, 0.0, -2.0, 1.0, 0.0, 0.0, 0.0, 0.0});
   const std::vector<double> u{0.2, 0.9, 0.4};
   std::vector<double> x(3);
   of.from_uniform(u, x);
@@ -103,7 +109,7 @@ TEST(JointNormal, MayBeFlat) {
 // correlations of the sample are those given.
 TEST(JointNormal, IsDrawn) {
   const std::vector<double> c{4.0, 1.2, -0.5, 1.2, 1.0, 0.1, -0.5, 0.1, 0.25};
-  const JointNormal of({1.0, -1.0, 0.5}, c);
+  const ensemble::JointNormal of({1.0, -1.0, 0.5}, c);
   // the inverse of c, by its cofactors
   const auto minor = [&](int i, int j) {
     const auto at = [&](int a, int b) { return c[static_cast<std::size_t>(a % 3 * 3 + b % 3)]; };
@@ -112,7 +118,7 @@ TEST(JointNormal, IsDrawn) {
   const double det = c[0] * minor(0, 0) + c[1] * minor(0, 1) + c[2] * minor(0, 2);
   std::vector<double> distances, products;
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
-    const CounterRandom random(seed, key_of("body.moments"));
+    const ensemble::CounterRandom random(seed, ensemble::key_of("body.moments"));
     std::vector<double> squares, u(3), x(3), below(3);
     for (std::uint64_t m = 0; m < 8192; ++m) {
       random.uniforms(m, u);
@@ -133,7 +139,7 @@ TEST(JointNormal, IsDrawn) {
 }
 
 std::string refused(const std::vector<double>& mean, const std::vector<double>& covariance) {
-  return message_of([&] { JointNormal(mean, covariance); });
+  return message_of([&] { ensemble::JointNormal(mean, covariance); });
 }
 
 TEST(JointNormal, WhatIsNoCovarianceIsRefused) {

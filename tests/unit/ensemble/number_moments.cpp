@@ -39,10 +39,10 @@ std::vector<Row> rows(std::size_t count, double offset) {
 }
 
 // In chunks of so many, merged in order.
-NumberMoments moments(const std::vector<Row>& all, std::size_t chunk) {
-  NumberMoments total(static_cast<int>(all[0].size()));
+ensemble::NumberMoments moments(const std::vector<Row>& all, std::size_t chunk) {
+  ensemble::NumberMoments total(static_cast<int>(all[0].size()));
   for (std::size_t begin = 0; begin < all.size(); begin += chunk) {
-    NumberMoments part(total.size());
+    ensemble::NumberMoments part(total.size());
     for (std::size_t i = begin; i < all.size() && i < begin + chunk; ++i)
       part.add(static_cast<std::int64_t>(i), all[i]);
     total.merge(part);
@@ -63,7 +63,7 @@ TEST(NumberMoments, AreThoseOfFiftyDigits) {
         for (std::size_t j = 0; j < 3; ++j)
           product[i][j] += (Exact(row[i]) - mean[i]) * (Exact(row[j]) - mean[j]);
     for (const std::size_t chunk : {1u, 7u, 1000u, 20'000u}) {
-      const NumberMoments found = moments(all, chunk);
+      const ensemble::NumberMoments found = moments(all, chunk);
       const double most =
           chunk == 1000 ? budget::number_moments_eps : budget::number_moments_long_eps;
       Worst means, covariances;
@@ -90,7 +90,7 @@ TEST(NumberMoments, AreThoseOfFiftyDigits) {
 
 // A known table: variances of 1, ..., n are n (n + 1)/12, of its squares in closed form too.
 TEST(NumberMoments, OfTheFirstIntegers) {
-  NumberMoments all(2);
+  ensemble::NumberMoments all(2);
   for (std::int64_t k = 1; k <= 1000; ++k)
     all.add(k - 1, Row{static_cast<double>(k), static_cast<double>(-k)});
   EXPECT_EQ(all.count(), 1000);
@@ -103,7 +103,7 @@ TEST(NumberMoments, OfTheFirstIntegers) {
 TEST(NumberMoments, NameTheMembersOfExtremesTheFirstOfEqualOnes) {
   const std::vector<Row> all{{2.0}, {-1.0}, {5.0}, {-1.0}, {5.0}};
   for (const std::size_t chunk : {1u, 2u, 5u}) {
-    const NumberMoments found = moments(all, chunk);
+    const ensemble::NumberMoments found = moments(all, chunk);
     EXPECT_EQ(found.least(0).value, -1.0);
     EXPECT_EQ(found.least(0).member, 1);
     EXPECT_EQ(found.greatest(0).value, 5.0);
@@ -112,7 +112,7 @@ TEST(NumberMoments, NameTheMembersOfExtremesTheFirstOfEqualOnes) {
 }
 
 TEST(NumberMoments, LeaveOutAndNameMembersWithANumberThatIsNotFinite) {
-  NumberMoments all(2), without(2);
+  ensemble::NumberMoments all(2), without(2);
   for (std::int64_t k = 0; k < 40; ++k) {
     Row row{0.1 * static_cast<double>(k), 1.0 / static_cast<double>(k + 1)};
     if (k % 3 == 1)
@@ -122,8 +122,8 @@ TEST(NumberMoments, LeaveOutAndNameMembersWithANumberThatIsNotFinite) {
     all.add(k, row);
   }
   EXPECT_EQ(all.left_out().count(), 13);
-  ASSERT_EQ(all.left_out().first().size(), LeftOut::kept);
-  for (std::size_t i = 0; i < LeftOut::kept; ++i)
+  ASSERT_EQ(all.left_out().first().size(), ensemble::LeftOut::kept);
+  for (std::size_t i = 0; i < ensemble::LeftOut::kept; ++i)
     EXPECT_EQ(all.left_out().first()[i], static_cast<std::int64_t>(3 * i + 1));
   EXPECT_EQ(all.count(), without.count());
   EXPECT_EQ(all.mean(1), without.mean(1));
@@ -131,7 +131,7 @@ TEST(NumberMoments, LeaveOutAndNameMembersWithANumberThatIsNotFinite) {
 }
 
 TEST(NumberMoments, OfNoneAndOfOneAreNotNumbers) {
-  NumberMoments all(1);
+  ensemble::NumberMoments all(1);
   EXPECT_TRUE(std::isnan(all.mean(0)));
   EXPECT_TRUE(std::isnan(all.least(0).value));
   EXPECT_EQ(all.greatest(0).member, -1);
@@ -141,10 +141,11 @@ TEST(NumberMoments, OfNoneAndOfOneAreNotNumbers) {
 }
 
 TEST(NumberMoments, SayWhatTheyRefuse) {
-  EXPECT_MESSAGE(NumberMoments(0), "NumberMoments: got 0 numbers a member; expected 1 to 1000");
-  NumberMoments two(2);
+  EXPECT_MESSAGE(ensemble::NumberMoments(0),
+                 "NumberMoments: got 0 numbers a member; expected 1 to 1000");
+  ensemble::NumberMoments two(2);
   EXPECT_MESSAGE(two.add(5, Row{1.0}), "NumberMoments::add: got 1 numbers of member 5; expected 2");
-  EXPECT_MESSAGE(two.merge(NumberMoments(3)),
+  EXPECT_MESSAGE(two.merge(ensemble::NumberMoments(3)),
                  "NumberMoments::merge: got moments of 3 numbers; expected of 2");
   EXPECT_MESSAGE(two.covariance(0, 2), "NumberMoments::covariance: got number 2; expected 0 to 1");
   EXPECT_MESSAGE(two.mean(-1), "NumberMoments::mean: got number -1; expected 0 to 1");

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Cells: every index once, in order, from any number of threads; exceptions pass through.
-#include "polhode/ensemble/ordered_parallel_for.hpp"
-
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -12,6 +10,7 @@
 #include <thread>
 #include <vector>
 
+#include "polhode/ensemble/executor.hpp"
 #include "polhode/error.hpp"
 
 namespace {
@@ -29,10 +28,11 @@ CellRow work(std::int64_t index) {
 
 std::vector<CellRow> rows(std::int64_t first, std::int64_t count, int threads) {
   std::vector<CellRow> result;
-  ordered_parallel_for(first, count, threads, work, [&](std::int64_t index, const CellRow& row) {
-    EXPECT_EQ(index, first + static_cast<std::int64_t>(result.size()));
-    result.push_back(row);
-  });
+  ensemble::ordered_parallel_for(
+      first, count, threads, work, [&](std::int64_t index, const CellRow& row) {
+        EXPECT_EQ(index, first + static_cast<std::int64_t>(result.size()));
+        result.push_back(row);
+      });
   return result;
 }
 
@@ -45,12 +45,12 @@ TEST(Cells, AreThoseOfAPlainLoopForAnyNumberOfThreads) {
 }
 
 TEST(Cells, RunAtTheSameTime) {
-  if (hardware_threads() < 2) GTEST_SKIP() << "one processor";
+  if (ensemble::hardware_threads() < 2) GTEST_SKIP() << "one processor";
   std::atomic<int> here = 0;
   std::atomic<bool> met = false;
   // A thread of a busy machine may wait for long before it begins.
   const auto patience = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-  ordered_parallel_for(
+  ensemble::ordered_parallel_for(
       0, 64, 2,
       [&](std::int64_t) -> CellRow {
         ++here;
@@ -75,13 +75,13 @@ TEST(Cells, WhatIsThrownPassesThroughAfterTheRowsBefore) {
     };
     std::string thrown;
     try {
-      ordered_parallel_for(0, 100, threads, cell, sink);
+      ensemble::ordered_parallel_for(0, 100, threads, cell, sink);
     } catch (const std::runtime_error& error) {
       thrown = error.what();
     }
     EXPECT_EQ(thrown, "20") << threads;
     EXPECT_EQ(last, 19) << threads;
-    EXPECT_THROW(ordered_parallel_for(0, 100, 0, cell, sink), DomainError);
+    EXPECT_THROW(ensemble::ordered_parallel_for(0, 100, 0, cell, sink), DomainError);
   }
 }
 
@@ -92,7 +92,7 @@ TEST(Cells, WhatTheSinkThrowsPassesThrough) {
       last = index;
       if (index == 20) throw std::runtime_error("sink");
     };
-    EXPECT_THROW(ordered_parallel_for(0, 100, threads, work, sink), std::runtime_error);
+    EXPECT_THROW(ensemble::ordered_parallel_for(0, 100, threads, work, sink), std::runtime_error);
     EXPECT_EQ(last, 20) << threads;
   }
 }
@@ -119,7 +119,7 @@ TEST(Cells, LeaveNothingBehindWhenOneThrows) {
   };
   int taken = 0;
   const auto sink = [&](std::int64_t, const Counted&) { ++taken; };
-  EXPECT_THROW(ordered_parallel_for(0, 100, 2, cell, sink), std::runtime_error);
+  EXPECT_THROW(ensemble::ordered_parallel_for(0, 100, 2, cell, sink), std::runtime_error);
   EXPECT_GE(waiting, 3);
   EXPECT_EQ(taken, 0);
   EXPECT_EQ(Counted::alive, 0);

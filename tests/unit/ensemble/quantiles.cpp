@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Quantiles: exact while few, between their bounds beyond, the same in any order; those of known
 // distributions and the coverage of intervals, pooled over seeds.
-#include "polhode/ensemble/quantiles.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,7 +16,8 @@
 #include "ensemble/fractions.hpp"
 #include "message_of.hpp"
 #include "oracle/random_draw.hpp"
-#include "polhode/math/trigonometry.hpp"
+#include "polhode/detail/math/trigonometry.hpp"
+#include "polhode/ensemble/bins.hpp"
 #include "worst.hpp"
 
 namespace {
@@ -30,8 +29,9 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 const std::vector<double> parts{0.0, 0.001, 0.05, 0.25, 0.5, 0.9, 0.99, 0.9999, 1.0};
 
-Quantiles quantiles(const Bins& bins, std::int64_t exact, const std::vector<double>& all) {
-  Quantiles found(bins, exact);
+ensemble::Quantiles quantiles(const ensemble::Bins& bins, std::int64_t exact,
+                              const std::vector<double>& all) {
+  ensemble::Quantiles found(bins, exact);
   for (std::size_t i = 0; i < all.size(); ++i) found.add(static_cast<std::int64_t>(i), all[i]);
   return found;
 }
@@ -52,10 +52,11 @@ std::vector<double> normals(std::uint64_t seed, int count) {
 
 // As of numpy.quantile([3, 1, 4, 1, 5, 9, 2, 6], p), by hand.
 TEST(Quantiles, OfAFewNumbersAreExact) {
-  const Quantiles found = quantiles(Bins::linear(0.0, 10.0, 2), 8, {3, 1, 4, 1, 5, 9, 2, 6});
+  const ensemble::Quantiles found =
+      quantiles(ensemble::Bins::linear(0.0, 10.0, 2), 8, {3, 1, 4, 1, 5, 9, 2, 6});
   ASSERT_TRUE(found.is_exact());
   const auto value = [&](double p) {
-    const Bounded q = found.quantile(p);
+    const ensemble::Bounded q = found.quantile(p);
     EXPECT_EQ(q.lowest, q.value);
     EXPECT_EQ(q.highest, q.value);
     return q.value;
@@ -73,12 +74,12 @@ TEST(Quantiles, OfAFewNumbersAreExact) {
 
 TEST(Quantiles, FromBinsLieBetweenTheirBoundsAndWithinHalfABin) {
   const std::vector<double> all = normals(1, 20'000);
-  const Quantiles found = quantiles(Bins::linear(-3.0, 3.5, 130), 100, all);
+  const ensemble::Quantiles found = quantiles(ensemble::Bins::linear(-3.0, 3.5, 130), 100, all);
   constexpr double width = 0.05;
   ASSERT_FALSE(found.is_exact());
   for (const double p : parts) {
     const double exact = exact_quantile(all, p);
-    const Bounded q = found.quantile(p);
+    const ensemble::Bounded q = found.quantile(p);
     EXPECT_LE(q.lowest, exact) << p;
     EXPECT_GE(q.highest, exact) << p;
     EXPECT_LE(q.lowest, q.value) << p;
@@ -93,7 +94,7 @@ TEST(Quantiles, FromBinsLieBetweenTheirBoundsAndWithinHalfABin) {
   for (const double x : {-9.0, -3.2, -1.0, 0.013, 2.0, 3.6, 9.0}) {
     const auto up_to = std::count_if(all.begin(), all.end(), [&](double v) { return v <= x; });
     const double part = static_cast<double>(up_to) / static_cast<double>(all.size());
-    const Bounded f = found.part_up_to(x);
+    const ensemble::Bounded f = found.part_up_to(x);
     EXPECT_LE(f.lowest, part) << x;
     EXPECT_GE(f.highest, part) << x;
     EXPECT_LE(std::abs(f.value - part), 0.5 * (f.highest - f.lowest) + budget::bin_rounding) << x;
@@ -105,11 +106,12 @@ TEST(Quantiles, FromLogarithmicBinsHaveTheirRelativeError) {
   oracle::Draw draw(3912, 0);
   for (int k = 0; k < 30'000; ++k) all.push_back(draw.sign() * draw.power_of_ten(-9.0, 6.0));
   constexpr double error = 0.01;
-  const Quantiles found = quantiles(Bins::signed_logarithmic(error, 1e-8, 1e5), 0, all);
+  const ensemble::Quantiles found =
+      quantiles(ensemble::Bins::signed_logarithmic(error, 1e-8, 1e5), 0, all);
   EXPECT_LT(found.bins().count(), 3100u);
   for (double p = 0.0; p <= 1.0; p += 0.01) {
     const double exact = exact_quantile(all, p);
-    const Bounded q = found.quantile(p);
+    const ensemble::Bounded q = found.quantile(p);
     EXPECT_LE(q.lowest, exact) << p;
     EXPECT_GE(q.highest, exact) << p;
     if (std::abs(exact) > 1.1e-8 && std::abs(exact) < 0.9e5) {
@@ -120,14 +122,14 @@ TEST(Quantiles, FromLogarithmicBinsHaveTheirRelativeError) {
 
 TEST(Quantiles, AreTheSameInAnyOrderAndChunks) {
   std::vector<double> all = normals(2, 5000);
-  const Bins bins = Bins::linear(-4.0, 4.0, 50);
+  const ensemble::Bins bins = ensemble::Bins::linear(-4.0, 4.0, 50);
   for (const std::int64_t exact : {0, 37, 4999, 5000, 9000}) {
-    const Quantiles straight = quantiles(bins, exact, all);
+    const ensemble::Quantiles straight = quantiles(bins, exact, all);
     EXPECT_EQ(straight.is_exact(), exact >= 5000);
     for (const std::size_t chunk : {1u, 36u, 37u, 38u, 1250u}) {
-      Quantiles total(bins, exact);
+      ensemble::Quantiles total(bins, exact);
       for (std::size_t begin = 0; begin < all.size(); begin += chunk) {
-        Quantiles part(bins, exact);
+        ensemble::Quantiles part(bins, exact);
         for (std::size_t i = begin; i < all.size() && i < begin + chunk; ++i)
           part.add(static_cast<std::int64_t>(i), all[i]);
         total.merge(part);
@@ -145,11 +147,11 @@ TEST(Quantiles, AreTheSameInAnyOrderAndChunks) {
 // over seeds and parts far enough apart, against chi^2.
 TEST(Quantiles, OfANormalDistributionArePooledOverSeeds) {
   constexpr int seeds = 300, n = 2000;
-  const Bins fine = Bins::linear(-6.0, 6.0, 6000);
+  const ensemble::Bins fine = ensemble::Bins::linear(-6.0, 6.0, 6000);
   for (const double p : {0.1, 0.5, 0.95}) {
     double sum = 0.0;
     for (std::uint64_t seed = 0; seed < seeds; ++seed) {
-      const Quantiles found = quantiles(fine, 100, normals(100 + seed, n));
+      const ensemble::Quantiles found = quantiles(fine, 100, normals(100 + seed, n));
       const double part = boost::math::cdf(boost::math::normal(), found.quantile(p).value);
       sum += (part - p) * (part - p) * n / (p * (1.0 - p));
     }
@@ -167,8 +169,9 @@ TEST(Quantiles, IntervalsCoverAsOftenAsTheySay) {
     const double true_quantile = boost::math::quantile(boost::math::normal(), p);
     int covered = 0;
     for (std::uint64_t seed = 0; seed < seeds; ++seed) {
-      const Quantiles found = quantiles(Bins::linear(-4.0, 4.0, 10), n, normals(9000 + seed, n));
-      const Bounds within = found.interval(p, z);
+      const ensemble::Quantiles found =
+          quantiles(ensemble::Bins::linear(-4.0, 4.0, 10), n, normals(9000 + seed, n));
+      const ensemble::Bounds within = found.interval(p, z);
       covered += within.lowest <= true_quantile && true_quantile <= within.highest ? 1 : 0;
     }
     const double reach = z * std::sqrt(n * p * (1.0 - p));
@@ -181,37 +184,40 @@ TEST(Quantiles, IntervalsCoverAsOftenAsTheySay) {
     EXPECT_LT(boost::math::cdf(hits, covered - 1), 1.0 - budget::least_chance)
         << p << ": " << covered;
   }
-  const Quantiles few = quantiles(Bins::linear(0.0, 1.0, 2), 100, {1.0, 2.0, 3.0});
+  const ensemble::Quantiles few =
+      quantiles(ensemble::Bins::linear(0.0, 1.0, 2), 100, {1.0, 2.0, 3.0});
   EXPECT_EQ(few.interval(0.5, 1.96).lowest, -infinity);
   EXPECT_EQ(few.interval(0.5, 1.96).highest, infinity);
 }
 
 TEST(Quantiles, LeaveOutAndNameWhatIsNotFinite) {
-  const Quantiles found =
-      quantiles(Bins::linear(0.0, 1.0, 4), 1, {0.1, nan, infinity, 0.7, -infinity});
+  const ensemble::Quantiles found =
+      quantiles(ensemble::Bins::linear(0.0, 1.0, 4), 1, {0.1, nan, infinity, 0.7, -infinity});
   EXPECT_EQ(found.count(), 2);
   EXPECT_EQ(found.left_out().count(), 3);
   EXPECT_EQ(found.left_out().first()[2], 4);
-  const Quantiles none(Bins::linear(0.0, 1.0, 4), 10);
+  const ensemble::Quantiles none(ensemble::Bins::linear(0.0, 1.0, 4), 10);
   EXPECT_TRUE(std::isnan(none.quantile(0.5).value));
   EXPECT_TRUE(std::isnan(none.part_up_to(0.5).value));
   EXPECT_EQ(none.interval(0.5, 1.0).highest, infinity);
 }
 
 TEST(Quantiles, SayWhatTheyRefuse) {
-  const Bins bins = Bins::linear(0.0, 1.0, 4);
-  EXPECT_MESSAGE(Quantiles(bins, -1),
+  const ensemble::Bins bins = ensemble::Bins::linear(0.0, 1.0, 4);
+  EXPECT_MESSAGE(ensemble::Quantiles(bins, -1),
                  "Quantiles: got -1 numbers to be exact with; expected 0 to 2^31");
-  Quantiles some(bins, 10);
+  ensemble::Quantiles some(bins, 10);
   EXPECT_MESSAGE(some.quantile(1.5), "Quantiles::quantile: got p = 1.5; expected 0 to 1");
   EXPECT_MESSAGE(
       some.interval(0.5, nan),
       "Quantiles::interval: got z = nan; expected a finite number of deviations, 0 or more");
   EXPECT_MESSAGE(some.ranked(0), "Quantiles::ranked: got rank 0 of 0 numbers; expected 0 to -1");
-  EXPECT_MESSAGE(some.merge(Quantiles(bins, 11)),
+  EXPECT_MESSAGE(some.merge(ensemble::Quantiles(bins, 11)),
                  "Quantiles::merge: got other bins, or other than 10 numbers to be exact with "
                  "(11); expected the same");
-  EXPECT_NE(message_of([&] { some.merge(Quantiles(Bins::linear(0.0, 1.0, 5), 10)); }), "");
+  EXPECT_NE(
+      message_of([&] { some.merge(ensemble::Quantiles(ensemble::Bins::linear(0.0, 1.0, 5), 10)); }),
+      "");
 }
 
 // Fractions in classes and regimes, and first events: closed forms, intervals, bounds.
@@ -222,7 +228,7 @@ TEST(Fractions, OfRegimesAreThoseOfTheSphere) {
   const Body body(1.0, 1.7, 2.1);
   constexpr int n = 3000;
   oracle::Draw draw(3916, 0);
-  Fractions found = Fractions::of_regimes();
+  ensemble::Fractions found = ensemble::Fractions::of_regimes();
   for (int k = 0; k < n; ++k)
     found.add(k, FreeRotation::short_arc(body, {{}, {draw.normal(), draw.normal(), draw.normal()}})
                      .regime());
@@ -235,7 +241,7 @@ TEST(Fractions, OfRegimesAreThoseOfTheSphere) {
   EXPECT_EQ(found.fraction(Regime::short_axis), short_axis / n);
   EXPECT_EQ(found.fraction(Regime::long_axis), (n - short_axis) / n);
   EXPECT_EQ(found.fraction(Regime::rest), 0.0);
-  const Bounds within = found.interval(static_cast<int>(Regime::short_axis), 3.3);
+  const ensemble::Bounds within = found.interval(static_cast<int>(Regime::short_axis), 3.3);
   EXPECT_LT(within.lowest, expected);
   EXPECT_GT(within.highest, expected);
 }
@@ -243,10 +249,10 @@ TEST(Fractions, OfRegimesAreThoseOfTheSphere) {
 // Wilson's interval solves |p - k/n| = z sqrt(p (1 - p)/n).
 TEST(Fractions, IntervalsAreWilsons) {
   for (const int k : {0, 1, 7, 19, 20}) {
-    Fractions yes(2);
+    ensemble::Fractions yes(2);
     for (int m = 0; m < 20; ++m) yes.add(m, m < k ? 1 : 0);
     const double part = yes.fraction(1), z = 1.96;
-    const Bounds within = yes.interval(1, z);
+    const ensemble::Bounds within = yes.interval(1, z);
     for (const double p : {within.lowest, within.highest})
       if (p > 0.0 && p < 1.0) {
         EXPECT_NEAR(std::abs(p - part), z * std::sqrt(p * (1.0 - p) / 20.0),
@@ -255,23 +261,23 @@ TEST(Fractions, IntervalsAreWilsons) {
     EXPECT_EQ(within.lowest == 0.0, k == 0);
     EXPECT_EQ(within.highest == 1.0, k == 20);
   }
-  EXPECT_TRUE(std::isnan(Fractions(3).fraction(0)));
-  EXPECT_TRUE(std::isnan(Fractions(3).interval(0, 1.0).highest));
+  EXPECT_TRUE(std::isnan(ensemble::Fractions(3).fraction(0)));
+  EXPECT_TRUE(std::isnan(ensemble::Fractions(3).interval(0, 1.0).highest));
 }
 
 TEST(Fractions, SayWhatTheyRefuse) {
-  Fractions two(2);
+  ensemble::Fractions two(2);
   two.leave_out(9);
   EXPECT_EQ(two.left_out().first()[0], 9);
   EXPECT_MESSAGE(two.add(4, 2), "Fractions::add: got class 2 of member 4; expected 0 to 1");
   EXPECT_MESSAGE(two.fraction(-1), "Fractions::fraction: got class -1; expected 0 to 1");
-  EXPECT_MESSAGE(Fractions(0), "Fractions: got 0 classes; expected 1 to 1000000");
-  EXPECT_MESSAGE(two.merge(Fractions(3)), "Fractions::merge: got 3 classes; expected 2");
+  EXPECT_MESSAGE(ensemble::Fractions(0), "Fractions: got 0 classes; expected 1 to 1000000");
+  EXPECT_MESSAGE(two.merge(ensemble::Fractions(3)), "Fractions::merge: got 3 classes; expected 2");
   EXPECT_NE(message_of([&] { (void)two.interval(0, -1.0); }), "");
 }
 
 TEST(FirstEvents, OfFewAreByHand) {
-  FirstEvents found(Bins::linear(0.0, 10.0, 5), 100);
+  ensemble::FirstEvents found(ensemble::Bins::linear(0.0, 10.0, 5), 100);
   for (const double t : {4.0, 1.0, 2.5}) found.add(0, t);
   for (int k = 0; k < 5; ++k) found.add_without();
   found.leave_out(77);
@@ -287,7 +293,7 @@ TEST(FirstEvents, OfFewAreByHand) {
   EXPECT_EQ(found.time_of(0.375)->value, 4.0);
   EXPECT_FALSE(found.time_of(0.376));
   EXPECT_MESSAGE(found.time_of(2.0), "FirstEvents::time_of: got p = 2; expected 0 to 1");
-  const FirstEvents none(Bins::linear(0.0, 1.0, 1), 0);
+  const ensemble::FirstEvents none(ensemble::Bins::linear(0.0, 1.0, 1), 0);
   EXPECT_TRUE(std::isnan(none.survival(0.0).value));
   EXPECT_FALSE(none.time_of(0.5));
 }
@@ -296,7 +302,7 @@ TEST(FirstEvents, OfFewAreByHand) {
 TEST(FirstEvents, OfARateSurviveExponentially) {
   constexpr int n = 20'000;
   oracle::Draw draw(3917, 0);
-  FirstEvents found(Bins::linear(0.0, 2.0, 200), 50);
+  ensemble::FirstEvents found(ensemble::Bins::linear(0.0, 2.0, 200), 50);
   std::vector<double> times;
   for (int k = 0; k < n; ++k) {
     const double t = -std::log1p(-draw.uniform(0.0, 1.0));
@@ -309,7 +315,7 @@ TEST(FirstEvents, OfARateSurviveExponentially) {
   for (const double t : {0.1, 0.5, 1.0, 1.5, 1.9}) {
     int left = 0;
     for (const double x : times) left += x > t ? 1 : 0;
-    const Bounded s = found.survival(t);
+    const ensemble::Bounded s = found.survival(t);
     EXPECT_LE(s.lowest, static_cast<double>(left) / n) << t;
     EXPECT_GE(s.highest, static_cast<double>(left) / n) << t;
     EXPECT_LE(s.highest - s.lowest, budget::survival_bounds) << t;

@@ -14,21 +14,22 @@
 namespace polhode {
 namespace {
 
-using enum TimeScale;
+using enum ephemeris::TimeScale;
 using ::testing::HasSubstr;
 
-double julian(const Date& d) { return d.day + d.fraction; }
+double julian(const ephemeris::Date& d) { return d.day + d.fraction; }
 
 TEST(Dates, NoonOfTheFirstDayOf2000IsJ2000) {
-  EXPECT_EQ(julian(calendar_date(TT, {2000, 1, 1, 12})), 2451545.0);
-  EXPECT_EQ(julian(calendar_date(TDB, {-4712, 1, 1, 12})),
+  EXPECT_EQ(julian(ephemeris::calendar_date(TT, {2000, 1, 1, 12})), 2451545.0);
+  EXPECT_EQ(julian(ephemeris::calendar_date(TDB, {-4712, 1, 1, 12})),
             38.0);  // the Gregorian calendar, prolonged
 }
 
 // TAI - UTC was 32 s in 2000 and is 37 s from 2017; TT - TAI is 32.184 s.
 TEST(Dates, LeapSecondsStandBetweenUtcAndTt) {
-  const auto ahead = [](const CalendarTime& t) {
-    return seconds_between(calendar_date(TT, t), calendar_date(UTC, t));
+  const auto ahead = [](const ephemeris::CalendarTime& t) {
+    return ephemeris::seconds_between(ephemeris::calendar_date(TT, t),
+                                      ephemeris::calendar_date(UTC, t));
   };
   EXPECT_NEAR(ahead({2000, 1, 1}), 64.184, budget::date_second);
   EXPECT_NEAR(ahead({2017, 1, 1}), 69.184, budget::date_second);
@@ -37,21 +38,21 @@ TEST(Dates, LeapSecondsStandBetweenUtcAndTt) {
 }
 
 TEST(Dates, ALeapSecondIsASecond) {
-  const Date before = calendar_date(UTC, {2016, 12, 31, 23, 59, 59.0});
-  const Date leap = calendar_date(UTC, {2016, 12, 31, 23, 59, 60.0});
-  const Date after_it = calendar_date(UTC, {2017, 1, 1});
-  EXPECT_NEAR(seconds_between(before, leap), 1.0, budget::date_second);
-  EXPECT_NEAR(seconds_between(leap, after_it), 1.0, budget::date_second);
-  const CalendarTime back = calendar_time(
-      converted(converted(calendar_date(UTC, {2016, 12, 31, 23, 59, 60.5}), TT), UTC));
+  const ephemeris::Date before = ephemeris::calendar_date(UTC, {2016, 12, 31, 23, 59, 59.0});
+  const ephemeris::Date leap = ephemeris::calendar_date(UTC, {2016, 12, 31, 23, 59, 60.0});
+  const ephemeris::Date after_it = ephemeris::calendar_date(UTC, {2017, 1, 1});
+  EXPECT_NEAR(ephemeris::seconds_between(before, leap), 1.0, budget::date_second);
+  EXPECT_NEAR(ephemeris::seconds_between(leap, after_it), 1.0, budget::date_second);
+  const ephemeris::CalendarTime back = ephemeris::calendar_time(ephemeris::converted(
+      ephemeris::converted(ephemeris::calendar_date(UTC, {2016, 12, 31, 23, 59, 60.5}), TT), UTC));
   EXPECT_EQ(back.day, 31);
   EXPECT_EQ(back.minute, 59);
   EXPECT_NEAR(back.second, 60.5, budget::date_second);
 }
 
 TEST(Dates, WhatIsNoTimeIsRefused) {
-  const auto error = [](TimeScale scale, const CalendarTime& t) {
-    return test::message_of([&] { calendar_date(scale, t); });
+  const auto error = [](ephemeris::TimeScale scale, const ephemeris::CalendarTime& t) {
+    return test::message_of([&] { ephemeris::calendar_date(scale, t); });
   };
   EXPECT_THAT(error(UTC, {2015, 12, 31, 23, 59, 60.0}), HasSubstr("a 60th second a leap second"));
   EXPECT_THAT(error(TT, {2016, 12, 31, 23, 59, 60.0}), HasSubstr("must be one of the calendar"));
@@ -61,31 +62,33 @@ TEST(Dates, WhatIsNoTimeIsRefused) {
   EXPECT_THAT(error(UTC, {2023, 2, 29}), HasSubstr("calendar, its day 29 from 1 to 28"));
   EXPECT_THAT(error(UTC, {2024, 2, 8, 7, 60}), HasSubstr("calendar, its minute 60 from 0 to 59"));
   EXPECT_EQ(error(UTC, {2016, 12, 31, 23, 59, 60.0}), "");
-  EXPECT_THROW(converted({TT, std::nan(""), 0.0}, UTC), DomainError);
-  EXPECT_THROW(converted(calendar_date(UT1, {2000, 1, 1}), TT), DomainError);
+  EXPECT_THROW(ephemeris::converted({TT, std::nan(""), 0.0}, UTC), DomainError);
+  EXPECT_THROW(ephemeris::converted(ephemeris::calendar_date(UT1, {2000, 1, 1}), TT), DomainError);
 }
 
 TEST(Dates, ScalesComeBack) {
-  for (const TimeScale scale : {UTC, TAI, TT, TDB, UT1}) {
-    const Date there = calendar_date(scale, {2024, 7, 3, 4, 5, 6.25});
-    for (const TimeScale other : {UTC, TAI, TT, TDB, UT1}) {
-      const Date back = converted(converted(there, other, 0.3), scale, 0.3);
+  for (const ephemeris::TimeScale scale : {UTC, TAI, TT, TDB, UT1}) {
+    const ephemeris::Date there = ephemeris::calendar_date(scale, {2024, 7, 3, 4, 5, 6.25});
+    for (const ephemeris::TimeScale other : {UTC, TAI, TT, TDB, UT1}) {
+      const ephemeris::Date back =
+          ephemeris::converted(ephemeris::converted(there, other, 0.3), scale, 0.3);
       EXPECT_EQ(back.scale, scale);
       EXPECT_NEAR((back.day - there.day) + (back.fraction - there.fraction), 0.0,
                   budget::date_second / 86400.0);
     }
   }
-  EXPECT_NEAR(
-      seconds_between(calendar_date(UTC, {2024, 7, 3}), calendar_date(UT1, {2024, 7, 3}), 0.3),
-      -0.3, budget::date_second);
+  EXPECT_NEAR(ephemeris::seconds_between(ephemeris::calendar_date(UTC, {2024, 7, 3}),
+                                         ephemeris::calendar_date(UT1, {2024, 7, 3}), 0.3),
+              -0.3, budget::date_second);
 }
 
 // Its largest term: 1.657 ms sin g with the mean anomaly of the Earth (Astronomical Almanac); the
 // others make some 40 us.
 TEST(Dates, TdbKeepsItsYear) {
   for (int k = 0; k < 40; ++k) {
-    const Date tt = date_after(calendar_date(TT, {2000, 1, 1, 12}), 86400.0 * 20 * k);
-    const Date tdb = converted(tt, TDB);
+    const ephemeris::Date tt =
+        ephemeris::date_after(ephemeris::calendar_date(TT, {2000, 1, 1, 12}), 86400.0 * 20 * k);
+    const ephemeris::Date tdb = ephemeris::converted(tt, TDB);
     const double d = 20.0 * k, degree = std::numbers::pi / 180.0;
     const double g = (357.53 + 0.98560028 * d) * degree, L = (246.11 + 0.90251792 * d) * degree;
     EXPECT_NEAR(((tdb.day - tt.day) + (tdb.fraction - tt.fraction)) * 86400.0,
@@ -94,10 +97,10 @@ TEST(Dates, TdbKeepsItsYear) {
 }
 
 TEST(Dates, FarYearsOfUtcAreDubious) {
-  EXPECT_TRUE(is_dubious(calendar_date(UTC, {1950, 1, 1})));
-  EXPECT_FALSE(is_dubious(calendar_date(UTC, {2010, 1, 1})));
-  EXPECT_TRUE(is_dubious(calendar_date(UTC, {2110, 1, 1})));
-  EXPECT_FALSE(is_dubious(calendar_date(TT, {2110, 1, 1})));
+  EXPECT_TRUE(ephemeris::is_dubious(ephemeris::calendar_date(UTC, {1950, 1, 1})));
+  EXPECT_FALSE(ephemeris::is_dubious(ephemeris::calendar_date(UTC, {2010, 1, 1})));
+  EXPECT_TRUE(ephemeris::is_dubious(ephemeris::calendar_date(UTC, {2110, 1, 1})));
+  EXPECT_FALSE(ephemeris::is_dubious(ephemeris::calendar_date(TT, {2110, 1, 1})));
 }
 
 }  // namespace

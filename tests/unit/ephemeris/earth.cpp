@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The Earth's orientation and dipole at a date. Oracles: the Earth rotation angle of the IAU 2000,
 // rows of the IGRF-14, precession of the pole.
-#include "polhode/ephemeris/earth.hpp"
-
 #include <erfa.h>
 #include <gmock/gmock.h>
 
@@ -14,8 +12,6 @@
 #include "ephemeris/delaunay.hpp"
 #include "message_of.hpp"
 #include "polhode/ephemeris/ephemeris.hpp"
-#include "polhode/ephemeris/iau_nutation.hpp"
-#include "polhode/ephemeris/teme_axes.hpp"
 #include "worst.hpp"
 
 namespace polhode {
@@ -27,9 +23,10 @@ constexpr double degree = std::numbers::pi / 180.0;
 
 TEST(Earth, TurnsByTheEarthRotationAngle) {
   for (const int year : {1975, 2000, 2013, 2024}) {
-    const Date utc = calendar_date(TimeScale::UTC, {year, 5, 7, 10, 57, 14.5});
-    const Mat3 R = j2000_from_earth(utc, 0.0);
-    const Date ut1 = converted(utc, TimeScale::UT1, 0.0);
+    const ephemeris::Date utc =
+        ephemeris::calendar_date(ephemeris::TimeScale::UTC, {year, 5, 7, 10, 57, 14.5});
+    const Mat3 R = ephemeris::j2000_from_earth(utc, 0.0);
+    const ephemeris::Date ut1 = ephemeris::converted(utc, ephemeris::TimeScale::UT1, 0.0);
     const double days = (ut1.day - 2451545.0) + ut1.fraction;
     const double angle = 360.0 * (0.7790572732640 + 1.00273781191135448 * days);
     // of Greenwich on the equator of J2000, from which that of date is 0.006 deg a year
@@ -47,7 +44,8 @@ TEST(Earth, TurnsByTheEarthRotationAngle) {
 // IGRF-14 as published; between its epochs linear: DGRF 2010 and 2015 at the middle of 2012.
 TEST(Earth, DipoleIsThatOfTheIgrf) {
   const auto at = [](int year, int month, int day) {
-    return igrf_dipole(calendar_date(TimeScale::TT, {year, month, day}));
+    return ephemeris::igrf_dipole(
+        ephemeris::calendar_date(ephemeris::TimeScale::TT, {year, month, day}));
   };
   const Vec3 of_2020 = at(2020, 1, 1);
   EXPECT_NEAR(of_2020.x, -29403.41, budget::igrf_nT);
@@ -64,11 +62,11 @@ TEST(Earth, DipoleIsThatOfTheIgrf) {
 
 // MJD 53736.0 TT: t_sofa_c.c, t_nut00a.
 TEST(IauNutation, IsThatOfSofa) {
-  const polhode::IauNutation at = polhode::iau_nutation((53736.0 - 51544.5) / 36525.0);
+  const ephemeris::IauNutation at = ephemeris::iau_nutation((53736.0 - 51544.5) / 36525.0);
   EXPECT_NEAR(at.longitude, -0.9630909107115518431e-5, polhode::budget::iau_nutation);
   EXPECT_NEAR(at.obliquity, 0.4063239174001678710e-4, polhode::budget::iau_nutation);
-  EXPECT_TRUE(
-      std::isnan(polhode::iau_nutation(std::numeric_limits<double>::quiet_NaN()).longitude));
+  EXPECT_TRUE(std::isnan(
+      polhode::ephemeris::iau_nutation(std::numeric_limits<double>::quiet_NaN()).longitude));
 }
 
 // Moon and Sun in Delaunay's arguments: against ERFA's own functions of time.
@@ -88,14 +86,14 @@ Vec3 of_date(double T, const Vec3& x) {
 
 // With the terms of Venus and Jupiter, which are left out.
 Vec3 whole_moon(double T) {
-  const DelaunayArguments a = delaunay_arguments(T);
+  const ephemeris::DelaunayArguments a = ephemeris::delaunay_arguments(T);
   const double A1 = (119.75 + 131.849 * T) * degree, A2 = (53.09 + 479264.290 * T) * degree,
                A3 = (313.45 + 481266.484 * T) * degree;
-  EclipticPosition moon = moon_of_date(a, T);
+  ephemeris::EclipticPosition moon = ephemeris::moon_of_date(a, T);
   moon.longitude += degree * (0.003958 * std::sin(A1) + 0.000318 * std::sin(A2));
   moon.latitude +=
       degree * (0.000382 * std::sin(A3) + 0.000175 * (std::sin(A1 - a.F) + std::sin(A1 + a.F)));
-  return cartesian(moon);
+  return ephemeris::cartesian(moon);
 }
 
 TEST(Delaunay, TheMoonIsThatOfErfa) {
@@ -115,9 +113,10 @@ TEST(Delaunay, TheSunIsThereWithinThePerturbationsOfThePlanets) {
   Worst worst;
   for (int k = -40; k <= 40; ++k) {
     const double T = 0.0247 * k;
-    const Vec3 there = of_date(T, planetary_position(Planetary::sun, Planetary::earth,
-                                                     {TimeScale::TDB, 2451545.0, 36525.0 * T}));
-    const Vec3 here = sun_of_date(delaunay_arguments(T), T);
+    const Vec3 there = of_date(
+        T, ephemeris::planetary_position(ephemeris::Planetary::sun, ephemeris::Planetary::earth,
+                                         {ephemeris::TimeScale::TDB, 2451545.0, 36525.0 * T}));
+    const Vec3 here = ephemeris::sun_of_date(ephemeris::delaunay_arguments(T), T);
     worst.add(norm(here - there) / norm(there));
   }
   EXPECT_LT(worst.value(), budget::delaunay_sun);
@@ -126,8 +125,9 @@ TEST(Delaunay, TheSunIsThereWithinThePerturbationsOfThePlanets) {
 TEST(Delaunay, RatesAreTheSlopesOfTheArguments) {
   constexpr double h = 1e-4;
   for (const double T : {-0.9, 0.0, 0.7}) {
-    const DelaunayArguments before = delaunay_arguments(T - h), after = delaunay_arguments(T + h),
-                            rate = delaunay_rates(T);
+    const ephemeris::DelaunayArguments before = ephemeris::delaunay_arguments(T - h),
+                                       after = ephemeris::delaunay_arguments(T + h),
+                                       rate = ephemeris::delaunay_rates(T);
     EXPECT_NEAR((after.l - before.l) / (2.0 * h) / rate.l, 1.0, budget::delaunay_rates);
     EXPECT_NEAR((after.lp - before.lp) / (2.0 * h) / rate.lp, 1.0, budget::delaunay_rates);
     EXPECT_NEAR((after.F - before.F) / (2.0 * h) / rate.F, 1.0, budget::delaunay_rates);
@@ -141,8 +141,8 @@ TEST(Delaunay, RatesAreTheSlopesOfTheArguments) {
 // Turned with the Earth by the sidereal time of 1982, which two-line elements count by, and back by
 // the rotation angle of 2000 and the precession and nutation of 2006 and 2000A. Polar motion drops
 // out, and UT1 - UTC, for which 0 stands, nearly.
-Mat3 by_the_rotating_earth(const Date& utc) {
-  const Date tt = converted(utc, TimeScale::TT);
+Mat3 by_the_rotating_earth(const ephemeris::Date& utc) {
+  const ephemeris::Date tt = ephemeris::converted(utc, ephemeris::TimeScale::TT);
   double icrs[3][3], turned[3][3];
   eraC2i06a(tt.day, tt.fraction, icrs);
   eraTr(icrs, turned);
@@ -158,9 +158,10 @@ Mat3 by_the_rotating_earth(const Date& utc) {
 TEST(TemeAxes, AreThoseThatTheRotatingEarthLeadsTo) {
   Worst worst;
   for (int month = 0; month < 12 * 40; ++month) {
-    const CalendarTime time{.year = 1990 + month / 12, .month = 1 + month % 12, .day = 15};
-    const Date date = calendar_date(TimeScale::UTC, time);
-    const Mat3 one = j2000_from_teme(date), other = by_the_rotating_earth(date);
+    const ephemeris::CalendarTime time{
+        .year = 1990 + month / 12, .month = 1 + month % 12, .day = 15};
+    const ephemeris::Date date = ephemeris::calendar_date(ephemeris::TimeScale::UTC, time);
+    const Mat3 one = ephemeris::j2000_from_teme(date), other = by_the_rotating_earth(date);
     for (int i = 0; i < 3; ++i) {
       Vec3 apart;
       for (int k = 0; k < 3; ++k) apart[k] = one(k, i) - other(k, i);

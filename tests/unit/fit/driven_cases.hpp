@@ -92,7 +92,7 @@ struct WidePoint {
 
 // The state at t; a jump of this kind acts after its time on the way.
 inline WidePoint moved(const WideSpin& s, const WideTorque& torque,
-                       const std::vector<SpinJump>& jumps, double t) {
+                       const std::vector<fit::SpinJump>& jumps, double t) {
   const auto rate_of = [&s](const std::array<WideVec3, 3>& e, const WideNumbers& y) {
     WideVec3 w = to_body(e, {y[4], y[5], y[6]});
     for (std::size_t i = 0; i < 3; ++i) w[i] /= s.moments[i];
@@ -126,10 +126,10 @@ inline WidePoint moved(const WideSpin& s, const WideTorque& torque,
   };
   const auto jump = [&](std::size_t j, int sign) {
     WideVec3 dL = s.changes[j];
-    if (jumps[j].of == SpinJump::Of::rate) {
+    if (jumps[j].of == fit::SpinJump::Of::rate) {
       for (std::size_t i = 0; i < 3; ++i) dL[i] *= s.moments[i];
     }
-    if (jumps[j].of != SpinJump::Of::inertial_momentum) dL = to_space(columns_of(y), dL);
+    if (jumps[j].of != fit::SpinJump::Of::inertial_momentum) dL = to_space(columns_of(y), dL);
     for (std::size_t i = 0; i < 3; ++i) y[4 + i] += sign * dL[i];
   };
   // those of the tests stand in order of time

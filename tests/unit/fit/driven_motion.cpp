@@ -14,28 +14,28 @@
 #include "polhode/orbit/kepler_orbit.hpp"
 #include "polhode/perturb/constant_torque.hpp"
 #include "polhode/perturb/gravity_gradient.hpp"
-#include "polhode/perturb/linear_damping.hpp"
+#include "polhode/perturb/internal_damping.hpp"
 #include "polhode/perturb/magnetic_torque.hpp"
 #include "worst.hpp"
 
 namespace {
 using namespace polhode;
 using namespace polhode::test;
-using detail::DrivenColumn;
+using fit::detail::DrivenColumn;
 
-SpinState spun(const Vec3& moments, const Vec3& w) {
-  SpinState s{0.0, normalized(Quaternion{0.5, 0.1, -0.7, 0.5}), w, Mat3::identity()};
+fit::SpinState spun(const Vec3& moments, const Vec3& w) {
+  fit::SpinState s{0.0, normalized(Quaternion{0.5, 0.1, -0.7, 0.5}), w, Mat3::identity()};
   for (int i = 0; i < 3; ++i) s.inertia_F(i, i) = moments[i];
   return s;
 }
 
 struct Case {
-  SpinState start;
-  SpinDrive drive;
+  fit::SpinState start;
+  fit::SpinDrive drive;
   WideTorque torque;
 };
 
-TorqueParameter parameter(const char* name, double start) { return {name, start}; }
+fit::TorqueParameter parameter(const char* name, double start) { return {name, start}; }
 
 // Three components along the body, two along inertial axes.
 Case constant_torque() {
@@ -128,14 +128,14 @@ Case flyby() {
 // A jump of each kind, and a torque that never stops.
 Case jumps() {
   Case c = constant_torque();
-  c.drive.jumps = {{"early", -2.0, SpinJump::Of::body_momentum, {0.02, 0.1, -0.03}},
-                   {"turn", 3.0, SpinJump::Of::rate, {0.1, -0.2, 0.05}},
-                   {"push", 4.5, SpinJump::Of::inertial_momentum, {-0.04, 0.1, 0.1}}};
+  c.drive.jumps = {{"early", -2.0, fit::SpinJump::Of::body_momentum, {0.02, 0.1, -0.03}},
+                   {"turn", 3.0, fit::SpinJump::Of::rate, {0.1, -0.2, 0.05}},
+                   {"push", 4.5, fit::SpinJump::Of::inertial_momentum, {-0.04, 0.1, 0.1}}};
   return c;
 }
 
-std::vector<DrivenColumn> all_columns(const SpinDrive& drive) {
-  using enum DrivenColumn::Of;
+std::vector<DrivenColumn> all_columns(const fit::SpinDrive& drive) {
+  using enum fit::detail::DrivenColumn::Of;
   std::vector<DrivenColumn> found;
   const Vec3 axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   for (const Vec3& e : axes) found.push_back({turn, 0, e});
@@ -155,8 +155,8 @@ WideSpin wide_spin(const Case& c) {
   Wide n = 0;
   for (const Wide& x : s.q) n += x * x;
   for (Wide& x : s.q) x /= sqrt(n);
-  for (const TorqueParameter& one : c.drive.parameters) s.parameters.emplace_back(one.start);
-  for (const SpinJump& one : c.drive.jumps) s.changes.push_back(wide(one.change));
+  for (const fit::TorqueParameter& one : c.drive.parameters) s.parameters.emplace_back(one.start);
+  for (const fit::SpinJump& one : c.drive.jumps) s.changes.push_back(wide(one.change));
   return s;
 }
 
@@ -191,9 +191,9 @@ void expect_derivatives(const Case& c, const std::vector<double>& times) {
   const std::vector<DrivenColumn> columns = all_columns(c.drive);
   std::vector<double> parameters;
   std::vector<Vec3> changes;
-  for (const TorqueParameter& one : c.drive.parameters) parameters.push_back(one.start);
-  for (const SpinJump& one : c.drive.jumps) changes.push_back(one.change);
-  const detail::DrivenMotion motion(c.drive, c.start, parameters, changes);
+  for (const fit::TorqueParameter& one : c.drive.parameters) parameters.push_back(one.start);
+  for (const fit::SpinJump& one : c.drive.jumps) changes.push_back(one.change);
+  const fit::detail::DrivenMotion motion(c.drive, c.start, parameters, changes);
   motion.require_affine(times, true);
   const auto points = motion.at(times, columns);
   ASSERT_TRUE(points);
@@ -205,10 +205,10 @@ void expect_derivatives(const Case& c, const std::vector<double>& times) {
       return moved(of, c.torque, c.drive.jumps, times[n]);
     };
     const WidePoint exact = at(s);
-    const detail::MovedPoint& found = (*points)[n];
+    const fit::detail::MovedPoint& found = (*points)[n];
     const Quaternion q{double(exact.q[0]), double(exact.q[1]), double(exact.q[2]),
                        double(exact.q[3])};
-    values.add(norm(attitude_residual(q, found.q)));
+    values.add(norm(fit::attitude_residual(q, found.q)));
     for (int i = 0; i < 3; ++i) {
       values.add(std::abs(double(exact.w[std::size_t(i)]) - found.w_F[i]));
     }
@@ -244,25 +244,25 @@ TEST(DrivenMotion, Jumps) { expect_derivatives(jumps(), {6.0, 3.0, -2.0, -4.0});
 TEST(DrivenMotion, WithoutDriveItIsFree) {
   Case c = constant_torque();
   c.drive = {};
-  const detail::DrivenMotion motion(c.drive, c.start, {}, {});
+  const fit::detail::DrivenMotion motion(c.drive, c.start, {}, {});
   const std::vector<double> times{7.0, 0.0, -3.0, 7.0};
-  std::vector<detail::MotionPoint> free;
-  ASSERT_TRUE(detail::free_motion(c.start, times, {}, free));
+  std::vector<fit::detail::MotionPoint> free;
+  ASSERT_TRUE(fit::detail::free_motion(c.start, times, {}, free));
   const auto points = motion.at(times, {});
   ASSERT_TRUE(points);
   for (std::size_t i = 0; i < times.size(); ++i) {
-    EXPECT_LE(norm(attitude_residual((*points)[i].q, free[i].q)), budget::fit_driven_motion);
+    EXPECT_LE(norm(fit::attitude_residual((*points)[i].q, free[i].q)), budget::fit_driven_motion);
   }
 }
 
 // What is seen at the time of a jump is before it, on both ways.
 TEST(DrivenLegs, SeeBeforeTheJump) {
-  const std::vector<SpinJump> jumps{{"a", -3.0, SpinJump::Of::rate, {}},
-                                    {"b", 2.0, SpinJump::Of::rate, {}}};
+  const std::vector<fit::SpinJump> jumps{{"a", -3.0, fit::SpinJump::Of::rate, {}},
+                                         {"b", 2.0, fit::SpinJump::Of::rate, {}}};
   const std::vector<double> times{-5.0, -3.0, 2.0, 4.0};
   double undone = 0.0;
   std::size_t seen = 0;
-  for (const detail::DrivenLeg& leg : detail::driven_legs(times, 0.0, jumps)) {
+  for (const fit::detail::DrivenLeg& leg : fit::detail::driven_legs(times, 0.0, jumps)) {
     if (leg.is_first) undone = 0.0;
     for (std::size_t i = 0; i < leg.asked; ++i) {
       const double t = leg.times[i];
@@ -289,15 +289,17 @@ TEST(DrivenMotion, EdgesAtTheTimesOfJumpsChangeNothing) {
   const std::vector<double> times{6.0, 3.0, 1.0, -2.0, -4.0};
   std::vector<double> parameters;
   std::vector<Vec3> changes;
-  for (const TorqueParameter& one : smooth.drive.parameters) parameters.push_back(one.start);
-  for (const SpinJump& one : smooth.drive.jumps) changes.push_back(one.change);
+  for (const fit::TorqueParameter& one : smooth.drive.parameters) parameters.push_back(one.start);
+  for (const fit::SpinJump& one : smooth.drive.jumps) changes.push_back(one.change);
   const std::vector<DrivenColumn> columns = all_columns(smooth.drive);
   const auto points_of = [&](const Case& c) {
-    return detail::DrivenMotion(c.drive, c.start, parameters, changes).at(times, columns).value();
+    return fit::detail::DrivenMotion(c.drive, c.start, parameters, changes)
+        .at(times, columns)
+        .value();
   };
   const auto expected = points_of(smooth), found = points_of(edged);
   for (std::size_t n = 0; n < times.size(); ++n) {
-    EXPECT_LE(norm(attitude_residual(expected[n].q, found[n].q)), budget::fit_driven_motion);
+    EXPECT_LE(norm(fit::attitude_residual(expected[n].q, found[n].q)), budget::fit_driven_motion);
     for (std::size_t k = 0; k < columns.size(); ++k) {
       const double size = norm(expected[n].turn[k]) + norm(expected[n].rate[k]);
       const double apart = norm(found[n].turn[k] - expected[n].turn[k]) +

@@ -27,19 +27,19 @@ Vec3 normal(oracle::Draw& draw, double sigma) {
   return {sigma * draw.normal(), sigma * draw.normal(), sigma * draw.normal()};
 }
 
-SpinState spun(double Ixx, double Iyy, const Vec3& w) {
-  SpinState s{1.0, normalized(Quaternion{0.5, 0.1, -0.7, 0.5}), w, Mat3::identity()};
+fit::SpinState spun(double Ixx, double Iyy, const Vec3& w) {
+  fit::SpinState s{1.0, normalized(Quaternion{0.5, 0.1, -0.7, 0.5}), w, Mat3::identity()};
   s.inertia_F(0, 0) = Ixx;
   s.inertia_F(1, 1) = Iyy;
   return s;
 }
 
 struct Truth {
-  SpinState state;
-  SpinDrive drive;
+  fit::SpinState state;
+  fit::SpinDrive drive;
 };
 
-TorqueParameter parameter(const char* name, double start) { return {name, start}; }
+fit::TorqueParameter parameter(const char* name, double start) { return {name, start}; }
 
 Truth pushed() {
   Truth truth{spun(0.5, 0.8, {0.2, -0.1, 0.9}), {}};
@@ -78,38 +78,39 @@ Truth passed() {
 
 Truth hit() {
   Truth truth{spun(1.7, 1.9, {0.4, 0.5, 0.6}), {}};
-  truth.drive.jumps = {{"hit", 12.0, SpinJump::Of::rate, {0.02, -0.03, 0.05}}};
+  truth.drive.jumps = {{"hit", 12.0, fit::SpinJump::Of::rate, {0.02, -0.03, 0.05}}};
   return truth;
 }
 
 // Twenty attitudes, and a start beside the truth.
-SpinFit seen_of(const Truth& truth, oracle::Draw& draw, double sigma) {
-  SpinFit fit;
+fit::SpinFit seen_of(const Truth& truth, oracle::Draw& draw, double sigma) {
+  fit::SpinFit fit;
   std::vector<double> times;
   for (int i = 0; i < 20; ++i) times.push_back(1.3 * i + draw.uniform(0.0, 1.0));
-  for (const PredictedAttitude& at : driven_attitudes(truth.state, truth.drive, times)) {
-    const Quaternion q = at.q * detail::turn_by(normal(draw, sigma));
-    fit.seen.attitudes.push_back({at.t, q, covariance_of(sigma)});
+  for (const fit::PredictedAttitude& at : fit::driven_attitudes(truth.state, truth.drive, times)) {
+    const Quaternion q = at.q * fit::detail::turn_by(normal(draw, sigma));
+    fit.seen.attitudes.push_back({at.t, q, fit::covariance_of(sigma)});
   }
   fit.start = truth.state;
-  fit.start.q = truth.state.q * detail::turn_by(normal(draw, 0.05));
+  fit.start.q = truth.state.q * fit::detail::turn_by(normal(draw, 0.05));
   fit.start.w_F = truth.state.w_F + normal(draw, 0.01 * norm(truth.state.w_F));
   fit.start.inertia_F(0, 0) *= 1.0 + 0.02 * draw.normal();
   fit.start.inertia_F(1, 1) *= 1.0 + 0.02 * draw.normal();
   return fit;
 }
 
-SpinDrive unknown(SpinDrive drive) {
-  for (TorqueParameter& one : drive.parameters) one.start *= 0.5;
-  for (SpinJump& one : drive.jumps) one.change = {};
+fit::SpinDrive unknown(fit::SpinDrive drive) {
+  for (fit::TorqueParameter& one : drive.parameters) one.start *= 0.5;
+  for (fit::SpinJump& one : drive.jumps) one.change = {};
   return drive;
 }
 
 // The unknowns of the truth about a solution.
-std::vector<double> true_numbers(const SpinFit& fit, const Truth& truth, const SpinSolution& s) {
-  std::vector<double> x = unknowns_at(fit, s.state, truth.state);
-  for (const TorqueParameter& one : truth.drive.parameters) x.push_back(one.start);
-  for (const SpinJump& one : truth.drive.jumps) {
+std::vector<double> true_numbers(const fit::SpinFit& fit, const Truth& truth,
+                                 const fit::SpinSolution& s) {
+  std::vector<double> x = fit::unknowns_at(fit, s.state, truth.state);
+  for (const fit::TorqueParameter& one : truth.drive.parameters) x.push_back(one.start);
+  for (const fit::SpinJump& one : truth.drive.jumps) {
     for (int k = 0; k < 3; ++k) x.push_back(one.change[k]);
   }
   return x;
@@ -118,13 +119,13 @@ std::vector<double> true_numbers(const SpinFit& fit, const Truth& truth, const S
 TEST(FitDrivenSpin, FindsWhatIsExact) {
   for (const Truth& truth : {pushed(), braked(), passed(), hit()}) {
     oracle::Draw draw(19, 0);
-    SpinFit fit = seen_of(truth, draw, 1e-12);
-    for (ObservedAttitude& a : fit.seen.attitudes) a.covariance = covariance_of(1e-3);
-    const SpinDrive drive = unknown(truth.drive);
-    const SpinSolution s = fit_driven_spin(fit, drive);
+    fit::SpinFit fit = seen_of(truth, draw, 1e-12);
+    for (fit::ObservedAttitude& a : fit.seen.attitudes) a.covariance = fit::covariance_of(1e-3);
+    const fit::SpinDrive drive = unknown(truth.drive);
+    const fit::SpinSolution s = fit::fit_driven_spin(fit, drive);
     ASSERT_TRUE(s.is_found()) << s.result.sentence;
-    EXPECT_LE(norm(attitude_residual(truth.state.q, s.state.q)), budget::fit_exact);
-    const std::vector<double> found = unknowns_at(fit, drive, s.state, s);
+    EXPECT_LE(norm(fit::attitude_residual(truth.state.q, s.state.q)), budget::fit_exact);
+    const std::vector<double> found = fit::unknowns_at(fit, drive, s.state, s);
     const std::vector<double> expected = true_numbers(fit, truth, s);
     ASSERT_EQ(found.size(), expected.size());
     for (std::size_t i = 3; i < found.size(); ++i) {
@@ -138,18 +139,18 @@ TEST(FitDrivenSpin, FindsWhatIsExact) {
 TEST(FitDrivenSpin, TurnsFarWithANumberOnItsBound) {
   const Truth truth = braked();
   oracle::Draw draw(23, 0);
-  SpinFit fit = seen_of(truth, draw, 0.05);
-  SpinDrive drive = truth.drive;
+  fit::SpinFit fit = seen_of(truth, draw, 0.05);
+  fit::SpinDrive drive = truth.drive;
   drive.parameters[0].low = drive.parameters[0].start = 6e-3;  // above the truth
-  const SpinSolution near = fit_driven_spin(fit, drive);
+  const fit::SpinSolution near = fit::fit_driven_spin(fit, drive);
   ASSERT_TRUE(near.is_found()) << near.result.sentence;
   ASSERT_FALSE(near.result.bound.empty());
-  fit.start.q = normalized(fit.start.q * detail::turn_by({0.0, 0.0, 1.2}));
-  const SpinSolution far = fit_driven_spin(fit, drive);
+  fit.start.q = normalized(fit.start.q * fit::detail::turn_by({0.0, 0.0, 1.2}));
+  const fit::SpinSolution far = fit::fit_driven_spin(fit, drive);
   ASSERT_TRUE(far.is_found()) << far.result.sentence;
   EXPECT_EQ(far.result.bound, near.result.bound);
-  EXPECT_LE(mahalanobis(near.covariance, unknowns_at(fit, drive, near.state, far),
-                        unknowns_at(fit, drive, near.state, near)),
+  EXPECT_LE(fit::mahalanobis(near.covariance, fit::unknowns_at(fit, drive, near.state, far),
+                             fit::unknowns_at(fit, drive, near.state, near)),
             budget::fit_same);
 }
 
@@ -159,12 +160,12 @@ TEST(FitDrivenSpin, ErrorsAreWhatTheySay) {
   for (std::size_t k = 0; k < 12; ++k) {
     const Truth& truth = truths[k % 4];
     oracle::Draw draw(2029, k);
-    const SpinFit fit = seen_of(truth, draw, 0.01);
-    const SpinDrive drive = unknown(truth.drive);
-    const SpinSolution s = fit_driven_spin(fit, drive);
+    const fit::SpinFit fit = seen_of(truth, draw, 0.01);
+    const fit::SpinDrive drive = unknown(truth.drive);
+    const fit::SpinSolution s = fit::fit_driven_spin(fit, drive);
     ASSERT_TRUE(s.is_found()) << s.result.sentence;
-    const std::vector<double> x = unknowns_at(fit, drive, s.state, s);
-    distance += mahalanobis(s.covariance, x, true_numbers(fit, truth, s));
+    const std::vector<double> x = fit::unknowns_at(fit, drive, s.state, s);
+    distance += fit::mahalanobis(s.covariance, x, true_numbers(fit, truth, s));
     freedom += static_cast<double>(x.size());
   }
   const double above = boost::math::gamma_q(0.5 * freedom, 0.5 * distance);
@@ -176,33 +177,33 @@ TEST(FitDrivenSpin, ErrorsAreWhatTheySay) {
 // Before a flyby alone, then what follows: the truth after it lies within what is predicted.
 TEST(FitDrivenSpin, PredictsThroughAnEncounter) {
   const Truth truth = passed();
-  SpinDrive drive = truth.drive;  // the planet is known
+  fit::SpinDrive drive = truth.drive;  // the planet is known
   drive.parameters.clear();
   drive.terms = [&truth](std::span<const double>) {
     return truth.drive.terms(std::vector<double>{30.0});
   };
   const std::vector<double> after{25.0};
-  const Quaternion there = driven_attitudes(truth.state, truth.drive, after)[0].q;
+  const Quaternion there = fit::driven_attitudes(truth.state, truth.drive, after)[0].q;
   double distance = 0.0;
   constexpr std::size_t draws = 8;
   for (std::size_t k = 0; k < draws; ++k) {
     oracle::Draw draw(2029, 100 + k);
-    SpinFit fit = seen_of(truth, draw, 0.003);
-    std::erase_if(fit.seen.attitudes, [](const ObservedAttitude& a) { return a.t > 9.0; });
-    const SpinSolution s = fit_driven_spin(fit, drive);
+    fit::SpinFit fit = seen_of(truth, draw, 0.003);
+    std::erase_if(fit.seen.attitudes, [](const fit::ObservedAttitude& a) { return a.t > 9.0; });
+    const fit::SpinSolution s = fit::fit_driven_spin(fit, drive);
     ASSERT_TRUE(s.is_found()) << s.result.sentence;
-    const PredictedAttitude p = predicted(fit, drive, s, after)[0];
-    UnknownsCovariance c;
+    const fit::PredictedAttitude p = fit::predicted(fit, drive, s, after)[0];
+    fit::UnknownsCovariance c;
     c.names = {"x", "y", "z"};
     for (int i = 0; i < 3; ++i) {
       for (int j = 0; j < 3; ++j) c.matrix.push_back(p.covariance(i, j));
     }
-    const Vec3 miss = attitude_residual(there, p.q);
+    const Vec3 miss = fit::attitude_residual(there, p.q);
     const std::vector<double> found{miss.x, miss.y, miss.z}, none(3, 0.0);
-    distance += mahalanobis(c, found, none);
+    distance += fit::mahalanobis(c, found, none);
     // Without the planet the same state leads elsewhere.
-    const PredictedAttitude blind = predicted(fit, SpinDrive{}, s, after)[0];
-    EXPECT_GT(norm(attitude_residual(p.q, blind.q)), budget::fit_encounter);
+    const fit::PredictedAttitude blind = fit::predicted(fit, fit::SpinDrive{}, s, after)[0];
+    EXPECT_GT(norm(fit::attitude_residual(p.q, blind.q)), budget::fit_encounter);
   }
   const double above = boost::math::gamma_q(1.5 * draws, 0.5 * distance);
   EXPECT_GT(above, budget::fit_improbable) << distance;
@@ -211,28 +212,29 @@ TEST(FitDrivenSpin, PredictsThroughAnEncounter) {
 
 TEST(FitDrivenSpin, GoesOnAfterItsJumps) {
   Truth truth = hit();
-  truth.drive.jumps.push_back({"push", 15.0, SpinJump::Of::inertial_momentum, {0.1, 0.0, -0.05}});
+  truth.drive.jumps.push_back(
+      {"push", 15.0, fit::SpinJump::Of::inertial_momentum, {0.1, 0.0, -0.05}});
   oracle::Draw draw(5, 5);
-  const SpinFit fit = seen_of(truth, draw, 0.001);
-  const SpinSolution s = fit_driven_spin(fit, truth.drive);
+  const fit::SpinFit fit = seen_of(truth, draw, 0.001);
+  const fit::SpinSolution s = fit::fit_driven_spin(fit, truth.drive);
   ASSERT_TRUE(s.is_found()) << s.result.sentence;
-  const SpinDrive solved = solved_drive(fit, truth.drive, s);
+  const fit::SpinDrive solved = fit::solved_drive(fit, truth.drive, s);
   const std::vector<double> later{20.0};
-  const SpinState last = after_jumps(fit, truth.drive, s);
-  const Quaternion a = driven_attitudes(s.state, solved, later)[0].q;
-  const Quaternion b = driven_attitudes(last, SpinDrive{}, later)[0].q;
-  EXPECT_LE(norm(attitude_residual(a, b)), budget::fit_driven_exact);
+  const fit::SpinState last = fit::after_jumps(fit, truth.drive, s);
+  const Quaternion a = fit::driven_attitudes(s.state, solved, later)[0].q;
+  const Quaternion b = fit::driven_attitudes(last, fit::SpinDrive{}, later)[0].q;
+  EXPECT_LE(norm(fit::attitude_residual(a, b)), budget::fit_driven_exact);
 }
 
 TEST(FitDrivenSpin, RefusesWhatIsNoDrive) {
   const Truth truth = pushed();
   oracle::Draw draw(1, 1);
-  const SpinFit fit = seen_of(truth, draw, 0.01);
-  const auto message = [&](const SpinFit& f, const SpinDrive& d) {
-    return test::message_of([&] { static_cast<void>(fit_driven_spin(f, d)); });
+  const fit::SpinFit fit = seen_of(truth, draw, 0.01);
+  const auto message = [&](const fit::SpinFit& f, const fit::SpinDrive& d) {
+    return test::message_of([&] { static_cast<void>(fit::fit_driven_spin(f, d)); });
   };
-  SpinDrive drive = truth.drive;
-  drive.jumps = {{"late", 100.0, SpinJump::Of::rate, {}}};
+  fit::SpinDrive drive = truth.drive;
+  drive.jumps = {{"late", 100.0, fit::SpinJump::Of::rate, {}}};
   EXPECT_THAT(message(fit, drive), HasSubstr("late at t = 100; expected a time from the first "
                                              "observation on"));
   drive = truth.drive;
@@ -245,7 +247,7 @@ TEST(FitDrivenSpin, RefusesWhatIsNoDrive) {
         {"mine", TorqueTerm([](double, const RotorState&) { return Vec3{}; })}};
   };
   EXPECT_THAT(message(fit, drive), HasSubstr("\"mine\" works on double alone"));
-  SpinFit other = fit;
+  fit::SpinFit other = fit;
   other.unknowns.products = true;
   EXPECT_THAT(message(other, truth.drive), HasSubstr("products of inertia are no unknowns"));
   other = fit;

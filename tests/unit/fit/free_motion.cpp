@@ -15,7 +15,7 @@
 
 namespace {
 using namespace polhode;
-using detail::MotionPoint;
+using fit::detail::MotionPoint;
 using Digits = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>,
                                              boost::multiprecision::et_off>;
 using DigitsVec3 = std::array<Digits, 3>;
@@ -26,7 +26,7 @@ struct WideSpin {
   std::array<DigitsVec3, 3> T;
 };
 
-WideSpin wide(const SpinState& s) {
+WideSpin wide(const fit::SpinState& s) {
   const Quaternion q = normalized(s.q);
   WideSpin found{{q.w, q.x, q.y, q.z}, {s.w_F.x, s.w_F.y, s.w_F.z}, {}};
   Digits n = 0;
@@ -126,9 +126,9 @@ struct Errors {
   double values, derivatives;
 };
 
-Errors errors_of(const SpinState& s, double t, bool products) {
+Errors errors_of(const fit::SpinState& s, double t, bool products) {
   std::vector<MotionPoint> points;
-  if (!detail::free_motion(s, {t}, {true, products}, points)) return {1.0, 1.0};
+  if (!fit::detail::free_motion(s, {t}, {true, products}, points)) return {1.0, 1.0};
   const MotionPoint& found = points[0];
   const int steps = 1 + int(4.0 * std::abs(t - s.t0) * norm(s.w_F));
   const Digits elapsed = Digits(t) - Digits(s.t0), h("1e-17");
@@ -136,7 +136,7 @@ Errors errors_of(const SpinState& s, double t, bool products) {
   advance(exact, elapsed, steps);
   test::Worst<> values, derivatives;
   Quaternion q{double(exact.q[0]), double(exact.q[1]), double(exact.q[2]), double(exact.q[3])};
-  values.add(norm(attitude_residual(q, found.q)));
+  values.add(norm(fit::attitude_residual(q, found.q)));
   for (int i = 0; i < 3; ++i) {
     values.add(std::abs(double(exact.w[std::size_t(i)]) - found.w_F[i]) / norm(s.w_F));
   }
@@ -163,21 +163,21 @@ Errors errors_of(const SpinState& s, double t, bool products) {
   return {values.value(), derivatives.value()};
 }
 
-SpinState body(double Ixx, double Iyy, const Vec3& w) {
-  SpinState s{0.5, {0.3, -0.5, 0.4, 0.7}, w, Mat3::identity()};
+fit::SpinState body(double Ixx, double Iyy, const Vec3& w) {
+  fit::SpinState s{0.5, {0.3, -0.5, 0.4, 0.7}, w, Mat3::identity()};
   s.inertia_F(0, 0) = Ixx;
   s.inertia_F(1, 1) = Iyy;
   return s;
 }
 
 TEST(FreeMotion, DerivativesAreThoseOf50Digits) {
-  const std::vector<SpinState> cases{
+  const std::vector<fit::SpinState> cases{
       body(3.1, 3.2, {0.3, 0.6, -1.8}),        // long-axis mode, as Toutatis
       body(0.5, 0.8, {0.2, -0.3, 1.4}),        // short-axis mode
       body(1.3, 1.3 + 1e-3, {0.5, 0.4, 0.9}),  // nearly symmetric
       body(2.0, 1.6, {1.1, 0.3, 0.4}),
   };
-  for (const SpinState& s : cases) {
+  for (const fit::SpinState& s : cases) {
     for (const double t : {-1.5, 0.5, 3.0}) {
       const Errors e = errors_of(s, t, true);
       EXPECT_LE(e.values, budget::fit_motion) << s.inertia_F(0, 0) << " at " << t;
@@ -187,13 +187,13 @@ TEST(FreeMotion, DerivativesAreThoseOf50Digits) {
 }
 
 TEST(FreeMotion, TakesAnyTensor) {
-  SpinState s = body(2.3, 1.9, {0.5, -0.3, 0.8});
+  fit::SpinState s = body(2.3, 1.9, {0.5, -0.3, 0.8});
   for (Vec3& row : s.inertia_F.row) row = 4.0 * row;  // units do not act
   s.inertia_F(0, 1) = s.inertia_F(1, 0) = 0.7;
   s.inertia_F(1, 2) = s.inertia_F(2, 1) = -0.4;
   s.inertia_F(0, 2) = s.inertia_F(2, 0) = 0.2;
-  const SpinState same = [&] {
-    SpinState unit = s;
+  const fit::SpinState same = [&] {
+    fit::SpinState unit = s;
     for (Vec3& row : unit.inertia_F.row) row = 0.25 * row;
     return unit;
   }();
@@ -201,16 +201,16 @@ TEST(FreeMotion, TakesAnyTensor) {
   EXPECT_LE(e.values, budget::fit_motion);
   EXPECT_LE(e.derivatives, budget::fit_derivatives);
   std::vector<MotionPoint> a, b;
-  ASSERT_TRUE(detail::free_motion(s, {2.0}, {}, a));
-  ASSERT_TRUE(detail::free_motion(same, {2.0}, {}, b));
-  EXPECT_LE(norm(attitude_residual(a[0].q, b[0].q)), budget::fit_motion);
+  ASSERT_TRUE(fit::detail::free_motion(s, {2.0}, {}, a));
+  ASSERT_TRUE(fit::detail::free_motion(same, {2.0}, {}, b));
+  EXPECT_LE(norm(fit::attitude_residual(a[0].q, b[0].q)), budget::fit_motion);
 }
 
 // Where neighbours have another form derivatives are taken beside.
 TEST(FreeMotion, HasDerivativesOfEveryForm) {
-  for (const SpinState& s : {body(2.0, 2.0, {0.3, 0.2, 1.0}), body(1.0, 1.0, {0.3, 0.2, 1.0}),
-                             body(0.5, 0.8, {0.0, 0.0, 1.3}), body(2.0, 1.5, {0.0, 0.0, 1.3}),
-                             body(1.0, 0.7, {0.4, 0.0, 0.0})}) {
+  for (const fit::SpinState& s : {body(2.0, 2.0, {0.3, 0.2, 1.0}), body(1.0, 1.0, {0.3, 0.2, 1.0}),
+                                  body(0.5, 0.8, {0.0, 0.0, 1.3}), body(2.0, 1.5, {0.0, 0.0, 1.3}),
+                                  body(1.0, 0.7, {0.4, 0.0, 0.0})}) {
     const Errors e = errors_of(s, 2.0, false);
     EXPECT_LE(e.values, budget::fit_motion) << s.inertia_F(0, 0) << " " << s.w_F.z;
     EXPECT_LE(e.derivatives, budget::fit_derivatives_aside) << s.inertia_F(0, 0) << s.w_F.z;
@@ -220,19 +220,20 @@ TEST(FreeMotion, HasDerivativesOfEveryForm) {
 TEST(RotationVector, DerivativesAreInverseAndExact) {
   for (const double size : {1e-7, 9e-3, 1.1e-2, 0.7, 3.0}) {
     const Vec3 v = size * Vec3{0.48, -0.6, 0.64};
-    EXPECT_LE(norm(detail::rotation_vector(detail::turn_by(v)) - v), budget::fit_rotation * size);
-    const Mat3 product = detail::exp_derivative(v) * detail::log_derivative(v);
+    EXPECT_LE(norm(fit::detail::rotation_vector(fit::detail::turn_by(v)) - v),
+              budget::fit_rotation * size);
+    const Mat3 product = fit::detail::exp_derivative(v) * fit::detail::log_derivative(v);
     for (int j = 0; j < 3; ++j) {
       Vec3 e;
       e[j] = 1.0;
       EXPECT_LE(norm(product * e - e), budget::fit_rotation);
       const double h = 1e-4;
       const auto moved = [&](double by) {
-        return attitude_residual(detail::turn_by(v), detail::turn_by(v + by * e));
+        return fit::attitude_residual(fit::detail::turn_by(v), fit::detail::turn_by(v + by * e));
       };
       const Vec3 slope = (1.0 / (12.0 * h)) *
                          ((8.0 * (moved(h) - moved(-h))) - (moved(2.0 * h) - moved(-2.0 * h)));
-      EXPECT_LE(norm(slope - detail::exp_derivative(v) * e), budget::fit_rotation_difference);
+      EXPECT_LE(norm(slope - fit::detail::exp_derivative(v) * e), budget::fit_rotation_difference);
     }
   }
 }

@@ -12,42 +12,42 @@
 #include "budgets.hpp"
 #include "drawn_seeds.hpp"
 #include "fit/detail/distinct_solutions.hpp"
-#include "polhode/fit/fourier_scan.hpp"
+#include "polhode/fit/fourier_fit.hpp"
+#include "polhode/fit/light_fit.hpp"
 #include "polhode/fit/light_search.hpp"
-#include "polhode/fit/likely_periods.hpp"
-#include "polhode/fit/scan_advice.hpp"
 
 namespace {
 using namespace polhode;
 using namespace polhode::test;
 
 // Of 3 to 34 turns in the night: from below f_psi of most to above 2 f_phi of all.
-std::vector<ScanMinimum> minima_of(const DrawnTumbler& t) {
-  const std::vector<LightCurve> curves{t.curve};
-  const ScanPoints points(curves);
-  const auto grid =
-      FrequencyGrid::between(3.0 / t.time_base, 34.0 / t.time_base, scan_advice(curves, 2).step);
-  const Landscape landscape = scan_pairs(points, grid, grid, {.order = 2, .threads = 2});
-  return scan_minima(points, landscape, {.most = 20, .threads = 2});
+std::vector<fit::ScanMinimum> minima_of(const DrawnTumbler& t) {
+  const std::vector<light::LightCurve> curves{t.curve};
+  const fit::ScanPoints points(curves);
+  const auto grid = fit::FrequencyGrid::between(3.0 / t.time_base, 34.0 / t.time_base,
+                                                fit::scan_advice(curves, 2).step);
+  const fit::Landscape landscape = fit::scan_pairs(points, grid, grid, {.order = 2, .threads = 2});
+  return fit::scan_minima(points, landscape, {.most = 20, .threads = 2});
 }
 
 // Whether the true reading is among the first twenty of the best pair.
-bool is_high(const DrawnTumbler& t, const std::vector<ScanMinimum>& minima) {
-  const auto best = std::ranges::find_if(
-      minima, [](const ScanMinimum& m) { return m.resolved && m.refined.converged && !m.at_edge; });
+bool is_high(const DrawnTumbler& t, const std::vector<fit::ScanMinimum>& minima) {
+  const auto best = std::ranges::find_if(minima, [](const fit::ScanMinimum& m) {
+    return m.resolved && m.refined.converged && !m.at_edge;
+  });
   if (best == minima.end()) return false;
-  const std::vector<LikelyPeriods> all = likely_periods(best->refined.fit);
+  const std::vector<fit::LikelyPeriods> all = fit::likely_periods(best->refined.fit);
   for (std::size_t i = 1; i < all.size(); ++i) EXPECT_GE(all[i - 1].score, all[i].score);
   const auto place =
-      std::ranges::find_if(all, [&](const LikelyPeriods& l) { return t.has(l.periods); });
+      std::ranges::find_if(all, [&](const fit::LikelyPeriods& l) { return t.has(l.periods); });
   return place != all.end() && place - all.begin() < 20;
 }
 
-LightSearch search_of(const DrawnTumbler& t, const std::vector<ScanMinimum>& minima,
-                      std::size_t labels) {
-  LightSearch search;
+fit::LightSearch search_of(const DrawnTumbler& t, const std::vector<fit::ScanMinimum>& minima,
+                           std::size_t labels) {
+  fit::LightSearch search;
   search.curves = {t.curve};
-  search.periods = labelled_periods(minima, {.pairs = 3, .labels = labels});
+  search.periods = fit::labelled_periods(minima, {.pairs = 3, .labels = labels});
   search.starts = 8 * search.periods.size();
   search.finalists = 2;
   search.threads = 2;
@@ -64,20 +64,21 @@ struct Found {
 
 Found found_of(const DrawnTumbler& t) {
   Found f;
-  const std::vector<ScanMinimum> minima = minima_of(t);
+  const std::vector<fit::ScanMinimum> minima = minima_of(t);
   f.is_high = is_high(t, minima);
-  const LightSearch search = search_of(t, minima, is_full() ? 25 : 12);
+  const fit::LightSearch search = search_of(t, minima, is_full() ? 25 : 12);
   f.has_label =
-      std::ranges::any_of(search.periods, [&](const TumblerPeriods& p) { return t.has(p); });
-  const LightSearchResult result = search_light(search);
-  for (const FoundLight& s : result.solutions) {
-    const LightModel& b = s.solution.body;
+      std::ranges::any_of(search.periods, [&](const fit::TumblerPeriods& p) { return t.has(p); });
+  const fit::LightSearchResult result = fit::search_light(search);
+  for (const fit::FoundLight& s : result.solutions) {
+    const fit::LightModel& b = s.solution.body;
     const bool is_true = t.has(s.solution.periods);
     f.is_first = f.is_first || (is_true && &s == &result.solutions.front());
     f.is_reported = f.is_reported || is_true;
-    const LightModel near = nearest_of_same(b, at_time(t.body, b.spin.t0));
-    const double distance = mahalanobis(s.solution.covariance, light_unknowns_at({}, b, b),
-                                        light_unknowns_at({}, b, near));
+    const fit::LightModel near = fit::nearest_of_same(b, at_time(t.body, b.spin.t0));
+    const double distance =
+        fit::mahalanobis(s.solution.covariance, fit::light_unknowns_at({}, b, b),
+                         fit::light_unknowns_at({}, b, near));
     if (std::isnan(f.distance) || distance > f.distance) continue;
     f.distance = distance;
     f.rise = chi_square(near, {&t.curve, 1}) - s.solution.result.cost;
@@ -124,15 +125,15 @@ TEST(LightCoverage, TenTimesTheStartsFindNoMore) {
   for (const std::uint64_t seed : drawn_seeds()) {
     for (std::size_t k = 0; k < count; ++k) {
       const DrawnTumbler t = drawn_tumbler(20 + k, is_full() ? 350 : 120, 0.02, seed);
-      LightSearch search = search_of(t, minima_of(t), is_full() ? 25 : 3);
-      const LightSearchResult few = search_light(search);
+      fit::LightSearch search = search_of(t, minima_of(t), is_full() ? 25 : 3);
+      const fit::LightSearchResult few = fit::search_light(search);
       search.starts *= 10;
       search.seed = 1;  // none of the starts of the first
-      const LightSearchResult many = search_light(search);
+      const fit::LightSearchResult many = fit::search_light(search);
       std::size_t missed = 0;
-      for (const FoundLight& m : many.solutions) {
-        const bool is_known = std::ranges::any_of(few.solutions, [&](const FoundLight& f) {
-          return detail::are_same(m, f, search.unknowns, t.time_base);
+      for (const fit::FoundLight& m : many.solutions) {
+        const bool is_known = std::ranges::any_of(few.solutions, [&](const fit::FoundLight& f) {
+          return fit::detail::are_same(m, f, search.unknowns, t.time_base);
         });
         if (is_known) continue;
         ++missed;
@@ -150,17 +151,17 @@ TEST(LightCoverage, TenTimesTheStartsFindNoMore) {
 
 // Amplitudes of 0 are no lines, be they among the three first.
 TEST(LikelyPeriods, FindsNothingWithoutTwoLines) {
-  FourierFit fit{};
+  fit::FourierFit fit{};
   fit.f1 = 0.3;
   fit.f2 = 0.2;
   fit.terms = {{1, 0, 0.0, 0.0}, {0, 1, 0.0, 0.0}, {1, 1, 0.0, 0.0}};
-  EXPECT_TRUE(likely_periods(fit).empty());
+  EXPECT_TRUE(fit::likely_periods(fit).empty());
   fit.terms[1].sine = 0.4;
-  EXPECT_TRUE(likely_periods(fit).empty());
+  EXPECT_TRUE(fit::likely_periods(fit).empty());
   fit.terms[2].cosine = 0.1;
-  const std::vector<LikelyPeriods> found = likely_periods(fit);
+  const std::vector<fit::LikelyPeriods> found = fit::likely_periods(fit);
   ASSERT_FALSE(found.empty());
-  for (const LikelyPeriods& one : found) EXPECT_LT(one.score, 0.0);
+  for (const fit::LikelyPeriods& one : found) EXPECT_LT(one.score, 0.0);
 }
 
 }  // namespace

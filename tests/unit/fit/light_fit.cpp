@@ -13,8 +13,8 @@
 #include "fit/detail/light_residuals.hpp"
 #include "message_of.hpp"
 #include "polhode/error.hpp"
+#include "polhode/fit/fourier_fit.hpp"
 #include "polhode/fit/light_search.hpp"
-#include "polhode/fit/scan_advice.hpp"
 #include "polhode/free/free_rotation.hpp"
 #include "polhode/math/double_double.hpp"
 #include "wide_light.hpp"
@@ -26,29 +26,29 @@ using namespace polhode::test;
 using DD = DoubleDouble;
 
 // The residuals of one session in double-double, at x + h e_k: of attitude to second order in h.
-std::vector<DD> wide_residuals(const LightModel& b, const LightCurve& curve, std::size_t k,
-                               const DD& h) {
+std::vector<DD> wide_residuals(const fit::LightModel& b, const light::LightCurve& curve,
+                               std::size_t k, const DD& h) {
   const std::vector<DD> B = wide_brightness(b, curve, k, h);
   std::vector<DD> r;
   DD up(0.0), down(0.0);
   for (std::size_t i = 0; i < B.size(); ++i) {
-    const LightPoint& p = curve.points[i];
+    const light::LightPoint& p = curve.points[i];
     const DD w = DD(1.0) / (DD(p.sigma) * DD(p.sigma));
     up += w * DD(p.flux) * B[i];
     down += w * B[i] * B[i];
   }
   for (std::size_t i = 0; i < B.size(); ++i) {
-    const LightPoint& p = curve.points[i];
+    const light::LightPoint& p = curve.points[i];
     r.push_back((DD(p.flux) - up / down * B[i]) / DD(p.sigma));
   }
   return r;
 }
 
 TEST(LightFit, DerivativesAreThoseOfDifferencesInDoubleDouble) {
-  for (const LightModel& b : {in_long_axis_mode, in_short_axis_mode}) {
-    const LightCurve curve = night(b, 3.0, 12, 0.02, 3);
+  for (const fit::LightModel& b : {in_long_axis_mode, in_short_axis_mode}) {
+    const light::LightCurve curve = night(b, 3.0, 12, 0.02, 3);
     const auto residuals = ellipsoid_residuals({curve}, {}, b);
-    const std::vector<double> x = light_unknowns_at({}, b, b);
+    const std::vector<double> x = fit::light_unknowns_at({}, b, b);
     const std::size_t n = x.size(), count = curve.points.size();
     std::vector<double> numbers(count), jacobian(count * n);
     ASSERT_TRUE(residuals.at(x, numbers, jacobian));
@@ -67,15 +67,17 @@ TEST(LightFit, DerivativesAreThoseOfDifferencesInDoubleDouble) {
   }
 }
 
-LightSearch cold_search(const std::vector<LightCurve>& curves, double f, std::size_t labels,
-                        std::size_t of_each) {
-  const ScanPoints points(curves);
-  const auto grid = FrequencyGrid::between(0.45 * f, 3.1 * f, scan_advice(curves, 2).step);
-  const Landscape landscape = scan_pairs(points, grid, grid, {.order = 2, .threads = 2});
-  LightSearch search;
+fit::LightSearch cold_search(const std::vector<light::LightCurve>& curves, double f,
+                             std::size_t labels, std::size_t of_each) {
+  const fit::ScanPoints points(curves);
+  const auto grid =
+      fit::FrequencyGrid::between(0.45 * f, 3.1 * f, fit::scan_advice(curves, 2).step);
+  const fit::Landscape landscape = fit::scan_pairs(points, grid, grid, {.order = 2, .threads = 2});
+  fit::LightSearch search;
   search.curves = curves;
-  search.periods = labelled_periods(scan_minima(points, landscape, {.most = 20, .threads = 2}),
-                                    {.pairs = 1, .labels = labels});
+  search.periods =
+      fit::labelled_periods(fit::scan_minima(points, landscape, {.most = 20, .threads = 2}),
+                            {.pairs = 1, .labels = labels});
   search.starts = of_each * search.periods.size();
   search.finalists = 1;
   search.threads = 2;
@@ -83,34 +85,35 @@ LightSearch cold_search(const std::vector<LightCurve>& curves, double f, std::si
 }
 
 // Whether the truth is within the errors of one of the solutions.
-bool is_among(const LightSearchResult& found, const LightModel& truth) {
-  return std::ranges::any_of(found.solutions, [&](const FoundLight& f) {
-    const LightModel& b = f.solution.body;
-    const LightModel near = nearest_of_same(b, at_time(truth, b.spin.t0));
-    return mahalanobis(f.solution.covariance, light_unknowns_at({}, b, b),
-                       light_unknowns_at({}, b, near)) < budget::light_distance;
+bool is_among(const fit::LightSearchResult& found, const fit::LightModel& truth) {
+  return std::ranges::any_of(found.solutions, [&](const fit::FoundLight& f) {
+    const fit::LightModel& b = f.solution.body;
+    const fit::LightModel near = fit::nearest_of_same(b, at_time(truth, b.spin.t0));
+    return fit::mahalanobis(f.solution.covariance, fit::light_unknowns_at({}, b, b),
+                            fit::light_unknowns_at({}, b, near)) < budget::light_distance;
   });
 }
 
-class ColdStart : public testing::TestWithParam<LightModel> {};
+class ColdStart : public testing::TestWithParam<fit::LightModel> {};
 
 TEST_P(ColdStart, FindsTheTruthAmongItsImages) {
-  const LightModel& truth = GetParam();
+  const fit::LightModel& truth = GetParam();
   const bool is_full = std::getenv("POLHODE_TEST_FULL") != nullptr;
-  const std::vector<LightCurve> curves{
+  const std::vector<light::LightCurve> curves{
       night(truth, is_full ? 11.0 : 7.0, is_full ? 350 : 90, 0.02, 7)};
   const double f = motion_of(truth).precession_rate_long() / (2.0 * pi<double>());
-  const LightSearchResult found = search_light(cold_search(curves, f, 15, is_full ? 20 : 8));
+  const fit::LightSearchResult found =
+      fit::search_light(cold_search(curves, f, 15, is_full ? 20 : 8));
   ASSERT_FALSE(found.solutions.empty());
-  const FoundLight& best = found.solutions.front();
+  const fit::FoundLight& best = found.solutions.front();
   EXPECT_EQ(best.solution.periods.mode, motion_of(truth).regime());
   EXPECT_TRUE(is_among(found, truth));
   // mirror poles and their like, from fixed directions to Sun and observer
   std::size_t images = 0;
-  for (const FoundLight& s : found.solutions) {
+  for (const fit::FoundLight& s : found.solutions) {
     EXPECT_TRUE(s.solution.is_found());
     EXPECT_FALSE(s.sentence.empty());
-    if (s.of == 0 && s.beside == FoundLight::Beside::image) ++images;
+    if (s.of == 0 && s.beside == fit::FoundLight::Beside::image) ++images;
   }
   EXPECT_EQ(images, 3u);
 }
@@ -119,18 +122,18 @@ INSTANTIATE_TEST_SUITE_P(Modes, ColdStart, testing::Values(in_long_axis_mode, in
 
 TEST(LightSearch, HasTheBitsOfOneThreadWithMore) {
   const FreeRotation motion = motion_of(in_short_axis_mode);
-  LightSearch search;
+  fit::LightSearch search;
   search.curves = {night(in_short_axis_mode, 3.0, 40, 0.02, 5)};
   search.periods = {{motion.regime(), 2.0 * pi<double>() / motion.precession_rate_long(),
                      motion.polhode_period()}};
   search.starts = 12;
   search.finalists = 2;
   search.within = 5.0;
-  const LightSearchResult one = search_light(search);
+  const fit::LightSearchResult one = fit::search_light(search);
   ASSERT_FALSE(one.solutions.empty());
   for (const int threads : {2, 3}) {
     search.threads = threads;
-    const LightSearchResult many = search_light(search);
+    const fit::LightSearchResult many = fit::search_light(search);
     ASSERT_EQ(many.solutions.size(), one.solutions.size());
     for (std::size_t i = 0; i < one.solutions.size(); ++i) {
       EXPECT_EQ(many.solutions[i].solution.result.x, one.solutions[i].solution.result.x);
@@ -141,19 +144,19 @@ TEST(LightSearch, HasTheBitsOfOneThreadWithMore) {
 }
 
 TEST(LightFit, SaysWhatIsWrong) {
-  LightFit fit{{night(in_long_axis_mode, 2.0, 9, 0.02, 1)}, in_long_axis_mode, {}, {}, 10};
-  const auto message = [](const LightFit& bad) {
-    return test::message_of([&] { static_cast<void>(fit_light(bad)); });
+  fit::LightFit fit{{night(in_long_axis_mode, 2.0, 9, 0.02, 1)}, in_long_axis_mode, {}, {}, 10};
+  const auto message = [](const fit::LightFit& bad) {
+    return test::message_of([&] { static_cast<void>(fit::fit_light(bad)); });
   };
-  LightFit few = fit;
+  fit::LightFit few = fit;
   few.curves[0].points.resize(8);
   EXPECT_EQ(message(few),
             "fit_light: 8 points for 8 unknowns and 1 factor; expected as many at least");
-  LightFit bad = fit;
-  bad.start.shape = Ellipsoid{1.0, 0.6, -1.0};
+  fit::LightFit bad = fit;
+  bad.start.shape = light::Ellipsoid{1.0, 0.6, -1.0};
   EXPECT_EQ(message(bad), "fit_light: semi-axes (1, 0.6, -1) must be above 0");
   bad = fit;
-  bad.start.shape = Ellipsoid{1.0, 0.5, 0.8};
+  bad.start.shape = light::Ellipsoid{1.0, 0.5, 0.8};
   EXPECT_EQ(message(bad),
             "fit_light: semi-axes (1, 0.5, 0.8) must not rise where moments follow from them");
   bad = fit;
@@ -161,10 +164,11 @@ TEST(LightFit, SaysWhatIsWrong) {
   EXPECT_EQ(message(bad), "fit_light: the rate at the start, (0, 0, 0), must be finite and not 0");
   bad = fit;
   bad.curves[0].points[2].to_sun = {};
-  EXPECT_THROW(static_cast<void>(fit_light(bad)), DomainError);
-  LightSearch search;
+  EXPECT_THROW(static_cast<void>(fit::fit_light(bad)), DomainError);
+  fit::LightSearch search;
   search.curves = fit.curves;
-  EXPECT_MESSAGE(search_light(search), "search_light: no periods to start from; expected one pair");
+  EXPECT_MESSAGE(fit::search_light(search),
+                 "search_light: no periods to start from; expected one pair");
 }
 
 }  // namespace

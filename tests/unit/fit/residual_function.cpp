@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Residuals as functions of the unknowns: what solve() squares, at its solution and elsewhere.
-#include "polhode/fit/residual_function.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,6 +7,7 @@
 
 #include "budgets.hpp"
 #include "message_of.hpp"
+#include "polhode/fit/least_squares.hpp"
 #include "polhode/fit/light_fit.hpp"
 #include "polhode/fit/spin_fit.hpp"
 
@@ -17,8 +16,8 @@ using namespace polhode;
 using test::message_of;
 
 // y = a + b t with errors of 1/2, a prior of b.
-LeastSquares line(Loss loss = {}) {
-  LeastSquares p;
+fit::LeastSquares line(fit::Loss loss = {}) {
+  fit::LeastSquares p;
   p.unknowns = {{.name = "a", .start = 1.0}, {.name = "b", .start = 0.0}};
   p.residuals.data = 3;
   p.residuals.at = [](std::span<const double> x, std::span<double> numbers,
@@ -40,7 +39,7 @@ LeastSquares line(Loss loss = {}) {
 }
 
 TEST(ResidualFunction, IsDataOverTheFactorThenPriors) {
-  const ResidualFunction f(line());
+  const fit::ResidualFunction f(line());
   ASSERT_EQ(f.data(), 3u);
   ASSERT_EQ(f.size(), 4u);
   ASSERT_EQ(f.unknowns(), 2u);
@@ -55,10 +54,10 @@ TEST(ResidualFunction, IsDataOverTheFactorThenPriors) {
 }
 
 TEST(ResidualFunction, HasNoSlopeWhereSolveEnds) {
-  for (const Loss loss : {Loss{}, Loss{Loss::Kind::cauchy, 1.0}}) {
-    const LeastSquaresResult result = solve(line(loss));
+  for (const fit::Loss loss : {fit::Loss{}, fit::Loss{fit::Loss::Kind::cauchy, 1.0}}) {
+    const fit::LeastSquaresResult result = fit::solve(line(loss));
     ASSERT_TRUE(result.is_converged());
-    const ResidualFunction f(line(loss));
+    const fit::ResidualFunction f(line(loss));
     std::vector<double> r(4), J(8);
     ASSERT_TRUE(f.at(result.x, r, J));
     double cost = 0.0, by_a = 0.0, by_b = 0.0;
@@ -74,34 +73,34 @@ TEST(ResidualFunction, HasNoSlopeWhereSolveEnds) {
 }
 
 TEST(ResidualFunction, SaysWhereThereIsNoValue) {
-  const ResidualFunction f(line());
+  const fit::ResidualFunction f(line());
   std::vector<double> r(4);
   const std::vector<double> outside{-20.0, 0.0}, one{1.0};
   EXPECT_FALSE(f.at(outside, r, {}));
   EXPECT_REJECTED(f.at(one, r, {}), "got 1 unknowns and room for 4 numbers; expected 2 and 4");
 }
 
-const LightModel body = LightModel::homogeneous(0.0, normalized(Quaternion{0.6, 0.3, -0.5, 0.2}),
-                                                {0.6, 0.5, 1.0}, {1.0, 0.85, 0.5});
+const fit::LightModel body = fit::LightModel::homogeneous(
+    0.0, normalized(Quaternion{0.6, 0.3, -0.5, 0.2}), {0.6, 0.5, 1.0}, {1.0, 0.85, 0.5});
 
 TEST(ResidualFunction, OfFitsHasTheStartAtItsStart) {
-  SpinFit fit;
+  fit::SpinFit fit;
   fit.start = body.spin;
-  fit.seen.rates = {{0.0, {0.6, 0.5, 1.1}, covariance_of(0.1)}};
+  fit.seen.rates = {{0.0, {0.6, 0.5, 1.1}, fit::covariance_of(0.1)}};
   fit.unknowns = {.attitude = false, .rate = true, .moment_ratios = false};
-  const ResidualFunction f(least_squares_of(fit));
+  const fit::ResidualFunction f(fit::least_squares_of(fit));
   std::vector<double> r(3);
   const std::vector<double> w{0.6, 0.5, 1.0};
   ASSERT_TRUE(f.at(w, r, {}));
   EXPECT_NEAR(std::abs(r[2]), 1.0, budget::fit_line);
-  EXPECT_EQ(state_at(fit, w).w_F.z, 1.0);
-  EXPECT_REJECTED(state_at(fit, {}), "expected 3");
+  EXPECT_EQ(fit::state_at(fit, w).w_F.z, 1.0);
+  EXPECT_REJECTED(fit::state_at(fit, {}), "expected 3");
 
-  LightFit light{.curves = {}, .start = body, .unknowns = {}, .loss = {}};
-  EXPECT_NE(message_of([&] { static_cast<void>(least_squares_of(light)); }), "");
+  fit::LightFit light{.curves = {}, .start = body, .unknowns = {}, .loss = {}};
+  EXPECT_NE(message_of([&] { static_cast<void>(fit::least_squares_of(light)); }), "");
   const std::vector<double> x{0.0, 0.0, 0.0, 0.6, 0.5, 1.0, 0.85, 0.5 / 0.85};
-  EXPECT_EQ(body_at(light, x).ellipsoid().b, 0.85);
-  EXPECT_REJECTED(body_at(light, w), "expected 8");
+  EXPECT_EQ(fit::body_at(light, x).ellipsoid().b, 0.85);
+  EXPECT_REJECTED(fit::body_at(light, w), "expected 8");
 }
 
 }  // namespace

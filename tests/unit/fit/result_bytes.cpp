@@ -18,8 +18,8 @@ using namespace polhode::test;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-LeastSquaresResult some_result() {
-  return {.end = LeastSquaresResult::End::iteration_limit,
+fit::LeastSquaresResult some_result() {
+  return {.end = fit::LeastSquaresResult::End::iteration_limit,
           .sentence = "not converged",
           .iterations = 7,
           .evaluations = 11,
@@ -30,8 +30,8 @@ LeastSquaresResult some_result() {
           .bound = {2, 0}};
 }
 
-UnknownsCovariance some_covariance() {
-  UnknownsCovariance c;
+fit::UnknownsCovariance some_covariance() {
+  fit::UnknownsCovariance c;
   c.names = {"turn_x", "b/a"};
   c.matrix = {1.0, 0.5, 0.5, infinite};
   c.weak.emplace_back();
@@ -41,15 +41,15 @@ UnknownsCovariance some_covariance() {
   return c;
 }
 
-SpinState some_spin() {
-  SpinState s{0.5, {0.1, 0.2, 0.3, 0.4}, {1.0, 2.0, 3.0}, Mat3::identity()};
+fit::SpinState some_spin() {
+  fit::SpinState s{0.5, {0.1, 0.2, 0.3, 0.4}, {1.0, 2.0, 3.0}, Mat3::identity()};
   s.inertia_F(0, 1) = 0.125;
   return s;
 }
 
-LightSolution solution_of(LightShape shape) {
-  LightSolution s;
-  s.body = {some_spin(), std::move(shape), Scattering::mixed(0.25)};
+fit::LightSolution solution_of(fit::LightShape shape) {
+  fit::LightSolution s;
+  s.body = {some_spin(), std::move(shape), light::Scattering::mixed(0.25)};
   s.result = some_result();
   s.covariance = some_covariance();
   s.factors = {2.0, 4.0};
@@ -57,7 +57,7 @@ LightSolution solution_of(LightShape shape) {
   s.periods = {Regime::long_axis, 12.0, 20.0};
   s.pole = {0.0, 0.6, 0.8};
   s.notes = {"a note", ""};
-  s.loss = {Loss::Kind::cauchy, 1.5};
+  s.loss = {fit::Loss::Kind::cauchy, 1.5};
   s.points = 90;
   s.terms = {{"data", 3.0}, {"roughness", 1.5}};
   return s;
@@ -67,7 +67,7 @@ LightSolution solution_of(LightShape shape) {
 template <class T, class... Known>
 std::string bytes_of(T& x, const Known&... known) {
   Archive bytes;
-  detail::serialize(bytes, x, known...);
+  fit::detail::serialize(bytes, x, known...);
   return bytes.bytes();
 }
 
@@ -75,7 +75,7 @@ template <class T, class... Known>
 T read_again(const std::string& written, const Known&... known) {
   T x{};
   Archive bytes(written);
-  detail::serialize(bytes, x, known...);
+  fit::detail::serialize(bytes, x, known...);
   EXPECT_TRUE(bytes.is_done());
   return x;
 }
@@ -93,24 +93,24 @@ void expect_same(T x, const Known&... known) {
   EXPECT_FALSE(read_again<std::optional<T>>(without, known...).has_value());
 }
 
-LightModel known_mesh() {
-  const FacetShape globe_of_rows = globe(3, [](const Vec3& v) { return v; });
-  return {some_spin(), ShadedMesh(globe_of_rows), {}};
+fit::LightModel known_mesh() {
+  const shape::FacetShape globe_of_rows = globe(3, [](const Vec3& v) { return v; });
+  return {some_spin(), light::ShadedMesh(globe_of_rows), {}};
 }
 
 TEST(ResultBytes, AreThoseOfWhatIsRead) {
-  const detail::KnownBody mesh = known_mesh();
-  for (const LightShape& shape :
-       {LightShape(Ellipsoid{1.0, 0.75, 0.5}), LightShape(ConvexShape::of({1.0, 0.75, 0.5}, 2, 3)),
-        mesh->shape}) {
-    const LightSolution solution = solution_of(shape);
+  const fit::detail::KnownBody mesh = known_mesh();
+  for (const fit::LightShape& shape :
+       {fit::LightShape(light::Ellipsoid{1.0, 0.75, 0.5}),
+        fit::LightShape(fit::ConvexShape::of({1.0, 0.75, 0.5}, 2, 3)), mesh->shape}) {
+    const fit::LightSolution solution = solution_of(shape);
     expect_same(solution.body, mesh);
-    expect_same(detail::LightTrial{solution.body, 1.5}, mesh);
+    expect_same(fit::detail::LightTrial{solution.body, 1.5}, mesh);
     expect_same(solution, mesh);
-    FoundLight found = found_light(solution, 3);
+    fit::FoundLight found = fit::found_light(solution, 3);
     found.starts = 4;
-    found.beside = FoundLight::Beside::alias;
-    found.image = LightImage::bisector;
+    found.beside = fit::FoundLight::Beside::alias;
+    found.image = fit::LightImage::bisector;
     found.of = 2;
     found.sentence = "another one";
     expect_same(found, mesh);
@@ -120,21 +120,21 @@ TEST(ResultBytes, AreThoseOfWhatIsRead) {
 }
 
 TEST(ResultBytes, KeepWhatAShapeIs) {
-  LightSolution convex = solution_of(ConvexShape::of({1.0, 0.75, 0.5}, 2, 3));
-  const LightSolution again = read_again<LightSolution>(bytes_of(convex));
+  fit::LightSolution convex = solution_of(fit::ConvexShape::of({1.0, 0.75, 0.5}, 2, 3));
+  const fit::LightSolution again = read_again<fit::LightSolution>(bytes_of(convex));
   EXPECT_EQ(again.body.convex().coefficients, convex.body.convex().coefficients);
   EXPECT_EQ(again.body.convex().image.rows(), 3);
   EXPECT_EQ(again.terms.size(), 2u);
-  const detail::KnownBody mesh = known_mesh();
-  LightSolution of_mesh = solution_of(mesh->shape);
+  const fit::detail::KnownBody mesh = known_mesh();
+  fit::LightSolution of_mesh = solution_of(mesh->shape);
   const std::string written = bytes_of(of_mesh, mesh);
-  EXPECT_EQ(read_again<LightSolution>(written, mesh).body.mesh().shape().facets().size(),
+  EXPECT_EQ(read_again<fit::LightSolution>(written, mesh).body.mesh().shape().facets().size(),
             mesh->mesh().shape().facets().size());
-  EXPECT_REJECTED(read_again<LightSolution>(written), "a mesh that this search does not have");
+  EXPECT_REJECTED(read_again<fit::LightSolution>(written), "a mesh that this search does not have");
 }
 
 TEST(ResultBytes, OfSpinsAndOfScans) {
-  SpinSolution spin;
+  fit::SpinSolution spin;
   spin.state = some_spin();
   spin.result = some_result();
   spin.covariance = some_covariance();
@@ -143,7 +143,7 @@ TEST(ResultBytes, OfSpinsAndOfScans) {
   spin.attitude_rms = 0.125;
   spin.notes = {"a note"};
   expect_same(spin);
-  RefinedPair pair{};
+  fit::RefinedPair pair{};
   pair.fit.f1 = 0.3;
   pair.fit.f2 = 0.2;
   pair.fit.constants = {1.0, 2.0};

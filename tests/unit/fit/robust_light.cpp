@@ -12,21 +12,21 @@
 #include "budgets.hpp"
 #include "fit/detail/light_residuals.hpp"
 #include "fit/detail/weighed_curves.hpp"
-#include "polhode/ensemble/counter_random.hpp"
+#include "polhode/ensemble/draws.hpp"
+#include "polhode/fit/least_squares.hpp"
 #include "polhode/fit/light_fit.hpp"
 #include "polhode/fit/light_search.hpp"
-#include "polhode/fit/residual_function.hpp"
-#include "polhode/light/lambert.hpp"
+#include "polhode/light/lommel_seeliger.hpp"
 #include "wide_light.hpp"
 #include "worst.hpp"
 
 namespace {
 using namespace polhode;
 using namespace polhode::test;
-using detail::FactorPoint;
-using detail::Rows;
+using fit::detail::FactorPoint;
+using fit::detail::Rows;
 using Digits = boost::multiprecision::cpp_bin_float_50;
-using Kind = Loss::Kind;
+using Kind = fit::Loss::Kind;
 
 constexpr Kind robust_kinds[] = {Kind::huber, Kind::soft_l1, Kind::cauchy};
 
@@ -35,13 +35,13 @@ struct WidePoint {
 };
 
 // scale^2 rho, and half its derivative by the residual.
-Digits cost_of(const Loss& loss, const Digits& r) {
+Digits cost_of(const fit::Loss& loss, const Digits& r) {
   const Digits s = loss.scale, z = r * r / (s * s);
   if (loss.kind == Kind::huber) return s * s * (z <= 1 ? z : Digits(2 * sqrt(z) - 1));
   if (loss.kind == Kind::soft_l1) return s * s * 2 * (sqrt(1 + z) - 1);
   return s * s * log(1 + z);
 }
-Digits pull_of(const Loss& loss, const Digits& r) {
+Digits pull_of(const fit::Loss& loss, const Digits& r) {
   if (loss.kind == Kind::squared) return r;
   const Digits s = loss.scale, z = r * r / (s * s);
   if (loss.kind == Kind::huber) return z <= 1 ? r : Digits(r > 0 ? s : -s);
@@ -49,7 +49,7 @@ Digits pull_of(const Loss& loss, const Digits& r) {
   return r / (1 + z);
 }
 
-Digits fall_at(const Loss& loss, const std::vector<WidePoint>& points, const Digits& f) {
+Digits fall_at(const fit::Loss& loss, const std::vector<WidePoint>& points, const Digits& f) {
   Digits sum = 0;
   for (const WidePoint& p : points) sum += p.v * pull_of(loss, p.u - f * p.v);
   return sum;
@@ -57,7 +57,7 @@ Digits fall_at(const Loss& loss, const std::vector<WidePoint>& points, const Dig
 
 // The first zero of the slope downhill from the weighted median: steps of a hundredth of what
 // changes a usual residual by the scale, then bisection.
-Digits least_factor(const Loss& loss, const std::vector<WidePoint>& points) {
+Digits least_factor(const fit::Loss& loss, const std::vector<WidePoint>& points) {
   std::vector<WidePoint> seen = points;
   std::erase_if(seen, [](const WidePoint& p) { return p.v == 0; });
   std::ranges::sort(seen, [](const auto& a, const auto& b) { return a.u / a.v < b.u / b.v; });
@@ -92,7 +92,7 @@ std::vector<WidePoint> wide(const std::vector<FactorPoint>& points) {
 // is three times too bright.
 std::vector<FactorPoint> drawn_points(std::uint64_t number, std::size_t count, double accuracy,
                                       double bad) {
-  const CounterRandom random(5, key_of("factors"));
+  const ensemble::CounterRandom random(5, ensemble::key_of("factors"));
   std::vector<FactorPoint> points;
   for (std::size_t i = 0; i < count; ++i) {
     const double B = 0.2 + 0.8 * random.uniform(number, 8 * i);
@@ -108,12 +108,12 @@ TEST(RobustFactor, IsTheLeastOfTheSum) {
   for (const Kind kind : robust_kinds)
     for (const double scale : {0.3, 1.345, 5.0, 1e3})
       for (std::uint64_t k = 0; k < 12; ++k) {
-        const Loss loss{kind, scale};
+        const fit::Loss loss{kind, scale};
         std::vector<FactorPoint> points =
             drawn_points(k, k < 3 ? 1 + k : 40, k % 2 == 0 ? 50.0 : 0.7, k % 3 == 0 ? 0.0 : 0.15);
         if (k > 6) points.push_back({0.4, 0.0});  // unlit
         const Digits least = least_factor(loss, wide(points));
-        const double found = detail::robust_factor(loss, points);
+        const double found = fit::detail::robust_factor(loss, points);
         EXPECT_NEAR(found, double(least), budget::robust_factor * std::abs(double(least)))
             << int(kind) << ' ' << scale << ' ' << k;
         worst.add(std::abs(double((Digits(found) - least) / least)));
@@ -123,27 +123,27 @@ TEST(RobustFactor, IsTheLeastOfTheSum) {
 
 // Of a model that is far from the light: no residual is within the scale.
 TEST(RobustFactor, IsTheLeastWhereNothingFits) {
-  const CounterRandom random(6, key_of("misfits"));
+  const ensemble::CounterRandom random(6, ensemble::key_of("misfits"));
   for (const Kind kind : robust_kinds)
     for (std::uint64_t k = 0; k < 12; ++k) {
       std::vector<FactorPoint> points;
       for (std::size_t i = 0; i < 60; ++i)
         points.push_back({300.0 * random.uniform(k, 2 * i), 90.0 * random.uniform(k, 2 * i + 1)});
-      const Loss loss{kind, 1.0};
+      const fit::Loss loss{kind, 1.0};
       const double least = double(least_factor(loss, wide(points)));
-      EXPECT_NEAR(detail::robust_factor(loss, points), least, budget::robust_factor * least)
+      EXPECT_NEAR(fit::detail::robust_factor(loss, points), least, budget::robust_factor * least)
           << int(kind) << ' ' << k;
     }
 }
 
 TEST(RobustFactor, HasNoValueWhereNothingIsSeen) {
-  const Loss huber{Kind::huber, 1.0};
+  const fit::Loss huber{Kind::huber, 1.0};
   const double infinite = std::numeric_limits<double>::infinity();
-  EXPECT_TRUE(std::isnan(detail::robust_factor(huber, {})));
+  EXPECT_TRUE(std::isnan(fit::detail::robust_factor(huber, {})));
   for (const FactorPoint& p :
        {FactorPoint{1.0, 0.0}, {1.0, std::nan("")}, {infinite, 1.0}, {1.0, infinite}})
-    EXPECT_TRUE(std::isnan(detail::robust_factor(huber, std::vector{p})));
-  EXPECT_EQ(detail::robust_factor(huber, std::vector{FactorPoint{0.0, 2.0}}), 0.0);
+    EXPECT_TRUE(std::isnan(fit::detail::robust_factor(huber, std::vector{p})));
+  EXPECT_EQ(fit::detail::robust_factor(huber, std::vector{FactorPoint{0.0, 2.0}}), 0.0);
 }
 
 // With 15 points of a hundred three times too bright the factor of squares is off by many errors.
@@ -159,28 +159,28 @@ TEST(RobustFactor, IsThatOfTheGoodPoints) {
     const auto [clean, error] = of_squares(points);
     for (std::size_t i = 3; i < 100; i += 7) points[i].u *= 3.0;
     EXPECT_GT(std::abs(of_squares(points).first - clean), 50.0 * error);
-    EXPECT_LT(std::abs(detail::robust_factor({Kind::cauchy, 3.0}, points) - clean), error);
+    EXPECT_LT(std::abs(fit::detail::robust_factor({Kind::cauchy, 3.0}, points) - clean), error);
     // huber's pull stays: that of 15 points at the scale, on the others
     const double pull = 15.0 / 85.0 * 1.345 * std::sqrt(100.0);
-    EXPECT_LT(std::abs(detail::robust_factor({Kind::huber, 1.345}, points) - clean),
+    EXPECT_LT(std::abs(fit::detail::robust_factor({Kind::huber, 1.345}, points) - clean),
               1.5 * pull * error);
   }
 }
 
 // A night with noise, and some points three times too bright.
-LightCurve bad_night(const LightModel& b) {
-  LightCurve curve = night(b, 3.0, 40, 0.02, 3);
+light::LightCurve bad_night(const fit::LightModel& b) {
+  light::LightCurve curve = night(b, 3.0, 40, 0.02, 3);
   for (const std::size_t i : {4u, 15u, 29u}) curve.points[i].flux *= 3.0;
   return curve;
 }
 
 // Residuals with the best factor under the loss, at x + h e_k.
-std::vector<Digits> wide_residuals(const LightModel& b, const LightCurve& curve, const Loss& loss,
-                                   std::size_t k, const DoubleDouble& h) {
+std::vector<Digits> wide_residuals(const fit::LightModel& b, const light::LightCurve& curve,
+                                   const fit::Loss& loss, std::size_t k, const DoubleDouble& h) {
   const std::vector<DoubleDouble> B = wide_brightness(b, curve, k, h);
   std::vector<WidePoint> points;
   for (std::size_t i = 0; i < B.size(); ++i) {
-    const LightPoint& p = curve.points[i];
+    const light::LightPoint& p = curve.points[i];
     points.push_back({Digits(p.flux) / p.sigma, (Digits(B[i].hi) + Digits(B[i].lo)) / p.sigma});
   }
   const Digits f = least_factor(loss, points);
@@ -192,14 +192,14 @@ std::vector<Digits> wide_residuals(const LightModel& b, const LightCurve& curve,
 TEST(RobustLight, DerivativesAreThoseOfDifferencesInDoubleDouble) {
   const DoubleDouble h(0x1p-30);
   for (const Kind kind : robust_kinds) {
-    const LightModel& b = kind == Kind::soft_l1 ? in_long_axis_mode : in_short_axis_mode;
-    const Loss loss{kind, 1.5};
-    const LightCurve curve = bad_night(b);
-    const LightFit fit{{curve}, b, {}, loss, 10};
-    const ResidualFunction under_loss(least_squares_of(fit));
+    const fit::LightModel& b = kind == Kind::soft_l1 ? in_long_axis_mode : in_short_axis_mode;
+    const fit::Loss loss{kind, 1.5};
+    const light::LightCurve curve = bad_night(b);
+    const fit::LightFit fit{{curve}, b, {}, loss, 10};
+    const fit::ResidualFunction under_loss(fit::least_squares_of(fit));
     const auto exact = ellipsoid_residuals(fit.curves, {}, b, loss),
                held = ellipsoid_residuals(fit.curves, {}, b, loss, Rows::held);
-    const std::vector<double> x = light_unknowns_at({}, b, b);
+    const std::vector<double> x = fit::light_unknowns_at({}, b, b);
     const std::size_t n = x.size(), count = curve.points.size();
     std::vector<double> numbers(count), jacobian(count * n), rows(count * n), lossy(count),
         lossy_rows(count * n);
@@ -232,10 +232,11 @@ TEST(RobustLight, DerivativesAreThoseOfDifferencesInDoubleDouble) {
 }
 
 // The factor of a fit is the least of what it minimises: sum psi(r) m / sigma = 0, m the model.
-double slope_by_factor(const LightSolution& found, const LightCurve& curve, const Loss& loss) {
+double slope_by_factor(const fit::LightSolution& found, const light::LightCurve& curve,
+                       const fit::Loss& loss) {
   double sum = 0.0, size = 0.0;
   for (std::size_t i = 0; i < curve.points.size(); ++i) {
-    const LightPoint& p = curve.points[i];
+    const light::LightPoint& p = curve.points[i];
     const double r = found.result.numbers[i];
     const double one = double(pull_of(loss, r)) * (p.flux - r * p.sigma) / p.sigma;
     sum += one;
@@ -245,48 +246,48 @@ double slope_by_factor(const LightSolution& found, const LightCurve& curve, cons
 }
 
 TEST(RobustLight, FactorsOfAllFitsAreTheLeastOfWhatTheyMinimise) {
-  const LightModel& b = in_short_axis_mode;
-  const std::vector<LightCurve> curves{bad_night(b)};
+  const fit::LightModel& b = in_short_axis_mode;
+  const std::vector<light::LightCurve> curves{bad_night(b)};
   for (const Kind kind : robust_kinds) {
-    const Loss loss{kind, 1.5};
-    const LightSolution light = fit_light({curves, b, {}, loss, 3});
+    const fit::Loss loss{kind, 1.5};
+    const fit::LightSolution light = fit::fit_light({curves, b, {}, loss, 3});
     EXPECT_LE(slope_by_factor(light, curves[0], loss), budget::light_derivatives);
     EXPECT_GT(slope_by_factor(light, curves[0], {}), 0.01);
     const double factor =
         (curves[0].points[7].flux - light.result.numbers[7] * curves[0].points[7].sigma) /
-        model_fluxes(light.body, curves, loss)[0][7];
+        fit::model_fluxes(light.body, curves, loss)[0][7];
     EXPECT_NEAR(factor, 1.0, budget::light_derivatives);
-    LightFit fit{curves, b, {.moments = MomentSource::fit}, loss, 3};
-    fit.start.shape = ConvexShape::of(b.ellipsoid(), 2, 3);
-    const LightSolution facets = fit_light(fit);
+    fit::LightFit fit{curves, b, {.moments = fit::MomentSource::fit}, loss, 3};
+    fit.start.shape = fit::ConvexShape::of(b.ellipsoid(), 2, 3);
+    const fit::LightSolution facets = fit::fit_light(fit);
     EXPECT_LE(slope_by_factor(facets, curves[0], loss), budget::light_derivatives);
-    fit.start.shape = ShadedMesh(facets.body.convex().mesh());
-    fit.unknowns.moments = MomentSource::start;
-    EXPECT_LE(slope_by_factor(fit_light(fit), curves[0], loss), budget::light_derivatives);
+    fit.start.shape = light::ShadedMesh(facets.body.convex().mesh());
+    fit.unknowns.moments = fit::MomentSource::start;
+    EXPECT_LE(slope_by_factor(fit::fit_light(fit), curves[0], loss), budget::light_derivatives);
   }
 }
 
 // Errors are those of a fit that has the factor as one more unknown.
 TEST(RobustLight, ErrorsAreThoseThatAFactorAmongTheUnknownsLeaves) {
-  const std::vector<LightCurve> curves{bad_night(in_short_axis_mode)};
+  const std::vector<light::LightCurve> curves{bad_night(in_short_axis_mode)};
   for (const Kind kind : robust_kinds) {
-    const LightFit fit{curves, in_short_axis_mode, {}, {kind, 1.5}, 100};
-    const LightSolution found = fit_light(fit);
+    const fit::LightFit fit{curves, in_short_axis_mode, {}, {kind, 1.5}, 100};
+    const fit::LightSolution found = fit::fit_light(fit);
     ASSERT_TRUE(found.is_found()) << found.result.sentence;
     const auto about = ellipsoid_residuals(curves, {}, found.body);
     const auto light = [&](const std::vector<double>& x) {
-      std::vector<detail::MotionPoint> motion;
+      std::vector<fit::detail::MotionPoint> motion;
       std::vector<double> B(about.curves().size());
-      const LightModel body = about.body_at(x);
-      EXPECT_TRUE(detail::free_motion(body.spin, about.curves().times(), {}, motion));
-      EXPECT_TRUE(detail::brightness_along(
+      const fit::LightModel body = about.body_at(x);
+      EXPECT_TRUE(fit::detail::free_motion(body.spin, about.curves().times(), {}, motion));
+      EXPECT_TRUE(fit::detail::brightness_along(
           [&](const Vec3& s, const Vec3& o) {
-            return brightness(body.ellipsoid(), body.law, s, o);
+            return light::brightness(body.ellipsoid(), body.law, s, o);
           },
           {}, motion, about.curves(), B));
       return B;
     };
-    const std::vector<double> x = light_unknowns_at({}, found.body, found.body);
+    const std::vector<double> x = fit::light_unknowns_at({}, found.body, found.body);
     const std::size_t n = x.size(), count = about.curves().size();
     const std::vector<double> B = light(x);
     const double f = found.factors.at(0), h = 1e-5;
@@ -300,12 +301,12 @@ TEST(RobustLight, ErrorsAreThoseThatAFactorAmongTheUnknownsLeaves) {
         rows[i * (n + 1) + k] = -about.curves()[i].weight * f * (a[i] - b[i]) / (2.0 * h);
     }
     for (std::size_t i = 0; i < count; ++i) {
-      const detail::WeighedPoint& p = about.curves()[i];
+      const fit::detail::WeighedPoint& p = about.curves()[i];
       numbers[i] = p.weight * (p.flux - f * B[i]);
       rows[i * (n + 1) + n] = -p.weight * B[i];
     }
-    LeastSquares problem;
-    LeastSquaresResult at;
+    fit::LeastSquares problem;
+    fit::LeastSquaresResult at;
     at.x = x;
     at.x.push_back(f);
     for (std::size_t k = 0; k <= n; ++k) problem.unknowns.push_back({.name = std::to_string(k)});
@@ -316,7 +317,7 @@ TEST(RobustLight, ErrorsAreThoseThatAFactorAmongTheUnknownsLeaves) {
       if (!J.empty()) std::ranges::copy(rows, J.begin());
       return true;
     };
-    const UnknownsCovariance whole = covariance(problem, at);
+    const fit::UnknownsCovariance whole = fit::covariance(problem, at);
     for (std::size_t k = 0; k < n; ++k)
       EXPECT_NEAR(found.covariance.error(k) / whole.error(k), 1.0, budget::projected_errors)
           << int(kind) << ' ' << k;
@@ -326,16 +327,16 @@ TEST(RobustLight, ErrorsAreThoseThatAFactorAmongTheUnknownsLeaves) {
 // Ranked and limited by what was minimised, and so it says.
 TEST(RobustLight, SearchesRankByWhatTheyMinimise) {
   const FreeRotation motion = motion_of(in_short_axis_mode);
-  LightSearch search;
+  fit::LightSearch search;
   search.curves = {bad_night(in_short_axis_mode)};
   search.periods = {{motion.regime(), 2.0 * pi<double>() / motion.precession_rate_long(),
                      motion.polhode_period()}};
   search.starts = 24;
   search.within = 3.0;
   search.loss = {Kind::cauchy, 2.0};
-  const LightSearchResult found = search_light(search);
+  const fit::LightSearchResult found = fit::search_light(search);
   ASSERT_FALSE(found.solutions.empty());
-  const LightSolution& best = found.solutions[0].solution;
+  const fit::LightSolution& best = found.solutions[0].solution;
   EXPECT_NEAR(found.chi_square_of_periods[0] / best.result.cost, 1.0, budget::light_cost);
   EXPECT_LT(best.result.cost, 0.1 * best.result.chi_square);
   EXPECT_TRUE(found.solutions[0].sentence.ends_with(": the lowest loss"));
@@ -348,15 +349,15 @@ TEST(RobustLight, SearchesRankByWhatTheyMinimise) {
   EXPECT_GT(std::sqrt(best.result.chi_square / best.degrees_of_freedom), 20.0);
   EXPECT_LT(best.error_factor(), budget::light_noise);
   EXPECT_EQ(std::ranges::count_if(found.solutions,
-                                  [](const FoundLight& f) {
-                                    return f.beside == FoundLight::Beside::image && f.of == 0;
+                                  [](const fit::FoundLight& f) {
+                                    return f.beside == fit::FoundLight::Beside::image && f.of == 0;
                                   }),
             3);
-  const LightModel truth = at_time(in_short_axis_mode, best.body.spin.t0);
-  EXPECT_TRUE(std::ranges::any_of(found.solutions, [&](const FoundLight& f) {
-    const LightModel& b = f.solution.body;
-    return mahalanobis(f.solution.covariance, light_unknowns_at({}, b, b),
-                       light_unknowns_at({}, b, nearest_of_same(b, truth))) <
+  const fit::LightModel truth = at_time(in_short_axis_mode, best.body.spin.t0);
+  EXPECT_TRUE(std::ranges::any_of(found.solutions, [&](const fit::FoundLight& f) {
+    const fit::LightModel& b = f.solution.body;
+    return fit::mahalanobis(f.solution.covariance, fit::light_unknowns_at({}, b, b),
+                            fit::light_unknowns_at({}, b, fit::nearest_of_same(b, truth))) <
            budget::light_distance;
   }));
 }

@@ -11,10 +11,9 @@
 #include "bright_night.hpp"
 #include "budgets.hpp"
 #include "message_of.hpp"
+#include "polhode/fit/least_squares.hpp"
 #include "polhode/fit/light_fit.hpp"
-#include "polhode/fit/residual_function.hpp"
 #include "polhode/light/facet_brightness.hpp"
-#include "polhode/light/patch_brightness.hpp"
 #include "unit/light/meshes.hpp"
 #include "wide_motion.hpp"
 #include "worst.hpp"
@@ -26,13 +25,13 @@ using DD = DoubleDouble;
 
 // How far each unknown is from where it begins.
 using Offsets = std::function<DD(std::size_t)>;
-using Light = std::function<DD(const BasicScattering<DD>& law, const BasicVec3<DD>& s,
+using Light = std::function<DD(const light::BasicScattering<DD>& law, const BasicVec3<DD>& s,
                                const BasicVec3<DD>& o)>;
 
 // (flux - f B) / sigma of one session: unknowns are the turn, to second order, w, ratios of moments
 // and the weight of Lambert's law.
-std::vector<DD> wide_light(const SpinState& spin, const Scattering& weights,
-                           const LightCurve& curve, const Offsets& off, const Light& light) {
+std::vector<DD> wide_light(const fit::SpinState& spin, const light::Scattering& weights,
+                           const light::LightCurve& curve, const Offsets& off, const Light& light) {
   const DD half(0.5), one(1.0);
   const Quaternion& q0 = spin.q;
   BasicQuaternion<DD> q{DD(q0.w), DD(q0.x), DD(q0.y), DD(q0.z)};
@@ -45,10 +44,10 @@ std::vector<DD> wide_light(const SpinState& spin, const Scattering& weights,
       q,
       {I.x * (DD(spin.w_F.x) + off(3)), I.y * (DD(spin.w_F.y) + off(4)), DD(spin.w_F.z) + off(5)},
       I};
-  const BasicScattering<DD> law{DD(weights.single), DD(weights.multiple) + off(8)};
+  const light::BasicScattering<DD> law{DD(weights.single), DD(weights.multiple) + off(8)};
   DD now(spin.t0), up(0.0), down(0.0);
   std::vector<DD> B, r;
-  for (const LightPoint& p : curve.points) {
+  for (const light::LightPoint& p : curve.points) {
     motion.advance(DD(p.t) - now);
     now = DD(p.t);
     const auto back = conj(motion.q);
@@ -59,7 +58,7 @@ std::vector<DD> wide_light(const SpinState& spin, const Scattering& weights,
     down += w * B.back() * B.back();
   }
   for (std::size_t i = 0; i < B.size(); ++i) {
-    const LightPoint& p = curve.points[i];
+    const light::LightPoint& p = curve.points[i];
     r.push_back((DD(p.flux) - up / down * B[i]) / DD(p.sigma));
   }
   return r;
@@ -67,12 +66,12 @@ std::vector<DD> wide_light(const SpinState& spin, const Scattering& weights,
 
 // Numbers and derivatives of a function at its start, these of the largest of their column, against
 // `numbers`, all of them with those of priors, and central differences of these.
-void expect_derivatives(const LeastSquares& problem,
+void expect_derivatives(const fit::LeastSquares& problem,
                         const std::function<std::vector<DD>(const Offsets&)>& numbers) {
-  const ResidualFunction f(problem);
+  const fit::ResidualFunction f(problem);
   const std::size_t n = f.unknowns(), m = f.size();
   std::vector<double> x, r(m), J(m * n);
-  for (const Unknown& u : problem.unknowns) x.push_back(u.start);
+  for (const fit::Unknown& u : problem.unknowns) x.push_back(u.start);
   EXPECT_TRUE(f.at(x, r, J));
   const DD h(0x1p-30);
   const auto at = [&](std::size_t k, const DD& by) {
@@ -98,12 +97,12 @@ void expect_derivatives(const LeastSquares& problem,
 }
 
 // One end of it thicker and its sides flattened.
-LightFit egg_fit() {
-  LightFit fit{{}, {}, {true, MomentSource::fit, true}, {}, 100};
-  const GaussianImage image(3, 4);
-  std::vector<double> c = image.coefficients(polhode::Ellipsoid{1.2, 1.0, 0.6});
+fit::LightFit egg_fit() {
+  fit::LightFit fit{{}, {}, {true, fit::MomentSource::fit, true}, {}, 100};
+  const light::GaussianImage image(3, 4);
+  std::vector<double> c = image.coefficients(polhode::light::Ellipsoid{1.2, 1.0, 0.6});
   for (std::size_t k = 9; k < 16; ++k) c[k] += 0.1 * std::cos(3.0 * static_cast<double>(k));
-  fit.start = {in_short_axis_mode.spin, ConvexShape{image, c}, Scattering::mixed(0.2)};
+  fit.start = {in_short_axis_mode.spin, fit::ConvexShape{image, c}, light::Scattering::mixed(0.2)};
   fit.start.spin.w_F.x *= 1.01;
   fit.start.spin.inertia_F(0, 0) *= 1.05;
   fit.regularisation.about = in_short_axis_mode;
@@ -112,13 +111,13 @@ LightFit egg_fit() {
 }
 
 TEST(SurfaceFunctions, ConvexDerivativesAreThoseOfDifferencesInDoubleDouble) {
-  const LightFit fit = egg_fit();
-  const LightModel& from = fit.start;
-  const LightModel& about = *fit.regularisation.about;
-  const GaussianImage& image = from.convex().image;
-  const polhode::Ellipsoid& e = about.ellipsoid();
+  const fit::LightFit fit = egg_fit();
+  const fit::LightModel& from = fit.start;
+  const fit::LightModel& about = *fit.regularisation.about;
+  const light::GaussianImage& image = from.convex().image;
+  const polhode::light::Ellipsoid& e = about.ellipsoid();
   const std::vector<double> usual =
-      image.coefficients(polhode::Ellipsoid{e.a / e.b, 1.0, e.c / e.b});
+      image.coefficients(polhode::light::Ellipsoid{e.a / e.b, 1.0, e.c / e.b});
   std::vector<double> whole = from.convex().coefficients;
   whole[0] = usual[0];
   const std::vector<double> A0 = image.areas(whole);
@@ -133,8 +132,8 @@ TEST(SurfaceFunctions, ConvexDerivativesAreThoseOfDifferencesInDoubleDouble) {
     }
     std::vector<DD> all = wide_light(
         from.spin, from.law, fit.curves[0], off,
-        [&](const BasicScattering<DD>& law, const BasicVec3<DD>& s, const BasicVec3<DD>& o) {
-          return patch_brightness<DD>(image.normals(), image.widths(), A, law, s, o);
+        [&](const light::BasicScattering<DD>& law, const BasicVec3<DD>& s, const BasicVec3<DD>& o) {
+          return light::patch_brightness<DD>(image.normals(), image.widths(), A, law, s, o);
         });
     DD total(0.0);
     for (const DD& a : A) total += a;
@@ -159,23 +158,25 @@ TEST(SurfaceFunctions, ConvexDerivativesAreThoseOfDifferencesInDoubleDouble) {
                     DD(fit.regularisation.moments_error));
     return all;
   };
-  expect_derivatives(least_squares_of(fit), numbers);
+  expect_derivatives(fit::least_squares_of(fit), numbers);
 }
 
 TEST(SurfaceFunctions, MeshDerivativesAreThoseOfDifferencesInDoubleDouble) {
-  const FacetShape one = globe(6, [](const Vec3& v) { return Vec3{1.2 * v.x, v.y, 0.6 * v.z}; });
-  const FacetShape two = globe(4, [](const Vec3& v) {
+  const shape::FacetShape one = globe(6, [](const Vec3& v) {
+    return Vec3{1.2 * v.x, v.y, 0.6 * v.z};
+  });
+  const shape::FacetShape two = globe(4, [](const Vec3& v) {
     return Vec3{1.4 + 0.3 * v.x, 0.1 + 0.4 * v.y, 0.3 * v.z};
   });
-  for (const FacetShape& shape : {one, joined(one, two)}) {
-    const ShadedMesh mesh(shape);
-    const LightFit fit{{night(in_short_axis_mode, 2.0, 30, 0.02, 3)},
-                       {in_short_axis_mode.spin, mesh, Scattering::mixed(0.2)},
-                       {true, MomentSource::fit, true},
-                       {}};
+  for (const shape::FacetShape& shape : {one, joined(one, two)}) {
+    const light::ShadedMesh mesh(shape);
+    const fit::LightFit fit{{night(in_short_axis_mode, 2.0, 30, 0.02, 3)},
+                            {in_short_axis_mode.spin, mesh, light::Scattering::mixed(0.2)},
+                            {true, fit::MomentSource::fit, true},
+                            {}};
     EXPECT_EQ(mesh.is_shadowless(), shape.facets().size() == one.facets().size());
     std::vector<Vec3> normals;
-    for (const Facet& f : shape.facets()) normals.push_back(f.normal);
+    for (const shape::Facet& f : shape.facets()) normals.push_back(f.normal);
     const auto narrow = [](const BasicVec3<DD>& v) {
       const Vec3 d{static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
       return (1.0 / norm(d)) * d;
@@ -183,7 +184,8 @@ TEST(SurfaceFunctions, MeshDerivativesAreThoseOfDifferencesInDoubleDouble) {
     const auto numbers = [&](const Offsets& off) {
       return wide_light(
           fit.start.spin, fit.start.law, fit.curves[0], off,
-          [&](const BasicScattering<DD>& law, const BasicVec3<DD>& s, const BasicVec3<DD>& o) {
+          [&](const light::BasicScattering<DD>& law, const BasicVec3<DD>& s,
+              const BasicVec3<DD>& o) {
             // as lit as in double: no facet comes out of shadow within the differences
             std::vector<DD> lit;
             for (std::size_t i = 0; i < normals.size(); ++i) {
@@ -192,30 +194,31 @@ TEST(SurfaceFunctions, MeshDerivativesAreThoseOfDifferencesInDoubleDouble) {
               const bool is_lit = faces && mesh.is_free(i, sun) && mesh.is_free(i, observer);
               lit.push_back(DD(is_lit ? shape.facets()[i].area : 0.0));
             }
-            return facet_brightness<DD>(normals, lit, law, s, o);
+            return light::facet_brightness<DD>(normals, lit, law, s, o);
           });
     };
-    expect_derivatives(least_squares_of(fit), numbers);
+    expect_derivatives(fit::least_squares_of(fit), numbers);
   }
 }
 
 // The sum that a fit minimised, without slope there, when the function begins at what it found.
 TEST(SurfaceFunctions, HaveNoSlopeAtWhatAFitFound) {
-  LightFit fit = egg_fit();
+  fit::LightFit fit = egg_fit();
   fit.curves = {night(in_short_axis_mode, 5.0, 90, 0.02, 3)};
   fit.start = in_short_axis_mode;
-  fit.start.shape = ConvexShape::of(in_short_axis_mode.ellipsoid(), 3, 4);
-  for (const MomentSource moments : {MomentSource::fit, MomentSource::start, MomentSource::shape}) {
+  fit.start.shape = fit::ConvexShape::of(in_short_axis_mode.ellipsoid(), 3, 4);
+  for (const fit::MomentSource moments :
+       {fit::MomentSource::fit, fit::MomentSource::start, fit::MomentSource::shape}) {
     fit.unknowns.moments = moments;
-    LightFit at = fit;
-    const LightSolution found = fit_light(fit);
+    fit::LightFit at = fit;
+    const fit::LightSolution found = fit::fit_light(fit);
     ASSERT_TRUE(found.is_found()) << found.result.sentence;
     at.start = found.body;
-    const LeastSquares problem = least_squares_of(at);
-    const ResidualFunction f(problem);
+    const fit::LeastSquares problem = fit::least_squares_of(at);
+    const fit::ResidualFunction f(problem);
     std::vector<double> x, r(f.size()), J(f.size() * f.unknowns());
     std::vector<std::string> names;
-    for (const Unknown& u : problem.unknowns) {
+    for (const fit::Unknown& u : problem.unknowns) {
       x.push_back(u.start);
       names.push_back(u.name);
     }
@@ -234,27 +237,27 @@ TEST(SurfaceFunctions, HaveNoSlopeAtWhatAFitFound) {
       slope.add(std::abs(sum) / std::sqrt(square), names[k]);
     }
     EXPECT_LE(slope.value(), budget::surface_fit_slope) << slope.where();
-    const LightModel same = body_at(at, x);
+    const fit::LightModel same = fit::body_at(at, x);
     EXPECT_EQ(same.convex().coefficients, found.body.convex().coefficients);
     EXPECT_NEAR(same.spin.inertia_F(0, 0), found.body.spin.inertia_F(0, 0), budget::convex_moments);
     // a fit that goes on from there has nothing to do
-    if (moments == MomentSource::shape) continue;
-    EXPECT_LE(fit_light(at).result.iterations, 1);
+    if (moments == fit::MomentSource::shape) continue;
+    EXPECT_LE(fit::fit_light(at).result.iterations, 1);
   }
 }
 
 // Moments that follow the shape are those of the body at every x, and so are their derivatives.
 TEST(SurfaceFunctions, MomentsFollowTheShapeAtEveryX) {
-  LightFit fit = egg_fit();
-  fit.unknowns.moments = MomentSource::shape;
-  const LeastSquares problem = least_squares_of(fit);
-  const ResidualFunction f(problem);
+  fit::LightFit fit = egg_fit();
+  fit.unknowns.moments = fit::MomentSource::shape;
+  const fit::LeastSquares problem = fit::least_squares_of(fit);
+  const fit::ResidualFunction f(problem);
   const std::size_t n = f.unknowns(), m = f.size();
   std::vector<double> x, r(m), J(m * n);
-  for (const Unknown& u : problem.unknowns) x.push_back(u.start);
+  for (const fit::Unknown& u : problem.unknowns) x.push_back(u.start);
   x[8] += 0.05;
-  const LightModel body = body_at(fit, x);
-  const ShapeInertia own = shape_inertia(body.convex());
+  const fit::LightModel body = fit::body_at(fit, x);
+  const fit::ShapeInertia own = fit::shape_inertia(body.convex());
   EXPECT_NEAR(body.spin.inertia_F(0, 0), own.Ixx, budget::convex_followed);
   EXPECT_NEAR(body.spin.inertia_F(1, 1), own.Iyy, budget::convex_followed);
   ASSERT_TRUE(f.at(x, r, J));
@@ -283,31 +286,33 @@ TEST(SurfaceFunctions, MomentsFollowTheShapeAtEveryX) {
 }
 
 TEST(SurfaceFunctions, SayWhatIsWrong) {
-  LightFit fit = egg_fit();
+  fit::LightFit fit = egg_fit();
   const std::vector<double> few{1.0};
-  EXPECT_MESSAGE(body_at(fit, few), "body_at: got 1 unknowns; expected 24");
-  std::get<ConvexShape>(fit.start.shape).coefficients.pop_back();
-  EXPECT_MESSAGE(least_squares_of(fit), "fit_light: 15 coefficients of a convex body; expected 16");
+  EXPECT_MESSAGE(fit::body_at(fit, few), "body_at: got 1 unknowns; expected 24");
+  std::get<fit::ConvexShape>(fit.start.shape).coefficients.pop_back();
+  EXPECT_MESSAGE(fit::least_squares_of(fit),
+                 "fit_light: 15 coefficients of a convex body; expected 16");
   fit = egg_fit();
   fit.regularisation.about->spin.inertia_F(0, 1) = 0.1;
-  EXPECT_REJECTED(fit_light(fit), "the axes of the body that is the usual one must be principal");
+  EXPECT_REJECTED(fit::fit_light(fit),
+                  "the axes of the body that is the usual one must be principal");
   fit = egg_fit();
-  fit.regularisation.about->shape = ConvexShape::of({1.2, 1.0, 0.6}, 2, 4);
-  EXPECT_REJECTED(fit_light(fit), "or a convex body of the degree of the start");
+  fit.regularisation.about->shape = fit::ConvexShape::of({1.2, 1.0, 0.6}, 2, 4);
+  EXPECT_REJECTED(fit::fit_light(fit), "or a convex body of the degree of the start");
   fit = egg_fit();
   fit.regularisation.closure_error = -1.0;
-  EXPECT_REJECTED(least_squares_of(fit), "closure_error = -1");
-  LightFit mesh{
+  EXPECT_REJECTED(fit::least_squares_of(fit), "closure_error = -1");
+  fit::LightFit mesh{
       fit.curves,
-      {in_short_axis_mode.spin, ShadedMesh(globe(3, [](const Vec3& v) { return v; })), {}},
-      {.moments = MomentSource::start},
+      {in_short_axis_mode.spin, light::ShadedMesh(globe(3, [](const Vec3& v) { return v; })), {}},
+      {.moments = fit::MomentSource::start},
       {}};
   mesh.curves[0].points.resize(2);
-  EXPECT_MESSAGE(least_squares_of(mesh),
+  EXPECT_MESSAGE(fit::least_squares_of(mesh),
                  "fit_light: 2 points for 6 unknowns and 1 factor; expected as many at least");
-  EXPECT_MESSAGE(body_at(mesh, few), "body_at: got 1 unknowns; expected 6");
-  mesh.unknowns.moments = MomentSource::shape;
-  EXPECT_REJECTED(least_squares_of(mesh), "moments cannot follow a shape that stays");
+  EXPECT_MESSAGE(fit::body_at(mesh, few), "body_at: got 1 unknowns; expected 6");
+  mesh.unknowns.moments = fit::MomentSource::shape;
+  EXPECT_REJECTED(fit::least_squares_of(mesh), "moments cannot follow a shape that stays");
 }
 
 }  // namespace

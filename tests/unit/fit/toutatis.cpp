@@ -14,8 +14,8 @@ namespace {
 using namespace polhode;
 using test::degree;
 
-SpinFit fit_of(double sigma_deg = 0.0) {
-  SpinFit fit;
+fit::SpinFit fit_of(double sigma_deg = 0.0) {
+  fit::SpinFit fit;
   fit.start = test::toutatis_start();
   fit.seen = test::toutatis_seen(sigma_deg);
   return fit;
@@ -23,8 +23,8 @@ SpinFit fit_of(double sigma_deg = 0.0) {
 
 // Table 2's priors: 15 deg of each Euler angle, 0.1 deg/day, 0.1 of the ratios. The three angles
 // turn the body about the inertial third axis, the node and the third body axis.
-SpinFit with_priors(double sigma_deg = 0.0) {
-  SpinFit fit = fit_of(sigma_deg);
+fit::SpinFit with_priors(double sigma_deg = 0.0) {
+  fit::SpinFit fit = fit_of(sigma_deg);
   const double w2 = std::pow(0.1 * degree, 2), q2 = std::pow(15.0 * degree, 2);
   const Quaternion spin = rotation_z(241.785 * degree);
   const Vec3 axes[3] = {rotate(conj(fit.start.q), Vec3{0.0, 0.0, 1.0}),
@@ -35,7 +35,7 @@ SpinFit with_priors(double sigma_deg = 0.0) {
       for (const Vec3& axis : axes) covariance(i, j) += q2 * axis[i] * axis[j];
     }
   }
-  fit.attitude_prior = ObservedAttitude{0.0, fit.start.q, covariance};
+  fit.attitude_prior = fit::ObservedAttitude{0.0, fit.start.q, covariance};
   fit.priors = {{{"w_x"}, {fit.start.w_F.x}, {w2}},
                 {{"w_y"}, {fit.start.w_F.y}, {w2}},
                 {{"w_z"}, {fit.start.w_F.z}, {w2}},
@@ -44,7 +44,7 @@ SpinFit with_priors(double sigma_deg = 0.0) {
   return fit;
 }
 
-void expect(const SpinSolution& s, double Ixx, double error_x, double Iyy, double error_y,
+void expect(const fit::SpinSolution& s, double Ixx, double error_x, double Iyy, double error_y,
             double digit) {
   ASSERT_TRUE(s.is_found()) << s.result.sentence;
   EXPECT_NEAR(s.result.x[6], Ixx, digit);
@@ -54,33 +54,34 @@ void expect(const SpinSolution& s, double Ixx, double error_x, double Iyy, doubl
 }
 
 TEST(Toutatis1992, WithoutAPrior) {
-  const SpinSolution raw = fit_spin(fit_of());
+  const fit::SpinSolution raw = fit::fit_spin(fit_of());
   expect(raw, 2.98, 0.64, 3.22, 0.76, budget::toutatis_free);
   EXPECT_NEAR(raw.attitude_rms / degree, 4.1, budget::toutatis_rms);
   EXPECT_NEAR(raw.result.chi_square, 3.8, budget::toutatis_rms);
   EXPECT_NEAR(raw.degrees_of_freedom, 43.0, budget::fit_freedom);
-  SpinFit scaled = fit_of();
+  fit::SpinFit scaled = fit_of();
   scaled.scales_errors = true;
-  expect(fit_spin(scaled), 2.98, 0.19, 3.22, 0.23, budget::toutatis_free);
+  expect(fit::fit_spin(scaled), 2.98, 0.19, 3.22, 0.23, budget::toutatis_free);
 }
 
 TEST(Toutatis1992, WithThePublishedPrior) {
-  expect(fit_spin(with_priors()), 3.100, 0.032, 3.216, 0.086, budget::toutatis_prior);
-  expect(fit_spin(with_priors(4.3)), 3.108, 0.021, 3.187, 0.059, budget::toutatis_prior);
+  expect(fit::fit_spin(with_priors()), 3.100, 0.032, 3.216, 0.086, budget::toutatis_prior);
+  expect(fit::fit_spin(with_priors(4.3)), 3.108, 0.021, 3.187, 0.059, budget::toutatis_prior);
 }
 
 // By how much a state misses what was seen later, in deg.
-std::vector<double> misses(const SpinFit& fit, const SpinState& state) {
-  SpinFit about = fit;
+std::vector<double> misses(const fit::SpinFit& fit, const fit::SpinState& state) {
+  fit::SpinFit about = fit;
   about.unknowns.products = true;
-  SpinSolution exact;
+  fit::SpinSolution exact;
   exact.state = state;
   exact.covariance.matrix.assign(121, 0.0);
   std::vector<double> found;
   for (const auto& seen : test::toutatis_later()) {
     const double times[] = {seen.days};
     const Quaternion q = test::toutatis_attitude(seen.alpha, seen.beta, seen.gamma);
-    found.push_back(norm(attitude_residual(q, predicted(about, exact, times)[0].q)) / degree);
+    found.push_back(norm(fit::attitude_residual(q, fit::predicted(about, exact, times)[0].q)) /
+                    degree);
   }
   return found;
 }
@@ -89,10 +90,10 @@ std::vector<double> misses(const SpinFit& fit, const SpinState& state) {
 // those of 2008 by 62 and 67, without its products of inertia all by 57 to 161: less than the error
 // that the fit of 1992 predicts there, so that 1992 alone claims no torque.
 TEST(Toutatis1992, SaysHowFarItReaches) {
-  const SpinFit fit = with_priors(4.3);
-  const SpinSolution s = fit_spin(fit);
+  const fit::SpinFit fit = with_priors(4.3);
+  const fit::SpinSolution s = fit::fit_spin(fit);
   const std::vector<double> missed = misses(fit, test::toutatis_published());
-  SpinState diagonal = test::toutatis_published();
+  fit::SpinState diagonal = test::toutatis_published();
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) diagonal.inertia_F(i, j) *= i == j ? 1.0 : 0.0;
   }
@@ -103,7 +104,7 @@ TEST(Toutatis1992, SaysHowFarItReaches) {
     EXPECT_EQ(missed[i] < budget::toutatis_until_2004, !in_2008) << i << ": " << missed[i];
     EXPECT_GT(of_diagonal[i], budget::toutatis_without_products) << i;
     const double times[] = {test::toutatis_later()[i].days};
-    const Mat3 c = predicted(fit, s, times)[0].covariance;
+    const Mat3 c = fit::predicted(fit, s, times)[0].covariance;
     EXPECT_GT(std::sqrt(c(0, 0) + c(1, 1) + c(2, 2)) / degree, budget::toutatis_reach);
   }
 }

@@ -77,19 +77,19 @@ inline Quaternion toutatis_attitude(double alpha, double beta, double gamma) {
   return attitude(EulerAngles{alpha * degree, beta * degree, gamma * degree});
 }
 
-inline Snapshots toutatis_seen(double sigma_deg = 0.0) {
-  Snapshots seen;
+inline fit::Snapshots toutatis_seen(double sigma_deg = 0.0) {
+  fit::Snapshots seen;
   for (const SeenToutatis& s : toutatis_1992()) {
     const double sigma = sigma_deg > 0.0 ? sigma_deg : s.sigma;
     seen.attitudes.push_back(
-        {s.days, toutatis_attitude(s.alpha, s.beta, s.gamma), covariance_of(sigma * degree)});
+        {s.days, toutatis_attitude(s.alpha, s.beta, s.gamma), fit::covariance_of(sigma * degree)});
   }
   return seen;
 }
 
-inline SpinState toutatis_state(double alpha, double beta, double gamma, const Vec3& w_deg,
-                                double Ixx, double Iyy) {
-  SpinState s;
+inline fit::SpinState toutatis_state(double alpha, double beta, double gamma, const Vec3& w_deg,
+                                     double Ixx, double Iyy) {
+  fit::SpinState s;
   s.q = toutatis_attitude(alpha, beta, gamma);
   s.w_F = degree * w_deg;
   s.inertia_F(0, 0) = Ixx;
@@ -98,11 +98,12 @@ inline SpinState toutatis_state(double alpha, double beta, double gamma, const V
 }
 
 // Table 2: the a priori state, and the published one.
-inline SpinState toutatis_start() {
+inline fit::SpinState toutatis_start() {
   return toutatis_state(144.863, 65.467, 241.785, {14.514, 33.532, -98.713}, 3.091, 3.2178);
 }
-inline SpinState toutatis_published() {
-  SpinState s = toutatis_state(145.498, 65.865, 241.524, {14.510, 33.529, -98.709}, 3.0836, 3.235);
+inline fit::SpinState toutatis_published() {
+  fit::SpinState s =
+      toutatis_state(145.498, 65.865, 241.524, {14.510, 33.529, -98.709}, 3.0836, 3.235);
   s.inertia_F(0, 1) = s.inertia_F(1, 0) = -7.1082e-4;
   s.inertia_F(1, 2) = s.inertia_F(2, 1) = 1.1707e-3;
   s.inertia_F(0, 2) = s.inertia_F(2, 0) = 1.3252e-3;

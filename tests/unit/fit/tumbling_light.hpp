@@ -47,11 +47,12 @@ struct Tumbling {
   double f_psi() const { return 1.0 / motion.polhode_period(); }
 
   // `turns` of precession in so many points, not quite evenly spaced, with relative noise.
-  LightCurve light_curve(double turns, std::size_t count, double noise, std::uint64_t seed) const {
+  light::LightCurve light_curve(double turns, std::size_t count, double noise,
+                                std::uint64_t seed) const {
     std::mt19937_64 engine(seed);
     const auto uniform = [&] { return std::ldexp(static_cast<double>(engine() >> 11U), -53); };
     const Vec3 to_sun = unit({1.0, 0.2, 0.3}), to_observer = unit({0.8, 0.6, 0.1});
-    LightCurve curve{.name = "night", .is_calibrated = false, .points = {}};
+    light::LightCurve curve{.name = "night", .is_calibrated = false, .points = {}};
     for (std::size_t i = 0; i < count; ++i) {
       const double part = (static_cast<double>(i) + 0.8 * uniform()) / static_cast<double>(count);
       const double t = turns * part / f_phi();

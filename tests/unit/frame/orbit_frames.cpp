@@ -7,8 +7,7 @@
 
 #include "budgets.hpp"
 #include "polhode/error.hpp"
-#include "polhode/frame/local_vertical.hpp"
-#include "polhode/frame/orbit_plane.hpp"
+#include "polhode/frame/frame.hpp"
 #include "polhode/math/double_double.hpp"
 #include "worst.hpp"
 

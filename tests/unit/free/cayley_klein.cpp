@@ -88,12 +88,12 @@ TYPED_TEST(CayleyKlein, ThirdRowIsJacobisMomentum) {
     for (std::uint64_t i = 0; i < 20; ++i) {
       Draw draw(53, i);
       const PolhodeCurve<T> c = curve_with<T>(draw, kp2);
-      const auto mod = BasicModulus<T>::from_pair(c.k2, c.kp2);
+      const auto mod = elliptic::BasicModulus<T>::from_pair(c.k2, c.kp2);
       const bool is_hyperbolic = detail::cayley_klein_series(c).hyperbolic;
       for (double f = -1.0; f <= 1.0; f += 0.25) {
         const T u = T(f) * c.K;
         const BasicQuaternion<T> p = is_hyperbolic ? hyperbolic(c, u) : trigonometric(c, u);
-        const Jacobi<T> j = jacobi(u, mod);
+        const elliptic::Jacobi<T> j = elliptic::jacobi(u, mod);
         const BasicVec3<T> g{c.a1 * j.cn, c.a2 * j.sn, c.a3 * j.dn};
         const BasicVec3<T> third = rotate(conj(p), BasicVec3<T>{T(0.0), T(0.0), T(1.0)});
         EXPECT_LE(to_double(norm(third - g)),

@@ -25,9 +25,9 @@ namespace {
 using namespace free_test;  // NOLINT
 using polhode::EulerAngles;
 using polhode::EulerState;
-using polhode::generating_function;
-using polhode::GeneratingFunction;
 using polhode::SerretState;
+using polhode::free::generating_function;
+using polhode::free::GeneratingFunction;
 using polhode::test::Worst;
 namespace budget = polhode::budget;
 
@@ -204,7 +204,7 @@ TEST(GeneratingFunction, BranchesAreTheMotionsThroughAnAttitude) {
     const double t = 0.9;
     const EulerAngles q = angles(c.motion.at(t));
     const SerretState x = to_serret(c.motion, t);
-    const std::vector<SerretState> all = serret_branches(c.body, q, x.G, x.H, x.T, t);
+    const std::vector<SerretState> all = free::serret_branches(c.body, q, x.G, x.H, x.T, t);
     ++counts.at(all.size());
     for (const SerretState& b : all) {
       const double close = std::abs(c.motion.separatrix_distance()) / (x.G * x.G);
@@ -290,15 +290,15 @@ TEST(GeneratingFunction, RejectsWhatHasNoMotion) {
   expect(refusal(body, {0.3, 0.05, 0.2}, with(c, &SerretState::H, 0.999)),
          {"T = 0.1 must be in [0.08", "to have (phi, theta, psi) = (0.3, 0.05, 0.2)"});
   expect(message_of([&] {
-           serret_branches(body, {0.3, 0.05, 0.2}, 1.0, 0.999, 0.1, 0.0);
+           free::serret_branches(body, {0.3, 0.05, 0.2}, 1.0, 0.999, 0.1, 0.0);
          }),
          {"serret_branches: T = 0.1 must be in [0.08", "to have (phi, theta, psi)"});
   // both motions through this attitude circulate the other way
   const EulerAngles tilted{1.58, 2.86, 0.52};
-  const std::vector<SerretState> through = serret_branches(body, tilted, 1.0, 0.9, 0.09, 0.0);
+  const std::vector<SerretState> through = free::serret_branches(body, tilted, 1.0, 0.9, 0.09, 0.0);
   for (const SerretState& b : through) EXPECT_EQ(b.sign_g3, -1);
   expect(refusal(body, tilted, {0.0, 0.0, 0.0, 1.0, 0.9, 0.09, 1, 1}), {"sign_g3 = 1: no motion"});
-  EXPECT_TRUE(std::isnan(generating_function(body, q, c, not_a_number).S));
+  EXPECT_TRUE(std::isnan(free::generating_function(body, q, c, not_a_number).S));
 }
 
 }  // namespace

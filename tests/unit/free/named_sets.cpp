@@ -7,10 +7,10 @@
 #include <string>
 
 #include "budgets.hpp"
-#include "polhode/elliptic/heuman.hpp"
+#include "polhode/elliptic/legendre.hpp"
 #include "polhode/free/fukushima_ishizaki.hpp"
+#include "polhode/free/generating_function.hpp"
 #include "polhode/free/kinoshita.hpp"
-#include "polhode/free/sadov_generating_function.hpp"
 #include "polhode/rotor/andoyer.hpp"
 #include "polhode/rotor/chart_jacobian.hpp"
 #include "unit/free/support.hpp"
@@ -65,13 +65,14 @@ TEST(Kinoshita, ActionByHeumansLambda) {
     if (!is_tame(m) || I.x == I.y || I.y == I.z) continue;
     const FreeRotation f = m.motion();
     const KinoshitaState s = to_kinoshita(f, 0.4);
-    const auto [kappa, lambda] = sadov_parameters(m.body(), f.momentum(), f.energy());
+    const auto [kappa, lambda] = free::sadov_parameters(m.body(), f.momentum(), f.energy());
     const bool is_long = s.region == SadovRegion::long_axis;
     const double k = is_long ? 1.0 / lambda : lambda;
     const double ratio = is_long ? lambda / kappa : kappa / lambda;
     const double psi = std::atan(ratio);
-    const double heuman = polhode::heuman_lambda0(
-        std::sin(psi), std::cos(psi), polhode::Modulus::from_pair(k * k, (1.0 - k) * (1.0 + k)));
+    const double heuman = polhode::elliptic::heuman_lambda0(
+        std::sin(psi), std::cos(psi),
+        polhode::elliptic::Modulus::from_pair(k * k, (1.0 - k) * (1.0 + k)));
     const double action = s.G * (is_long ? 1.0 - heuman : std::copysign(heuman, s.L));
     gap.add(std::abs(action - s.L) / s.G);
   }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The generating functions of Sadov's transformation: derivatives by differences, the variables of
 // the motion, the paper's quadratures, continuity, refusals.
-#include "polhode/free/sadov_generating_function.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,6 +12,7 @@
 #include <vector>
 
 #include "budgets.hpp"
+#include "polhode/free/generating_function.hpp"
 #include "polhode/rotor/andoyer.hpp"
 #include "unit/free/support.hpp"
 
@@ -21,14 +20,14 @@ namespace {
 
 using namespace free_test;  // NOLINT
 using polhode::AndoyerState;
-using polhode::sadov_generating_function;
-using polhode::sadov_parameters;
-using polhode::sadov_quadratures;
-using polhode::SadovGeneratingFunction;
-using polhode::SadovParameters;
-using polhode::SadovQuadratures;
 using polhode::SadovRegion;
 using polhode::SadovState;
+using polhode::free::sadov_generating_function;
+using polhode::free::sadov_parameters;
+using polhode::free::sadov_quadratures;
+using polhode::free::SadovGeneratingFunction;
+using polhode::free::SadovParameters;
+using polhode::free::SadovQuadratures;
 using polhode::test::Worst;
 namespace budget = polhode::budget;
 

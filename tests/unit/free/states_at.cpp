@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Many states in the lanes of the processor: bit for bit those of one at a time, by every set of
 // instructions that there is, for any number of times.
-#include "polhode/free/states_at.hpp"
+#include "polhode/detail/free/states_at.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,8 +14,8 @@
 #include "budgets.hpp"
 #include "message_of.hpp"
 #include "oracle/free_accuracy.hpp"
+#include "polhode/detail/free/states_on_grid.hpp"
 #include "polhode/error.hpp"
-#include "polhode/free/states_on_grid.hpp"
 #include "unit/free/support.hpp"
 #include "worst.hpp"
 

@@ -9,7 +9,6 @@
 
 #include "budgets.hpp"
 #include "oracle/random_draw.hpp"
-#include "polhode/light/lambert.hpp"
 #include "polhode/light/lommel_seeliger.hpp"
 #include "polhode/math/dual.hpp"
 #include "unit/light/typed_values.hpp"
@@ -28,18 +27,18 @@ constexpr double pi_ = 3.141592653589793;
 
 template <Real T, class F>
 T at(const std::array<T, 9>& x, const F& f) {
-  return f(BasicEllipsoid<T>{x[0], x[1], x[2]}, BasicVec3<T>{x[3], x[4], x[5]},
+  return f(light::BasicEllipsoid<T>{x[0], x[1], x[2]}, BasicVec3<T>{x[3], x[4], x[5]},
            BasicVec3<T>{x[6], x[7], x[8]});
 }
 constexpr auto first_law = [](const auto& body, const auto& s, const auto& o) {
-  return lommel_seeliger_brightness(body, s, o);
+  return light::lommel_seeliger_brightness(body, s, o);
 };
 constexpr auto second_law = [](const auto& body, const auto& s, const auto& o) {
-  return lambert_brightness(body, s, o);
+  return light::lambert_brightness(body, s, o);
 };
 constexpr auto both_laws = [](const auto& body, const auto& s, const auto& o) {
   using T = std::remove_cvref_t<decltype(s.x)>;
-  return brightness(body, BasicScattering<T>::mixed(T(0.25)), s, o);
+  return light::brightness(body, light::BasicScattering<T>::mixed(T(0.25)), s, o);
 };
 
 Nine drawn(Draw& draw) {
@@ -57,19 +56,20 @@ Nine dual_gradient(const Nine& x, const F& f) {
     v[static_cast<std::size_t>(i)] = D::variable(x[static_cast<std::size_t>(i)], i);
   return at(v, f).derivative;
 }
-Nine numbers(const EllipsoidGradient& g) {
+Nine numbers(const light::EllipsoidGradient& g) {
   return {g.by_axes.x, g.by_axes.y,     g.by_axes.z,     g.by_sun.x,     g.by_sun.y,
           g.by_sun.z,  g.by_observer.x, g.by_observer.y, g.by_observer.z};
 }
-EllipsoidGradient gradient(const Nine& x, double single, double multiple) {
-  return brightness_gradient(Ellipsoid{x[0], x[1], x[2]}, Scattering{single, multiple},
-                             Vec3{x[3], x[4], x[5]}, Vec3{x[6], x[7], x[8]});
+light::EllipsoidGradient gradient(const Nine& x, double single, double multiple) {
+  return light::brightness_gradient(light::Ellipsoid{x[0], x[1], x[2]},
+                                    light::Scattering{single, multiple}, Vec3{x[3], x[4], x[5]},
+                                    Vec3{x[6], x[7], x[8]});
 }
 
 TEST(LightEllipsoid, LommelSeeligerIsTheIntegral) {
   Worst<> worst;
   for (const test::TypedBrightness& row : test::typed_brightness)
-    worst.add(std::fabs(lommel_seeliger_brightness(row.body, row.to_sun, row.to_observer) /
+    worst.add(std::fabs(light::lommel_seeliger_brightness(row.body, row.to_sun, row.to_observer) /
                             row.lommel_seeliger -
                         1.0));
   EXPECT_LE(worst.value(), budget::light_ellipsoid);
@@ -78,13 +78,14 @@ TEST(LightEllipsoid, LommelSeeligerIsTheIntegral) {
 TEST(LightEllipsoid, LambertIsTheIntegral) {
   Worst<> two, four, most;
   for (const test::TypedBrightness& row : test::typed_brightness) {
-    const Ellipsoid& e = row.body;
+    const light::Ellipsoid& e = row.body;
     const double area = std::cbrt(e.a * e.b * e.c) * std::cbrt(e.a * e.b * e.c);
     const double ratio = test::larger<double>(e.a, e.b, e.c) / test::smaller<double>(e.a, e.b, e.c);
     const auto error = [&](double x) { return std::fabs(x - row.lambert) / area; };
-    if (ratio <= 2.0) two.add(error(lambert_brightness<16>(e, row.to_sun, row.to_observer)));
-    if (ratio <= 4.0) four.add(error(lambert_brightness<32>(e, row.to_sun, row.to_observer)));
-    most.add(error(lambert_brightness<64>(e, row.to_sun, row.to_observer)));
+    if (ratio <= 2.0) two.add(error(light::lambert_brightness<16>(e, row.to_sun, row.to_observer)));
+    if (ratio <= 4.0)
+      four.add(error(light::lambert_brightness<32>(e, row.to_sun, row.to_observer)));
+    most.add(error(light::lambert_brightness<64>(e, row.to_sun, row.to_observer)));
   }
   EXPECT_LE(two.value(), budget::light_lambert_16);
   EXPECT_LE(four.value(), budget::light_lambert_32);
@@ -97,15 +98,15 @@ TEST(LightEllipsoid, LambertIsAsGoodAsItsBudgets) {
   Draw draw(19, 4);
   for (int trial = 0; trial < 60; ++trial) {
     const double ratio = trial % 2 == 0 ? 2.0 : 4.0;
-    const Ellipsoid body{ratio, draw.uniform(1.0, ratio), 1.0};
+    const light::Ellipsoid body{ratio, draw.uniform(1.0, ratio), 1.0};
     const Vec3 s{draw.normal(), draw.normal(), draw.normal()};
     const Vec3 o{draw.normal(), draw.normal(), draw.normal()};
     const double size = std::cbrt(body.a * body.b), area = size * size;
-    const double exact = lambert_brightness<64>(body, s, o);
+    const double exact = light::lambert_brightness<64>(body, s, o);
     if (trial % 2 == 0)
-      two.add(std::fabs(lambert_brightness<16>(body, s, o) - exact) / area);
+      two.add(std::fabs(light::lambert_brightness<16>(body, s, o) - exact) / area);
     else
-      four.add(std::fabs(lambert_brightness<32>(body, s, o) - exact) / area);
+      four.add(std::fabs(light::lambert_brightness<32>(body, s, o) - exact) / area);
   }
   EXPECT_LE(two.value(), budget::light_lambert_16);
   EXPECT_LE(four.value(), budget::light_lambert_32);
@@ -122,21 +123,22 @@ TEST(LightEllipsoid, SpheresHaveTheirPhaseFunctions) {
         0.5 * pi_ *
         (1.0 + std::sin(alpha / 2.0) * std::tan(alpha / 2.0) * std::log(std::tan(alpha / 4.0)));
     const double lambert = 2.0 / 3.0 * (std::sin(alpha) + (pi_ - alpha) * std::cos(alpha));
-    const Ellipsoid ball{2.0, 2.0, 2.0};
-    first.add(std::fabs(lommel_seeliger_brightness(ball, s, o) / 4.0 - seeliger));
-    second.add(std::fabs(lambert_brightness(ball, s, o) / 4.0 - lambert));
+    const light::Ellipsoid ball{2.0, 2.0, 2.0};
+    first.add(std::fabs(light::lommel_seeliger_brightness(ball, s, o) / 4.0 - seeliger));
+    second.add(std::fabs(light::lambert_brightness(ball, s, o) / 4.0 - lambert));
   }
   EXPECT_LE(first.value(), budget::light_ellipsoid);
   EXPECT_LE(second.value(), budget::light_lambert_sphere);
 }
 
 TEST(LightEllipsoid, BehindTheSunHalfOfTheAreaSeen) {
-  const Ellipsoid body{3.0, 2.0, 1.0};
+  const light::Ellipsoid body{3.0, 2.0, 1.0};
   const Vec3 s{1.0, -2.0, 0.5};
   const Vec3 n = (1.0 / norm(s)) * s;
   const double seen = pi_ * 6.0 * std::sqrt(n.x * n.x / 9.0 + n.y * n.y / 4.0 + n.z * n.z);
-  const EllipsoidGradient g = lommel_seeliger_gradient(body, s, 7.0 * s);
-  EXPECT_NEAR(lommel_seeliger_brightness(body, s, s), 0.5 * seen, budget::light_ellipsoid * seen);
+  const light::EllipsoidGradient g = light::lommel_seeliger_gradient(body, s, 7.0 * s);
+  EXPECT_NEAR(light::lommel_seeliger_brightness(body, s, s), 0.5 * seen,
+              budget::light_ellipsoid * seen);
   EXPECT_NEAR(g.value, 0.5 * seen, budget::light_ellipsoid * seen);
   const Nine x{3.0, 2.0, 1.0, 1.0, -2.0, 0.5, 7.0, -14.0, 3.5};
   // half of the gradient of the area seen, each way
@@ -168,7 +170,7 @@ TEST(LightEllipsoid, NearlyOppositeToTheSunThereIsNoLight) {
   Draw draw(19, 5);
   Worst<> value, slope;
   const auto add = [&](const Nine& x, double single) {
-    const EllipsoidGradient g = gradient(x, single, 1.0);
+    const light::EllipsoidGradient g = gradient(x, single, 1.0);
     value.add(std::fabs(g.value));
     value.add(std::fabs(at(x, second_law)));
     for (const Nine& by : {dual_gradient(x, second_law), numbers(g)})
@@ -228,15 +230,15 @@ TEST(LightEllipsoid, LambertGradientIsThatOfTheIntegral) {
   Draw draw(19, 2);
   for (int trial = 0; trial < 10; ++trial) {
     const Nine x = drawn(draw);
-    const Nine got = numbers(lambert_gradient<32>(Ellipsoid{x[0], x[1], x[2]},
-                                                  Vec3{x[3], x[4], x[5]}, Vec3{x[6], x[7], x[8]}));
+    const Nine got = numbers(light::lambert_gradient<32>(
+        light::Ellipsoid{x[0], x[1], x[2]}, Vec3{x[3], x[4], x[5]}, Vec3{x[6], x[7], x[8]}));
     for (std::size_t i = 0; i < 9; ++i) {
       Nine up = x, down = x;
       const double h = 1e-4 * std::fabs(x[i]);
       up[i] += h;
       down[i] -= h;
       const auto whole = [](const auto& body, const auto& s, const auto& o) {
-        return lambert_brightness<32>(body, s, o);
+        return light::lambert_brightness<32>(body, s, o);
       };
       worst.add(std::fabs((at(up, whole) - at(down, whole)) / (up[i] - down[i]) - got[i]));
     }
@@ -245,7 +247,7 @@ TEST(LightEllipsoid, LambertGradientIsThatOfTheIntegral) {
 }
 
 TEST(LightEllipsoid, LengthsOfDirectionsDoNotMatter) {
-  const Ellipsoid body{2.0, 1.5, 1.0};
+  const light::Ellipsoid body{2.0, 1.5, 1.0};
   const Vec3 s{1.0, 2.0, -0.5}, o{-1.0, 1.0, 2.0};
   const double near = both_laws(body, s, o), far = both_laws(body, 1.5e11 * s, 1e-9 * o);
   EXPECT_NEAR(far, near, budget::light_ellipsoid * near);
@@ -255,35 +257,36 @@ TEST(LightEllipsoid, MomentsAndBack) {
   Draw draw(19, 3);
   Worst<> worst;
   for (int trial = 0; trial < 20; ++trial) {
-    const Ellipsoid body{draw.uniform(0.5, 2.0), draw.uniform(0.5, 2.0), draw.uniform(0.5, 2.0)};
-    const Vec3 moments = homogeneous_moments(body, 3.0);
+    const light::Ellipsoid body{draw.uniform(0.5, 2.0), draw.uniform(0.5, 2.0),
+                                draw.uniform(0.5, 2.0)};
+    const Vec3 moments = light::homogeneous_moments(body, 3.0);
     EXPECT_DOUBLE_EQ(moments.x, 0.6 * (body.b * body.b + body.c * body.c));
-    const Ellipsoid back = homogeneous_ellipsoid(moments, 3.0);
+    const light::Ellipsoid back = light::homogeneous_ellipsoid(moments, 3.0);
     worst.add(std::fabs(back.a - body.a));
     worst.add(std::fabs(back.b - body.b));
     worst.add(std::fabs(back.c - body.c));
   }
   EXPECT_LE(worst.value(), budget::light_semi_axes);
-  EXPECT_TRUE(std::isnan(homogeneous_ellipsoid(Vec3{3.0, 1.0, 1.0}, 1.0).a));
+  EXPECT_TRUE(std::isnan(light::homogeneous_ellipsoid(Vec3{3.0, 1.0, 1.0}, 1.0).a));
 }
 
 TEST(LightScattering, IsTheSumOfBothLaws) {
-  EXPECT_DOUBLE_EQ(Scattering::lommel_seeliger().at(0.25, 0.75), 0.1875);
-  EXPECT_DOUBLE_EQ(Scattering::lambert().at(0.25, 0.5), 0.125);
-  EXPECT_DOUBLE_EQ(Scattering::mixed(0.5).at(0.25, 0.75), 0.1875 * 1.5);
+  EXPECT_DOUBLE_EQ(light::Scattering::lommel_seeliger().at(0.25, 0.75), 0.1875);
+  EXPECT_DOUBLE_EQ(light::Scattering::lambert().at(0.25, 0.5), 0.125);
+  EXPECT_DOUBLE_EQ(light::Scattering::mixed(0.5).at(0.25, 0.75), 0.1875 * 1.5);
   for (const double mu : {-1.0, 0.0})
     for (const double other : {-1.0, 0.0, 0.5}) {
-      EXPECT_EQ(Scattering::mixed(0.5).at(mu, other), 0.0);
-      EXPECT_EQ(Scattering::mixed(0.5).at(other, mu), 0.0);
+      EXPECT_EQ(light::Scattering::mixed(0.5).at(mu, other), 0.0);
+      EXPECT_EQ(light::Scattering::mixed(0.5).at(other, mu), 0.0);
     }
 }
 
 TEST(LightScattering, PhaseFunctionAndAngle) {
-  EXPECT_DOUBLE_EQ((PhaseFunction{0.5, 0.1, -0.25}.at(0.2)), 0.5 * std::exp(-2.0) + 0.95);
-  EXPECT_DOUBLE_EQ(PhaseFunction{}.at(1.0), 1.0);
-  EXPECT_DOUBLE_EQ(phase_angle(Vec3{2.0, 0.0, 0.0}, Vec3{0.0, 0.0, 5.0}), pi_ / 2.0);
-  EXPECT_EQ(phase_angle(Vec3{2.0, 0.0, 0.0}, Vec3{3.0, 0.0, 0.0}), 0.0);
-  EXPECT_DOUBLE_EQ(phase_angle(Vec3{2.0, 0.0, 0.0}, Vec3{-3.0, 0.0, 0.0}), pi_);
+  EXPECT_DOUBLE_EQ((light::PhaseFunction{0.5, 0.1, -0.25}.at(0.2)), 0.5 * std::exp(-2.0) + 0.95);
+  EXPECT_DOUBLE_EQ(light::PhaseFunction{}.at(1.0), 1.0);
+  EXPECT_DOUBLE_EQ(light::phase_angle(Vec3{2.0, 0.0, 0.0}, Vec3{0.0, 0.0, 5.0}), pi_ / 2.0);
+  EXPECT_EQ(light::phase_angle(Vec3{2.0, 0.0, 0.0}, Vec3{3.0, 0.0, 0.0}), 0.0);
+  EXPECT_DOUBLE_EQ(light::phase_angle(Vec3{2.0, 0.0, 0.0}, Vec3{-3.0, 0.0, 0.0}), pi_);
 }
 
 }  // namespace

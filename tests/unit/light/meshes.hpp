@@ -13,7 +13,7 @@ namespace polhode::test {
 
 // A globe of rows and twice as many columns; `radius` of a direction of length 1.
 template <class F>
-FacetShape globe(int rows, const F& place) {
+shape::FacetShape globe(int rows, const F& place) {
   const int columns = 2 * rows;
   std::vector<Vec3> v;
   for (int i = 0; i <= rows; ++i) {
@@ -23,7 +23,7 @@ FacetShape globe(int rows, const F& place) {
       v.push_back(place(Vec3{sine * std::cos(phi), sine * std::sin(phi), std::cos(theta)}));
     }
   }
-  std::vector<FacetShape::Triangle> t;
+  std::vector<shape::FacetShape::Triangle> t;
   const auto at = [&](int i, int j) {
     const int pole = i == 0 || i == rows ? 0 : j % columns;
     return static_cast<std::uint32_t>(i * columns + pole);
@@ -37,9 +37,9 @@ FacetShape globe(int rows, const F& place) {
   return {v, t};
 }
 
-inline FacetShape joined(const FacetShape& a, const FacetShape& b) {
+inline shape::FacetShape joined(const shape::FacetShape& a, const shape::FacetShape& b) {
   std::vector<Vec3> v(a.vertices().begin(), a.vertices().end());
-  std::vector<FacetShape::Triangle> t(a.triangles().begin(), a.triangles().end());
+  std::vector<shape::FacetShape::Triangle> t(a.triangles().begin(), a.triangles().end());
   const auto first = static_cast<std::uint32_t>(v.size());
   v.insert(v.end(), b.vertices().begin(), b.vertices().end());
   for (const auto& k : b.triangles()) t.push_back({k[0] + first, k[1] + first, k[2] + first});
@@ -47,9 +47,9 @@ inline FacetShape joined(const FacetShape& a, const FacetShape& b) {
 }
 
 // The square [0, 1]^2 that looks up, in 2 cells^2 triangles.
-inline FacetShape floor(int cells) {
+inline shape::FacetShape floor(int cells) {
   std::vector<Vec3> v;
-  std::vector<FacetShape::Triangle> t;
+  std::vector<shape::FacetShape::Triangle> t;
   for (int i = 0; i <= cells; ++i)
     for (int j = 0; j <= cells; ++j) v.push_back({1.0 * i / cells, 1.0 * j / cells, 0.0});
   const auto at = [&](int i, int j) { return static_cast<std::uint32_t>(i * (cells + 1) + j); };

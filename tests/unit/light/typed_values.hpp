@@ -9,7 +9,7 @@
 namespace polhode::test {
 
 struct TypedBrightness {
-  Ellipsoid body;
+  light::Ellipsoid body;
   Vec3 to_sun;
   Vec3 to_observer;
   double lommel_seeliger;

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // What kernels ask of numbers and of packs of them.
-#include "polhode/math/number.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,8 +12,8 @@
 #include "oracle/wide_real.hpp"
 #include "polhode/math/double_double.hpp"
 #include "polhode/math/dual.hpp"
-#include "polhode/math/error_free.hpp"
 #include "polhode/math/quaternion.hpp"
+#include "polhode/math/real.hpp"
 #include "unit/math/exact.hpp"
 #include "worst.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Pack for any processor: every lane is what a double alone would be.
-#include "polhode/math/pack.hpp"
+#include "polhode/detail/math/pack.hpp"
 
 #include <gtest/gtest.h>
 

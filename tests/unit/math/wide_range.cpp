@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/math/wide_range.hpp"
+#include "polhode/detail/math/wide_range.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,6 @@
 
 #include "budgets.hpp"
 #include "oracle/random_draw.hpp"
-#include "polhode/math/widening.hpp"
 
 namespace polhode::test {
 namespace {

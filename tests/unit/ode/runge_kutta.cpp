@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "budgets.hpp"
-#include "polhode/ode/adaptive_runge_kutta.hpp"
-#include "polhode/ode/verner98.hpp"
+#include "polhode/detail/ode/adaptive_runge_kutta.hpp"
+#include "polhode/detail/ode/verner98.hpp"
 #include "worst.hpp"
 
 namespace {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/orbit/kepler_equation.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,6 +8,7 @@
 #include "budgets.hpp"
 #include "oracle/kepler.hpp"
 #include "oracle/random_draw.hpp"
+#include "polhode/orbit/kepler_orbit.hpp"
 #include "worst.hpp"
 
 namespace polhode::test {

@@ -12,7 +12,6 @@
 #include "oracle/kepler.hpp"
 #include "oracle/random_draw.hpp"
 #include "polhode/orbit/any_orbit.hpp"
-#include "polhode/orbit/kepler_equation.hpp"
 #include "worst.hpp"
 
 namespace polhode::test {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // An orbit at many times gives the bits of the orbit at one, by every set of instructions.
-#include "polhode/orbit/many_times.hpp"
+#include "polhode/detail/orbit/many_times.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,8 +14,8 @@
 #include "oracle/random_draw.hpp"
 #include "polhode/error.hpp"
 #include "polhode/orbit/any_orbit.hpp"
+#include "polhode/orbit/kepler_orbit.hpp"
 #include "polhode/orbit/table_orbit.hpp"
-#include "polhode/orbit/turned_kepler_orbit.hpp"
 
 namespace polhode::test {
 namespace {

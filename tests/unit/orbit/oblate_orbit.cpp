@@ -9,7 +9,7 @@
 #include "budgets.hpp"
 #include "oracle/oblate_motion.hpp"
 #include "polhode/error.hpp"
-#include "polhode/orbit/precessing_kepler_orbit.hpp"
+#include "polhode/orbit/kepler_orbit.hpp"
 #include "worst.hpp"
 
 namespace polhode::test {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/orbit/precessing_kepler_orbit.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,7 +11,6 @@
 #include "orbit/mean_ellipse.hpp"
 #include "polhode/error.hpp"
 #include "polhode/orbit/kepler_orbit.hpp"
-#include "polhode/orbit/turned_kepler_orbit.hpp"
 #include "worst.hpp"
 
 namespace polhode::test {

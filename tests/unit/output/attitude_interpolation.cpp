@@ -9,12 +9,12 @@
 namespace polhode {
 namespace {
 
-using detail::hermite_quaternions;
-using detail::Interpolation;
-using detail::interpolation_limit;
-using detail::InterpolationError;
-using detail::lagrange_quaternions;
-using detail::linear_angles;
+using io::detail::hermite_quaternions;
+using io::detail::Interpolation;
+using io::detail::interpolation_limit;
+using io::detail::InterpolationError;
+using io::detail::lagrange_quaternions;
+using io::detail::linear_angles;
 
 // Rows of a body that turns about its axis 3 by so many radians from row to row.
 InterpolationError rows_of_a_spinner(const Interpolation& of, double turn, int count) {

@@ -25,10 +25,10 @@
 namespace polhode {
 namespace {
 
-using detail::JournaledFile;
-using detail::undo_path;
+using io::detail::JournaledFile;
+using io::detail::undo_path;
 namespace fs = std::filesystem;
-using detail::PartFile;
+using io::detail::PartFile;
 using PartFileTest = test::InTempFolder;
 
 class JournaledFileTest : public test::InTempFolder {
@@ -167,7 +167,7 @@ TEST_F(PartFileTest, OfTwoWritersEachLeavesAWholeFile) {
         if (found != texts[0] && found != texts[1]) ++broken;
       } catch (const DomainError&) {  // the other has it
         std::this_thread::yield();
-      } catch (const OutputError&) {
+      } catch (const io::OutputError&) {
         ++broken;
       }
     }
@@ -182,13 +182,13 @@ TEST_F(PartFileTest, AWrongPathIsNoFailureOfTheMachine) {
   EXPECT_THROW(PartFile(path("none/x.csv")), DomainError);
   fs::create_directory(path("x.csv.part"));
   EXPECT_THROW(PartFile(path("x.csv")), DomainError);
-  EXPECT_THROW(detail::replace_file(path("x.csv"), "text"), OutputError);
+  EXPECT_THROW(io::detail::replace_file(path("x.csv"), "text"), io::OutputError);
   EXPECT_FALSE(fs::exists(path("x.csv")));
 }
 
 TEST_F(PartFileTest, NoMoreFilesIsAFailureOfTheMachine) {
   // thrown once while there are files: UBSan opens a pipe to look at the first object of a type
-  EXPECT_THROW(detail::fail_to_write(path("x.csv"), EMFILE), OutputError);
+  EXPECT_THROW(io::detail::fail_to_write(path("x.csv"), EMFILE), io::OutputError);
   rlimit before{};
   ASSERT_EQ(::getrlimit(RLIMIT_NOFILE, &before), 0);
   const int next = ::open("/", O_RDONLY);  // the number that the next file would get
@@ -196,13 +196,13 @@ TEST_F(PartFileTest, NoMoreFilesIsAFailureOfTheMachine) {
   rlimit none = before;
   none.rlim_cur = static_cast<rlim_t>(next);
   ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &none), 0);
-  EXPECT_THROW(PartFile(path("x.csv")), OutputError);
+  EXPECT_THROW(PartFile(path("x.csv")), io::OutputError);
   ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &before), 0);
 }
 
 TEST_F(PartFileTest, ReplacesAFileAsAWhole) {
   for (const std::string& bytes : {std::string("first"), std::string("second, longer")}) {
-    detail::replace_file(path("x"), bytes);
+    io::detail::replace_file(path("x"), bytes);
     EXPECT_EQ(text(path("x")), bytes);
     EXPECT_FALSE(fs::exists(path("x.part")));
   }

@@ -12,8 +12,7 @@
 #include <type_traits>
 
 #include "message_of.hpp"
-#include "polhode/output/text_sink.hpp"
-#include "polhode/run/citations.hpp"
+#include "polhode/run/run.hpp"
 #include "polhode/run/scenario_run.hpp"
 #include "temp_folder.hpp"
 
@@ -31,26 +30,27 @@ struct JsonOptions {
   bool units = false;
 };
 
-constexpr KindKey<JsonOptions> json_keys[] = {
-    text_key<&JsonOptions::prefix>("prefix", "In front of each name."),
-    quantity_key<&JsonOptions::shift>("shift", Dimension::time, "Added to t.").otherwise("0"),
-    flag_key<&JsonOptions::units>("units", "Whether the names have units.").otherwise("false"),
+constexpr io::KindKey<JsonOptions> json_keys[] = {
+    io::text_key<&JsonOptions::prefix>("prefix", "In front of each name."),
+    io::quantity_key<&JsonOptions::shift>("shift", io::Dimension::time, "Added to t.")
+        .otherwise("0"),
+    io::flag_key<&JsonOptions::units>("units", "Whether the names have units.").otherwise("false"),
 };
 
-void check_json(const JsonOptions& options, const KeyValues& at) {
+void check_json(const JsonOptions& options, const io::KeyValues& at) {
   if (options.prefix.size() > 8) at.refuse("prefix", "expected up to 8 characters");
   if (options.shift < 0.0) throw DomainError("expected a shift that is not negative");
 }
 
-std::string head_of(const Provenance& provenance) {
+std::string head_of(const io::Provenance& provenance) {
   return "{\"scenario\": \"" + provenance.scenario_name + "\"}\n";
 }
 
-std::unique_ptr<Sink> open_json(const SinkRequest& request) {
+std::unique_ptr<io::Sink> open_json(const io::SinkRequest& request) {
   const auto options = request.options<JsonOptions>();
   std::vector<std::string> names;
-  for (const ColumnGroup& group : request.groups)
-    for (const Column& column : group.columns)
+  for (const io::ColumnGroup& group : request.groups)
+    for (const io::Column& column : group.columns)
       names.push_back("\"" + options.prefix + column.name +
                       (options.units ? " " + column.unit : "") + "\": ");
   const auto row = [names, options](std::string& out, std::span<const double> numbers) {
@@ -62,16 +62,16 @@ std::unique_ptr<Sink> open_json(const SinkRequest& request) {
     }
     out += "}\n";
   };
-  return text_sink(request, head_of(request.provenance), row, "{\"end\": true}\n");
+  return io::text_sink(request, head_of(request.provenance), row, "{\"end\": true}\n");
 }
 
-OutputFormat json_lines() {
-  OutputFormat format("json-lines", ".jsonl", "How JSON Lines, --out PATH.jsonl, are written.",
-                      open_json);
+io::OutputFormat json_lines() {
+  io::OutputFormat format("json-lines", ".jsonl", "How JSON Lines, --out PATH.jsonl, are written.",
+                          open_json);
   format.label = "JSON Lines";
   format.take_options<JsonOptions>(json_keys, check_json);
-  format.difference = [](const std::string& path, const std::vector<ColumnGroup>&,
-                         const Provenance& provenance) {
+  format.difference = [](const std::string& path, const std::vector<io::ColumnGroup>&,
+                         const io::Provenance& provenance) {
     std::ifstream file(path, std::ios::binary);
     std::string line;
     std::getline(file, line);
@@ -88,19 +88,20 @@ constexpr const char* head =
 
 class OutputFormatTest : public test::InTempFolder {
  protected:
-  Scenario scenario(const std::string& more = "") const {
-    return scenario_from_text(head + more, "f.toml", kinds_);
+  io::Scenario scenario(const std::string& more = "") const {
+    return io::scenario_from_text(head + more, "f.toml", kinds_);
   }
-  void run(const Scenario& of, const std::vector<std::string>& outputs, RunOptions how = {}) const {
-    ScenarioRun(of, {outputs}, std::move(how)).run();
+  void run(const io::Scenario& of, const std::vector<std::string>& outputs,
+           io::RunOptions how = {}) const {
+    io::ScenarioRun(of, {outputs}, std::move(how)).run();
   }
 
-  const Kinds kinds_ = default_kinds().with(json_lines());
-  const OutputFormats formats_ = kinds_.formats();
+  const io::Kinds kinds_ = io::default_kinds().with(json_lines());
+  const io::OutputFormats formats_ = kinds_.formats();
 };
 
 TEST_F(OutputFormatTest, AFormatOfOnesOwnIsWritten) {
-  const Scenario of = scenario("output.columns = [\"g\"]\n");
+  const io::Scenario of = scenario("output.columns = [\"g\"]\n");
   run(of, {path("a.jsonl")});
   const std::string lines = text("a.jsonl");
   EXPECT_TRUE(lines.starts_with("{\"scenario\": \"f.toml\"}\n{\"t\": 0, \"g1\": 0."));
@@ -110,7 +111,7 @@ TEST_F(OutputFormatTest, AFormatOfOnesOwnIsWritten) {
 }
 
 TEST_F(OutputFormatTest, ItsKeysAreThoseOfItsTable) {
-  const Scenario of = scenario(
+  const io::Scenario of = scenario(
       "[units]\ntime = \"min\"\n[output]\ncolumns = [\"g\"]\n"
       "[output.json-lines]\nprefix = \"b_\"\nshift = \"1 h\"\nunits = true\n");
   run(of, {path("a.jsonl")});
@@ -128,15 +129,15 @@ TEST_F(OutputFormatTest, WhatItRefusesStandsAtItsPlaceInTheFile) {
             "f.toml:5:1: output.json-lines: expected a shift that is not negative");
   EXPECT_THAT(refused("prefx = \"a\""), HasSubstr("did you mean prefix?"));
   EXPECT_THAT(refused("shift = \"1 kg\""), HasSubstr("output.json-lines.shift"));
-  EXPECT_REJECTED(scenario_from_text("[output.json-lines]\n", "f.toml"),
+  EXPECT_REJECTED(io::scenario_from_text("[output.json-lines]\n", "f.toml"),
                   "output.json-lines: unknown key");
 }
 
 TEST_F(OutputFormatTest, ItIsCitedWhereAFileHasItsTable) {
-  const auto has_it = [](const Scenario& of) {
-    const std::vector<Citation> all = citations(of);
+  const auto has_it = [](const io::Scenario& of) {
+    const std::vector<io::Citation> all = io::citations(of);
     return std::any_of(all.begin(), all.end(),
-                       [](const Citation& one) { return one.key == "bray2017"; });
+                       [](const io::Citation& one) { return one.key == "bray2017"; });
   };
   EXPECT_TRUE(has_it(scenario("[output.json-lines]\n")));
   EXPECT_FALSE(has_it(scenario("")));
@@ -144,52 +145,54 @@ TEST_F(OutputFormatTest, ItIsCitedWhereAFileHasItsTable) {
 
 // Rows behind the checkpoint, and half a row, are what a kill leaves.
 TEST_F(OutputFormatTest, ItGoesOnWhereItWasKilled) {
-  const Scenario of = scenario();
+  const io::Scenario of = scenario();
   run(of, {path("straight.jsonl"), path("straight.csv")});
   for (const std::vector<std::string>& names :
        {std::vector<std::string>{"a.jsonl"}, {"b.csv", "b.jsonl"}}) {
     std::vector<std::string> outputs;
     for (const std::string& name : names) outputs.push_back(path(name));
-    RunOptions how;
+    io::RunOptions how;
     how.checkpoint_seconds = 0.0;
     int asked = 0;
     how.stop = [&asked] { return ++asked == 20; };  // behind the first block of rows
-    EXPECT_THROW(run(of, outputs, std::move(how)), RunInterrupted);
+    EXPECT_THROW(run(of, outputs, std::move(how)), io::RunInterrupted);
     for (const std::string& output : outputs)
       std::ofstream(output + ".part", std::ios::app | std::ios::binary) << "0.5, 1\n{\"t\": 3";
     EXPECT_REJECTED(run(of, outputs), "an unfinished run is there");
 
-    ScenarioRun rest(of, {outputs}, {.begin = RunBegin::resume});
+    io::ScenarioRun rest(of, {outputs}, {.begin = io::RunBegin::resume});
     EXPECT_TRUE(rest.continues());
     EXPECT_GT(rest.rows(), 0);
     rest.run();
     EXPECT_EQ(text(names.back()), text("straight.jsonl"));
-    EXPECT_TRUE(ScenarioRun(of, {outputs}, {.begin = RunBegin::resume}).is_complete());
+    EXPECT_TRUE(io::ScenarioRun(of, {outputs}, {.begin = io::RunBegin::resume}).is_complete());
   }
   EXPECT_EQ(text("b.csv"), text("straight.csv"));
 }
 
 TEST_F(OutputFormatTest, ACompleteFileOfAnotherRunIsNotTaken) {
-  const Scenario of = scenario();
+  const io::Scenario of = scenario();
   std::ofstream(path("a.jsonl")) << "{\"scenario\": \"g.toml\"}\n";
-  const auto resumed = [&](const Scenario& run) {
-    return message_of([&] { ScenarioRun(run, {{path("a.jsonl")}}, {.begin = RunBegin::resume}); });
+  const auto resumed = [&](const io::Scenario& run) {
+    return message_of(
+        [&] { io::ScenarioRun(run, {{path("a.jsonl")}}, {.begin = io::RunBegin::resume}); });
   };
   EXPECT_THAT(resumed(of), HasSubstr("a.jsonl: is there, of another name; restart"));
-  OutputFormat mute = json_lines();
+  io::OutputFormat mute = json_lines();
   mute.difference = {};
-  const Scenario other = scenario_from_text(head, "f.toml", default_kinds().with(mute));
+  const io::Scenario other = io::scenario_from_text(head, "f.toml", io::default_kinds().with(mute));
   EXPECT_THAT(resumed(other), HasSubstr("is there, and does not say of which scenario; restart"));
 }
 
 TEST_F(OutputFormatTest, ARunThatLacksWhatItNeedsIsRefused) {
-  const auto refused = [&](FormatNeeds needs, const std::string& more,
+  const auto refused = [&](io::FormatNeeds needs, const std::string& more,
                            const std::string& name = "a.jsonl") {
-    OutputFormat format = json_lines();
+    io::OutputFormat format = json_lines();
     format.needs = needs;
-    format.columns = [](const SinkRequest&) { return std::vector<std::string>{"omega"}; };
-    const Kinds kinds = default_kinds().with(std::move(format));
-    return message_of([&] { run(scenario_from_text(head + more, "f.toml", kinds), {path(name)}); });
+    format.columns = [](const io::SinkRequest&) { return std::vector<std::string>{"omega"}; };
+    const io::Kinds kinds = io::default_kinds().with(std::move(format));
+    return message_of(
+        [&] { run(io::scenario_from_text(head + more, "f.toml", kinds), {path(name)}); });
   };
   const std::string epoch = "state.epoch = \"2029-04-13T21:46:00 ";
   EXPECT_EQ(refused({.dates = true}, ""),
@@ -207,21 +210,21 @@ TEST_F(OutputFormatTest, ARunThatLacksWhatItNeedsIsRefused) {
 }
 
 TEST_F(OutputFormatTest, DatesThatDoNotRiseAreRefused) {
-  OutputFormat format = json_lines();
+  io::OutputFormat format = json_lines();
   format.needs.rising = true;
-  const Scenario of = scenario_from_text(
+  const io::Scenario of = io::scenario_from_text(
       "schema = 1\nbody.moments = [1, 2, 2.5]\ntime.at = [0.0, 2.0, 1.0]\n"
       "state.attitude-rate = { quaternion = [1, 0, 0, 0], omega_body = [0.3, 0.2, 1] }\n",
-      "f.toml", default_kinds().with(std::move(format)));
+      "f.toml", io::default_kinds().with(std::move(format)));
   EXPECT_MESSAGE(
       run(of, {path("a.jsonl")}),
       path("a.jsonl") + ": the dates of JSON Lines rise; expected times in [time] that rise");
 }
 
 TEST_F(OutputFormatTest, MessagesNameTheFormatsThatThereAre) {
-  const OutputFormats these({*formats_.named("csv"), *formats_.named("hdf5"),
-                             *formats_.named("aem"), *formats_.named("json-lines")});
-  EXPECT_EQ(paths_in_words(these), "PATH.csv, PATH.h5, PATH.aem or PATH.jsonl");
+  const io::OutputFormats these({*formats_.named("csv"), *formats_.named("hdf5"),
+                                 *formats_.named("aem"), *formats_.named("json-lines")});
+  EXPECT_EQ(io::paths_in_words(these), "PATH.csv, PATH.h5, PATH.aem or PATH.jsonl");
   EXPECT_MESSAGE(these.of_output(path("a.xlsx")),
                  path("a.xlsx") +
                      ": the extension says what to write; expected .csv, .h5, .aem or .jsonl, or - "
@@ -234,7 +237,7 @@ TEST_F(OutputFormatTest, MessagesNameTheFormatsThatThereAre) {
   EXPECT_EQ(formats_.of_output("/dev/null").name, "csv");
   EXPECT_EQ(formats_.named("json-lines")->extension, ".jsonl");
   EXPECT_EQ(formats_.named("jsonl"), nullptr);
-  const OutputFormats files({*formats_.named("hdf5"), *formats_.named("aem")});
+  const io::OutputFormats files({*formats_.named("hdf5"), *formats_.named("aem")});
   EXPECT_MESSAGE(files.of_output("-"), "-: the extension says what to write; expected .h5 or .aem");
 }
 
@@ -255,27 +258,27 @@ TEST_F(OutputFormatTest, NamesAndExtensionsAreThereOnce) {
 
 // The list that it came from keeps what it had.
 TEST_F(OutputFormatTest, AListIsAValue) {
-  EXPECT_EQ(default_output_formats().all().size() + 1, formats_.all().size());
-  EXPECT_EQ(default_output_formats().of_extension("a.jsonl"), nullptr);
+  EXPECT_EQ(io::default_output_formats().all().size() + 1, formats_.all().size());
+  EXPECT_EQ(io::default_output_formats().of_extension("a.jsonl"), nullptr);
 }
 
 TEST_F(OutputFormatTest, RowsAreReadBackAsTheyWereWritten) {
-  const std::vector<ColumnGroup> groups{{"t", {{"t", "s"}}}, {"g", {{"g1", "1"}, {"g2", "1"}}}};
+  const std::vector<io::ColumnGroup> groups{{"t", {{"t", "s"}}}, {"g", {{"g1", "1"}, {"g2", "1"}}}};
   const std::vector<double> rows{0.0, -0.0, 5e-324, 0.1, 1.0 / 3.0, -1.7976931348623157e308};
   for (const char* name : {"a.csv", "a.h5"}) {
     const std::vector<std::string> paths{path("a.aem"), path(name)};
-    EXPECT_TRUE(can_read_rows(formats_, paths));
-    open_sink(path(name), groups, {})->push(rows);
-    EXPECT_EQ(first_rows(formats_, paths, groups, 2), rows) << name;  // of PATH.part
-    const auto sink = open_sink(path(name), groups, {});
+    EXPECT_TRUE(io::can_read_rows(formats_, paths));
+    io::open_sink(path(name), groups, {})->push(rows);
+    EXPECT_EQ(io::first_rows(formats_, paths, groups, 2), rows) << name;  // of PATH.part
+    const auto sink = io::open_sink(path(name), groups, {});
     sink->push(rows);
     sink->finish();
-    EXPECT_EQ(first_rows(formats_, paths, groups, 2), rows) << name;
-    EXPECT_THAT(first_rows(formats_, paths, groups, 1), ElementsAre(0.0, -0.0, 5e-324)) << name;
-    EXPECT_REJECTED(first_rows(formats_, paths, groups, 3), "expected 3 rows");
+    EXPECT_EQ(io::first_rows(formats_, paths, groups, 2), rows) << name;
+    EXPECT_THAT(io::first_rows(formats_, paths, groups, 1), ElementsAre(0.0, -0.0, 5e-324)) << name;
+    EXPECT_REJECTED(io::first_rows(formats_, paths, groups, 3), "expected 3 rows");
   }
-  EXPECT_FALSE(can_read_rows(formats_, std::vector{path("a.aem"), path("a.jsonl")}));
-  EXPECT_REJECTED(first_rows(formats_, std::vector{path("a.jsonl")}, groups, 1),
+  EXPECT_FALSE(io::can_read_rows(formats_, std::vector{path("a.aem"), path("a.jsonl")}));
+  EXPECT_REJECTED(io::first_rows(formats_, std::vector{path("a.jsonl")}, groups, 1),
                   "got none that is read back; expected PATH.csv");
 }
 

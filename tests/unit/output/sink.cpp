@@ -24,12 +24,14 @@ namespace fs = std::filesystem;
 
 class SinkTest : public test::InTempFolder {
  protected:
-  const std::vector<ColumnGroup> groups_{{"t", {{"t", "s"}}}, {"g", {{"g1", "1"}, {"g2", "1"}}}};
-  const Provenance provenance_{"9.9", "A title", "f.toml", "x = 1\ny = 2\n", {"note"}, {"paper"}};
+  const std::vector<io::ColumnGroup> groups_{{"t", {{"t", "s"}}},
+                                             {"g", {{"g1", "1"}, {"g2", "1"}}}};
+  const io::Provenance provenance_{"9.9",    "A title", "f.toml", "x = 1\ny = 2\n",
+                                   {"note"}, {"paper"}};
 };
 
 TEST_F(SinkTest, CsvSaysWhereItIsFrom) {
-  const auto sink = open_sink(path("a.csv"), groups_, provenance_);
+  const auto sink = io::open_sink(path("a.csv"), groups_, provenance_);
   sink->push(std::vector<double>{0.0, 1.5, -2.0});
   sink->finish();
   EXPECT_EQ(text("a.csv"),
@@ -46,14 +48,14 @@ TEST_F(SinkTest, CsvNumbersReadBackBitForBit) {
     std::memcpy(&x, &bits, sizeof x);
     if (std::isfinite(x)) numbers.push_back(x);
   }
-  const auto sink = open_sink(path("a.csv"), groups_, {});
+  const auto sink = io::open_sink(path("a.csv"), groups_, {});
   sink->push(numbers);
   sink->finish();
   std::string csv = text("a.csv");
   csv.erase(0, csv.find("t,g1,g2\n") + 8);
   std::replace(csv.begin(), csv.end(), '\n', ',');
   csv.pop_back();
-  const std::vector<std::string_view> fields = separated(csv, ',');
+  const std::vector<std::string_view> fields = io::separated(csv, ',');
   ASSERT_EQ(fields.size(), numbers.size());
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     const double back = std::strtod(std::string(fields[i]).c_str(), nullptr);
@@ -66,14 +68,14 @@ TEST_F(SinkTest, AFileHasItsNameOnlyWhenItIsComplete) {
   for (const char* name : {"a.csv", "a.h5"}) {
     const std::string part = path(name) + ".part";
     {
-      const auto sink = open_sink(path(name), groups_, provenance_);
+      const auto sink = io::open_sink(path(name), groups_, provenance_);
       sink->push(std::vector<double>{0.0, 1.0, 2.0});
       EXPECT_TRUE(fs::exists(part)) << name;
       EXPECT_FALSE(fs::exists(path(name))) << name;
     }
     EXPECT_TRUE(fs::exists(part)) << name;  // the run ended without finish()
     EXPECT_FALSE(fs::exists(path(name))) << name;
-    const auto sink = open_sink(path(name), groups_, provenance_);
+    const auto sink = io::open_sink(path(name), groups_, provenance_);
     sink->finish();
     EXPECT_FALSE(fs::exists(part)) << name;
     EXPECT_TRUE(fs::exists(path(name))) << name;
@@ -83,33 +85,33 @@ TEST_F(SinkTest, AFileHasItsNameOnlyWhenItIsComplete) {
 TEST_F(SinkTest, AnUnfinishedRunLeavesTheOldFile) {
   for (const char* name : {"a.csv", "a.h5"}) {
     std::ofstream(path(name)) << "old";
-    const auto sink = open_sink(path(name), groups_, provenance_);
+    const auto sink = io::open_sink(path(name), groups_, provenance_);
     sink->push(std::vector<double>{0.0, 1.0, 2.0});
     EXPECT_EQ(text(name), "old");
   }
 }
 
 TEST_F(SinkTest, PathsThatCannotBeOutputs) {
-  EXPECT_THROW(open_sink(path(""), groups_, {}), DomainError);
-  EXPECT_THROW(open_sink(path("no/such/folder.csv"), groups_, {}), DomainError);
-  EXPECT_THROW(open_sink(path("no/such/folder.h5"), groups_, {}), DomainError);
-  EXPECT_THROW(open_sink(path("a.xlsx"), groups_, {}), DomainError);
-  EXPECT_THROW(open_sink(path("a"), groups_, {}), DomainError);
+  EXPECT_THROW(io::open_sink(path(""), groups_, {}), DomainError);
+  EXPECT_THROW(io::open_sink(path("no/such/folder.csv"), groups_, {}), DomainError);
+  EXPECT_THROW(io::open_sink(path("no/such/folder.h5"), groups_, {}), DomainError);
+  EXPECT_THROW(io::open_sink(path("a.xlsx"), groups_, {}), DomainError);
+  EXPECT_THROW(io::open_sink(path("a"), groups_, {}), DomainError);
   fs::create_directories(path("folder.h5"));
   fs::create_directories(path("folder.csv"));
-  EXPECT_THROW(open_sink(path("folder.h5"), groups_, {}), DomainError);
-  EXPECT_THROW(open_sink(path("folder.csv"), groups_, {}), DomainError);
+  EXPECT_THROW(io::open_sink(path("folder.h5"), groups_, {}), DomainError);
+  EXPECT_THROW(io::open_sink(path("folder.csv"), groups_, {}), DomainError);
   EXPECT_FALSE(fs::exists(path("folder.h5") + ".part"));
 }
 
 TEST_F(SinkTest, AFullDiskIsAnError) {
-  EXPECT_THROW(open_sink("/dev/full", groups_, {}), OutputError);
+  EXPECT_THROW(io::open_sink("/dev/full", groups_, {}), io::OutputError);
 }
 
 TEST_F(SinkTest, EqualRunsGiveEqualFiles) {
   for (const char* name : {"a", "b"})
     for (const char* extension : {".csv", ".h5"}) {
-      const auto sink = open_sink(path(std::string(name) + extension), groups_, provenance_);
+      const auto sink = io::open_sink(path(std::string(name) + extension), groups_, provenance_);
       sink->push(std::vector<double>(3 * 5000, 0.25));
       sink->push(std::vector<double>(3 * 7, 0.5));
       sink->finish();
@@ -121,19 +123,20 @@ TEST_F(SinkTest, EqualRunsGiveEqualFiles) {
 
 TEST(RowLayout, NoTwoColumnsShareAName) {
   std::vector<std::string> all;
-  for (const std::string_view group : column_group_names()) all.emplace_back(group);
+  for (const std::string_view group : io::column_group_names()) all.emplace_back(group);
   std::vector<std::string> names;
   for (const bool equatorial : {true, false}) {
-    const RowLayout layout(all, Units(), Branch::in_columns, default_columns(), {equatorial, "TT"});
-    for (const ColumnGroup& group : layout.groups())
-      for (const Column& column : group.columns)
+    const io::RowLayout layout(all, io::Units(), io::Branch::in_columns, io::default_columns(),
+                               {equatorial, "TT"});
+    for (const io::ColumnGroup& group : layout.groups())
+      for (const io::Column& column : group.columns)
         if (equatorial || column.name.starts_with("pole_")) names.push_back(column.name);
   }
   std::sort(names.begin(), names.end());
   EXPECT_EQ(std::adjacent_find(names.begin(), names.end()), names.end());
-  EXPECT_EQ(names.size(), column_names().size() + 2);  // t, date
-  EXPECT_EQ(column_dimension("I_g"), Dimension::momentum);
-  EXPECT_EQ(column_dimension("I_m"), Dimension::angle);
+  EXPECT_EQ(names.size(), io::column_names().size() + 2);  // t, date
+  EXPECT_EQ(io::column_dimension("I_g"), io::Dimension::momentum);
+  EXPECT_EQ(io::column_dimension("I_m"), io::Dimension::angle);
 }
 
 // Every group of a free motion in inertial axes: canonical is osculating, relative is inertial.
@@ -142,7 +145,7 @@ TEST(RowLayout, NothingMovesWithoutAFrameOrATerm) {
   const RotorState s{{0.5, 0.5, 0.5, 0.5}, {0.1, 0.4, 2.0}};
   const System system(body);
   const auto value = [&](const char* name) {
-    return scalar_column(name, system, 0.25).value({0.3, {s}});
+    return io::scalar_column(name, system, 0.25).value({0.3, {s}});
   };
   for (const auto& [canonical, osculating] :
        {std::pair{"l", "l_osc"}, std::pair{"H", "H_osc"}, std::pair{"Theta", "Theta_osc"},
@@ -151,16 +154,16 @@ TEST(RowLayout, NothingMovesWithoutAFrameOrATerm) {
   EXPECT_EQ(value("v1"), 0.0);
   EXPECT_DOUBLE_EQ(value("w2"), 0.2);
   EXPECT_DOUBLE_EQ(value("dE"), 0.005 + 0.04 + 0.8 - 0.25);
-  EXPECT_THROW(scalar_column("t", system, 0.0), DomainError);
+  EXPECT_THROW(io::scalar_column("t", system, 0.0), DomainError);
 }
 
 TEST(RowLayout, NamesAreUniqueInTheOrderAskedFor) {
   const std::vector<std::string> all{"serret", "q",     "omega",   "omega_inertial",
                                      "g",      "euler", "andoyer", "sadov"};
-  const RowLayout layout(all, Units("h", "deg", "kg m2"));
+  const io::RowLayout layout(all, io::Units("h", "deg", "kg m2"));
   std::string names;
-  for (const ColumnGroup& group : layout.groups())
-    for (const Column& column : group.columns) names += column.name + " ";
+  for (const io::ColumnGroup& group : layout.groups())
+    for (const io::Column& column : group.columns) names += column.name + " ";
   EXPECT_EQ(names,
             "t g0 t0 T h G H qw qx qy qz w1 w2 w3 W1 W2 W3 g1 g2 g3 phi theta psi Phi Theta Psi "
             "l g L phi_l phi_g phi_h I_l I_g I_h ");
@@ -168,8 +171,8 @@ TEST(RowLayout, NamesAreUniqueInTheOrderAskedFor) {
   EXPECT_EQ(layout.groups()[1].columns[2].unit, "kg m2/h2");
   EXPECT_EQ(layout.groups()[3].columns[0].unit, "deg/h");
   const std::vector<std::string> twice{"q", "q"}, unknown{"omegas"};
-  EXPECT_THROW(RowLayout(twice, Units()), DomainError);
-  EXPECT_THROW(RowLayout(unknown, Units()), DomainError);
+  EXPECT_THROW(io::RowLayout(twice, io::Units()), DomainError);
+  EXPECT_THROW(io::RowLayout(unknown, io::Units()), DomainError);
 }
 
 }  // namespace

@@ -10,12 +10,10 @@
 #include "polhode/perturb/any_perturbation.hpp"
 #include "polhode/perturb/atmospheric_drag.hpp"
 #include "polhode/perturb/constant_torque.hpp"
-#include "polhode/perturb/higher_gravity.hpp"
+#include "polhode/perturb/gravity_gradient.hpp"
 #include "polhode/perturb/internal_damping.hpp"
-#include "polhode/perturb/linear_damping.hpp"
 #include "polhode/perturb/magnetic_field.hpp"
 #include "polhode/perturb/magnetic_torque.hpp"
-#include "polhode/perturb/oblate_gravity.hpp"
 #include "polhode/perturb/solar_pressure.hpp"
 #include "polhode/perturb/tidal_torque.hpp"
 #include "polhode/perturb/torque_table.hpp"
@@ -36,7 +34,7 @@ inline Mat3 matrix(const std::array<double, 9>& rows) {
 }
 
 inline std::vector<AnyPerturbation> every_term(const Body& body) {
-  MassMoments moments;
+  shape::MassMoments moments;
   for (std::size_t i = 0; i < moments.third.size(); ++i)
     moments.third[i] = 0.01 * static_cast<double>(i + 1);
   for (std::size_t i = 0; i < moments.fourth.size(); ++i)

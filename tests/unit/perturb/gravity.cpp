@@ -12,8 +12,6 @@
 #include "polhode/orbit/kepler_orbit.hpp"
 #include "polhode/perturb/any_perturbation.hpp"
 #include "polhode/perturb/gravity_gradient.hpp"
-#include "polhode/perturb/higher_gravity.hpp"
-#include "polhode/perturb/oblate_gravity.hpp"
 #include "unit/perturb/support.hpp"
 #include "worst.hpp"
 
@@ -165,9 +163,9 @@ TEST(GravityGradient, RefusesGmThatIsNotPositive) {
   }
 }
 
-std::vector<PointMass> drawn_points(std::uint64_t seed) {
+std::vector<shape::PointMass> drawn_points(std::uint64_t seed) {
   Draw draw(seed, 0);
-  std::vector<PointMass> points;
+  std::vector<shape::PointMass> points;
   for (int i = 0; i < 8; ++i) {
     const double mass = draw.uniform(0.1, 1.0);
     points.push_back({mass, drawn_vector(draw)});
@@ -177,15 +175,15 @@ std::vector<PointMass> drawn_points(std::uint64_t seed) {
 
 // Unit masses whose centre of mass is the origin and whose tensor is diagonal, without rounding;
 // the third-degree moments are not zero.
-const std::vector<PointMass> lopsided = {{1.0, {2.0, 0.0, 0.0}},   {2.0, {-1.0, 0.0, 0.0}},
-                                         {1.0, {0.0, 3.0, 0.0}},   {3.0, {0.0, -1.0, 0.0}},
-                                         {1.0, {0.0, 0.0, 1.0}},   {0.5, {0.0, 0.0, -2.0}},
-                                         {1.0, {1.0, 1.0, 1.0}},   {1.0, {1.0, -1.0, -1.0}},
-                                         {1.0, {-1.0, 1.0, -1.0}}, {1.0, {-1.0, -1.0, 1.0}}};
+const std::vector<shape::PointMass> lopsided = {{1.0, {2.0, 0.0, 0.0}},   {2.0, {-1.0, 0.0, 0.0}},
+                                                {1.0, {0.0, 3.0, 0.0}},   {3.0, {0.0, -1.0, 0.0}},
+                                                {1.0, {0.0, 0.0, 1.0}},   {0.5, {0.0, 0.0, -2.0}},
+                                                {1.0, {1.0, 1.0, 1.0}},   {1.0, {1.0, -1.0, -1.0}},
+                                                {1.0, {-1.0, 1.0, -1.0}}, {1.0, {-1.0, -1.0, 1.0}}};
 
-Body body_of(const std::vector<PointMass>& points) {
+Body body_of(const std::vector<shape::PointMass>& points) {
   Vec3 I;
-  for (const PointMass& p : points) {
+  for (const shape::PointMass& p : points) {
     const Vec3& x = p.position;
     I = I + p.mass * Vec3{x.y * x.y + x.z * x.z, x.z * x.z + x.x * x.x, x.x * x.x + x.y * x.y};
   }
@@ -197,10 +195,10 @@ struct BySeries {
   WideVec3 torque;
   Wide energy;
 };
-BySeries by_series(const std::vector<PointMass>& points, const WideVec3& r, double gm) {
+BySeries by_series(const std::vector<shape::PointMass>& points, const WideVec3& r, double gm) {
   BySeries sum{{}, 0};
   const Wide distance = sqrt(dot(r, r));
-  for (const PointMass& p : points) {
+  for (const shape::PointMass& p : points) {
     const WideVec3 x = wide(p.position);
     const Wide size = sqrt(dot(x, x)), c = dot(x, r) / (size * distance);
     Wide P[5] = {1, c}, D[5] = {0, 1};
@@ -221,8 +219,8 @@ BySeries by_series(const std::vector<PointMass>& points, const WideVec3& r, doub
 TEST(HigherGravity, SeriesOfEveryPointMass) {
   Worst worst, worst_energy, worst_wide;
   for (std::uint64_t i = 0; i < 100; ++i) {
-    const std::vector<PointMass> points = drawn_points(600 + i);
-    const MassMoments moments = mass_moments<double>(points);
+    const std::vector<shape::PointMass> points = drawn_points(600 + i);
+    const shape::MassMoments moments = shape::mass_moments<double>(points);
     const Case c = drawn_case(700, i);
     Draw draw(701, i);
     const Vec3 r = drawn_vector(draw);
@@ -232,7 +230,7 @@ TEST(HigherGravity, SeriesOfEveryPointMass) {
       const BySeries want = by_series(points, of == OrbitOf::body ? -seen : seen, 0.7);
       const HigherGravity term(0.7, Still{r}, moments, of);
       double size = 0.0;  // the torque of all masses at their distance, at right angles
-      for (const PointMass& p : points) {
+      for (const shape::PointMass& p : points) {
         const double x = norm(p.position), d = norm(r);
         size += 0.7 * p.mass * (std::pow(x / d, 3) + std::pow(x / d, 4)) / d;
       }
@@ -250,8 +248,8 @@ TEST(HigherGravity, SeriesOfEveryPointMass) {
 
 TEST(HigherGravity, IsTheDerivativeOfItsEnergy) {
   for (const SpaceAxes axes : {SpaceAxes::inertial, SpaceAxes::reference}) {
-    const HigherGravity term(1.7, Curve{}, mass_moments<double>(drawn_points(602)), OrbitOf::body,
-                             axes);
+    const HigherGravity term(1.7, Curve{}, shape::mass_moments<double>(drawn_points(602)),
+                             OrbitOf::body, axes);
     Worst worst;
     for (std::uint64_t i = 0; i < 100; ++i) {
       const Case c = drawn_case(603, i);
@@ -271,12 +269,12 @@ TEST(HigherGravity, IsTheDerivativeOfItsEnergy) {
 // of degree 5, so that it falls as r^-6; without HigherGravity it falls as r^-4.
 TEST(HigherGravity, WithGravityGradientIsTheForceOnEveryPoint) {
   const Body body = body_of(lopsided);
-  const MassMoments moments = mass_moments<double>(lopsided);
+  const shape::MassMoments moments = shape::mass_moments<double>(lopsided);
   const auto missing = [&](double distance) {
     const Vec3 r = (distance / 3.0) * Vec3{1.0, 2.0, 2.0};
     const BasicSetting<Wide> at{body, 0, {{}, {}}, {}};
     WideVec3 direct;
-    for (const PointMass& p : lopsided) {
+    for (const shape::PointMass& p : lopsided) {
       const WideVec3 x = wide(p.position), d = wide(r) - x;
       const Wide d2 = dot(d, d);
       direct = direct + (Wide(p.mass) / (d2 * sqrt(d2))) * cross(x, d);
@@ -294,7 +292,7 @@ TEST(HigherGravity, WithGravityGradientIsTheForceOnEveryPoint) {
 
 TEST(HigherGravity, SphereHasNone) {
   // of a cube's corners and faces, the octahedral mean of degree 4 vanishes for 8 w / 9 = 6 W / 4
-  std::vector<PointMass> points;
+  std::vector<shape::PointMass> points;
   for (const double x : {-1.0, 1.0})
     for (const double y : {-1.0, 1.0})
       for (const double z : {-1.0, 1.0}) points.push_back({1.0, {x, y, z}});
@@ -305,7 +303,7 @@ TEST(HigherGravity, SphereHasNone) {
       x[i] = s;
       points.push_back({0.5, x});
     }
-  const MassMoments moments = mass_moments<double>(points);
+  const shape::MassMoments moments = shape::mass_moments<double>(points);
   const Case c = drawn_case(604, 0);
   const HigherGravity term(1.0, Curve{}, moments, OrbitOf::attractor);
   EXPECT_EQ(term.effect(c.on<double>()), Effect{});
@@ -314,9 +312,9 @@ TEST(HigherGravity, SphereHasNone) {
 
 TEST(HigherGravity, RefusesWhatIsNoGravity) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_MESSAGE(HigherGravity(0.0, Curve{}, MassMoments{}, OrbitOf::body),
+  EXPECT_MESSAGE(HigherGravity(0.0, Curve{}, shape::MassMoments{}, OrbitOf::body),
                  "HigherGravity: gm 0 must be positive and finite");
-  MassMoments m;
+  shape::MassMoments m;
   m.fourth[3] = nan;
   EXPECT_MESSAGE(HigherGravity(1.0, Curve{}, m, OrbitOf::body),
                  "HigherGravity: fourth-degree moment nan must be finite");

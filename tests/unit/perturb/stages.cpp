@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A term at many stages gives the bits of the term at one, by every set of instructions.
-#include "polhode/perturb/stages.hpp"
+#include "polhode/detail/perturb/stages.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <concepts>
 #include <vector>
 
-#include "polhode/orbit/turned_kepler_orbit.hpp"
+#include "polhode/orbit/kepler_orbit.hpp"
 #include "unit/perturb/every_term.hpp"
 
 namespace {
@@ -64,7 +64,7 @@ struct Circle {
 
 template <Orbit O>
 void add_terms_along(const O& orbit, std::vector<AnyPerturbation>& terms) {
-  MassMoments moments;
+  shape::MassMoments moments;
   moments.third[1] = 0.02;
   moments.fourth[2] = 0.03;
   const DipoleField dipole({0.1, 0.2, 0.9}, {{0.1, 0.0, 1.0}, 0.7, 0.2, 0.0});

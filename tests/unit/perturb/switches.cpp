@@ -9,8 +9,8 @@
 
 #include "budgets.hpp"
 #include "polhode/orbit/any_orbit.hpp"
+#include "polhode/orbit/kepler_orbit.hpp"
 #include "polhode/orbit/table_orbit.hpp"
-#include "polhode/orbit/turned_kepler_orbit.hpp"
 #include "polhode/perturb/any_perturbation.hpp"
 #include "polhode/perturb/atmospheric_drag.hpp"
 #include "polhode/perturb/gravity_gradient.hpp"

@@ -9,7 +9,7 @@
 #include "message_of.hpp"
 #include "polhode/perturb/any_perturbation.hpp"
 #include "polhode/perturb/constant_torque.hpp"
-#include "polhode/perturb/linear_damping.hpp"
+#include "polhode/perturb/internal_damping.hpp"
 #include "polhode/perturb/user_terms.hpp"
 #include "polhode/system/system.hpp"
 #include "unit/perturb/every_term.hpp"

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/rotor/roll_pitch_yaw.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,6 +7,7 @@
 
 #include "budgets.hpp"
 #include "polhode/math/vector.hpp"
+#include "polhode/rotor/attitude.hpp"
 
 namespace polhode::test {
 namespace {

@@ -19,11 +19,11 @@
 namespace polhode {
 namespace {
 
-using detail::IntegratedEnd;
-using detail::RowsOfMotion;
-using detail::RowWriter;
-using detail::RunControl;
-using detail::RunState;
+using io::detail::IntegratedEnd;
+using io::detail::RowsOfMotion;
+using io::detail::RowWriter;
+using io::detail::RunControl;
+using io::detail::RunState;
 using test::Gyrostat;
 using test::GyrostatState;
 using ::testing::HasSubstr;
@@ -42,11 +42,11 @@ class RunOfAnyState : public test::InTempFolder {
                                  }});
   }
 
-  IntegratedEnd<GyrostatState> run(const std::vector<std::unique_ptr<Sink>>& sinks,
+  IntegratedEnd<GyrostatState> run(const std::vector<std::unique_ptr<io::Sink>>& sinks,
                                    const RunControl& control) const {
     RowWriter writer(3, sinks, control.rows);
     const RowsOfMotion<Gyrostat> motion{problem_, rows_, write};
-    auto end = detail::integrated_run(motion, writer, control);
+    auto end = io::detail::integrated_run(motion, writer, control);
     writer.finish();
     return end;
   }
@@ -57,18 +57,18 @@ class RunOfAnyState : public test::InTempFolder {
       out[3 * k + 2] = samples[k].s.wheel;
     }
   }
-  std::unique_ptr<Sink> opened(const std::string& name,
-                               const std::optional<SinkPosition>& from = std::nullopt) const {
-    return open_sink(path(name), groups_, provenance_, from);
+  std::unique_ptr<io::Sink> opened(
+      const std::string& name, const std::optional<io::SinkPosition>& from = std::nullopt) const {
+    return io::open_sink(path(name), groups_, provenance_, from);
   }
 
   // From its bytes alone, again and again, as another process would.
-  RunReport run_with_stops(const std::string& name, double every) {
+  io::RunReport run_with_stops(const std::string& name, double every) {
     std::optional<RunState> kept;
     std::string motion;
-    std::optional<SinkPosition> position;
+    std::optional<io::SinkPosition> position;
     for (;;) {
-      std::vector<std::unique_ptr<Sink>> sinks;
+      std::vector<std::unique_ptr<io::Sink>> sinks;
       sinks.push_back(opened(name, position));
       const double begun = kept ? kept->t : 0.0;
       const std::string from = motion;
@@ -78,10 +78,10 @@ class RunOfAnyState : public test::InTempFolder {
         control.rows = kept->rows;
         control.motion = &reader;
       }
-      control.event = [&](const RunEvent& event) { events_.push_back(event); };
+      control.event = [&](const io::RunEvent& event) { events_.push_back(event); };
       control.events_have_rows = true;
       control.due = [&](double t) { return t > begun + every; };
-      control.keep = [&](const RunState& state, const detail::WriteMotion& write) {
+      control.keep = [&](const RunState& state, const io::detail::WriteMotion& write) {
         Archive bytes;
         write(bytes);
         kept = state;
@@ -104,23 +104,23 @@ class RunOfAnyState : public test::InTempFolder {
                                   20.0, Adaptive{.tolerance = 1e-12}};
   // not at t = 0: there is a way to the first row
   const SaveAt rows_ = SaveAt::count(8.0, 20.0, 12001);
-  const std::vector<ColumnGroup> groups_{{"t", {{"t", "s"}}},
-                                         {"gyrostat", {{"g3", "kg m2/s"}, {"wheel", "rad"}}}};
-  const Provenance provenance_{"9.9", "", "gyrostat.toml", "", {}, {}};
-  std::vector<RunEvent> events_;
+  const std::vector<io::ColumnGroup> groups_{{"t", {{"t", "s"}}},
+                                             {"gyrostat", {{"g3", "kg m2/s"}, {"wheel", "rad"}}}};
+  const io::Provenance provenance_{"9.9", "", "gyrostat.toml", "", {}, {}};
+  std::vector<io::RunEvent> events_;
   int stops_ = 0;
 };
 
 TEST_F(RunOfAnyState, StoppedAndContinuedItsFilesHaveTheSameBytes) {
   for (const std::string extension : {".csv", ".h5"}) {
-    std::vector<std::unique_ptr<Sink>> sinks;
+    std::vector<std::unique_ptr<io::Sink>> sinks;
     sinks.push_back(opened("whole" + extension));
     const IntegratedEnd<GyrostatState> whole = run(sinks, {});
     ASSERT_TRUE(whole.report.outcome.ok()) << whole.report.outcome.advice;
     sinks.clear();
     events_.clear();
     stops_ = 0;
-    const RunReport stopped = run_with_stops("stopped" + extension, 3.0);
+    const io::RunReport stopped = run_with_stops("stopped" + extension, 3.0);
     EXPECT_EQ(stops_, 6);  // twice on the way to the first row
     EXPECT_EQ(stopped.statistics.steps, whole.report.statistics.steps);
     EXPECT_EQ(stopped.statistics.evaluations, whole.report.statistics.evaluations);
@@ -128,9 +128,9 @@ TEST_F(RunOfAnyState, StoppedAndContinuedItsFilesHaveTheSameBytes) {
 
     ASSERT_EQ(whole.report.events.size(), 1U);
     ASSERT_EQ(events_.size(), 1U);
-    RunEvent met = events_[0];
-    EXPECT_EQ(met.row, (std::vector<double>{met.t, record_of<GyrostatState>(met).s.g.z,
-                                            record_of<GyrostatState>(met).s.wheel}));
+    io::RunEvent met = events_[0];
+    EXPECT_EQ(met.row, (std::vector<double>{met.t, io::record_of<GyrostatState>(met).s.g.z,
+                                            io::record_of<GyrostatState>(met).s.wheel}));
     met.row.clear();  // which nobody asked for in the whole run
     EXPECT_EQ(met, whole.report.events[0]);
   }
@@ -138,9 +138,9 @@ TEST_F(RunOfAnyState, StoppedAndContinuedItsFilesHaveTheSameBytes) {
 }
 
 TEST_F(RunOfAnyState, RowsAreThoseOfIntegrate) {
-  std::vector<std::unique_ptr<Sink>> sinks;
+  std::vector<std::unique_ptr<io::Sink>> sinks;
   std::vector<double> rows;
-  class Kept : public Sink {
+  class Kept : public io::Sink {
    public:
     explicit Kept(std::vector<double>& to) : to_(to) {}
     void push(std::span<const double> numbers) override {

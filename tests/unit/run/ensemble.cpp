@@ -57,7 +57,7 @@ torque = [1, 0, 2]
 )";
 
 // Rows in memory.
-class Rows : public Sink {
+class Rows : public io::Sink {
  public:
   explicit Rows(std::vector<double>& rows) : rows_(rows) {}
   void push(std::span<const double> rows) override {
@@ -69,20 +69,20 @@ class Rows : public Sink {
   std::vector<double>& rows_;
 };
 
-std::vector<double> rows_of(const Scenario& scenario) {
+std::vector<double> rows_of(const io::Scenario& scenario) {
   std::vector<double> rows;
-  std::unique_ptr<Sink> sink = std::make_unique<Rows>(rows);
-  run(scenario, {&sink, 1});
+  std::unique_ptr<io::Sink> sink = std::make_unique<Rows>(rows);
+  io::run(scenario, {&sink, 1});
   return rows;
 }
 
 std::vector<double> ensemble_rows(const std::string& text, int threads) {
-  const ScenarioEnsemble ensemble(text, "e.toml");
+  const io::ScenarioEnsemble ensemble(text, "e.toml");
   std::vector<double> rows;
-  RunOptions options;
+  io::RunOptions options;
   options.threads = threads;
   options.extra_sink = std::make_unique<Rows>(rows);
-  EnsembleRun(ensemble, {}, std::move(options)).run();
+  io::EnsembleRun(ensemble, {}, std::move(options)).run();
   return rows;
 }
 
@@ -96,13 +96,13 @@ TEST(ScenarioEnsemble, AMemberIsTheScenarioOfItsText) {
   for (const std::string& extra :
        {std::string(), torque, torque + "[method]\nkind = \"adaptive\"\n",
         std::string("[frame.precessing]\naxis = [0, 0, 1]\nrate = 1\n")}) {
-    const ScenarioEnsemble ensemble(body + extra + varied, "e.toml");
-    const std::vector<EnsembleMember> members = ensemble.members(0, 9);
+    const io::ScenarioEnsemble ensemble(body + extra + varied, "e.toml");
+    const std::vector<io::EnsembleMember> members = ensemble.members(0, 9);
     for (const std::int64_t k : {0, 5, 8}) {
       const std::string text = ensemble.member_text(k);
       EXPECT_THAT(text, HasSubstr(" rad\""));
-      const std::vector<double> rows = rows_of(scenario_from_text(text, "m.toml"));
-      EXPECT_EQ(rows.size(), 41 * row_width(ensemble.row_groups()));
+      const std::vector<double> rows = rows_of(io::scenario_from_text(text, "m.toml"));
+      EXPECT_EQ(rows.size(), 41 * io::row_width(ensemble.row_groups()));
       EXPECT_TRUE(same_bits(members[static_cast<std::size_t>(k)].rows, rows)) << extra << k;
       EXPECT_TRUE(same_bits(ensemble.member(k).rows, rows)) << extra << k;
     }
@@ -116,13 +116,13 @@ TEST(ScenarioEnsemble, AddedColumnsAreThoseOfTheMemberAlone) {
   wanted.replace(wanted.find("size"), 4, "indicators = [\"mean_megno\", \"lyapunov\"]\nsize");
   const std::string event = "[[event]]\nname = \"e\"\ncolumn = \"w1\"\nstops = true\n";
   for (const std::string& extra : {std::string(), torque, event, torque + event}) {
-    const ScenarioEnsemble ensemble(body + extra + wanted, "e.toml");
-    const std::size_t width = row_width(ensemble.row_groups());
+    const io::ScenarioEnsemble ensemble(body + extra + wanted, "e.toml");
+    const std::size_t width = io::row_width(ensemble.row_groups());
     EXPECT_EQ(ensemble.events().size(), extra.ends_with(event) ? 1U : 0U);
     EXPECT_EQ(ensemble.row_groups().back().name, "chaos");
-    const std::vector<EnsembleMember> members = ensemble.members(0, 5);
+    const std::vector<io::EnsembleMember> members = ensemble.members(0, 5);
     for (const std::int64_t k : {0, 4}) {
-      const EnsembleMember& member = members[static_cast<std::size_t>(k)];
+      const io::EnsembleMember& member = members[static_cast<std::size_t>(k)];
       EXPECT_EQ(member.failure, "");
       EXPECT_EQ(member.rows.size() % width, 0U);
       EXPECT_TRUE(same_bits(member.rows, ensemble.member(k).rows)) << extra;
@@ -133,10 +133,10 @@ TEST(ScenarioEnsemble, AddedColumnsAreThoseOfTheMemberAlone) {
 }
 
 TEST(ScenarioEnsemble, WhatIsNoMember) {
-  const ScenarioEnsemble ensemble(body + varied, "e.toml");
+  const io::ScenarioEnsemble ensemble(body + varied, "e.toml");
   EXPECT_THROW(static_cast<void>(ensemble.member(20)), DomainError);
   EXPECT_THROW(static_cast<void>(ensemble.member_text(-1)), DomainError);
-  EXPECT_THROW(ScenarioEnsemble(body, "e.toml"), ScenarioError);
+  EXPECT_THROW(io::ScenarioEnsemble(body, "e.toml"), io::ScenarioError);
 }
 
 TEST(EnsembleRun, RowsDoNotDependOnThreads) {
@@ -152,22 +152,22 @@ TEST(EnsembleRun, RowsDoNotDependOnThreads) {
 // Stops after every chunk, more than `least` times, and ends in the file of a run without a stop.
 void expect_resumable(const std::string& text, int least, const auto& set_up) {
   const test::TempFolder folder;
-  const ScenarioEnsemble ensemble(text, "e.toml");
+  const io::ScenarioEnsemble ensemble(text, "e.toml");
   const std::string whole = folder.path("whole.csv"), parts = folder.path("parts.csv");
-  EnsembleRun(ensemble, {whole}, {}).run();
+  io::EnsembleRun(ensemble, {whole}, {}).run();
   int stops = 0;
   for (bool done = false; !done; ++stops) {
     std::atomic<bool> enough = false;
-    RunOptions options;
-    options.begin = RunBegin::resume;
+    io::RunOptions options;
+    options.begin = io::RunBegin::resume;
     options.checkpoint_seconds = 0.0;
     set_up(options, stops);
-    options.progress = [&](const RunProgress&) { enough = true; };
+    options.progress = [&](const io::RunProgress&) { enough = true; };
     options.stop = [&] { return enough.load(); };
     try {
-      EnsembleRun(ensemble, {parts}, std::move(options)).run();
+      io::EnsembleRun(ensemble, {parts}, std::move(options)).run();
       done = true;
-    } catch (const RunInterrupted& stopped) {
+    } catch (const io::RunInterrupted& stopped) {
       EXPECT_TRUE(stopped.can_resume);
       EXPECT_LT(stopped.reached, static_cast<double>(ensemble.size()));
     }
@@ -181,26 +181,26 @@ TEST(EnsembleRun, WhatIsStoppedGoesOn) {
     std::string text = body + torque + varied;
     text.replace(text.find("size = 20"), 9, "size = 60\nkeep = \"" + std::string(keep) + "\"");
     expect_resumable(text, 2,
-                     [](RunOptions& options, int stops) { options.threads = 1 + stops % 2; });
+                     [](io::RunOptions& options, int stops) { options.threads = 1 + stops % 2; });
   }
 }
 
 TEST(EnsembleRun, WhatProgressThrowsPassesThrough) {
-  const ScenarioEnsemble ensemble(body + varied, "e.toml");
-  RunOptions options;
-  options.progress = [](const RunProgress&) { throw std::runtime_error("enough"); };
-  EnsembleRun run(ensemble, {}, std::move(options));
+  const io::ScenarioEnsemble ensemble(body + varied, "e.toml");
+  io::RunOptions options;
+  options.progress = [](const io::RunProgress&) { throw std::runtime_error("enough"); };
+  io::EnsembleRun run(ensemble, {}, std::move(options));
   EXPECT_THROW(run.run(), std::runtime_error);
 }
 
 // The part of the time that has passed is known after every chunk.
 TEST(EnsembleRun, PartsOfTheTimeEndAtOne) {
-  const ScenarioEnsemble ensemble(body + varied, "e.toml");
+  const io::ScenarioEnsemble ensemble(body + varied, "e.toml");
   std::vector<double> parts;
-  RunOptions options;
+  io::RunOptions options;
   options.threads = 1;
-  options.progress = [&](const RunProgress& at) { parts.push_back(at.part); };
-  EnsembleRun(ensemble, {}, std::move(options)).run();
+  options.progress = [&](const io::RunProgress& at) { parts.push_back(at.part); };
+  io::EnsembleRun(ensemble, {}, std::move(options)).run();
   ASSERT_EQ(parts.size(), 4U);  // 20 members in chunks of 6
   for (const double part : parts) EXPECT_TRUE(part > 0.0 && part <= 1.0) << part;
   EXPECT_EQ(parts.back(), 1.0);
@@ -209,8 +209,8 @@ TEST(EnsembleRun, PartsOfTheTimeEndAtOne) {
 TEST(EnsembleRun, StatisticsThatDoNotFitAreRefused) {
   std::string text = body + varied;
   text.replace(text.find("step = 0.5"), 10, "count = 100000000");
-  const ScenarioEnsemble ensemble(text, "e.toml");
-  EXPECT_REJECTED(EnsembleRun(ensemble, {}, {}),
+  const io::ScenarioEnsemble ensemble(text, "e.toml");
+  EXPECT_REJECTED(io::EnsembleRun(ensemble, {}, {}),
                   "expected 2 GB at most: fewer rows, columns or bins");
 }
 
@@ -245,17 +245,18 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 }
 
 ShuffledExecutor shuffled(const std::string& text, int processes, unsigned seed) {
-  return {[&] { return ensemble_work(scenario_from_text(text, "e.toml")); }, processes, seed};
+  return {[&] { return io::ensemble_work(io::scenario_from_text(text, "e.toml")); }, processes,
+          seed};
 }
 
-std::vector<double> rows_of(const std::string& text, Executor* executor) {
-  const ScenarioEnsemble ensemble(text, "e.toml");
+std::vector<double> rows_of(const std::string& text, ensemble::Executor* executor) {
+  const io::ScenarioEnsemble ensemble(text, "e.toml");
   std::vector<double> rows;
-  RunOptions options;
+  io::RunOptions options;
   options.threads = 2;
   options.executor = executor;
   options.extra_sink = std::make_unique<Rows>(rows);
-  const EnsembleReport report = EnsembleRun(ensemble, {}, std::move(options)).run();
+  const io::EnsembleReport report = io::EnsembleRun(ensemble, {}, std::move(options)).run();
   EXPECT_EQ(report.members, ensemble.size());
   EXPECT_GT(report.failed, 0);  // I3 > I1 + I2
   EXPECT_LT(report.failed, ensemble.size());
@@ -286,7 +287,8 @@ TEST(EnsembleExecutor, GivesTheQuantilesOfThreadsFromBins) {
   std::string text = scenario("size = 7000\nchunk = 900\nbins = 20\n") + impossible;
   text = replaced(text, "step = 0.5", "count = 400");
   text = replaced(text, "\"q\", \"omega\", \"tumbler\"", "\"omega\"");
-  const std::vector<ColumnGroup> groups = ensemble_groups(ScenarioEnsemble(text, "e.toml"));
+  const std::vector<io::ColumnGroup> groups =
+      io::ensemble_groups(io::ScenarioEnsemble(text, "e.toml"));
   EXPECT_EQ(groups.back().columns.back().name, "w3_p_error");
   ShuffledExecutor executor = shuffled(text, 2, 3);
   EXPECT_TRUE(same_bits(rows_of(text, &executor), rows_of(text, nullptr)));
@@ -298,7 +300,7 @@ TEST(EnsembleExecutor, GoesOnWhereThreadsStopped) {
     const std::string text =
         scenario("size = 90\nchunk = 8\nkeep = \"" + std::string(keep) + "\"") + impossible;
     std::unique_ptr<ShuffledExecutor> executor;
-    expect_resumable(text, 3, [&](RunOptions& options, int stops) {
+    expect_resumable(text, 3, [&](io::RunOptions& options, int stops) {
       executor = std::make_unique<ShuffledExecutor>(shuffled(text, 1 + stops % 3, 7));
       if (stops % 2 == 0) options.executor = executor.get();
     });
@@ -310,10 +312,10 @@ TEST(EnsembleExecutor, AnotherEnsembleIsRejected) {
   for (const auto& [from, to] :
        {std::pair<std::string, std::string>{"size = 60", "size = 61"}, {"1.7, 2.2", "1.7, 2.1"}}) {
     ShuffledExecutor executor = shuffled(replaced(text, from, to), 2, 1);
-    const ScenarioEnsemble ensemble(text, "e.toml");
-    RunOptions options;
+    const io::ScenarioEnsemble ensemble(text, "e.toml");
+    io::RunOptions options;
     options.executor = &executor;
-    EnsembleRun run(ensemble, {}, std::move(options));
+    io::EnsembleRun run(ensemble, {}, std::move(options));
     EXPECT_REJECTED(run.run(), "e.toml: is not the ensemble that is run: scenario was");
   }
 }
@@ -321,10 +323,10 @@ TEST(EnsembleExecutor, AnotherEnsembleIsRejected) {
 TEST(EnsembleExecutor, MoreProcessesThanChunksAreRejected) {
   const std::string text = scenario("size = 60\nchunk = 20\n");
   ShuffledExecutor executor = shuffled(text, 4, 1);
-  const ScenarioEnsemble ensemble(text, "e.toml");
-  RunOptions options;
+  const io::ScenarioEnsemble ensemble(text, "e.toml");
+  io::RunOptions options;
   options.executor = &executor;
-  EXPECT_REJECTED(EnsembleRun(ensemble, {}, std::move(options)),
+  EXPECT_REJECTED(io::EnsembleRun(ensemble, {}, std::move(options)),
                   "4 processes for 3 chunks of members; expected a chunk for each at least: "
                   "fewer processes, or a smaller ensemble.chunk");
 }

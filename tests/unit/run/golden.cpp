@@ -22,12 +22,12 @@ using polhode::test::larger;
 using polhode::test::smaller;
 using polhode::test::Worst;
 
-const std::vector<GoldenCase>& cases() {
-  static const std::vector<GoldenCase> all = golden_cases();
+const std::vector<io::GoldenCase>& cases() {
+  static const std::vector<io::GoldenCase> all = io::golden_cases();
   return all;
 }
 
-RotorState start(const GoldenCase& c) {
+RotorState start(const io::GoldenCase& c) {
   return {c.q0, {c.moments.x * c.omega0.x, c.moments.y * c.omega0.y, c.moments.z * c.omega0.z}};
 }
 
@@ -44,7 +44,7 @@ std::vector<Wide> last_numbers(const std::string& line, std::size_t count) {
 
 // The rows of the CSV, without the lines before them.
 std::vector<std::string> rows() {
-  std::istringstream stream(golden_csv(cases()));
+  std::istringstream stream(io::golden_csv(cases()));
   std::vector<std::string> found;
   for (std::string line; std::getline(stream, line);)
     if (line[0] != '#' && !line.starts_with("case,")) found.push_back(line);
@@ -64,10 +64,10 @@ TEST(Golden, EveryPrintedStateIsWithinItsBoundOfTheOracle) {
   const std::vector<std::string> lines = rows();
   auto line = lines.begin();
   Worst<Wide> largest;
-  for (const GoldenCase& c : cases()) {
+  for (const io::GoldenCase& c : cases()) {
     const RotorState s0 = start(c);
     oracle::FreeBody body(c.moments, s0.q, s0.g);
-    for (const GoldenSample& sample : c.samples) {
+    for (const io::GoldenSample& sample : c.samples) {
       ASSERT_NE(line, lines.end());
       ASSERT_TRUE(line->starts_with(c.name + ","));
       const std::vector<Wide> printed = last_numbers(*line++, 7);
@@ -91,29 +91,30 @@ TEST(Golden, EveryPrintedStateIsWithinItsBoundOfTheOracle) {
 }
 
 TEST(Golden, StartsAreTheSameFromOmegaAndFromMomentum) {
-  for (const GoldenCase& c : cases())
+  for (const io::GoldenCase& c : cases())
     for (int i = 0; i < 3; ++i)
       EXPECT_EQ(std::fma(c.moments[i], c.omega0[i], -(c.moments[i] * c.omega0[i])), 0.0) << c.name;
 }
 
 TEST(Golden, SamplesStartAtTheStartAndTimesRise) {
-  for (const GoldenCase& c : cases()) {
+  for (const io::GoldenCase& c : cases()) {
     EXPECT_EQ(c.samples.front().t, 0.0) << c.name;
     EXPECT_EQ(c.samples.front().q, c.q0) << c.name;
     EXPECT_EQ(c.samples.front().omega, c.omega0) << c.name;
-    EXPECT_EQ(std::ranges::adjacent_find(c.samples, std::ranges::greater_equal{}, &GoldenSample::t),
-              c.samples.end())
+    EXPECT_EQ(
+        std::ranges::adjacent_find(c.samples, std::ranges::greater_equal{}, &io::GoldenSample::t),
+        c.samples.end())
         << c.name;
   }
 }
 
 TEST(Golden, EveryRegimeOccursUnderItsOwnName) {
   std::set<std::string> regimes, names;
-  for (const GoldenCase& c : cases()) {
-    regimes.insert(regime_name(c.regime));
+  for (const io::GoldenCase& c : cases()) {
+    regimes.insert(io::regime_name(c.regime));
     EXPECT_TRUE(names.insert(c.name).second) << c.name;
     if (c.name.starts_with("near-separatrix")) {
-      EXPECT_EQ(regime_name(c.regime),
+      EXPECT_EQ(io::regime_name(c.regime),
                 c.name.find("sam") != std::string::npos ? "short_axis" : "long_axis");
     }
   }

@@ -15,17 +15,17 @@
 namespace polhode {
 namespace {
 
-using detail::Identity;
-using detail::IdentityPart;
+using io::detail::Identity;
+using io::detail::IdentityPart;
 using testing::HasSubstr;
 
 Identity identity_of_torque() {
-  const Scenario scenario = scenario_from_text(
+  const io::Scenario scenario = io::scenario_from_text(
       test::scenario_text("[[perturbation]]\nkind = \"constant-torque\"\ntorque = [0.01, 0, 0]\n"
                           "[time]\nstop = 10\ncount = 11\n",
                           {.rate = "omega_body = [0.1, 0.2, 0.3]\n"}),
       "f.toml");
-  return detail::identity_of(scenario, {{"f.csv"}, {}, {"q"}});
+  return io::detail::identity_of(scenario, {{"f.csv"}, {}, {"q"}});
 }
 
 Identity::iterator method_in(Identity& all) {
@@ -67,17 +67,17 @@ Mat3 diagonal(double x, double y, double z) {
 
 TEST(AttitudeErrors, AVarianceThatIsRoundedBelowZeroIsZero) {
   const Mat3 c = diagonal(0.25, -1e-20, nan);
-  EXPECT_EQ(detail::error_about(c, 0), 0.5);
-  EXPECT_EQ(detail::error_about(c, 1), 0.0);
-  EXPECT_TRUE(std::isnan(detail::error_about(c, 2)));
+  EXPECT_EQ(io::detail::error_about(c, 0), 0.5);
+  EXPECT_EQ(io::detail::error_about(c, 1), 0.0);
+  EXPECT_TRUE(std::isnan(io::detail::error_about(c, 2)));
 }
 
 TEST(AttitudeErrors, AnErrorThatIsNotKnownIsOpenAboutAnyAxis) {
-  EXPECT_FALSE(detail::is_open(diagonal(1.0, 0.5, -1e-20)));
+  EXPECT_FALSE(io::detail::is_open(diagonal(1.0, 0.5, -1e-20)));
   for (const double open : {1.5, nan, std::numeric_limits<double>::infinity()}) {
-    EXPECT_TRUE(detail::is_open(diagonal(open, 0.5, 0.5))) << open;
-    EXPECT_TRUE(detail::is_open(diagonal(0.5, open, 0.5))) << open;
-    EXPECT_TRUE(detail::is_open(diagonal(0.5, 0.5, open))) << open;
+    EXPECT_TRUE(io::detail::is_open(diagonal(open, 0.5, 0.5))) << open;
+    EXPECT_TRUE(io::detail::is_open(diagonal(0.5, open, 0.5))) << open;
+    EXPECT_TRUE(io::detail::is_open(diagonal(0.5, 0.5, open))) << open;
   }
 }
 

@@ -58,17 +58,18 @@ std::string text_of(const std::string& path) {
 }
 
 TEST(ScenarioMap, ACellIsTheScenarioWithItsNumbers) {
-  const ScenarioMap map(body + "[map]\nkind = \"chaos\"\n" + two_axes, "m.toml");
+  const io::ScenarioMap map(body + "[map]\nkind = \"chaos\"\n" + two_axes, "m.toml");
   ASSERT_EQ(map.size(), 6);
   EXPECT_EQ(map.axis_values(0), (std::vector<double>{1.5, 60.0}));
   EXPECT_EQ(map.axis_values(3), (std::vector<double>{1.7, 90.0}));
   std::string plain = body;
   plain.replace(plain.find("theta = 60"), 10, "theta = 90");
-  const Scenario scenario = scenario_from_text(plain, "plain");
-  const Problem problem{rotor_system(scenario), initial_state(scenario), 0.0, 20.0};
-  const ChaosIndicator expected = chaos_indicator(problem, SaveAt::times({20.0}));
+  const io::Scenario scenario = io::scenario_from_text(plain, "plain");
+  const Problem problem{io::rotor_system(scenario), io::initial_state(scenario), 0.0, 20.0};
+  const analysis::ChaosIndicator expected =
+      analysis::chaos_indicator(problem, SaveAt::times({20.0}));
   EXPECT_EQ(map.cell(3).numbers, (std::vector<double>{expected.mean_megno(), expected.lyapunov()}));
-  const std::vector<ColumnGroup> groups = map.groups();
+  const std::vector<io::ColumnGroup> groups = map.groups();
   ASSERT_EQ(groups.size(), 3U);
   EXPECT_EQ(groups[1].columns[0].name, "state.euler.theta");
   EXPECT_EQ(groups[1].columns[0].unit, "deg");
@@ -76,18 +77,18 @@ TEST(ScenarioMap, ACellIsTheScenarioWithItsNumbers) {
 }
 
 TEST(ScenarioMap, ExtremesAreThoseOfTheRows) {
-  const ScenarioMap map(body + "[map]\nkind = \"column\"\ncolumn = \"psi\"\n" + two_axes, "m");
+  const io::ScenarioMap map(body + "[map]\nkind = \"column\"\ncolumn = \"psi\"\n" + two_axes, "m");
   std::string plain = body;
   plain.replace(plain.find("1, 1.7"), 6, "1, 1.5");
-  const Scenario scenario = scenario_from_text(plain, "plain");
-  const FreeRotation motion = free_rotation(scenario);
+  const io::Scenario scenario = io::scenario_from_text(plain, "plain");
+  const FreeRotation motion = io::free_rotation(scenario);
   double least = INFINITY, most = -INFINITY, last = 0.0;
   for (std::int64_t k = 0; k <= 40; ++k) {
     last = to_euler(motion.at(0.5 * static_cast<double>(k))).psi * 180.0 / M_PI;
     least = smaller(least, last);
     most = larger(most, last);
   }
-  const MapCell cell = map.cell(0);
+  const io::MapCell cell = map.cell(0);
   ASSERT_EQ(cell.numbers.size(), 3U);
   EXPECT_NEAR(cell.numbers[0], least, budget::map_extremes);
   EXPECT_NEAR(cell.numbers[1], most, budget::map_extremes);
@@ -95,7 +96,7 @@ TEST(ScenarioMap, ExtremesAreThoseOfTheRows) {
 }
 
 TEST(ScenarioMap, WhatAChartRefusesIsACellWithItsReason) {
-  const ScenarioMap map(body + R"([map]
+  const io::ScenarioMap map(body + R"([map]
 kind = "chaos"
 [[map.axis]]
 key = "body.moments[0]"
@@ -103,8 +104,8 @@ from = 0.1
 to = 1
 count = 2
 )",
-                        "m");
-  const MapCell cell = map.cell(0);
+                            "m");
+  const io::MapCell cell = map.cell(0);
   EXPECT_TRUE(std::isnan(cell.numbers[0]));
   EXPECT_THAT(cell.failure, HasSubstr("body.moments"));
   EXPECT_EQ(map.cell(1).failure, "");
@@ -142,7 +143,7 @@ time = { stop = 100, step = 1 }
 )";
 
 TEST(ScenarioMap, ASectionHasARowForEachPoint) {
-  const ScenarioMap map(moon + R"([map]
+  const io::ScenarioMap map(moon + R"([map]
 kind = "spin-orbit-section"
 orbit = "planet"
 [[map.axis]]
@@ -151,11 +152,12 @@ from = 130
 to = 140
 count = 2
 )",
-                        "m");
-  const Scenario scenario = scenario_from_text(moon, "plain");
-  const Problem problem{rotor_system(scenario), initial_state(scenario), 0.0, 100.0};
-  const std::vector<SpinOrbitPoint> expected =
-      spin_orbit_section(problem, KeplerOrbit(*kepler_elements(scenario.rotation().orbits[0])))
+                            "m");
+  const io::Scenario scenario = io::scenario_from_text(moon, "plain");
+  const Problem problem{io::rotor_system(scenario), io::initial_state(scenario), 0.0, 100.0};
+  const std::vector<analysis::SpinOrbitPoint> expected =
+      analysis::spin_orbit_section(problem,
+                                   KeplerOrbit(*io::kepler_elements(scenario.rotation().orbits[0])))
           .points;
   const std::vector<double> numbers = map.cell(0).numbers;
   ASSERT_EQ(expected.size(), 16U);
@@ -172,7 +174,7 @@ count = 2
 
 TEST(ScenarioMap, ASectionNeedsNoAxis) {
   const auto rows = [](const std::string& keys) {
-    const ScenarioMap map(moon + "[map]\nkind = \"andoyer-section\"\n" + keys, "m");
+    const io::ScenarioMap map(moon + "[map]\nkind = \"andoyer-section\"\n" + keys, "m");
     EXPECT_EQ(map.size(), 1);
     EXPECT_EQ(map.groups().size(), 1U);
     return map.cell(0).numbers;
@@ -219,7 +221,7 @@ TEST(ScenarioMap, WhatIsNoSection) {
 }
 
 // A cell of a map with files next to it is what a file with its numbers gives, message by message.
-std::vector<std::string> lines_of(const MapCell& cell) {
+std::vector<std::string> lines_of(const io::MapCell& cell) {
   if (!cell.failure.empty()) return {cell.failure};
   std::vector<std::string> lines;
   for (const double x : cell.numbers)
@@ -230,8 +232,8 @@ std::vector<std::string> lines_of(const MapCell& cell) {
 // The same, by a text in which the numbers stand.
 std::vector<std::string> lines_of_text(const std::string& text, const std::string& name) {
   try {
-    return lines_of(ScenarioMap(text, name).cell(0));
-  } catch (const ScenarioError& error) {
+    return lines_of(io::ScenarioMap(text, name).cell(0));
+  } catch (const io::ScenarioError& error) {
     return {error.what()};
   }
 }
@@ -286,7 +288,7 @@ f 4 1 5 8
     };
     const std::string name = folder_ + "/f.toml";
     const std::vector<std::string> found =
-        lines_of(ScenarioMap(text(from) + axis(to), name).cell(0));
+        lines_of(io::ScenarioMap(text(from) + axis(to), name).cell(0));
     EXPECT_EQ(found, lines_of_text(text(to) + axis(to), name)) << key;
     EXPECT_NE(found, lines_of_text(text(from) + axis(from), name)) << key;
   }
@@ -358,7 +360,7 @@ TEST_F(Overrides, AreRefusedAsAFileWithTheirNumbersIs) {
 }
 
 TEST_F(Overrides, ShareWhatTheyDoNotChange) {
-  const ScenarioMap map(body + R"([map]
+  const io::ScenarioMap map(body + R"([map]
 kind = "column"
 column = "L"
 [orbit.way]
@@ -378,8 +380,8 @@ from = 1.5
 to = 1.9
 count = 2
 )",
-                        folder_ + "/shares.toml");
-  const MapCell before = map.cell(1);
+                            folder_ + "/shares.toml");
+  const io::MapCell before = map.cell(1);
   EXPECT_EQ(before.failure, "");
   std::filesystem::remove(folder_ + "/way.csv");
   std::filesystem::remove(folder_ + "/burn.csv");
@@ -387,7 +389,7 @@ count = 2
 }
 
 TEST_F(Overrides, ShareFilesWithTheScenarioThatWasRead) {
-  const Scenario scenario = scenario_from_text(body + R"([map]
+  const io::Scenario scenario = io::scenario_from_text(body + R"([map]
 kind = "column"
 column = "L"
 [[perturbation]]
@@ -400,26 +402,29 @@ from = 1.5
 to = 1.9
 count = 2
 )",
-                                               folder_ + "/shares.toml");
+                                                       folder_ + "/shares.toml");
   std::filesystem::remove(folder_ + "/burn.csv");
-  EXPECT_EQ(ScenarioMap(scenario).cell(1).failure, "");
+  EXPECT_EQ(io::ScenarioMap(scenario).cell(1).failure, "");
 }
 
 // A map into a file, in a folder of its own.
 class MapRuns : public InFolder {
  protected:
   // Of all cells, or up to one.
-  MapReport run(const ScenarioMap& map, RunBegin begin, std::int64_t up_to = -1,
-                const std::string& path = "m.csv", Executor* executor = nullptr) const {
-    RunOptions options;
+  io::MapReport run(const io::ScenarioMap& map, io::RunBegin begin, std::int64_t up_to = -1,
+                    const std::string& path = "m.csv",
+                    ensemble::Executor* executor = nullptr) const {
+    io::RunOptions options;
     options.begin = begin;
     options.checkpoint_seconds = 0.0;
     std::int64_t done = 0;
-    options.progress = [&](const RunProgress& at) { done = static_cast<std::int64_t>(at.reached); };
+    options.progress = [&](const io::RunProgress& at) {
+      done = static_cast<std::int64_t>(at.reached);
+    };
     options.stop = [&] { return done == up_to; };
     options.threads = 1;
     options.executor = executor;
-    return MapRun(map, {folder_ + "/" + path}, std::move(options)).run();
+    return io::MapRun(map, {folder_ + "/" + path}, std::move(options)).run();
   }
   std::string checkpoint() const { return path_ + ".checkpoint"; }
   std::vector<std::string> files() const {
@@ -432,7 +437,7 @@ class MapRuns : public InFolder {
   const std::string path_ = folder_ + "/m.csv";
 };
 
-void expect_equal(const MapReport& one, const MapReport& other) {
+void expect_equal(const io::MapReport& one, const io::MapReport& other) {
   EXPECT_EQ(one.points, other.points);
   ASSERT_EQ(one.groups.size(), other.groups.size());
   for (std::size_t i = 0; i < one.groups.size(); ++i) {
@@ -462,8 +467,8 @@ count = 13
 )";
 
 TEST_F(MapRuns, KeepSectionsWhole) {
-  const ScenarioMap map(section, "m.toml");
-  const MapReport whole = run(map, RunBegin::anew);
+  const io::ScenarioMap map(section, "m.toml");
+  const io::MapReport whole = run(map, io::RunBegin::anew);
   const std::string straight = text_of(path_);
   EXPECT_THAT(straight, HasSubstr("\n2,nan,nan,nan,nan\n"));  // no body
   EXPECT_THAT(files(), ::testing::ElementsAre("m.csv"));
@@ -473,9 +478,9 @@ TEST_F(MapRuns, KeepSectionsWhole) {
   EXPECT_EQ(whole.points, 16 * 10);
   for (std::int64_t stop = 1; stop < 13; ++stop) {
     std::filesystem::remove(path_);
-    EXPECT_THROW(run(map, RunBegin::resume, stop), RunInterrupted);
+    EXPECT_THROW(run(map, io::RunBegin::resume, stop), io::RunInterrupted);
     EXPECT_FALSE(std::filesystem::exists(path_));
-    const MapReport report = run(map, RunBegin::resume);
+    const io::MapReport report = run(map, io::RunBegin::resume);
     EXPECT_EQ(text_of(path_), straight) << stop;
     EXPECT_THAT(files(), ::testing::ElementsAre("m.csv"));
     expect_equal(report, whole);
@@ -485,16 +490,16 @@ TEST_F(MapRuns, KeepSectionsWhole) {
 TEST_F(MapRuns, KeepAReasonOnce) {
   std::string text = section;
   text.replace(text.find("from = 0.8\nto = 2\ncount = 13"), 28, "from = 2\nto = 2\ncount = 9");
-  const ScenarioMap map(text, "m.toml");
-  EXPECT_THROW(run(map, RunBegin::anew, 7), RunInterrupted);
+  const io::ScenarioMap map(text, "m.toml");
+  EXPECT_THROW(run(map, io::RunBegin::anew, 7), io::RunInterrupted);
   const std::string kept = text_of(checkpoint()), reason = map.cell(0).failure;
   ASSERT_NE(reason, "");
   const std::size_t first = kept.find(reason);
   ASSERT_NE(first, std::string::npos);
   EXPECT_EQ(kept.find(reason, first + 1), std::string::npos);
-  const MapReport report = run(map, RunBegin::resume);
+  const io::MapReport report = run(map, io::RunBegin::resume);
   ASSERT_EQ(report.failures.size(), 9U);
-  for (const MapReport::Failure& failure : report.failures) EXPECT_EQ(failure.why, reason);
+  for (const io::MapReport::Failure& failure : report.failures) EXPECT_EQ(failure.why, reason);
 }
 
 // Several blocks of rows: the checkpoint stands after five cells that are in the file and two that
@@ -510,42 +515,42 @@ count = 13
 )";
 
 TEST_F(MapRuns, GoOnFromTheCheckpointOfAnEarlierOne) {
-  const ScenarioMap map(strobed, "m.toml");
-  run(map, RunBegin::resume);  // nothing there: from the start
+  const io::ScenarioMap map(strobed, "m.toml");
+  run(map, io::RunBegin::resume);  // nothing there: from the start
   const std::string straight = text_of(path_);
   std::filesystem::remove(path_);
-  EXPECT_THROW(run(map, RunBegin::anew, 7), RunInterrupted);
+  EXPECT_THROW(run(map, io::RunBegin::anew, 7), io::RunInterrupted);
   const std::string kept = text_of(checkpoint()), part = text_of(path_ + ".part");
   EXPECT_EQ(std::count(part.begin(), part.end(), '\n') -
                 std::count(straight.begin(), straight.end(), '#'),
             1 + 5 * 2001);
-  EXPECT_THROW(run(map, RunBegin::anew), DomainError);  // seven cells would be lost
+  EXPECT_THROW(run(map, io::RunBegin::anew), DomainError);  // seven cells would be lost
   EXPECT_EQ(text_of(checkpoint()), kept);
   // killed after the checkpoint: the part has grown by any number of bytes
   for (const std::size_t more : {std::size_t{0}, std::size_t{1}, std::size_t{400000}}) {
     std::ofstream(checkpoint(), std::ios::binary) << kept;
     std::ofstream(path_ + ".part", std::ios::binary) << part << straight.substr(part.size(), more);
     std::filesystem::remove(path_);
-    run(map, RunBegin::resume);
+    run(map, io::RunBegin::resume);
     EXPECT_EQ(text_of(path_), straight) << more;
   }
   // killed between the name of the file and the end of the checkpoint
   std::ofstream(checkpoint(), std::ios::binary) << kept;
-  run(map, RunBegin::resume);
+  run(map, io::RunBegin::resume);
   EXPECT_EQ(text_of(path_), straight);
   EXPECT_THAT(files(), ::testing::ElementsAre("m.csv"));
 }
 
 TEST_F(MapRuns, RefuseWhatIsOfAnother) {
-  const ScenarioMap map(section, "m.toml");
-  EXPECT_THROW(run(map, RunBegin::anew, 9), RunInterrupted);
+  const io::ScenarioMap map(section, "m.toml");
+  EXPECT_THROW(run(map, io::RunBegin::anew, 9), io::RunInterrupted);
   const std::string kept = text_of(checkpoint()), part = text_of(path_ + ".part");
-  const auto refusal_of = [&](const ScenarioMap& other) {
-    return test::message_of([&] { run(other, RunBegin::resume); });
+  const auto refusal_of = [&](const io::ScenarioMap& other) {
+    return test::message_of([&] { run(other, io::RunBegin::resume); });
   };
   std::string text = section;
   text.replace(text.find("count = 13"), 10, "count = 14");
-  EXPECT_THAT(refusal_of(ScenarioMap(text, "m.toml")),
+  EXPECT_THAT(refusal_of(io::ScenarioMap(text, "m.toml")),
               HasSubstr("m.csv.checkpoint: is of another map: scenario was \"m.toml "));
   std::string damaged = kept;
   damaged.back() = static_cast<char>(damaged.back() ^ 1);
@@ -563,32 +568,32 @@ TEST_F(MapRuns, RefuseWhatIsOfAnother) {
 
 // Processes whose cells are computed in any order.
 ShuffledExecutor shuffled(const std::string& text, int processes, unsigned seed) {
-  return {[&] { return map_work(scenario_from_text(text, "m.toml")); }, processes, seed};
+  return {[&] { return io::map_work(io::scenario_from_text(text, "m.toml")); }, processes, seed};
 }
 
 TEST_F(MapRuns, OnAnExecutorAreThoseOfThreads) {
   const std::string chaos = body + "[map]\nkind = \"chaos\"\n" + two_axes;
   for (const std::string& text : {section, strobed, chaos}) {  // of sections some cells fail
-    const ScenarioMap map(text, "m.toml");
-    const MapReport threads = run(map, RunBegin::restart);
+    const io::ScenarioMap map(text, "m.toml");
+    const io::MapReport threads = run(map, io::RunBegin::restart);
     ShuffledExecutor executor = shuffled(text, 3, 5);
-    expect_equal(run(map, RunBegin::anew, -1, "e.csv", &executor), threads);
+    expect_equal(run(map, io::RunBegin::anew, -1, "e.csv", &executor), threads);
     EXPECT_EQ(text_of(folder_ + "/e.csv"), text_of(path_));
     std::filesystem::remove(folder_ + "/e.csv");
   }
 }
 
 TEST_F(MapRuns, StoppedOnAnExecutorGoOnOnThreadsAndBack) {
-  const ScenarioMap map(section, "m.toml");
-  const MapReport whole = run(map, RunBegin::anew);
+  const io::ScenarioMap map(section, "m.toml");
+  const io::MapReport whole = run(map, io::RunBegin::anew);
   const std::string straight = text_of(path_);
   std::filesystem::remove(path_);
   for (std::int64_t stop = 1; stop < 13; ++stop) {
     ShuffledExecutor executor = shuffled(section, 2, 7);
-    EXPECT_THROW(run(map, RunBegin::resume, stop, "m.csv", stop % 2 == 1 ? &executor : nullptr),
-                 RunInterrupted);
+    EXPECT_THROW(run(map, io::RunBegin::resume, stop, "m.csv", stop % 2 == 1 ? &executor : nullptr),
+                 io::RunInterrupted);
   }
-  expect_equal(run(map, RunBegin::resume), whole);
+  expect_equal(run(map, io::RunBegin::resume), whole);
   EXPECT_EQ(text_of(path_), straight);
 }
 
@@ -603,42 +608,42 @@ from = 1.1
 to = 1.9
 count = 300
 )";
-  const ScenarioMap map(text, "m.toml");
-  const MapReport whole = run(map, RunBegin::anew);
+  const io::ScenarioMap map(text, "m.toml");
+  const io::MapReport whole = run(map, io::RunBegin::anew);
   const std::string straight = text_of(path_);
   std::filesystem::remove(path_);
   ShuffledExecutor executor = shuffled(text, 3, 11);
-  EXPECT_THROW(run(map, RunBegin::anew, 4), RunInterrupted);
-  EXPECT_THROW(run(map, RunBegin::resume, 10, "m.csv", &executor), RunInterrupted);
-  EXPECT_THROW(run(map, RunBegin::resume, 11), RunInterrupted);
-  expect_equal(run(map, RunBegin::resume, -1, "m.csv", &executor), whole);
+  EXPECT_THROW(run(map, io::RunBegin::anew, 4), io::RunInterrupted);
+  EXPECT_THROW(run(map, io::RunBegin::resume, 10, "m.csv", &executor), io::RunInterrupted);
+  EXPECT_THROW(run(map, io::RunBegin::resume, 11), io::RunInterrupted);
+  expect_equal(run(map, io::RunBegin::resume, -1, "m.csv", &executor), whole);
   EXPECT_EQ(text_of(path_), straight);
 }
 
 TEST_F(MapRuns, OnAnExecutorOfAnotherMapAreRejected) {
-  const ScenarioMap map(section, "m.toml");
+  const io::ScenarioMap map(section, "m.toml");
   std::string text = section;
   text.replace(text.find("count = 13"), 10, "count = 14");
   ShuffledExecutor other = shuffled(text, 2, 1);
-  EXPECT_REJECTED(run(map, RunBegin::anew, -1, "m.csv", &other),
+  EXPECT_REJECTED(run(map, io::RunBegin::anew, -1, "m.csv", &other),
                   "m.toml: is not the map that is run: scenario was");
   ShuffledExecutor many = shuffled(section, 14, 1);
-  EXPECT_REJECTED(run(map, RunBegin::restart, -1, "m.csv", &many),
+  EXPECT_REJECTED(run(map, io::RunBegin::restart, -1, "m.csv", &many),
                   "m.toml: map: 14 processes for 13 cells; expected a cell for each at least: "
                   "fewer processes");
 }
 
 TEST_F(MapRuns, WhatProgressThrowsKeepsTheCellsBefore) {
-  const ScenarioMap map(section, "m.toml");
-  RunOptions options;
+  const io::ScenarioMap map(section, "m.toml");
+  io::RunOptions options;
   options.threads = 3;
-  options.progress = [](const RunProgress& at) {
+  options.progress = [](const io::RunProgress& at) {
     if (at.reached == 7.0) throw std::runtime_error("enough");
   };
-  EXPECT_THROW(MapRun(map, {path_}, std::move(options)).run(), std::runtime_error);
-  RunOptions rest;
-  rest.begin = RunBegin::resume;
-  MapRun run(map, {path_}, std::move(rest));
+  EXPECT_THROW(io::MapRun(map, {path_}, std::move(options)).run(), std::runtime_error);
+  io::RunOptions rest;
+  rest.begin = io::RunBegin::resume;
+  io::MapRun run(map, {path_}, std::move(rest));
   EXPECT_TRUE(run.continues());
   EXPECT_EQ(run.reached(), 7.0);
   EXPECT_EQ(run.run().cells, 13);

@@ -6,12 +6,12 @@
 
 #include "message_of.hpp"
 #include "polhode/error.hpp"
-#include "polhode/run/map.hpp"
+#include "polhode/run/map_run.hpp"
 
 namespace polhode::test {
 
 inline std::string refusal(const std::string& text) {
-  return message_of<ScenarioError>([&] { const ScenarioMap map(text, "m.toml"); });
+  return message_of<io::ScenarioError>([&] { const io::ScenarioMap map(text, "m.toml"); });
 }
 
 }  // namespace polhode::test

@@ -8,7 +8,7 @@
 
 #include "budgets.hpp"
 #include "polhode/dynamics/integrate_model.hpp"
-#include "polhode/run/map.hpp"
+#include "polhode/run/map_run.hpp"
 #include "temp_folder.hpp"
 #include "unit/run/map_refusal.hpp"
 #include "worst.hpp"
@@ -50,22 +50,23 @@ count = 2
 )";
 
 TEST(MapOfSpins, TheExtremesAreThoseOfTheRun) {
-  const ScenarioMap map(file(shipped, column + two_axes), "m");
+  const io::ScenarioMap map(file(shipped, column + two_axes), "m");
   ASSERT_EQ(map.groups()[2].columns[1].name, "obliquity_largest");
   EXPECT_EQ(map.groups()[2].columns[1].unit, "deg");
   std::string plain = file(shipped, "");
   plain.replace(plain.find("obliquity = 30"), 14, "obliquity = 70");
   plain.replace(plain.find("constant = 3"), 12, "constant = 4");
-  const Scenario scenario = scenario_from_text(plain, "plain");
-  const auto& of = std::get<Obliquity>(scenario.experiment);
+  const io::Scenario scenario = io::scenario_from_text(plain, "plain");
+  const auto& of = std::get<io::Obliquity>(scenario.experiment);
   double least = INFINITY, most = -INFINITY, last = 0.0;
-  integrate(spin_problem(of), *of.time, [&](std::span<const BasicSample<SpinAxis>> samples) {
-    for (const BasicSample<SpinAxis>& one : samples) {
-      last = spin_angles(one.s, of.history.at(one.t)).obliquity / deg;
-      least = smaller(least, last);
-      most = larger(most, last);
-    }
-  });
+  integrate(io::spin_problem(of), *of.time,
+            [&](std::span<const BasicSample<secular::SpinAxis>> samples) {
+              for (const BasicSample<secular::SpinAxis>& one : samples) {
+                last = secular::spin_angles(one.s, of.history.at(one.t)).obliquity / deg;
+                least = smaller(least, last);
+                most = larger(most, last);
+              }
+            });
   const std::vector<double> found = map.cell(5).numbers;
   ASSERT_EQ(found.size(), 3U);
   EXPECT_NEAR(found[0], least, budget::map_extremes);
@@ -87,7 +88,7 @@ TEST_F(MapOfSpinsInFolder, OnAnOrbitThatStaysTheFrequencyIsThatOfTheClosedForm) 
   for (const char* const stop : {"-4000", "4000"}) {
     std::string text = file(fixed, frequency + two_axes);
     text.replace(text.find("stop = -4000") + 7, 5, stop);
-    const ScenarioMap map(text, "m");
+    const io::ScenarioMap map(text, "m");
     EXPECT_EQ(map.groups()[2].columns[0].unit, "deg/kyr");
     for (std::int64_t k = 0; k < map.size(); ++k) {
       const std::vector<double> at = map.axis_values(k), found = map.cell(k).numbers;
@@ -109,7 +110,7 @@ count = 2
 )");
   text.replace(text.find("-4000"), 5, "-20000");
   text.replace(text.find("constant = 3"), 12, "constant = 2.33");
-  const ScenarioMap map(text, "m");
+  const io::ScenarioMap map(text, "m");
   EXPECT_GT(map.cell(0).numbers[2], budget::map_chaotic);
   EXPECT_LT(map.cell(1).numbers[2], budget::map_regular);
 }

@@ -11,7 +11,7 @@
 namespace polhode {
 namespace {
 
-using detail::MemberHistogram;
+using io::detail::MemberHistogram;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -30,7 +30,8 @@ void add(MemberHistogram& to, int begin, int end) {
 }
 
 TEST(MemberHistogram, ChunksThroughNumbersAreOne) {
-  const std::vector<Bins> two = {Bins::linear(-0.5, 1.0, 3), Bins::linear(-1.0, 1.0, 5)};
+  const std::vector<ensemble::Bins> two = {ensemble::Bins::linear(-0.5, 1.0, 3),
+                                           ensemble::Bins::linear(-1.0, 1.0, 5)};
   for (const MemberHistogram& empty :
        {MemberHistogram(two), MemberHistogram(std::span(two).first(1)), MemberHistogram::kept(1),
         MemberHistogram::kept(2)}) {

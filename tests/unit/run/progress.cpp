@@ -30,7 +30,7 @@ struct Counted {
   std::size_t numbers = 0;
   bool finished = false;
 };
-class CountingSink final : public Sink {
+class CountingSink final : public io::Sink {
  public:
   explicit CountingSink(Counted& counted) : counted_(counted) {}
   void push(std::span<const double> rows) override { counted_.numbers += rows.size(); }
@@ -40,16 +40,16 @@ class CountingSink final : public Sink {
   Counted& counted_;
 };
 
-Scenario scenario(const std::string& rest) {
-  return scenario_from_text(test::scenario_text("[output]\ncolumns = [\"q\"]\n" + rest,
-                                                {.quaternion = "[0.5, 0.5, 0.5, 0.5]"}),
-                            "f.toml");
+io::Scenario scenario(const std::string& rest) {
+  return io::scenario_from_text(test::scenario_text("[output]\ncolumns = [\"q\"]\n" + rest,
+                                                    {.quaternion = "[0.5, 0.5, 0.5, 0.5]"}),
+                                "f.toml");
 }
 
-RunReport run_into(const Scenario& s, Counted& counted, const Progress& progress) {
-  std::vector<std::unique_ptr<Sink>> sinks;
+io::RunReport run_into(const io::Scenario& s, Counted& counted, const Progress& progress) {
+  std::vector<std::unique_ptr<io::Sink>> sinks;
   sinks.push_back(std::make_unique<CountingSink>(counted));
-  return run(s, sinks, progress);
+  return io::run(s, sinks, progress);
 }
 
 const std::string torque = "[[perturbation]]\nkind = \"constant-torque\"\ntorque = [0.1, 0, 0]\n";
@@ -73,13 +73,13 @@ TEST(ScenarioProgress, FreeRotationTellsAlongItsRows) {
 TEST(ScenarioProgress, WhatItThrowsLeavesTheRowsSoFarAndNoFinishedSink) {
   for (const std::string& motion : {std::string(), turning, torque}) {
     Counted counted;
-    const Scenario s = scenario(motion + "[time]\nstop = 1e7\nstep = 0.5\n");
+    const io::Scenario s = scenario(motion + "[time]\nstop = 1e7\nstep = 0.5\n");
     const Progress stops = [](double t) {
       if (t > 600.0) throw Interrupt{};
     };
     EXPECT_THROW(run_into(s, counted, stops), Interrupt);
     EXPECT_FALSE(counted.finished);
-    const std::size_t width = row_layout(s).width();
+    const std::size_t width = io::row_layout(s).width();
     EXPECT_GE(counted.numbers, 1200 * width);
     EXPECT_LE(counted.numbers, 2048 * width);
   }
@@ -97,7 +97,7 @@ TEST(ScenarioProgress, TheWayToTheFirstRowIsToldToo) {
 
 // A run goes to `stop`, also where that is no whole number of steps behind the first row.
 
-class Kept final : public Sink {
+class Kept final : public io::Sink {
  public:
   explicit Kept(std::vector<double>& numbers) : numbers_(numbers) {}
   void push(std::span<const double> block) override {
@@ -110,8 +110,8 @@ class Kept final : public Sink {
 };
 
 // A steady spin: qw is zero at t = pi, and qz at 2 pi.
-Scenario scenario(const std::string& time, const std::string& rest) {
-  return scenario_from_text(
+io::Scenario scenario(const std::string& time, const std::string& rest) {
+  return io::scenario_from_text(
       test::scenario_text("[output]\ncolumns = [\"q\"]\n[time]\n" + time + rest,
                           {.rate = "omega_body = [0, 0, 1]\n"}),
       "f.toml");
@@ -124,16 +124,16 @@ const std::string methods[] = {"", "[method]\nkind = \"collocation\"\n",
 
 struct Ran {
   std::vector<double> numbers;
-  RunReport report;
-  std::vector<std::pair<detail::RunState, std::string>> states;  // with what moves
+  io::RunReport report;
+  std::vector<std::pair<io::detail::RunState, std::string>> states;  // with what moves
 };
-Ran ran(const Scenario& s, const std::pair<detail::RunState, std::string>* from = nullptr) {
+Ran ran(const io::Scenario& s, const std::pair<io::detail::RunState, std::string>* from = nullptr) {
   Ran all;
-  std::vector<std::unique_ptr<Sink>> sinks;
+  std::vector<std::unique_ptr<io::Sink>> sinks;
   sinks.push_back(std::make_unique<Kept>(all.numbers));
-  detail::RunControl control;
+  io::detail::RunControl control;
   control.due = [](double) { return true; };
-  control.keep = [&](const detail::RunState& state, const detail::WriteMotion& motion) {
+  control.keep = [&](const io::detail::RunState& state, const io::detail::WriteMotion& motion) {
     Archive bytes;
     motion(bytes);
     all.states.emplace_back(state, bytes.bytes());
@@ -143,7 +143,7 @@ Ran ran(const Scenario& s, const std::pair<detail::RunState, std::string>* from 
     control.rows = from->first.rows;
     control.motion = &motion;
   }
-  all.report = detail::run_rows(s, sinks, control);
+  all.report = io::detail::run_rows(s, sinks, control);
   return all;
 }
 
@@ -178,11 +178,11 @@ TEST(ToStop, AnEventBehindTheLastRowStopsTheRun) {
 // From every state that a run offers, behind the last row too.
 TEST(ToStop, AContinuedRunIsTheStraightOne) {
   for (const std::string& method : methods) {
-    const Scenario s = scenario("stop = 7\nstep = 4\n", method + half);
+    const io::Scenario s = scenario("stop = 7\nstep = 4\n", method + half);
     const Ran straight = ran(s);
     ASSERT_EQ(straight.report.events.size(), 1U) << method;
     for (const auto& kept : straight.states) {
-      const detail::RunState& state = kept.first;
+      const io::detail::RunState& state = kept.first;
       const Ran rest = ran(s, &kept);
       const std::size_t before = static_cast<std::size_t>(state.rows) * 5;
       EXPECT_EQ(before + rest.numbers.size(), straight.numbers.size()) << method << state.t;
@@ -196,7 +196,7 @@ TEST(ToStop, AContinuedRunIsTheStraightOne) {
 
 // An ephemeris is tabulated over the run, behind the last row too.
 TEST(ToStop, OrbitsCoverTheWholeRun) {
-  const Ran run = ran(scenario_from_text(
+  const Ran run = ran(io::scenario_from_text(
       test::scenario_text(
           "[orbit.moon]\nkind = \"ephemeris\"\ntarget = \"moon\"\n"
           "centre = \"earth\"\n[[perturbation]]\nkind = \"gravity-gradient\"\norbit = \"moon\"\n"
@@ -210,11 +210,12 @@ TEST(ToStop, OrbitsCoverTheWholeRun) {
 }
 
 TEST(ToStop, ANoteSaysWhereTheRowsEnd) {
-  EXPECT_THAT(provenance(scenario("stop = 3.9\nstep = 1\n", "")).notes,
+  EXPECT_THAT(io::provenance(scenario("stop = 3.9\nstep = 1\n", "")).notes,
               Contains(HasSubstr("t = 3 s, lies before stop = 3.9 s")));
   for (const char* const time : {"stop = 3\nstep = 1\n", "stop = 3.9\ncount = 3\n", "at = [1, 3]\n",
                                  "stop = 0.3\nstep = 0.1\n", "stop = 2.1\nstep = 0.7\n"})
-    EXPECT_THAT(provenance(scenario(time, "")).notes, Not(Contains(HasSubstr("lies before stop"))));
+    EXPECT_THAT(io::provenance(scenario(time, "")).notes,
+                Not(Contains(HasSubstr("lies before stop"))));
 }
 
 }  // namespace

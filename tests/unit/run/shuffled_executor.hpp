@@ -15,13 +15,14 @@
 
 namespace polhode::test {
 
-class ShuffledExecutor : public Executor {
+class ShuffledExecutor : public ensemble::Executor {
  public:
-  ShuffledExecutor(const Ranks::MakeWork& make, int processes, unsigned seed) : random_(seed) {
+  ShuffledExecutor(const ensemble::Ranks::MakeWork& make, int processes, unsigned seed)
+      : random_(seed) {
     for (int k = 0; k < processes; ++k) all_.push_back(make());
   }
   int processes() const override { return static_cast<int>(all_.size()); }
-  void run(ExecutorWork&, const ExecutorStage& stage, const Take& take,
+  void run(ensemble::ExecutorWork&, const ensemble::ExecutorStage& stage, const Take& take,
            const std::function<void()>& look) override {
     for (const auto& process : all_) process->begin(stage.bytes);
     std::vector<std::int64_t> order;
@@ -34,7 +35,7 @@ class ShuffledExecutor : public Executor {
   }
 
  private:
-  std::vector<std::unique_ptr<ExecutorWork>> all_;
+  std::vector<std::unique_ptr<ensemble::ExecutorWork>> all_;
   std::mt19937 random_;
 };
 

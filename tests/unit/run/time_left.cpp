@@ -66,7 +66,7 @@ TEST(SecondsLeft, AreRightWithinAFactorOfTwo) {
       std::rotate(last.begin(), last.begin() + 1, last.end());
       last.back() = now;
       const double left = static_cast<double>(one.cells - done - 1) + one.last;
-      const double told = seconds_left(last, done, left), really = ends.back() - now;
+      const double told = io::seconds_left(last, done, left), really = ends.back() - now;
       EXPECT_LE(told, 2.0 * really + slack + 1e-9) << one.name << ", after " << done;
       EXPECT_GE(told, 0.5 * really - slack - 1e-9) << one.name << ", after " << done;
     }
@@ -75,18 +75,18 @@ TEST(SecondsLeft, AreRightWithinAFactorOfTwo) {
 
 // 8 cells of 22 s on 2 threads, by hand: the last two begin at 66.
 TEST(SecondsLeft, OfTwoThreadsByHand) {
-  EXPECT_EQ(seconds_left(std::vector{0.0, 22.0}, 1, 7.0), 66.0);
-  EXPECT_EQ(seconds_left(std::vector{22.0, 22.0}, 2, 6.0), 66.0);
-  EXPECT_EQ(seconds_left(std::vector{66.0, 66.0}, 6, 2.0), 22.0);
-  EXPECT_EQ(seconds_left(std::vector{66.0, 88.0}, 7, 1.0), 0.0);
-  EXPECT_EQ(seconds_left(std::vector{66.0, 66.0}, 6, 1.5), 22.0);  // the last one is a half
-  EXPECT_EQ(seconds_left(std::vector{66.0, 66.0}, 6, 3.0), 44.0);
-  EXPECT_EQ(seconds_left(std::vector{66.0, 66.0}, 6, 2.5), 33.0);
-  EXPECT_EQ(seconds_left(std::vector{66.0, 66.0}, 6, 0.0), 0.0);
+  EXPECT_EQ(io::seconds_left(std::vector{0.0, 22.0}, 1, 7.0), 66.0);
+  EXPECT_EQ(io::seconds_left(std::vector{22.0, 22.0}, 2, 6.0), 66.0);
+  EXPECT_EQ(io::seconds_left(std::vector{66.0, 66.0}, 6, 2.0), 22.0);
+  EXPECT_EQ(io::seconds_left(std::vector{66.0, 88.0}, 7, 1.0), 0.0);
+  EXPECT_EQ(io::seconds_left(std::vector{66.0, 66.0}, 6, 1.5), 22.0);  // the last one is a half
+  EXPECT_EQ(io::seconds_left(std::vector{66.0, 66.0}, 6, 3.0), 44.0);
+  EXPECT_EQ(io::seconds_left(std::vector{66.0, 66.0}, 6, 2.5), 33.0);
+  EXPECT_EQ(io::seconds_left(std::vector{66.0, 66.0}, 6, 0.0), 0.0);
 }
 
 TEST(CellClock, KnowsNothingBeforeTheFirstCellAndEndsAtOne) {
-  CellClock clock(2);
+  io::CellClock clock(2);
   EXPECT_EQ(clock.part(2.0), 0.0);
   clock.ended();
   const double part = clock.part(1.0);

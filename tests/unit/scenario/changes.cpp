@@ -40,8 +40,8 @@ stop = 720  # a month
 step = 0.5
 )";
 
-std::string changed(std::vector<ScenarioChange> changes, std::string_view text = apophis) {
-  return changed_text(text, changes);
+std::string changed(std::vector<io::ScenarioChange> changes, std::string_view text = apophis) {
+  return io::changed_text(text, changes);
 }
 // The text with the first occurrence of a part replaced.
 std::string with(std::string_view part, std::string_view by) {
@@ -49,7 +49,7 @@ std::string with(std::string_view part, std::string_view by) {
   return text.replace(text.find(part), part.size(), by);
 }
 std::string refusal_of(const std::string& key, const std::string& value) {
-  return test::message_of<ChangeError>([&] { changed({{key, value}}); });
+  return test::message_of<io::ChangeError>([&] { changed({{key, value}}); });
 }
 
 TEST(ScenarioChanges, AValueTakesThePlaceOfTheOldOneAndAllElseStays) {
@@ -85,18 +85,19 @@ TEST(ScenarioChanges, ANewKeyComesIntoItsTable) {
   EXPECT_EQ(changed({{"state.tumbler.pole.x", "1"}}), with("{ longitude", "{ x = 1, longitude"));
   // [state] has no header, [output] is not there at all
   const std::string epoch = changed({{"state.epoch", "2013-01-05 UTC"}});
-  EXPECT_EQ(scenario_from_text(epoch, "a.toml").rotation().epoch, "2013-01-05 UTC");
-  const Scenario columns =
-      scenario_from_text(changed({{"output.columns", "[\"euler\"]"}}), "a.toml");
+  EXPECT_EQ(io::scenario_from_text(epoch, "a.toml").rotation().epoch, "2013-01-05 UTC");
+  const io::Scenario columns =
+      io::scenario_from_text(changed({{"output.columns", "[\"euler\"]"}}), "a.toml");
   EXPECT_EQ(columns.output.columns, std::vector<std::string>{"euler"});
   EXPECT_EQ(columns.rotation().events.size(), 2U);
 }
 
 TEST(ScenarioChanges, ATableInBracesTakesThePlaceOfATable) {
-  const Scenario at = scenario_from_text(changed({{"time", "{ at = [1, 2, 4] }"}}), "a.toml");
-  ASSERT_TRUE(row_times(at));
-  EXPECT_EQ(row_times(at)->size(), 3);
-  EXPECT_EQ((*row_times(at))[2], 4.0);
+  const io::Scenario at =
+      io::scenario_from_text(changed({{"time", "{ at = [1, 2, 4] }"}}), "a.toml");
+  ASSERT_TRUE(io::row_times(at));
+  EXPECT_EQ(io::row_times(at)->size(), 3);
+  EXPECT_EQ((*io::row_times(at))[2], 4.0);
   const std::string pole = changed({{"state.tumbler.pole", "{ longitude = 1, latitude = 2 }"}});
   EXPECT_EQ(pole, with("{ longitude = 250, latitude = -75 }", "{ longitude = 1, latitude = 2 }"));
   const std::string none = changed({{"event", "[]"}});
@@ -107,8 +108,8 @@ TEST(ScenarioChanges, ATableInBracesTakesThePlaceOfATable) {
 TEST(ScenarioChanges, GoOneAfterTheOther) {
   const std::string text =
       changed({{"time.step", ""}, {"time.count", "3"}, {"time.count", "4"}, {"time.stop", "9"}});
-  const Scenario scenario = scenario_from_text(text, "a.toml");
-  EXPECT_EQ(row_times(scenario)->size(), 4);
+  const io::Scenario scenario = io::scenario_from_text(text, "a.toml");
+  EXPECT_EQ(io::row_times(scenario)->size(), 4);
   EXPECT_EQ(scenario.document.text, text);
 }
 
@@ -137,18 +138,18 @@ TEST(ScenarioChanges, WhatHasNoPlaceIsRefusedByName) {
   EXPECT_EQ(refusal_of("time.stop", "1\nstep = 2").substr(0, 15), "time.stop: got ");
   EXPECT_EQ(refusal_of("time.stop.x", "1"), "time.stop.x: has no place in the file");
   EXPECT_EQ(refusal_of("time..stop", "1").substr(0, 23), "time..stop: got no key;");
-  EXPECT_THROW(change_of("time.stop"), ChangeError);
-  EXPECT_THROW(change_of("=5"), ChangeError);
-  EXPECT_EQ(change_of(" time.stop = 5 ").key, "time.stop");
-  EXPECT_EQ(change_of("a=b=c").value, "b=c");
+  EXPECT_THROW(io::change_of("time.stop"), io::ChangeError);
+  EXPECT_THROW(io::change_of("=5"), io::ChangeError);
+  EXPECT_EQ(io::change_of(" time.stop = 5 ").key, "time.stop");
+  EXPECT_EQ(io::change_of("a=b=c").value, "b=c");
 }
 
 TEST(ScenarioChanges, AnUnknownKeyAndABadValueAreErrorsOfTheFile) {
   for (const auto& [key, value, message] :
        {std::tuple{"body.momnets", "[1, 2, 3]", "body.momnets: unknown key; did you mean moments?"},
         std::tuple{"state.tumbler.mode", "SAMM", "state.tumbler.mode: got \"SAMM\"; expected"}}) {
-    EXPECT_THAT(test::message_of<ScenarioError>([&] {
-                  scenario_from_text(changed({{key, value}}), "a.toml");
+    EXPECT_THAT(test::message_of<io::ScenarioError>([&] {
+                  io::scenario_from_text(changed({{key, value}}), "a.toml");
                 }),
                 testing::HasSubstr(message));
   }

@@ -12,9 +12,8 @@
 
 #include "budgets.hpp"
 #include "message_of.hpp"
-#include "polhode/output/columns.hpp"
-#include "polhode/run/citations.hpp"
-#include "polhode/run/map.hpp"
+#include "polhode/output/column_kind.hpp"
+#include "polhode/run/map_run.hpp"
 #include "polhode/run/run.hpp"
 #include "polhode/scenario/scenario.hpp"
 
@@ -25,27 +24,27 @@ using ::testing::Contains;
 using ::testing::HasSubstr;
 
 // Twice the kinetic energy, and the angle from body axis 3 to the axis of rotation.
-std::array<double, 2> spin_numbers(const RowSample& row) {
+std::array<double, 2> spin_numbers(const io::RowSample& row) {
   const Vec3 w = angular_velocity(row.system, row.t, row.state).inertial;
   return {dot(row.state.g, w), std::atan2(std::hypot(w.x, w.y), w.z)};
 }
-ColumnKind spin() {
-  ColumnKind kind =
-      column_kind("spin-vector", "Twice the energy, and the angle from body axis 3 to omega.",
-                  {{"twice_E", Dimension::energy}, {"tilt", Dimension::angle}}, spin_numbers);
+io::ColumnKind spin() {
+  io::ColumnKind kind = io::column_kind(
+      "spin-vector", "Twice the energy, and the angle from body axis 3 to omega.",
+      {{"twice_E", io::Dimension::energy}, {"tilt", io::Dimension::angle}}, spin_numbers);
   kind.note = "tilt: from body axis 3";
   kind.citations = {{"tilt2026", "A. Author (2026).", "the tilt"}};
   return kind;
 }
-double spin_rate(const RowSample& row) {
+double spin_rate(const io::RowSample& row) {
   return norm(angular_velocity(row.system, row.t, row.state).inertial);
 }
-ColumnKind rate_kind() {
-  return column_kind("total_rate", "Rate of rotation.", {{"total_rate", Dimension::rate}},
-                     spin_rate);
+io::ColumnKind rate_kind() {
+  return io::column_kind("total_rate", "Rate of rotation.", {{"total_rate", io::Dimension::rate}},
+                         spin_rate);
 }
 
-Kinds kinds() { return default_kinds().with(spin()).with(rate_kind()); }
+io::Kinds kinds() { return io::default_kinds().with(spin()).with(rate_kind()); }
 
 const std::string head =
     "schema = 1\nunits = { angle = \"deg\" }\n[body]\nmoments = [1, 1.7, 2.2]\n"
@@ -54,12 +53,14 @@ const std::string head =
 const std::string adaptive = "[method]\nkind = \"adaptive\"\n";
 const std::string output = "[output]\ncolumns = [\"spin-vector\", \"energy\", \"total_rate\"]\n";
 
-Scenario read(const std::string& text) { return scenario_from_text(text, "f.toml", kinds()); }
+io::Scenario read(const std::string& text) {
+  return io::scenario_from_text(text, "f.toml", kinds());
+}
 std::string error_of(const std::string& text) {
   return test::message_of([&] { read(text); });
 }
 
-class Kept : public Sink {
+class Kept : public io::Sink {
  public:
   explicit Kept(std::vector<double>& numbers) : numbers_(numbers) {}
   void push(std::span<const double> block) override {
@@ -72,32 +73,35 @@ class Kept : public Sink {
 };
 
 TEST(ColumnKinds, OursAreSound) {
-  for (const ColumnKind& kind : default_columns().all()) {
+  for (const io::ColumnKind& kind : io::default_columns().all()) {
     SCOPED_TRACE(kind.name);
     EXPECT_TRUE(kind.help.ends_with('.'));
     EXPECT_FALSE(kind.columns.empty());
     EXPECT_TRUE(static_cast<bool>(kind.numbers));
-    EXPECT_THAT(markdown_columns(), HasSubstr("| `" + std::string(kind.name) + "` | `"));
+    EXPECT_THAT(io::markdown_columns(), HasSubstr("| `" + std::string(kind.name) + "` | `"));
   }
-  EXPECT_TRUE(default_columns().needs_energy("dE") && default_columns().needs_energy("energy"));
-  EXPECT_FALSE(default_columns().needs_energy("g") || default_columns().needs_energy("unknown"));
-  EXPECT_TRUE(default_columns().needs_damper("s2") && !default_columns().needs_damper("w2"));
-  EXPECT_EQ(default_columns().of_column("date"), nullptr);
+  EXPECT_TRUE(io::default_columns().needs_energy("dE") &&
+              io::default_columns().needs_energy("energy"));
+  EXPECT_FALSE(io::default_columns().needs_energy("g") ||
+               io::default_columns().needs_energy("unknown"));
+  EXPECT_TRUE(io::default_columns().needs_damper("s2") &&
+              !io::default_columns().needs_damper("w2"));
+  EXPECT_EQ(io::default_columns().of_column("date"), nullptr);
 }
 
 TEST(ColumnKinds, RowsEventsNotesAndCitationsHaveIt) {
   const std::string event = "[[event]]\ncolumn = \"tilt\"\nvalue = 35\n";
   for (const std::string& method : {std::string(), adaptive}) {
-    const Scenario scenario = read(head + output + event + method);
-    const std::vector<ColumnGroup> groups = row_groups(scenario);
+    const io::Scenario scenario = read(head + output + event + method);
+    const std::vector<io::ColumnGroup> groups = io::row_groups(scenario);
     ASSERT_EQ(groups.size(), 4U);
     EXPECT_EQ(groups[1].columns[1].name, "tilt");
     EXPECT_EQ(groups[1].columns[1].unit, "deg");
     EXPECT_EQ(groups[3].columns[0].unit, "deg/s");
     std::vector<double> rows;
-    std::vector<std::unique_ptr<Sink>> sinks;
+    std::vector<std::unique_ptr<io::Sink>> sinks;
     sinks.push_back(std::make_unique<Kept>(rows));
-    const RunReport report = run(scenario, sinks);
+    const io::RunReport report = io::run(scenario, sinks);
     ASSERT_EQ(rows.size(), 6U * 6U);
     for (std::size_t k = 0; k < rows.size(); k += 6)
       EXPECT_NEAR(rows[k + 1], 2.0 * rows[k + 3], budget::io_elements);
@@ -105,17 +109,17 @@ TEST(ColumnKinds, RowsEventsNotesAndCitationsHaveIt) {
     EXPECT_NEAR(rows[2], std::atan2(std::sqrt(500.0), 30.0) * 180.0 / std::numbers::pi,
                 budget::io_elements);
     ASSERT_FALSE(report.events.empty());
-    const System system = rotor_system(scenario);
+    const System system = io::rotor_system(scenario);
     const double t = report.events[0].t;
-    const RowSample there{system, 0.0, t, free_rotation(scenario).at(t)};
+    const io::RowSample there{system, 0.0, t, io::free_rotation(scenario).at(t)};
     EXPECT_NEAR(spin_numbers(there)[1] * 180.0 / std::numbers::pi, 35.0, budget::io_elements);
-    EXPECT_THAT(provenance(scenario).notes, Contains("tilt: from body axis 3"));
-    EXPECT_EQ(citations(scenario).back().key, "tilt2026");
+    EXPECT_THAT(io::provenance(scenario).notes, Contains("tilt: from body axis 3"));
+    EXPECT_EQ(io::citations(scenario).back().key, "tilt2026");
   }
 }
 
 TEST(ColumnKinds, MapsAndSchemaKnowIt) {
-  const ScenarioMap map(head + R"([map]
+  const io::ScenarioMap map(head + R"([map]
 kind = "column"
 column = "total_rate"
 [[map.axis]]
@@ -124,12 +128,13 @@ from = 30
 to = 40
 count = 2
 )",
-                        "f.toml", kinds());
+                            "f.toml", kinds());
   EXPECT_EQ(map.groups().back().columns.back().name, "total_rate_last");
   EXPECT_EQ(map.groups().back().columns.back().unit, "deg/s");
   EXPECT_LT(map.cell(0).numbers.at(2), map.cell(1).numbers.at(2));
-  EXPECT_THAT(json_schema(kinds().schema()), HasSubstr("\"spin-vector\", \"total_rate\""));
-  EXPECT_THAT(markdown_columns(kinds().columns()), HasSubstr("| `spin-vector` | `twice_E,tilt` |"));
+  EXPECT_THAT(io::json_schema(kinds().schema()), HasSubstr("\"spin-vector\", \"total_rate\""));
+  EXPECT_THAT(io::markdown_columns(kinds().columns()),
+              HasSubstr("| `spin-vector` | `twice_E,tilt` |"));
   EXPECT_THAT(error_of(head + "[output]\ncolumns = [\"spin-vectors\"]\n"),
               HasSubstr("did you mean \"spin-vector\"?"));
   EXPECT_THAT(error_of(head + "[[event]]\ncolumn = \"tlit\"\nvalue = 1\n"),
@@ -138,13 +143,13 @@ count = 2
 
 TEST(ColumnKinds, WhatItNeedsIsAskedOfTheFile) {
   const auto error = [](const auto& change, const std::string& text) {
-    ColumnKind kind = rate_kind();
+    io::ColumnKind kind = rate_kind();
     change(kind);
-    const Kinds with = default_kinds().with(kind);
-    return test::message_of([&] { scenario_from_text(text, "f.toml", with); });
+    const io::Kinds with = io::default_kinds().with(kind);
+    return test::message_of([&] { io::scenario_from_text(text, "f.toml", with); });
   };
-  const auto energy = [](ColumnKind& kind) { kind.needs_energy = true; };
-  const auto damper = [](ColumnKind& kind) { kind.needs_damper = true; };
+  const auto energy = [](io::ColumnKind& kind) { kind.needs_energy = true; };
+  const auto damper = [](io::ColumnKind& kind) { kind.needs_damper = true; };
   const std::string columns = head + "[output]\ncolumns = [\"total_rate\"]\n";
   const std::string event = head + "[[event]]\ncolumn = \"total_rate\"\nvalue = 1\n";
   const std::string damping =
@@ -162,35 +167,35 @@ TEST(ColumnKinds, WhatItNeedsIsAskedOfTheFile) {
 
 TEST(ColumnKinds, WhatIsNoGroupIsRejected) {
   const auto error = [](const auto& change) {
-    ColumnKind kind = rate_kind();
+    io::ColumnKind kind = rate_kind();
     kind.name = "other";
-    kind.columns = {{"other_rate", Dimension::rate}};
+    kind.columns = {{"other_rate", io::Dimension::rate}};
     change(kind);
     return test::message_of([&] { static_cast<void>(kinds().with(kind)); });
   };
-  EXPECT_EQ(error([](ColumnKind&) {}), "");
+  EXPECT_EQ(error([](io::ColumnKind&) {}), "");
   for (const char* name : {"omega", "theta", "andoyer", "tides", "spin-vector", "tilt", "t"})
-    EXPECT_EQ(error([&](ColumnKind& k) { k.name = name; }),
+    EXPECT_EQ(error([&](io::ColumnKind& k) { k.name = name; }),
               "Kinds: column group \"" + std::string(name) + "\" is there; expected another name");
   for (const char* name : {"q", "w3", "obliquity", "tilt", "total_rate", "t"})
-    EXPECT_EQ(error([&](ColumnKind& k) {
-                k.columns = {{name, Dimension::rate}};
+    EXPECT_EQ(error([&](io::ColumnKind& k) {
+                k.columns = {{name, io::Dimension::rate}};
               }),
               "Kinds: column group \"other\", column \"" + std::string(name) +
                   "\" is there; expected another name");
-  EXPECT_THAT(error([](ColumnKind& k) { k.name = "my rate"; }),
+  EXPECT_THAT(error([](io::ColumnKind& k) { k.name = "my rate"; }),
               HasSubstr("\"my rate\"; expected letters, digits, - and _"));
-  EXPECT_THAT(error([](ColumnKind& k) {
-                k.columns = {{"my-rate", Dimension::rate}};
+  EXPECT_THAT(error([](io::ColumnKind& k) {
+                k.columns = {{"my-rate", io::Dimension::rate}};
               }),
               HasSubstr("column \"my-rate\"; expected letters, digits and _"));
-  EXPECT_THAT(error([](ColumnKind& k) { k.columns.push_back(k.columns[0]); }),
+  EXPECT_THAT(error([](io::ColumnKind& k) { k.columns.push_back(k.columns[0]); }),
               HasSubstr("\"other_rate\" is there twice; expected another name"));
-  EXPECT_THAT(error([](ColumnKind& k) { k.columns = {}; }),
+  EXPECT_THAT(error([](io::ColumnKind& k) { k.columns = {}; }),
               HasSubstr("got 0 columns; expected 1 to 16"));
-  EXPECT_THAT(error([](ColumnKind& k) { k.help = {}; }),
+  EXPECT_THAT(error([](io::ColumnKind& k) { k.help = {}; }),
               HasSubstr("got no text; expected one sentence"));
-  EXPECT_THAT(error([](ColumnKind& k) { k.numbers = {}; }),
+  EXPECT_THAT(error([](io::ColumnKind& k) { k.numbers = {}; }),
               HasSubstr("got no function of a row; expected one"));
 }
 

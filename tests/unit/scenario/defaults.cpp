@@ -31,8 +31,8 @@ const std::string numbers =
 
 std::string said(const std::string& rest, const std::string& top = head) {
   try {
-    return summary_table(summary(scenario_from_text(top + rest, "s.toml")));
-  } catch (const ScenarioError& error) {
+    return io::summary_table(io::summary(io::scenario_from_text(top + rest, "s.toml")));
+  } catch (const io::ScenarioError& error) {
     return error.what();
   }
 }
@@ -95,15 +95,15 @@ TEST(Defaults, AreInTheSummaryWithTheNumbersOfTheTorques) {
   folder.write("box.obj",
                "v 0 0 0\nv 3 0 0\nv 3 2 0\nv 0 2 0\nv 0 0 1\nv 3 0 1\nv 3 2 1\nv 0 2 1\n"
                "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
-  const Scenario of_mesh = read_scenario(
+  const io::Scenario of_mesh = io::read_scenario(
       folder.write("s.toml", head + "[[surface]]\nshape = \"box.obj\"\nscale = \"1 m\"\n"));
-  EXPECT_THAT(summary_table(summary(of_mesh)),
+  EXPECT_THAT(io::summary_table(io::summary(of_mesh)),
               HasSubstr("0.003 x 0.002 x 0.001 km, area 2.2e-05 km2, 12 facets"));
-  const Scenario dimensionless =
-      read_scenario(folder.write("n.toml",
-                                 "schema = 1\n[body]\nshape = \"box.obj\"\ndensity = 1\nscale = 1\n"
-                                 "[state.andoyer]\nL = 1\nG = 2\n"));
-  const std::string plain = summary_table(summary(dimensionless));
+  const io::Scenario dimensionless = io::read_scenario(
+      folder.write("n.toml",
+                   "schema = 1\n[body]\nshape = \"box.obj\"\ndensity = 1\nscale = 1\n"
+                   "[state.andoyer]\nL = 1\nG = 2\n"));
+  const std::string plain = io::summary_table(io::summary(dimensionless));
   EXPECT_THAT(plain, HasSubstr("3 x 2 x 1, area 22, 12 facets"));
   EXPECT_THAT(plain, ContainsRegex("state.andoyer, not in the file +g = 0, h = 0, l = 0, H = G\n"));
 }
@@ -131,9 +131,10 @@ TEST(Defaults, CoarseTablesOfElementsAreWarnedOfOrRejected) {
             more + "[time]\nstop = 300000\nstep = 10000\n");
     try {
       std::string all;
-      for (const std::string& warning : warnings(read_scenario(path))) all += warning + "\n";
+      for (const std::string& warning : io::warnings(io::read_scenario(path)))
+        all += warning + "\n";
       return all;
-    } catch (const ScenarioError& error) {
+    } catch (const io::ScenarioError& error) {
       return std::string(error.what());
     }
   };

@@ -22,22 +22,22 @@ state.attitude-rate = { quaternion = [1, 0, 0, 0], omega_body = [3, 4, "0.07 rad
 time = { stop = 20, step = 0.5 }
 )";
 
-EnsemblePlan plan_of(const std::string& ensemble) {
-  return *scenario_from_text(body + "[ensemble]\n" + ensemble, "e.toml").ensemble;
+io::EnsemblePlan plan_of(const std::string& ensemble) {
+  return *io::scenario_from_text(body + "[ensemble]\n" + ensemble, "e.toml").ensemble;
 }
 std::string refusal_of(const std::string& ensemble) {
-  return test::message_of<ScenarioError>([&] { static_cast<void>(plan_of(ensemble)); });
+  return test::message_of<io::ScenarioError>([&] { static_cast<void>(plan_of(ensemble)); });
 }
 std::string vary(const std::string& keys) { return "\n[[ensemble.vary]]\n" + keys; }
 const std::string w = "state.attitude-rate.omega_body";
 
 TEST(EnsemblePlan, TheMeanIsThatOfTheFileInItsUnit) {
-  const EnsemblePlan plan =
+  const io::EnsemblePlan plan =
       plan_of("size = 10" + vary("kind = \"normal\"\nkey = \"" + w + "[2]\"\nsigma = 0.01") +
               vary("kind = \"normal\"\nkey = \"" + w + "[0]\"\nsigma = 0"));
   EXPECT_THAT(plan.keys(), ElementsAre(w + "[2]", w + "[0]"));
   EXPECT_THAT(plan.units(), ElementsAre("rad/h", "deg/h"));
-  const auto& normal = std::get<Normal>(plan.draws.varied()[0].distribution);
+  const auto& normal = std::get<ensemble::Normal>(plan.draws.varied()[0].distribution);
   EXPECT_NEAR(normal.mean(), 0.07, budget::ensemble_rounding);
   EXPECT_NEAR(plan.numbers(7)[1], 3.0, budget::ensemble_rounding);
   EXPECT_EQ(plan.numbers(7)[0], plan.draws.value(7, 0));
@@ -45,9 +45,9 @@ TEST(EnsemblePlan, TheMeanIsThatOfTheFileInItsUnit) {
 
 TEST(EnsemblePlan, WhatIsLeftOut) {
   const std::string one = vary("kind = \"uniform\"\nkey = \"" + w + "[0]\"\nlow = 0\nhigh = 1");
-  const EnsemblePlan plan = plan_of("size = 1000" + one);
+  const io::EnsemblePlan plan = plan_of("size = 1000" + one);
   EXPECT_EQ(plan.seed, 1U);
-  EXPECT_EQ(plan.keep, EnsembleKeep::statistics);
+  EXPECT_EQ(plan.keep, io::EnsembleKeep::statistics);
   EXPECT_THAT(plan.quantiles, ElementsAre(0.05, 0.5, 0.95));
   EXPECT_EQ(plan.chunk, 16);
   EXPECT_EQ(plan_of("size = 1" + one).chunk, 1);
@@ -58,7 +58,8 @@ TEST(EnsemblePlan, WhatIsLeftOut) {
 TEST(EnsemblePlan, AKeyIsDrawnTheSameWhateverElseVaries) {
   const std::string one = vary("kind = \"uniform\"\nkey = \"" + w + "[0]\"\nlow = 0\nhigh = 1");
   const std::string two = vary("kind = \"attitude\"\nkeys = [\"state.attitude-rate.quaternion\"]");
-  const EnsemblePlan alone = plan_of("size = 10" + one), both = plan_of("size = 10" + two + one);
+  const io::EnsemblePlan alone = plan_of("size = 10" + one),
+                         both = plan_of("size = 10" + two + one);
   EXPECT_EQ(alone.numbers(3)[0], both.numbers(3)[4]);
   EXPECT_NE(alone.numbers(3)[0], plan_of("size = 10\nseed = 2" + one).numbers(3)[0]);
 }
@@ -67,7 +68,7 @@ TEST(EnsemblePlan, SeveralGridsAreOne) {
   const auto grid = [](const std::string& key, const char* count) {
     return vary("kind = \"grid\"\nkey = \"" + key + "\"\nfrom = 1\nto = 2\ncount = " + count);
   };
-  const EnsemblePlan plan =
+  const io::EnsemblePlan plan =
       plan_of("size = 9" + grid(w + "[0]", "2") +
               vary("kind = \"log-uniform\"\nkey = \"body.moments[1]\"\nlow = 1\nhigh = 2") +
               grid(w + "[1]", "3"));
@@ -85,8 +86,8 @@ TEST(EnsemblePlan, SeveralGridsAreOne) {
 TEST(EnsemblePlan, DirectionsKeepTheLengthOfTheFile) {
   std::string text = body;
   text.replace(text.find("\"0.07 rad/h\""), 12, "12");
-  const EnsemblePlan plan =
-      *scenario_from_text(
+  const io::EnsemblePlan plan =
+      *io::scenario_from_text(
            text + "[ensemble]\nsize = 3" + vary("kind = \"direction\"\nkeys = [\"" + w + "\"]"),
            "e.toml")
            .ensemble;
@@ -103,8 +104,8 @@ TEST(EnsemblePlan, WrapsWhatHasRows) {
   text.erase(text.find("time = {"));
   const std::string one = vary("kind = \"uniform\"\nkey = \"" + w + "[0]\"\nlow = 0\nhigh = 1");
   EXPECT_THAT(
-      test::message_of<ScenarioError>([&] {
-        static_cast<void>(scenario_from_text(text + "[ensemble]\nsize = 3" + one, "e.toml"));
+      test::message_of<io::ScenarioError>([&] {
+        static_cast<void>(io::scenario_from_text(text + "[ensemble]\nsize = 3" + one, "e.toml"));
       }),
       HasSubstr("ensemble: expected a table [time] as well"));
 }

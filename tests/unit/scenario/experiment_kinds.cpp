@@ -12,8 +12,8 @@
 #include "gyrostat.hpp"
 #include "message_of.hpp"
 #include "polhode/error.hpp"
-#include "polhode/run/citations.hpp"
 #include "polhode/run/custom_experiment.hpp"
+#include "polhode/run/run.hpp"
 #include "polhode/run/scenario_run.hpp"
 #include "polhode/run/summary.hpp"
 #include "polhode/scenario/scenario.hpp"
@@ -33,35 +33,36 @@ struct Arguments {
   double wheel;
 };
 
-constexpr KindKey<Arguments> keys[] = {
-    quantity_key<&Arguments::moments>("moments", Dimension::moment, "Principal moments.")
+constexpr io::KindKey<Arguments> keys[] = {
+    io::quantity_key<&Arguments::moments>("moments", io::Dimension::moment, "Principal moments.")
         .required()
         .example("[1, 1.7, 2.2]"),
-    quantity_key<&Arguments::wheel>("wheel", Dimension::momentum, "Of the wheel, about axis 3.")
+    io::quantity_key<&Arguments::wheel>("wheel", io::Dimension::momentum,
+                                        "Of the wheel, about axis 3.")
         .required()
         .example("0.5")
         .positive(),
 };
 
-CustomExperiment made(const Arguments& a, const ExperimentContext& at) {
+io::CustomExperiment made(const Arguments& a, const io::ExperimentContext& at) {
   if (a.moments.x == 7.0) throw DomainError("seven is refused");
-  ModelExperiment<Gyrostat> of{
+  io::ModelExperiment<Gyrostat> of{
       .model = Gyrostat(a.moments, {0.0, 0.0, a.wheel}, 0.05),
       .initial = {{0.5, 0.5, -0.5, 0.5}, {0.8, 1.9, 0.3}, 0.25},
-      .columns = {{"g3", Dimension::momentum}, {"wheel", Dimension::angle}},
+      .columns = {{"g3", io::Dimension::momentum}, {"wheel", io::Dimension::angle}},
       .row =
           [](const BasicSample<GyrostatState>& s, std::span<double> row) {
             row[0] = s.s.g.z;
             row[1] = s.s.wheel;
           },
-      .facts = {{"wheel", "wheel", a.wheel, Dimension::momentum}}};
+      .facts = {{"wheel", "wheel", a.wheel, io::Dimension::momentum}}};
   of.events.push_back({"half", [](const BasicSample<GyrostatState>& s) { return s.t - 5.5; }});
-  return custom_experiment<Gyrostat>("gyrostat", at, std::move(of));
+  return io::custom_experiment<Gyrostat>("gyrostat", at, std::move(of));
 }
 
-ExperimentKind gyrostat(std::string_view name = "gyrostat") {
-  return experiment_kind<Arguments>(name, "A body with a wheel.", keys, made,
-                                    {{"own2026", "A. Author (2026).", "the gyrostat"}});
+io::ExperimentKind gyrostat(std::string_view name = "gyrostat") {
+  return io::experiment_kind<Arguments>(name, "A body with a wheel.", keys, made,
+                                        {{"own2026", "A. Author (2026).", "the gyrostat"}});
 }
 
 const std::string head = R"(schema = 1
@@ -71,16 +72,17 @@ units = { time = "min", angle = "deg" }
 const std::string body = "gyrostat = { moments = [1, 1.7, 2.2], wheel = 0.5 }\n";
 const std::string rows = "time = { start = 2, stop = 9, count = 8 }\n";
 
-Scenario read(const std::string& text, const Kinds& kinds = default_kinds().with(gyrostat())) {
-  return scenario_from_text(text, "f.toml", kinds);
+io::Scenario read(const std::string& text,
+                  const io::Kinds& kinds = io::default_kinds().with(gyrostat())) {
+  return io::scenario_from_text(text, "f.toml", kinds);
 }
 
 class ExperimentKinds : public test::InTempFolder {};
 
 TEST_F(ExperimentKinds, RowsAreThoseOfTheModelInTheUnitsOfTheFile) {
-  const Scenario scenario = read(head + body + rows);
-  ScenarioRun run(scenario, {{path("rows.csv")}, path("events.csv")}, {});
-  const RunReport report = run.run();
+  const io::Scenario scenario = read(head + body + rows);
+  io::ScenarioRun run(scenario, {{path("rows.csv")}, path("events.csv")}, {});
+  const io::RunReport report = run.run();
   ASSERT_TRUE(report.outcome.ok()) << report.outcome.advice;
   EXPECT_EQ(report.rows, 8);
   EXPECT_EQ(report.events_met, 1);
@@ -97,32 +99,32 @@ TEST_F(ExperimentKinds, RowsAreThoseOfTheModelInTheUnitsOfTheFile) {
 }
 
 TEST_F(ExperimentKinds, SaysWhatItIs) {
-  const Scenario scenario = read(head + body + rows);
-  EXPECT_EQ(propagation_text(scenario), "adaptive, tolerance 1e-12");
-  EXPECT_THAT(summary_table(summary(scenario)), HasSubstr("wheel   0.5 1/min\n"));
+  const io::Scenario scenario = read(head + body + rows);
+  EXPECT_EQ(io::propagation_text(scenario), "adaptive, tolerance 1e-12");
+  EXPECT_THAT(io::summary_table(io::summary(scenario)), HasSubstr("wheel   0.5 1/min\n"));
   bool cited = false;
-  for (const Citation& one : citations(scenario)) {
+  for (const io::Citation& one : io::citations(scenario)) {
     cited = cited || one.key == "own2026";
     EXPECT_NE(one.key, "jacobi1850");  // which is of the rotation
   }
   EXPECT_TRUE(cited);
-  EXPECT_THAT(scenario_template("gyrostat", default_kinds().with(gyrostat()).schema()),
+  EXPECT_THAT(io::scenario_template("gyrostat", io::default_kinds().with(gyrostat()).schema()),
               HasSubstr("[gyrostat]\n# Principal moments.\nmoments = [1, 1.7, 2.2]\n"));
 }
 
 // Nothing in it is of a body that tumbles: the title says what it is, and time is that of examples.
 TEST_F(ExperimentKinds, ATemplateIsInItsOwnWordsAndUnits) {
-  ExperimentKind kind = gyrostat();
+  io::ExperimentKind kind = gyrostat();
   kind.help = "A \"wheel\" in a body.";
   const auto text = [&] {
-    return scenario_template("gyrostat", default_kinds().with(kind).schema());
+    return io::scenario_template("gyrostat", io::default_kinds().with(kind).schema());
   };
   EXPECT_THAT(text(), HasSubstr("\ntitle = \"A \\\"wheel\\\" in a body\"\n"));
   EXPECT_THAT(text(), HasSubstr("\ntime = \"s\"\n"));
   kind.keys.at(1).example = "\"0.5 kg m2/d\"";
   EXPECT_THAT(text(), HasSubstr("\ntime = \"d\"\n"));
   EXPECT_THAT(text(), HasSubstr("\nmoment = \"kg m2\"\n"));
-  EXPECT_EQ(read(text(), default_kinds().with(kind)).document.title, "A \"wheel\" in a body");
+  EXPECT_EQ(read(text(), io::default_kinds().with(kind)).document.title, "A \"wheel\" in a body");
 }
 
 TEST_F(ExperimentKinds, WhatIsWrongStandsAtItsPlace) {
@@ -145,25 +147,25 @@ TEST_F(ExperimentKinds, WhatIsWrongStandsAtItsPlace) {
               HasSubstr("map: kind: got \"gyrostat\"; expected \"rotation\" or \"obliquity\""));
   EXPECT_THAT(error(head + body + rows + "[body]\nmoments = [1, 2, 2]\n"),
               HasSubstr("body: a key of kind \"rotation\""));
-  EXPECT_REJECTED(read(head + body + rows, default_kinds()),
+  EXPECT_REJECTED(read(head + body + rows, io::default_kinds()),
                   "kind: got \"gyrostat\"; expected \"rotation\"");
 }
 
 // What is asked of a rotor is refused, not answered for another state.
 TEST_F(ExperimentKinds, ItIsNoRotor) {
-  const Scenario scenario = read(head + body + rows);
+  const io::Scenario scenario = read(head + body + rows);
   const std::string refused = "kind: got \"gyrostat\"; expected \"rotation\"";
   EXPECT_MESSAGE(scenario.rotation(), refused);
   EXPECT_MESSAGE(free_rotation(scenario), refused);
-  EXPECT_MESSAGE(rotor_system(scenario), refused);
-  EXPECT_MESSAGE(initial_state(scenario), refused);
+  EXPECT_MESSAGE(io::rotor_system(scenario), refused);
+  EXPECT_MESSAGE(io::initial_state(scenario), refused);
   EXPECT_MESSAGE(problem(scenario.experiment), refused);
-  EXPECT_MESSAGE(row_layout(scenario), refused);
+  EXPECT_MESSAGE(io::row_layout(scenario), refused);
 }
 
 TEST_F(ExperimentKinds, NamesOfTablesAreTaken) {
   const auto error = [](std::string_view name) {
-    return message_of([&] { default_kinds().with(gyrostat(name)); });
+    return message_of([&] { io::default_kinds().with(gyrostat(name)); });
   };
   EXPECT_EQ(error("gyrostat"), "");
   for (const char* name : {"body", "perturbation", "rotation", "output"})
@@ -174,16 +176,16 @@ TEST_F(ExperimentKinds, NamesOfTablesAreTaken) {
   EXPECT_EQ(error("tide"),
             "Kinds: experiment \"tide\" is the name of a perturbation; expected another name");
   EXPECT_MESSAGE(
-      default_kinds().with(gyrostat()).with(gyrostat()),
+      io::default_kinds().with(gyrostat()).with(gyrostat()),
       "Kinds: experiment \"gyrostat\" is the name of another table; expected another name");
 }
 
 TEST_F(ExperimentKinds, OneWithoutAModelDoesNotRun) {
-  ExperimentKind empty = gyrostat();
-  empty.made = [](const ExperimentContext& at) {
-    return CustomExperiment{.kind = "gyrostat", .rows = at.rows(), .columns = {}};
+  io::ExperimentKind empty = gyrostat();
+  empty.made = [](const io::ExperimentContext& at) {
+    return io::CustomExperiment{.kind = "gyrostat", .rows = at.rows(), .columns = {}};
   };
-  const Scenario scenario = read(head + body + rows, default_kinds().with(empty));
+  const io::Scenario scenario = read(head + body + rows, io::default_kinds().with(empty));
   EXPECT_REJECTED(run(scenario, {}),
                   "without a model; expected one that custom_experiment has made");
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The drive of a fit whose scenario is gone.
-#include "polhode/scenario/fit_drive.hpp"
+#include "polhode/detail/scenario/fit_drive.hpp"
 
 #include <gtest/gtest.h>
 
@@ -38,8 +38,8 @@ sigma = 1
 )";
 
 TEST(SpinDrive, OutlivesItsScenario) {
-  auto scenario = std::make_unique<Scenario>(scenario_from_text(pushed, "pushed.toml"));
-  const SpinDrive drive = spin_drive(*scenario);
+  auto scenario = std::make_unique<io::Scenario>(io::scenario_from_text(pushed, "pushed.toml"));
+  const fit::SpinDrive drive = io::spin_drive(*scenario);
   scenario.reset();
   ASSERT_EQ(drive.parameters.size(), 1u);
   EXPECT_EQ(drive.parameters[0].start, 0.3);

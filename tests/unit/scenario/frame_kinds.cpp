@@ -27,22 +27,22 @@ struct Arguments {
   std::string orbit;
 };
 
-constexpr KindKey<Arguments> keys[] = {
-    quantity_key<&Arguments::period>("period", Dimension::time, "Of one turn about axis 3.")
+constexpr io::KindKey<Arguments> keys[] = {
+    io::quantity_key<&Arguments::period>("period", io::Dimension::time, "Of one turn about axis 3.")
         .required()
         .example("24")
         .positive(),
-    name_key<&Arguments::orbit>("orbit", "An orbit that must be there.").example("\"moon\""),
+    io::name_key<&Arguments::orbit>("orbit", "An orbit that must be there.").example("\"moon\""),
 };
 
-MadeFrame made(const Arguments& a, const FrameContext& at) {
+io::MadeFrame made(const Arguments& a, const io::FrameContext& at) {
   if (!a.orbit.empty()) static_cast<void>(at.orbit("orbit"));
   if (a.period == 13.0) throw DomainError("thirteen is refused");
   return {Frame::precessing({0.0, 0.0, 1.0}, 2.0 * std::numbers::pi / a.period, 0.0), "turntable"};
 }
 
-FrameKind turntable(std::string_view name = "turntable") {
-  return frame_kind<Arguments>(name, "A frame that turns about axis 3.", keys, made);
+io::FrameKind turntable(std::string_view name = "turntable") {
+  return io::frame_kind<Arguments>(name, "A frame that turns about axis 3.", keys, made);
 }
 
 std::string file(const std::string& frame) {
@@ -54,21 +54,22 @@ time = { stop = 5, count = 2 }
 )" + frame;
 }
 
-Scenario read(const std::string& frame, const Kinds& kinds = default_kinds().with(turntable())) {
-  return scenario_from_text(file(frame), "f.toml", kinds);
+io::Scenario read(const std::string& frame,
+                  const io::Kinds& kinds = io::default_kinds().with(turntable())) {
+  return io::scenario_from_text(file(frame), "f.toml", kinds);
 }
 
 TEST(FrameKinds, OneOfYourOwnIsMadeFromItsKeys) {
-  const Scenario scenario = read("frame.turntable.period = \"2 d\"\n");
+  const io::Scenario scenario = read("frame.turntable.period = \"2 d\"\n");
   const FrameMotion own = scenario.rotation().frame.at(7.0);
   const FrameMotion ours =
       Frame::precessing({0.0, 0.0, 1.0}, 2.0 * std::numbers::pi / 48.0, 0.0).at(7.0);
   EXPECT_EQ(own.q_IS, ours.q_IS);
   EXPECT_EQ(own.mu_S, ours.mu_S);
   EXPECT_EQ(scenario.rotation().frame_text, "turntable");
-  EXPECT_TRUE(run_facts(scenario).moving_frame);
+  EXPECT_TRUE(io::run_facts(scenario).moving_frame);
   bool noted = false;
-  for (const std::string& note : provenance(scenario).notes)
+  for (const std::string& note : io::provenance(scenario).notes)
     noted = noted || note.find("the moving frame: turntable;") != std::string::npos;
   EXPECT_TRUE(noted);
 }
@@ -104,7 +105,7 @@ TEST(FrameKinds, APrecessionRateMayDependOnTime) {
   const auto frame = [&](const std::string& lines) {
     const std::string path = folder.write(
         "f.toml", file("[frame.precessing]\naxis = [0, 3, 4]\nepoch = 0.5\n" + lines + "\n"));
-    return read_scenario(path).rotation().frame;
+    return io::read_scenario(path).rotation().frame;
   };
   const auto distance = [&](const Frame& of, double t) {
     const double angle = varying_angle(t) - varying_angle(0.5);
@@ -149,7 +150,7 @@ TEST(FrameKinds, WhatIsNoRateIsRejected) {
         Row{"rate = 1\ncolumns = [\"1\", \"2\"]", "expected a key file as well"},
         Row{"rate = 1\nrate_formula = \"1\"", "expected exactly one of"},
         Row{"rates = [1, 2]", "expected"}})
-    EXPECT_THAT(message_of([&] { read(head + row.keys + "\n", default_kinds()); }),
+    EXPECT_THAT(message_of([&] { read(head + row.keys + "\n", io::default_kinds()); }),
                 HasSubstr(row.message))
         << row.keys;
 }
@@ -165,18 +166,18 @@ TEST(FrameKinds, WhatIsWrongStandsAtItsPlace) {
       error("frame = { turntable.period = 2, precessing = { axis = [0, 0, 1], rate = 1 } }"),
       HasSubstr("expected exactly one of precessing, orbit-plane, local-vertical, turntable"));
   EXPECT_REJECTED(
-      read("frame.turntable.period = 2\n", default_kinds()),
+      read("frame.turntable.period = 2\n", io::default_kinds()),
       "frame.turntable: unknown key; expected precessing, orbit-plane or local-vertical");
 }
 
 TEST(FrameKinds, WhatIsNotSoundIsRefusedWhenItIsAdded) {
-  const auto error = [](const FrameKind& kind) {
-    return message_of([&] { default_kinds().with(kind); });
+  const auto error = [](const io::FrameKind& kind) {
+    return message_of([&] { io::default_kinds().with(kind); });
   };
   EXPECT_EQ(error(turntable()), "");
   EXPECT_EQ(error(turntable("precessing")),
             "Kinds: frame \"precessing\" is there; expected another name");
-  FrameKind kind = turntable();
+  io::FrameKind kind = turntable();
   kind.made = nullptr;
   EXPECT_EQ(error(kind), "Kinds: frame \"turntable\": got no function that makes it; expected one");
   kind = turntable();
@@ -186,15 +187,15 @@ TEST(FrameKinds, WhatIsNotSoundIsRefusedWhenItIsAdded) {
 }
 
 TEST(FrameKinds, ATemplateHasIt) {
-  const Kinds kinds = default_kinds().with(turntable());
-  const Scenario scenario =
-      scenario_from_text(scenario_template("turntable", kinds.schema()), "template", kinds);
+  const io::Kinds kinds = io::default_kinds().with(turntable());
+  const io::Scenario scenario =
+      io::scenario_from_text(io::scenario_template("turntable", kinds.schema()), "template", kinds);
   EXPECT_EQ(scenario.rotation().frame_text, "turntable");
-  FrameKind following = turntable("following");
-  for (Key& key : following.keys) key.presence = Presence::required;
-  const Kinds with_orbit = default_kinds().with(following);
-  EXPECT_EQ(scenario_from_text(scenario_template("following", with_orbit.schema()), "template",
-                               with_orbit)
+  io::FrameKind following = turntable("following");
+  for (io::Key& key : following.keys) key.presence = io::Presence::required;
+  const io::Kinds with_orbit = io::default_kinds().with(following);
+  EXPECT_EQ(io::scenario_from_text(io::scenario_template("following", with_orbit.schema()),
+                                   "template", with_orbit)
                 .rotation()
                 .orbits.at(0)
                 .name,

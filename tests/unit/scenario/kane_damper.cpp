@@ -7,7 +7,6 @@
 #include "budgets.hpp"
 #include "message_of.hpp"
 #include "polhode/dynamics/integrate.hpp"
-#include "polhode/run/citations.hpp"
 #include "polhode/run/run.hpp"
 #include "polhode/scenario/scenario.hpp"
 
@@ -24,16 +23,16 @@ const std::string damper =
     "[[perturbation]]\nkind = \"kane-damper\"\nsphere_moment = 0.3\nfriction = 0.4\n";
 const std::string rate = "rate_relative = [0.4, -0.7, 0.2]\n";
 
-Scenario read(const std::string& rest, const std::string& of_body = body) {
-  return scenario_from_text("schema = 1\n" + of_body + state + rest, "f.toml");
+io::Scenario read(const std::string& rest, const std::string& of_body = body) {
+  return io::scenario_from_text("schema = 1\n" + of_body + state + rest, "f.toml");
 }
 
 std::string error_of(const std::string& rest) {
-  return test::message_of<ScenarioError>([&] { read(rest); });
+  return test::message_of<io::ScenarioError>([&] { read(rest); });
 }
 
 // The rows of a run, and what it reports.
-struct Rows final : Sink {
+struct Rows final : io::Sink {
   void push(std::span<const double> rows) override {
     numbers.insert(numbers.end(), rows.begin(), rows.end());
   }
@@ -42,25 +41,25 @@ struct Rows final : Sink {
 };
 
 TEST(ScenarioKaneDamper, IsThatOfTheSystem) {
-  const Scenario s = read(damper + rate);
+  const io::Scenario s = read(damper + rate);
   EXPECT_EQ(s.rotation().damper, KaneDamper(0.3, 0.4));
   EXPECT_EQ(s.rotation().damper_rate, (Vec3{0.4, -0.7, 0.2}));
-  EXPECT_EQ(rotor_system(s).damper(), s.rotation().damper);
+  EXPECT_EQ(io::rotor_system(s).damper(), s.rotation().damper);
   EXPECT_TRUE(s.rotation().terms.empty());
-  EXPECT_EQ(propagation_method(s), Method(Collocation{}));
+  EXPECT_EQ(io::propagation_method(s), Method(Collocation{}));
   // g = I w + J s, so that omega_body is the rate of the body
-  const System at = at_damper_rate(rotor_system(s), s.rotation().damper_rate);
-  const Vec3 w = angular_velocity(at, 0.0, initial_state(s)).inertial;
+  const System at = at_damper_rate(io::rotor_system(s), s.rotation().damper_rate);
+  const Vec3 w = angular_velocity(at, 0.0, io::initial_state(s)).inertial;
   EXPECT_LE(norm(w - Vec3{0.7, 1.1, 0.2}), budget::kane_rounding);
   std::vector<std::string> keys;
-  for (const Citation& c : citations(s)) keys.emplace_back(c.key);
+  for (const io::Citation& c : io::citations(s)) keys.emplace_back(c.key);
   EXPECT_THAT(keys, Contains("kane1966"));
   EXPECT_EQ(read(damper).rotation().damper_rate, Vec3{});
 }
 
 TEST(ScenarioKaneDamper, RateStandsInTheAxesOfTheTensor) {
   // moments 1, 1.6, 2.1 about axes turned by atan(3/4) about the third
-  const Scenario s = read(
+  const io::Scenario s = read(
       damper + rate, "[body]\ntensor = [[1.216, -0.288, 0], [-0.288, 1.384, 0], [0, 0, 2.1]]\n");
   EXPECT_LE(norm(rotate(s.rotation().body.q_FB(), s.rotation().damper_rate) - Vec3{0.4, -0.7, 0.2}),
             budget::kane_rounding);
@@ -68,20 +67,21 @@ TEST(ScenarioKaneDamper, RateStandsInTheAxesOfTheTensor) {
 }
 
 TEST(ScenarioKaneDamper, RowsAreThoseOfIntegrate) {
-  const Scenario s = read(damper + rate +
-                          "[[event]]\ncolumn = \"s2\"\nvalue = 0.1\n"
-                          "[time]\nstart = 1\nstop = 5\nstep = 2\n"
-                          "[output]\ncolumns = [\"omega\", \"damper\", \"energy\"]\n");
+  const io::Scenario s = read(damper + rate +
+                              "[[event]]\ncolumn = \"s2\"\nvalue = 0.1\n"
+                              "[time]\nstart = 1\nstop = 5\nstep = 2\n"
+                              "[output]\ncolumns = [\"omega\", \"damper\", \"energy\"]\n");
   auto rows = std::make_unique<Rows>();
   const Rows& kept = *rows;
-  std::vector<std::unique_ptr<Sink>> sinks;
+  std::vector<std::unique_ptr<io::Sink>> sinks;
   sinks.push_back(std::move(rows));
-  const RunReport report = run(s, sinks);
-  const System system = rotor_system(s);
-  const RotorState& start = initial_state(s);
+  const io::RunReport report = io::run(s, sinks);
+  const System system = io::rotor_system(s);
+  const RotorState& start = io::initial_state(s);
   const Trajectory straight = integrate(
       Problem{system, {start.q, start.g, s.rotation().damper_rate}, 0.0, 5.0, Adaptive{}});
-  const double E0 = energy(at_damper_rate(system, s.rotation().damper_rate), 0.0, initial_state(s));
+  const double E0 =
+      energy(at_damper_rate(system, s.rotation().damper_rate), 0.0, io::initial_state(s));
   ASSERT_EQ(kept.numbers.size(), 3U * 9U);
   for (std::size_t k = 0; k < 3; ++k) {
     const double* row = &kept.numbers[9 * k];
@@ -95,8 +95,8 @@ TEST(ScenarioKaneDamper, RowsAreThoseOfIntegrate) {
   }
   EXPECT_LT(kept.numbers[26], kept.numbers[17]);
   EXPECT_EQ(report.energy_change, kept.numbers[26]);
-  for (const RunEvent& event : report.events)
-    EXPECT_NEAR(record_of<SystemState>(event).s.damper_rate.y, 0.1, budget::adaptive_short_run);
+  for (const io::RunEvent& event : report.events)
+    EXPECT_NEAR(io::record_of<SystemState>(event).s.damper_rate.y, 0.1, budget::adaptive_short_run);
   EXPECT_FALSE(report.events.empty());
 }
 

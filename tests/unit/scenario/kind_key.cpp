@@ -31,7 +31,7 @@ struct Part {
 };
 struct Arguments : Part {
   std::optional<Vec3> axis;
-  LinearMap map;
+  io::LinearMap map;
   std::vector<double> times;
   bool strong;
   Sense sense;
@@ -48,22 +48,23 @@ struct Stranger {
 // Whether a key that is made in this way is a constant. The words are right, but for one.
 template <auto at>
 concept Quantity = requires {
-  typename std::bool_constant<(quantity_key<at>("r", Dimension::torque, "A."), true)>;
+  typename std::bool_constant<(io::quantity_key<at>("r", io::Dimension::torque, "A."), true)>;
 };
 template <auto at>
-concept WithoutDimension = requires { quantity_key<at>("r", "A."); };
+concept WithoutDimension = requires { io::quantity_key<at>("r", "A."); };
 template <auto at>
-concept WithoutText = requires { quantity_key<at>("r", Dimension::torque); };
+concept WithoutText = requires { io::quantity_key<at>("r", io::Dimension::torque); };
 template <auto at>
-concept WithEmptyText =
-    requires { typename std::bool_constant<(quantity_key<at>("r", Dimension::torque, ""), true)>; };
+concept WithEmptyText = requires {
+  typename std::bool_constant<(io::quantity_key<at>("r", io::Dimension::torque, ""), true)>;
+};
 template <auto at>
 concept WithoutStop = requires {
-  typename std::bool_constant<(quantity_key<at>("r", Dimension::torque, "A"), true)>;
+  typename std::bool_constant<(io::quantity_key<at>("r", io::Dimension::torque, "A"), true)>;
 };
 template <auto at>
 concept WithoutName = requires {
-  typename std::bool_constant<(quantity_key<at>("", Dimension::torque, "A."), true)>;
+  typename std::bool_constant<(io::quantity_key<at>("", io::Dimension::torque, "A."), true)>;
 };
 static_assert(Quantity<&Arguments::axis> && Quantity<&Arguments::map> &&
               Quantity<&Arguments::times> && Quantity<&Part::size>);
@@ -73,15 +74,15 @@ static_assert(!WithoutName<&Arguments::axis>);
 
 // The member has the type of the values.
 template <auto at>
-concept Flag = requires { typename std::bool_constant<(flag_key<at>("r", "A."), true)>; };
+concept Flag = requires { typename std::bool_constant<(io::flag_key<at>("r", "A."), true)>; };
 template <auto at>
-concept Name = requires { typename std::bool_constant<(name_key<at>("r", "A."), true)>; };
+concept Name = requires { typename std::bool_constant<(io::name_key<at>("r", "A."), true)>; };
 template <auto at>
-concept File = requires { typename std::bool_constant<(file_key<at>("r", "A."), true)>; };
+concept File = requires { typename std::bool_constant<(io::file_key<at>("r", "A."), true)>; };
 template <auto at>
-concept OneUnit = requires { typename std::bool_constant<(unit_key<at>("r", "A."), true)>; };
+concept OneUnit = requires { typename std::bool_constant<(io::unit_key<at>("r", "A."), true)>; };
 template <auto at>
-concept Columns = requires { typename std::bool_constant<(columns_key<at>("r", "A."), true)>; };
+concept Columns = requires { typename std::bool_constant<(io::columns_key<at>("r", "A."), true)>; };
 static_assert(Flag<&Arguments::strong>);
 static_assert(!Flag<&Part::size> && !Flag<&Arguments::word> && !Flag<&Arguments::whole>);
 static_assert(Name<&Arguments::word> && Name<&Arguments::other>);
@@ -96,24 +97,24 @@ static_assert(!Quantity<&Arguments::whole> && !Quantity<&Arguments::sense>);
 template <auto... enumerators>
 concept Choice = requires {
   typename std::bool_constant<(
-      choice_key<&Arguments::sense, enumerators...>("r", "forward|backward", "A."), true)>;
+      io::choice_key<&Arguments::sense, enumerators...>("r", "forward|backward", "A."), true)>;
 };
 template <auto at>
 concept WithOneWord = requires {
   typename std::bool_constant<(
-      choice_key<at, Sense::forward, Sense::backward>("r", "forward", "A."), true)>;
+      io::choice_key<at, Sense::forward, Sense::backward>("r", "forward", "A."), true)>;
 };
 template <auto at>
 concept WithEmptyWord = requires {
   typename std::bool_constant<(
-      choice_key<at, Sense::forward, Sense::backward>("r", "forward|", "A."), true)>;
+      io::choice_key<at, Sense::forward, Sense::backward>("r", "forward|", "A."), true)>;
 };
 template <auto at>
 concept ChoiceOfNumbers =
-    requires { typename std::bool_constant<(choice_key<at, 0, 1>("r", "a|b", "A."), true)>; };
+    requires { typename std::bool_constant<(io::choice_key<at, 0, 1>("r", "a|b", "A."), true)>; };
 template <auto at>
 concept ChoiceOfFlags = requires {
-  typename std::bool_constant<(choice_key<at, false, true>("r", "no|yes", "A."), true)>;
+  typename std::bool_constant<(io::choice_key<at, false, true>("r", "no|yes", "A."), true)>;
 };
 static_assert(ChoiceOfFlags<&Arguments::strong> && !ChoiceOfFlags<&Arguments::whole>);
 static_assert(Choice<Sense::forward, Sense::backward>);
@@ -123,7 +124,7 @@ static_assert(!ChoiceOfNumbers<&Arguments::whole>);
 template <auto... enumerators>
 concept Choices = requires {
   typename std::bool_constant<(
-      choices_key<&Arguments::senses, enumerators...>("r", "forward|backward", "A."), true)>;
+      io::choices_key<&Arguments::senses, enumerators...>("r", "forward|backward", "A."), true)>;
 };
 static_assert(Choices<Sense::forward, Sense::backward>);
 static_assert(!Choices<Sense::forward> && !Choices<0, 1>);
@@ -131,24 +132,25 @@ static_assert(!Choices<Sense::forward> && !Choices<0, 1>);
 // A range belongs to numbers, and nothing stands for what is required.
 template <auto at>
 concept PositiveQuantity = requires {
-  typename std::bool_constant<(quantity_key<at>("r", Dimension::torque, "A.").positive(), true)>;
+  typename std::bool_constant<(io::quantity_key<at>("r", io::Dimension::torque, "A.").positive(),
+                               true)>;
 };
 template <auto at>
 concept PositiveFlag =
-    requires { typename std::bool_constant<(flag_key<at>("r", "A.").positive(), true)>; };
+    requires { typename std::bool_constant<(io::flag_key<at>("r", "A.").positive(), true)>; };
 template <auto at>
 concept FlagThatIsNotNegative =
-    requires { typename std::bool_constant<(flag_key<at>("r", "A.").not_negative(), true)>; };
+    requires { typename std::bool_constant<(io::flag_key<at>("r", "A.").not_negative(), true)>; };
 template <auto at>
 concept PositiveName =
-    requires { typename std::bool_constant<(name_key<at>("r", "A.").positive(), true)>; };
+    requires { typename std::bool_constant<(io::name_key<at>("r", "A.").positive(), true)>; };
 template <auto at>
 concept RequiredWithFallback = requires {
-  typename std::bool_constant<(flag_key<at>("r", "A.").required().otherwise("true"), true)>;
+  typename std::bool_constant<(io::flag_key<at>("r", "A.").required().otherwise("true"), true)>;
 };
 template <auto at>
 concept FallbackOfRequired = requires {
-  typename std::bool_constant<(flag_key<at>("r", "A.").otherwise("true").required(), true)>;
+  typename std::bool_constant<(io::flag_key<at>("r", "A.").otherwise("true").required(), true)>;
 };
 static_assert(PositiveQuantity<&Part::size> && PositiveQuantity<&Arguments::times>);
 static_assert(!PositiveQuantity<&Arguments::map>);  // of a matrix it would say nothing
@@ -160,14 +162,16 @@ static_assert(!FallbackOfRequired<&Arguments::strong>);
 // Limits belong to integers, and a length to arrays that have none of their own.
 template <auto at>
 concept LimitedInteger =
-    requires { typename std::bool_constant<(integer_key<at>("r", "A.").from_to(1, 9), true)>; };
+    requires { typename std::bool_constant<(io::integer_key<at>("r", "A.").from_to(1, 9), true)>; };
 template <auto at>
 concept LimitedQuantity = requires {
-  typename std::bool_constant<(quantity_key<at>("r", Dimension::torque, "A.").from_to(1, 9), true)>;
+  typename std::bool_constant<(io::quantity_key<at>("r", io::Dimension::torque, "A.").from_to(1, 9),
+                               true)>;
 };
 template <auto at>
 concept ArrayOfTwo = requires {
-  typename std::bool_constant<(quantity_key<at>("r", Dimension::torque, "A.").of_length(2), true)>;
+  typename std::bool_constant<(io::quantity_key<at>("r", io::Dimension::torque, "A.").of_length(2),
+                               true)>;
 };
 static_assert(LimitedInteger<&Arguments::whole> && !LimitedInteger<&Arguments::strong>);
 static_assert(!LimitedQuantity<&Part::size>);
@@ -175,44 +179,45 @@ static_assert(ArrayOfTwo<&Arguments::times>);
 static_assert(!ArrayOfTwo<&Arguments::axis> && !ArrayOfTwo<&Part::size>);
 
 // Nothing else makes a key.
-static_assert(!std::is_aggregate_v<KindKey<Arguments>>);
-static_assert(!std::is_default_constructible_v<KindKey<Arguments>>);
-static_assert(!std::is_constructible_v<KindKey<Arguments>, Key>);
+static_assert(!std::is_aggregate_v<io::KindKey<Arguments>>);
+static_assert(!std::is_default_constructible_v<io::KindKey<Arguments>>);
+static_assert(!std::is_constructible_v<io::KindKey<Arguments>, io::Key>);
 
 // Keys of a struct that the arguments derive from; not of another one.
 template <class A>
 concept HasSize = requires {
-  typename std::bool_constant<(quantity_key<&Part::size, A>("r", Dimension::torque, "A."), true)>;
+  typename std::bool_constant<(io::quantity_key<&Part::size, A>("r", io::Dimension::torque, "A."),
+                               true)>;
 };
 static_assert(HasSize<Part> && HasSize<Arguments> && !HasSize<Stranger>);
 
 struct Derived : Arguments {};
-constexpr KindKey<Derived> keys[] = {
-    quantity_key<&Part::size, Derived>("size", Dimension::length, "A size.").positive(),
-    choice_key<&Arguments::sense, Derived, Sense::forward, Sense::backward>(
+constexpr io::KindKey<Derived> keys[] = {
+    io::quantity_key<&Part::size, Derived>("size", io::Dimension::length, "A size.").positive(),
+    io::choice_key<&Arguments::sense, Derived, Sense::forward, Sense::backward>(
         "sense", "forward|backward", "Which way.")
         .otherwise("\"forward\""),
-    flag_key<&Arguments::strong, Derived>("strong", "Twice as much.").required(),
+    io::flag_key<&Arguments::strong, Derived>("strong", "Twice as much.").required(),
 };
 
 TEST(KindKey, ItsRowSaysAllThatWasSaid) {
-  std::vector<Key> rows;
-  for (const KindKey<Derived>& key : keys) rows.push_back(key.key());
-  EXPECT_EQ(rows, keys_of<Derived>(keys));
-  EXPECT_EQ(rows[0], (Key{.path = "size",
-                          .type = KeyType::number,
-                          .dimension = Dimension::length,
-                          .help = "A size.",
-                          .range = Range::positive}));
+  std::vector<io::Key> rows;
+  for (const io::KindKey<Derived>& key : keys) rows.push_back(key.key());
+  EXPECT_EQ(rows, io::keys_of<Derived>(keys));
+  EXPECT_EQ(rows[0], (io::Key{.path = "size",
+                              .type = io::KeyType::number,
+                              .dimension = io::Dimension::length,
+                              .help = "A size.",
+                              .range = io::Range::positive}));
   EXPECT_EQ(rows[1].allowed, "forward|backward");
   EXPECT_EQ(rows[1].example, rows[1].fallback);
-  EXPECT_EQ(rows[2].presence, Presence::required);
+  EXPECT_EQ(rows[2].presence, io::Presence::required);
 }
 
 // One struct of a file is one of C++: what a key says of a missing one is what C++ has there.
 TEST(KindKey, DefaultsOfFilesAreThoseOfTheLibrary) {
   const auto method = [](const std::string& table) {
-    return *scenario_from_text(
+    return *io::scenario_from_text(
                 "schema = 1\nbody.moments = [1, 2, 3]\nstate.andoyer = { l = 0, g = "
                 "0, h = 0, L = 0.5, G = 1, H = 0 }\n[method]\n" +
                     table,
@@ -223,8 +228,8 @@ TEST(KindKey, DefaultsOfFilesAreThoseOfTheLibrary) {
   EXPECT_EQ(method("kind = \"adaptive\""), Method(Adaptive{}));
   EXPECT_EQ(method("kind = \"splitting\"\nstep = 0.5"), Method(Splitting{.step = 0.5}));
   EXPECT_EQ(method("kind = \"variation-of-constants\""), Method(VariationOfConstants{}));
-  const std::span<const Key> all = scenario_schema().keys;
-  const auto factor = std::find_if(all.begin(), all.end(), [](const Key& key) {
+  const std::span<const io::Key> all = io::scenario_schema().keys;
+  const auto factor = std::find_if(all.begin(), all.end(), [](const io::Key& key) {
     return key.path == "perturbation[].shape_factor";
   });
   ASSERT_NE(factor, all.end());
@@ -234,7 +239,7 @@ TEST(KindKey, DefaultsOfFilesAreThoseOfTheLibrary) {
 TEST(KindKey, IntegersOutsideTheirLimitsAreRejected) {
   const auto message = [](const std::string& line) {
     return message_of([&] {
-      scenario_from_text(
+      io::scenario_from_text(
           "schema = 1\nkind = \"fit\"\nbody.moments = [1, 2, 3]\nstate.andoyer = { l = 0, g = 0, "
           "h = 0, L = 0.5, G = 1, H = 0 }\n[[observation]]\nkind = \"rate\"\nfile = \"r.csv\"\n"
           "times = \"at-body\"\nsigma = 1\n[free]\nunknowns = [\"rate\"]\n[fit]\n" +
@@ -252,20 +257,20 @@ TEST(KindKey, IntegersOutsideTheirLimitsAreRejected) {
 
 // Those that are in the key, for editors and pages.
 TEST(KindKey, RangesAreInSchemaAndPages) {
-  const Key rows[] = {
+  const io::Key rows[] = {
       {.path = "size",
-       .type = KeyType::number,
-       .dimension = Dimension::length,
+       .type = io::KeyType::number,
+       .dimension = io::Dimension::length,
        .help = "A size.",
-       .range = Range::positive},
+       .range = io::Range::positive},
       {.path = "parts",
-       .type = KeyType::numbers,
+       .type = io::KeyType::numbers,
        .length = 2,
        .help = "Parts.",
-       .range = Range::not_negative},
-      {.path = "free", .type = KeyType::number, .help = "Any number."},
+       .range = io::Range::not_negative},
+      {.path = "free", .type = io::KeyType::number, .help = "Any number."},
   };
-  const std::string page = markdown_reference({rows, {}}), json = json_schema({rows, {}});
+  const std::string page = io::markdown_reference({rows, {}}), json = io::json_schema({rows, {}});
   EXPECT_THAT(page, HasSubstr("| `size` | length, positive |"));
   EXPECT_THAT(page, HasSubstr("| `parts` | 2 x pure number, not negative |"));
   EXPECT_THAT(page, HasSubstr("| `free` | number |"));

@@ -8,7 +8,6 @@
 
 #include "message_of.hpp"
 #include "own_steps.hpp"
-#include "polhode/run/citations.hpp"
 #include "polhode/run/run.hpp"
 #include "polhode/scenario/kinds.hpp"
 #include "polhode/scenario/scenario.hpp"
@@ -22,20 +21,20 @@ struct Arguments {
   double step;
 };
 
-constexpr KindKey<Arguments> keys[] = {
-    quantity_key<&Arguments::step>("step", Dimension::time, "How far each step goes.")
+constexpr io::KindKey<Arguments> keys[] = {
+    io::quantity_key<&Arguments::step>("step", io::Dimension::time, "How far each step goes.")
         .required()
         .example("0.5")
         .positive(),
 };
 
-Method made(const Arguments& a, const KeyValues&) { return test::runge_kutta_4(a.step); }
+Method made(const Arguments& a, const io::KeyValues&) { return test::runge_kutta_4(a.step); }
 
-MethodKind runge_kutta_kind(std::string_view name = "runge-kutta-4") {
-  return method_kind<Arguments>(name, "For tests.", keys, made, [](const Method& method) {
+io::MethodKind runge_kutta_kind(std::string_view name = "runge-kutta-4") {
+  return io::method_kind<Arguments>(name, "For tests.", keys, made, [](const Method& method) {
     const bool fine = *method_traits(method).step < 0.1;
-    return fine ? std::vector<Citation>{{"fine1901", "A. Author (1901).", "small steps"}}
-                : std::vector<Citation>{};
+    return fine ? std::vector<io::Citation>{{"fine1901", "A. Author (1901).", "small steps"}}
+                : std::vector<io::Citation>{};
   });
 }
 
@@ -52,38 +51,38 @@ torque = [0, 0, 1]
 )" + method;
 }
 
-Scenario read(const std::string& method, const Kinds& kinds) {
-  return scenario_from_text(file(method), "f.toml", kinds);
+io::Scenario read(const std::string& method, const io::Kinds& kinds) {
+  return io::scenario_from_text(file(method), "f.toml", kinds);
 }
 
 const std::string own = "kind = \"runge-kutta-4\"\nstep = ";
 
 TEST(MethodKinds, OneOfYourOwnIsMadeFromItsKeys) {
-  const Kinds kinds = default_kinds().with(runge_kutta_kind());
-  const Scenario scenario = read(own + "\"15 s\"\n", kinds);
-  EXPECT_EQ(propagation_method(scenario), Method(test::runge_kutta_4(0.25)));
-  EXPECT_EQ(propagation_text(scenario), "runge-kutta-4, step 0.25 min");
+  const io::Kinds kinds = io::default_kinds().with(runge_kutta_kind());
+  const io::Scenario scenario = read(own + "\"15 s\"\n", kinds);
+  EXPECT_EQ(io::propagation_method(scenario), Method(test::runge_kutta_4(0.25)));
+  EXPECT_EQ(io::propagation_text(scenario), "runge-kutta-4, step 0.25 min");
   EXPECT_MESSAGE(read(own + "-1\n", kinds),
                  "f.toml:11:8: method.step: got -1; expected a positive time");
-  EXPECT_REJECTED(read(own + "1\n", default_kinds()),
+  EXPECT_REJECTED(read(own + "1\n", io::default_kinds()),
                   "method.kind: got \"runge-kutta-4\"; expected \"adaptive\", ");
   EXPECT_REJECTED(read(own + "1e-20\n", kinds),
                   "method.step: got 1e-20; expected a step of which 1e15 at most");
 }
 
 TEST(MethodKinds, ItsKeysAreOfItsKindAlone) {
-  const Kinds kinds = default_kinds().with(runge_kutta_kind());
+  const io::Kinds kinds = io::default_kinds().with(runge_kutta_kind());
   EXPECT_REJECTED(read(own + "1\ntolerance = 1e-9\n", kinds),
                   "method.tolerance: a key of kind \"adaptive\", ");
   // the step of the splitting has another text: two rows of one name
-  EXPECT_EQ(propagation_method(read("kind = \"splitting\"\nstep = 1\n", kinds)),
+  EXPECT_EQ(io::propagation_method(read("kind = \"splitting\"\nstep = 1\n", kinds)),
             Method(Splitting{.step = 1.0}));
 }
 
 TEST(MethodKinds, CitationsDependOnTheMethod) {
-  const Kinds kinds = default_kinds().with(runge_kutta_kind());
+  const io::Kinds kinds = io::default_kinds().with(runge_kutta_kind());
   const auto cites = [&](const std::string& step) {
-    for (const Citation& one : citations(read(own + step + "\n", kinds)))
+    for (const io::Citation& one : io::citations(read(own + step + "\n", kinds)))
       if (one.key == "fine1901") return true;
     return false;
   };
@@ -92,45 +91,45 @@ TEST(MethodKinds, CitationsDependOnTheMethod) {
 }
 
 TEST(MethodKinds, WhatIsNotSoundIsRefusedWhenItIsAdded) {
-  const auto error = [](const MethodKind& kind) {
-    return message_of([&] { default_kinds().with(kind); });
+  const auto error = [](const io::MethodKind& kind) {
+    return message_of([&] { io::default_kinds().with(kind); });
   };
   EXPECT_EQ(error(runge_kutta_kind()), "");
   EXPECT_EQ(error(runge_kutta_kind("adaptive")),
             "Kinds: method \"adaptive\" is there; expected another name");
   EXPECT_EQ(error(runge_kutta_kind("my steps")),
             "Kinds: method \"my steps\"; expected letters, digits and -");
-  MethodKind kind = runge_kutta_kind();
+  io::MethodKind kind = runge_kutta_kind();
   kind.made = nullptr;
   EXPECT_EQ(error(kind),
             "Kinds: method \"runge-kutta-4\": got no function that makes it; expected one");
 }
 
 TEST(MethodKinds, AMethodHasTheNameOfItsKind) {
-  const Kinds kinds = default_kinds().with(runge_kutta_kind("rk4"));
+  const io::Kinds kinds = io::default_kinds().with(runge_kutta_kind("rk4"));
   EXPECT_REJECTED(read("kind = \"rk4\"\nstep = 1\n", kinds),
                   "expected a kind whose methods have its name, not runge-kutta-4");
 }
 
 TEST(MethodKinds, OursAreSoundAndMakeWhatTheyAreCalled) {
-  for (const MethodKind& kind : default_kinds().methods()) {
+  for (const io::MethodKind& kind : io::default_kinds().methods()) {
     const std::string step = kind.name == "splitting" ? "step = 1\n" : "";
-    const auto method = propagation_method(
-        read("kind = \"" + std::string(kind.name) + "\"\n" + step, default_kinds()));
+    const auto method = io::propagation_method(
+        read("kind = \"" + std::string(kind.name) + "\"\n" + step, io::default_kinds()));
     ASSERT_TRUE(method.has_value());
     EXPECT_EQ(method_traits(*method).kind, kind.name);
     EXPECT_FALSE(kind.cited(*method).empty());
-    MethodKind other = kind;
+    io::MethodKind other = kind;
     const std::string name = "my-" + std::string(kind.name);
     other.name = name;
-    EXPECT_EQ(message_of([&] { default_kinds().with(other); }), "");
+    EXPECT_EQ(message_of([&] { io::default_kinds().with(other); }), "");
   }
 }
 
 TEST(MethodKinds, ATemplateHasIt) {
-  const Kinds kinds = default_kinds().with(runge_kutta_kind());
-  const Scenario scenario =
-      scenario_from_text(scenario_template("runge-kutta-4", kinds.schema()), "template", kinds);
+  const io::Kinds kinds = io::default_kinds().with(runge_kutta_kind());
+  const io::Scenario scenario = io::scenario_from_text(
+      io::scenario_template("runge-kutta-4", kinds.schema()), "template", kinds);
   EXPECT_EQ(method_traits(scenario.rotation().method.value()).kind, "runge-kutta-4");
 }
 

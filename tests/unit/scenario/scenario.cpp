@@ -27,11 +27,11 @@ const std::string head = "schema = 1\n[body]\nmoments = [1, 2, 2.5]\n";
 const std::string andoyer = "[state.andoyer]\nl = 1\ng = 2\nh = 3\nL = 0.5\nG = 1\nH = 0.1\n";
 
 std::string error_of(const std::string& text) {
-  return test::message_of<ScenarioError>([&] { scenario_from_text(text, "f.toml"); });
+  return test::message_of<io::ScenarioError>([&] { io::scenario_from_text(text, "f.toml"); });
 }
 
 TEST(Scenario, KeepsWhatTheFileSays) {
-  const Scenario s = scenario_from_text(
+  const io::Scenario s = io::scenario_from_text(
       "schema = 1\ntitle = \"A body\"\n[units]\ntime = \"h\"\nangle = \"deg\"\n"
       "[body]\nmoments = [2, 1, 2.5]\n[state]\nepoch = \"JD 2456297.5 TDB\"\n"
       "axes = \"ecliptic-J2000\"\n"
@@ -45,7 +45,7 @@ TEST(Scenario, KeepsWhatTheFileSays) {
   EXPECT_EQ(s.rotation().epoch, "JD 2456297.5 TDB");
   EXPECT_EQ(s.rotation().axes, "ecliptic-J2000");
   EXPECT_EQ(s.rotation().body.moments(), (Vec3{2.0, 1.0, 2.5}));
-  const ChartState a = std::get<ChartState>(s.rotation().state);
+  const io::ChartState a = std::get<io::ChartState>(s.rotation().state);
   EXPECT_EQ(a.chart.name, "andoyer");
   EXPECT_THAT(std::span(a.numbers).first(a.chart.variables.size()),
               ElementsAre(std::numbers::pi, 1.0, std::numbers::pi, 0.5, 2.0, 0.1));
@@ -65,7 +65,7 @@ std::string digits(double x) {
 
 // In the half of the states whose poles are nearest: beyond it the numbers say less.
 TEST(Scenario, APoincareSetIsTheStateThatItsAndoyerVariablesAre) {
-  for (const ChartKind& chart : default_charts()) {
+  for (const io::ChartKind& chart : io::default_charts()) {
     if (!chart.name.starts_with("poincare")) continue;
     const double J = chart.state_fields[0].word == "pi" ? -1.0 : 1.0;
     const double I = chart.state_fields[1].word == "pi" ? -1.0 : 1.0;
@@ -73,14 +73,15 @@ TEST(Scenario, APoincareSetIsTheStateThatItsAndoyerVariablesAre) {
       for (const double H : {0.0, I * 0.4, I * 0.9999, I}) {
         const std::string text =
             "l = 0.3\ng = 2\nh = -1.2\nL = " + digits(L) + "\nG = 1\nH = " + digits(H) + "\n";
-        const Scenario from = scenario_from_text(head + "[state.andoyer]\n" + text, "f.toml");
-        const ChartNumbers numbers = chart.from_hub(initial_state(from), {nullptr});
+        const io::Scenario from =
+            io::scenario_from_text(head + "[state.andoyer]\n" + text, "f.toml");
+        const io::ChartNumbers numbers = chart.from_hub(io::initial_state(from), {nullptr});
         std::string state = "[state." + std::string(chart.name) + "]\n";
         for (std::size_t i = 0; i < chart.variables.size(); ++i)
           state += std::string(chart.variables[i].name) + " = " + digits(numbers[i]) + "\n";
-        const Scenario s = scenario_from_text(head + state, "f.toml");
+        const io::Scenario s = io::scenario_from_text(head + state, "f.toml");
         EXPECT_EQ(s.rotation().chart, chart.name);
-        const RotorState a = initial_state(from), b = initial_state(s);
+        const RotorState a = io::initial_state(from), b = io::initial_state(s);
         const double sign = a.q.w * b.q.w + a.q.x * b.q.x + a.q.y * b.q.y + a.q.z * b.q.z;
         Worst worst;
         for (const double x : {a.q.w - sign * b.q.w, a.q.x - sign * b.q.x, a.q.y - sign * b.q.y,
@@ -98,10 +99,10 @@ TEST(Scenario, RootsOfMomentaHaveUnits) {
            "\nQ2 = 0.1\nG = 1\nP1 = 0.2\nP2 = 0.3\n";
   };
   const auto read = [&](const std::string& Q1) {
-    return scenario_from_text("schema = 1\n" + units + head.substr(11) + text(Q1), "f.toml");
+    return io::scenario_from_text("schema = 1\n" + units + head.substr(11) + text(Q1), "f.toml");
   };
-  const auto Q1 = [](const Scenario& s) {
-    return std::get<ChartState>(s.rotation().state).numbers[1];
+  const auto Q1 = [](const io::Scenario& s) {
+    return std::get<io::ChartState>(s.rotation().state).numbers[1];
   };
   EXPECT_EQ(Q1(read("0.5")), 0.5);
   EXPECT_EQ(Q1(read("\"0.5 sqrt(kg m2/h)\"")), 0.5);
@@ -113,7 +114,7 @@ TEST(Scenario, RootsOfMomentaHaveUnits) {
 }
 
 TEST(Scenario, DefaultsAreThoseOfTheSchema) {
-  const Scenario s = scenario_from_text(head + andoyer, "f.toml");
+  const io::Scenario s = io::scenario_from_text(head + andoyer, "f.toml");
   EXPECT_EQ(s.units().time(), "s");
   EXPECT_EQ(s.units().angle(), "rad");
   EXPECT_EQ(s.rotation().axes, "inertial");
@@ -123,11 +124,11 @@ TEST(Scenario, DefaultsAreThoseOfTheSchema) {
 
 TEST(Scenario, RatesOfTheBodyGiveTheMomentum) {
   for (const std::string rate : {"omega_body", "omega_inertial"}) {
-    const Scenario s =
-        scenario_from_text(test::scenario_text("", {.units = "[units]\nangle = \"deg\"\n",
-                                                    .rate = rate + " = [180, 0, \"1 rad/s\"]\n"}),
-                           "f.toml");
-    const RotorState r = initial_state(s);
+    const io::Scenario s = io::scenario_from_text(
+        test::scenario_text("", {.units = "[units]\nangle = \"deg\"\n",
+                                 .rate = rate + " = [180, 0, \"1 rad/s\"]\n"}),
+        "f.toml");
+    const RotorState r = io::initial_state(s);
     EXPECT_NEAR(r.g.x, std::numbers::pi, budget::io_state);
     EXPECT_NEAR(r.g.z, 2.5, budget::io_state);
   }
@@ -138,11 +139,11 @@ TEST(Scenario, AMomentumIsThatOfTheState) {
   const std::string state =
       "[state.attitude-rate]\nquaternion = [0.5, -0.5, 0.5, 0.5]\n"
       "momentum_body = [0.1, -0.30000000000000004, 1.7]\n";
-  const RotorState s = initial_state(
-      scenario_from_text("schema = 1\n[body]\nmoments = [1, 1.9, 2.3]\n" + state, "a"));
+  const RotorState s = io::initial_state(
+      io::scenario_from_text("schema = 1\n[body]\nmoments = [1, 1.9, 2.3]\n" + state, "a"));
   EXPECT_EQ(s.q, (Quaternion{0.5, -0.5, 0.5, 0.5}));
   EXPECT_EQ(s.g, (Vec3{0.1, -0.30000000000000004, 1.7}));
-  const RotorState of_tensor = initial_state(scenario_from_text(
+  const RotorState of_tensor = io::initial_state(io::scenario_from_text(
       "schema = 1\n[body]\ntensor = [[1.9, 0, 0.2], [0, 1, 0], [0.2, 0, 2.3]]\n" + state, "b"));
   EXPECT_NEAR(norm(inertial_momentum(of_tensor) - inertial_momentum(s)), 0.0, budget::io_state);
   EXPECT_THAT(error_of("schema = 1\n[body]\nmoments = [1, 1.9, 2.3]\n" + state +
@@ -154,7 +155,7 @@ TEST(Scenario, AMomentumIsThatOfTheState) {
 // Each sign of Serret's elements and each lobe of Sadov's gives another state.
 TEST(Scenario, SignsOfTheElementsAreRead) {
   const auto momentum = [](const std::string& state) {
-    return initial_state(scenario_from_text(head + state, "f.toml")).g;
+    return io::initial_state(io::scenario_from_text(head + state, "f.toml")).g;
   };
   const std::string serret = "[state.serret]\ng0 = 0\nh = 0\nt0 = 0\nG = 1\nH = 0\n";
   const std::string short_axis = serret + "T = 0.21\n", long_axis = serret + "T = 0.4\n";
@@ -167,19 +168,20 @@ TEST(Scenario, SignsOfTheElementsAreRead) {
   EXPECT_GT(momentum(sadov).x, 0.0);
   EXPECT_LT(momentum(sadov + "lobe = -1\n").x, 0.0);
   EXPECT_EQ(momentum(sadov), momentum(sadov + "region = \"LAM\"\n"));
-  EXPECT_THROW(momentum(sadov + "region = \"SAM\"\n"), ScenarioError);
+  EXPECT_THROW(momentum(sadov + "region = \"SAM\"\n"), io::ScenarioError);
 }
 
 // The body axes of the file are those of the tensor: a rotated tensor with the same omega is the
 // same motion as the principal moments with the omega in principal axes.
 TEST(Scenario, ATensorGivesItsOwnBodyAxes) {
   const std::string state = "[state.attitude-rate]\nquaternion = [0.5, 0.5, 0.5, 0.5]\n";
-  const Scenario diagonal = scenario_from_text(head + state + "omega_body = [1, 2, 3]\n", "a");
-  const Scenario full =
-      scenario_from_text("schema = 1\n[body]\ntensor = [[1, 0, 0], [0, 2, 0], [0, 0, 2.5]]\n" +
-                             state + "omega_body = [1, 2, 3]\n",
-                         "b");
-  const FreeRotation a = free_rotation(diagonal), b = free_rotation(full);
+  const io::Scenario diagonal =
+      io::scenario_from_text(head + state + "omega_body = [1, 2, 3]\n", "a");
+  const io::Scenario full =
+      io::scenario_from_text("schema = 1\n[body]\ntensor = [[1, 0, 0], [0, 2, 0], [0, 0, 2.5]]\n" +
+                                 state + "omega_body = [1, 2, 3]\n",
+                             "b");
+  const FreeRotation a = io::free_rotation(diagonal), b = io::free_rotation(full);
   EXPECT_NEAR(a.energy(), b.energy(), budget::io_state);
   const Vec3 Ga = inertial_momentum(a.at(0.7)), Gb = inertial_momentum(b.at(0.7));
   EXPECT_NEAR(norm(Ga - Gb), 0.0, budget::io_state);
@@ -190,12 +192,13 @@ TEST(Scenario, ColumnAxesTurnNothingElse) {
   const std::string rest =
       "[state.attitude-rate]\nquaternion = [0.5, 0.5, 0.5, 0.5]\nomega_body = [1, 2, 3]\n"
       "[[perturbation]]\nkind = \"constant-torque\"\ntorque = [0.1, 0.2, 0.3]\n";
-  const Scenario plain = scenario_from_text(head + rest, "a");
-  const Scenario turned = scenario_from_text(head + "column_axes = [0.6, 0, 0, 0.8]\n" + rest, "b");
+  const io::Scenario plain = io::scenario_from_text(head + rest, "a");
+  const io::Scenario turned =
+      io::scenario_from_text(head + "column_axes = [0.6, 0, 0, 0.8]\n" + rest, "b");
   EXPECT_EQ(turned.rotation().body.q_FB(), (Quaternion{0.6, 0.0, 0.0, 0.8}));
-  EXPECT_EQ(initial_state(turned).q, initial_state(plain).q);
-  EXPECT_EQ(initial_state(turned).g, initial_state(plain).g);
-  const Vec3 u = effect(rotor_system(turned), 0.0, initial_state(turned)).u;
+  EXPECT_EQ(io::initial_state(turned).q, io::initial_state(plain).q);
+  EXPECT_EQ(io::initial_state(turned).g, io::initial_state(plain).g);
+  const Vec3 u = effect(io::rotor_system(turned), 0.0, io::initial_state(turned)).u;
   EXPECT_EQ(u, (Vec3{0.1, 0.2, 0.3}));
   EXPECT_THAT(error_of("schema = 1\n[body]\ntensor = [[1, 0, 0], [0, 2, 0], [0, 0, 2.5]]\n"
                        "column_axes = [1, 0, 0, 0]\n" +
@@ -264,13 +267,13 @@ TEST(Scenario, TumblersThatCannotBeSayWhy) {
 // One pole in three notations: the ecliptic one, and both axes of J2000.
 TEST(Scenario, PolesTurnWithTheAxes) {
   const auto momentum = [&](const std::string& axes, const std::string& pole) {
-    const Scenario s = scenario_from_text(
+    const io::Scenario s = io::scenario_from_text(
         "schema = 1\n[body]\nmoments = [0.61, 0.965, 1]\n[state]\naxes = \"" + axes +
             "\"\n[state.tumbler]\nmode = \"SAM\"\nprecession_period = 30.56\n"
             "rotation_period = 263\npole = " +
             pole + "\n",
         "f.toml");
-    const Vec3 G = inertial_momentum(initial_state(s));
+    const Vec3 G = inertial_momentum(io::initial_state(s));
     return (1.0 / norm(G)) * G;
   };
   const std::string north = "{ longitude = 0, latitude = \"90 deg\" }";
@@ -364,9 +367,10 @@ TEST(Scenario, QuotesAndCommentsMayHoldAnything) {
 }
 
 TEST(Scenario, TheKindOfAnExperimentIsARotationUnlessTheFileSaysOtherwise) {
-  EXPECT_EQ(scenario_from_text(head + andoyer, "f.toml").document.kind, "rotation");
-  const Scenario named = scenario_from_text("kind = \"rotation\"\n" + head + andoyer, "f.toml");
-  EXPECT_TRUE(std::holds_alternative<Rotation>(named.experiment));
+  EXPECT_EQ(io::scenario_from_text(head + andoyer, "f.toml").document.kind, "rotation");
+  const io::Scenario named =
+      io::scenario_from_text("kind = \"rotation\"\n" + head + andoyer, "f.toml");
+  EXPECT_TRUE(std::holds_alternative<io::Rotation>(named.experiment));
   const std::string error = error_of("kind = \"rotaton\"\n" + head + andoyer);
   EXPECT_EQ(error,
             "f.toml:1:8: kind: got \"rotaton\"; expected \"rotation\", \"fit\", \"obliquity\" or "
@@ -374,21 +378,22 @@ TEST(Scenario, TheKindOfAnExperimentIsARotationUnlessTheFileSaysOtherwise) {
 }
 
 TEST(Scenario, ItsProblemIsTheRunToTheLastRow) {
-  const Scenario s = scenario_from_text(
+  const io::Scenario s = io::scenario_from_text(
       head + andoyer + "[time]\nstart = 2\nstop = 8\nstep = 3\n[[perturbation]]\n" +
           "kind = \"constant-torque\"\ntorque = [0, 0, 1]\n[method]\nkind = \"splitting\"\n" +
           "step = 0.5\n",
       "f.toml");
-  const Problem problem = polhode::problem(s.experiment);
+  const Problem problem = io::problem(s.experiment);
   EXPECT_EQ(problem.start, 0.0);
   EXPECT_EQ(problem.stop, 8.0);
-  EXPECT_EQ(problem.initial, initial_state(s));
+  EXPECT_EQ(problem.initial, io::initial_state(s));
   EXPECT_EQ(problem.initial.damper_rate, Vec3{});
   EXPECT_EQ(problem.method, Method(Splitting{.step = 0.5}));
   EXPECT_EQ(problem.system.terms().size(), 1U);
   EXPECT_TRUE(problem.events.empty());
-  EXPECT_THROW(polhode::problem(scenario_from_text(head + andoyer, "f.toml").experiment),
-               DomainError);
+  EXPECT_THROW(
+      polhode::io::problem(polhode::io::scenario_from_text(head + andoyer, "f.toml").experiment),
+      DomainError);
 }
 
 TEST(Scenario, ManyErrorsStayFew) {
@@ -407,8 +412,9 @@ TEST(Scenario, MessagesArePrintable) {
 }
 
 TEST(Scenario, NamesOfAnyFileStayOneLine) {
-  EXPECT_THAT(test::message_of<ScenarioError>([&] { scenario_from_text("", "a\nb\x1b.toml"); }),
-              StartsWith("a\\x0ab\\x1b.toml:1:1: "));
+  EXPECT_THAT(
+      test::message_of<io::ScenarioError>([&] { io::scenario_from_text("", "a\nb\x1b.toml"); }),
+      StartsWith("a\\x0ab\\x1b.toml:1:1: "));
 }
 
 }  // namespace

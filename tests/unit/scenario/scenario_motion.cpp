@@ -25,20 +25,20 @@ const std::string head =  // six lines
 const std::string orbit = "[orbit.moon]\ngm = 1\nsemi_major_axis = 1\n";
 const std::string gravity = "[[perturbation]]\nkind = \"gravity-gradient\"\norbit = \"moon\"\n";
 
-Scenario read(const std::string& rest) { return scenario_from_text(head + rest, "f.toml"); }
+io::Scenario read(const std::string& rest) { return io::scenario_from_text(head + rest, "f.toml"); }
 
 std::string error_of(const std::string& rest) {
-  return test::message_of<ScenarioError>([&] { read(rest); });
+  return test::message_of<io::ScenarioError>([&] { read(rest); });
 }
 
 TEST(ScenarioMotion, OrbitsKeepTheirElements) {
-  const Scenario s = scenario_from_text(
+  const io::Scenario s = io::scenario_from_text(
       "schema = 1\n[units]\nlength = \"km\"\nangle = \"deg\"\n" + head.substr(11) +
           "[orbit.leo]\ngm = \"3.986004418e14 m3/s2\"\npericentre = \"6678 km\"\n"
           "eccentricity = 0.5\ninclination = 180\nnode_rate = \"-360 deg/d\"\n",
       "f.toml");
   ASSERT_EQ(s.rotation().orbits.size(), 1U);
-  const ScenarioOrbit& leo = s.rotation().orbits[0];
+  const io::ScenarioOrbit& leo = s.rotation().orbits[0];
   EXPECT_EQ(leo.name, "leo");
   const auto& motion = std::get<PrecessingKeplerOrbit>(leo.motion);
   EXPECT_DOUBLE_EQ(motion.gm(), 398600.4418);
@@ -49,9 +49,9 @@ TEST(ScenarioMotion, OrbitsKeepTheirElements) {
 }
 
 TEST(ScenarioMotion, TermsStandInTheOrderOfTheFile) {
-  const Scenario s = read(orbit + gravity +
-                          "[[perturbation]]\nkind = \"damping\"\ncoefficients = [1, 1, 1]\n"
-                          "[[perturbation]]\nkind = \"constant-torque\"\ntorque = [1, 0, 0]\n");
+  const io::Scenario s = read(orbit + gravity +
+                              "[[perturbation]]\nkind = \"damping\"\ncoefficients = [1, 1, 1]\n"
+                              "[[perturbation]]\nkind = \"constant-torque\"\ntorque = [1, 0, 0]\n");
   ASSERT_EQ(s.rotation().terms.size(), 3U);
   EXPECT_EQ(s.rotation().terms[0].name(), "gravity gradient, orbit moon");
   EXPECT_EQ(s.rotation().terms[1].name(), "damping");
@@ -62,13 +62,13 @@ TEST(ScenarioMotion, TermsStandInTheOrderOfTheFile) {
 // body turned in its axes feels the turned torque.
 TEST(ScenarioMotion, TorquesAndDampingStandInTheAxesOfTheTensor) {
   const auto torque = [](const std::string& body, const std::string& term) {
-    const Scenario s = scenario_from_text(
+    const io::Scenario s = io::scenario_from_text(
         "schema = 1\n[body]\n" + body +
             "\n[state.attitude-rate]\nquaternion = [1, 0, 0, 0]\nomega_body = [1, 2, 3]\n"
             "[[perturbation]]\n" +
             term,
         "f.toml");
-    const Vec3 u = effect(rotor_system(s), 0.0, initial_state(s)).u;
+    const Vec3 u = effect(io::rotor_system(s), 0.0, io::initial_state(s)).u;
     return rotate(s.rotation().body.q_FB(), u);
   };
   // moments 1, 2, 2.5 about axes turned by atan(3/4) about the third: all numbers are exact
@@ -86,7 +86,7 @@ TEST(ScenarioMotion, TorquesAndDampingStandInTheAxesOfTheTensor) {
 TEST(ScenarioMotion, TheStateIsThatInTheFrame) {
   const std::string frame = "[frame.precessing]\naxis = [0, 0, 2]\nrate = 0.5\nepoch = -3\n";
   const std::string text = test::scenario_text(frame, {.rate = "omega_inertial = [1, 0, 0]\n"});
-  const RotorState s = initial_state(scenario_from_text(text, "f.toml"));
+  const RotorState s = io::initial_state(io::scenario_from_text(text, "f.toml"));
   EXPECT_EQ(s.q, Quaternion{});
   // S has turned by 1.5 rad about axis 3, and so has the body
   EXPECT_NEAR(s.g.x, std::cos(1.5), budget::io_state);
@@ -99,17 +99,17 @@ TEST(ScenarioMotion, ARateMayBeRelativeToTheFrame) {
       "schema = 1\n[body]\nmoments = [1, 2, 2.5]\n[frame.precessing]\naxis = [0, 0, 1]\n"
       "rate = 0.5\nepoch = -3\n[state.attitude-rate]\nomega_relative = [0.1, 0, 0.2]\n";
   const RotorState s =
-      initial_state(scenario_from_text(text + "quaternion = [1, 0, 0, 0]\n", "f.toml"));
+      io::initial_state(io::scenario_from_text(text + "quaternion = [1, 0, 0, 0]\n", "f.toml"));
   EXPECT_NEAR(norm(s.g - Vec3{0.1, 0.0, 2.5 * 0.7}), 0.0, budget::io_state);
   // a quarter turn about axis 1: axis 3 of the frame is axis 2 of the body
   const RotorState tilted =
-      initial_state(scenario_from_text(text + "quaternion = [1, 1, 0, 0]\n", "f.toml"));
+      io::initial_state(io::scenario_from_text(text + "quaternion = [1, 1, 0, 0]\n", "f.toml"));
   EXPECT_NEAR(norm(tilted.g - Vec3{0.1, 2.0 * 0.5, 2.5 * 0.2}), 0.0, budget::io_state);
 }
 
 TEST(ScenarioMotion, AFrameMayTurnWithAnOrbit) {
   const auto rate = [](const std::string& keys, const char* turns) {
-    const Scenario s =
+    const io::Scenario s =
         read("[orbit.moon]\ngm = 2\nsemi_major_axis = 2\n" + keys +
              "[frame.precessing]\naxis = [0, 0, 1]\norbit = \"moon\"\nturns = " + turns + "\n");
     return s.rotation().precession.value().rate;
@@ -129,8 +129,8 @@ TEST(ScenarioMotion, AFrameMayTurnWithAnOrbit) {
 }
 
 TEST(ScenarioMotion, APeriodGivesTheSizeOfAnOrbit) {
-  const Scenario s = read("[orbit.moon]\ngm = 3\nperiod = 5\neccentricity = 0.2\n");
-  const KeplerElements* elements = kepler_elements(s.rotation().orbits.at(0));
+  const io::Scenario s = read("[orbit.moon]\ngm = 3\nperiod = 5\neccentricity = 0.2\n");
+  const KeplerElements* elements = io::kepler_elements(s.rotation().orbits.at(0));
   ASSERT_NE(elements, nullptr);
   const double a = std::cbrt(3.0 * std::pow(5.0 / (2.0 * std::numbers::pi), 2));
   EXPECT_NEAR(elements->pericentre, 0.8 * a, budget::io_state);
@@ -138,9 +138,9 @@ TEST(ScenarioMotion, APeriodGivesTheSizeOfAnOrbit) {
 }
 
 TEST(ScenarioMotion, TheFrameOfAnOrbitTurnsWithItsNode) {
-  const Scenario s = read(orbit +
-                          "inclination = 0.3\nnode = 0.2\nnode_rate = 0.1\nepoch = 1\n"
-                          "[frame.orbit-plane]\norbit = \"moon\"\n");
+  const io::Scenario s = read(orbit +
+                              "inclination = 0.3\nnode = 0.2\nnode_rate = 0.1\nepoch = 1\n"
+                              "[frame.orbit-plane]\norbit = \"moon\"\n");
   const FrameMotion m = s.rotation().frame.at(3.0);
   const Vec3 normal = rotate(m.q_IS, Vec3{0.0, 0.0, 1.0});
   EXPECT_NEAR(normal.x, std::sin(0.3) * std::sin(0.4), budget::io_state);
@@ -149,10 +149,10 @@ TEST(ScenarioMotion, TheFrameOfAnOrbitTurnsWithItsNode) {
 }
 
 TEST(ScenarioMotion, TheMethodIsThatOfTheFileOrASensibleOne) {
-  EXPECT_FALSE(propagation_method(read("")).has_value());
-  EXPECT_FALSE(propagation_method(read("[frame.precessing]\naxis = [1, 0, 0]\nrate = 1\n")));
-  EXPECT_EQ(propagation_method(read(orbit + gravity)), Method(Collocation{}));
-  EXPECT_FALSE(propagation_method(read("[[event]]\ncolumn = \"theta\"\n")).has_value());
+  EXPECT_FALSE(io::propagation_method(read("")).has_value());
+  EXPECT_FALSE(io::propagation_method(read("[frame.precessing]\naxis = [1, 0, 0]\nrate = 1\n")));
+  EXPECT_EQ(io::propagation_method(read(orbit + gravity)), Method(Collocation{}));
+  EXPECT_FALSE(io::propagation_method(read("[[event]]\ncolumn = \"theta\"\n")).has_value());
   EXPECT_EQ(read("[method]\nkind = \"splitting\"\nstep = 0.1\n").rotation().method,
             Method(Splitting{.step = 0.1}));
   EXPECT_EQ(read("[method]\nkind = \"adaptive\"\nprecision = \"double-double\"\n"
@@ -164,16 +164,17 @@ TEST(ScenarioMotion, TheMethodIsThatOfTheFileOrASensibleOne) {
   EXPECT_EQ(
       read("[method]\nkind = \"variation-of-constants\"\ntolerance = 1e-9\n").rotation().method,
       Method(VariationOfConstants{.tolerance = 1e-9}));
-  EXPECT_THAT(propagation_text(read(orbit + gravity)), HasSubstr("the file names no method"));
-  EXPECT_EQ(propagation_text(read("")), "exact free rotation");
+  EXPECT_THAT(io::propagation_text(read(orbit + gravity)), HasSubstr("the file names no method"));
+  EXPECT_EQ(io::propagation_text(read("")), "exact free rotation");
 }
 
 TEST(ScenarioMotion, EventsAreInTheUnitOfTheirColumn) {
-  const Scenario s = scenario_from_text("schema = 1\n[units]\nangle = \"deg\"\n" + head.substr(11) +
-                                            "[[event]]\ncolumn = \"theta\"\nvalue = 90\n"
-                                            "crossing = \"falling\"\nstops = true\n"
-                                            "[[event]]\nname = \"b\"\ncolumn = \"L_osc\"\n",
-                                        "f.toml");
+  const io::Scenario s =
+      io::scenario_from_text("schema = 1\n[units]\nangle = \"deg\"\n" + head.substr(11) +
+                                 "[[event]]\ncolumn = \"theta\"\nvalue = 90\n"
+                                 "crossing = \"falling\"\nstops = true\n"
+                                 "[[event]]\nname = \"b\"\ncolumn = \"L_osc\"\n",
+                             "f.toml");
   ASSERT_EQ(s.rotation().events.size(), 2U);
   EXPECT_EQ(s.rotation().events[0].name, "theta");
   EXPECT_EQ(s.rotation().events[0].value, std::numbers::pi / 2.0);
@@ -275,7 +276,7 @@ TEST(ScenarioMotion, WhatCannotBeSaysWhy) {
 
 TEST(ScenarioMotion, NotesSayOfEveryAngularVelocityWhichOneItIs) {
   const auto notes = [](const std::string& columns) {
-    return provenance(read("[output]\ncolumns = [" + columns + "]\n")).notes;
+    return io::provenance(read("[output]\ncolumns = [" + columns + "]\n")).notes;
   };
   const std::string inertial =
       "w1, w2, w3: angular velocity relative to inertial axes, body components";
@@ -289,23 +290,23 @@ TEST(ScenarioMotion, NotesSayOfEveryAngularVelocityWhichOneItIs) {
 
 TEST(ScenarioMotion, MatricesTakeOneUnitForAll) {
   const auto scenario = [](const std::string& tensor, const std::string& damping) {
-    return scenario_from_text(
+    return io::scenario_from_text(
         "schema = 1\n[units]\nmoment = \"kg m2\"\n[body]\ntensor = " + tensor +
             "\n[state.attitude-rate]\nquaternion = [1, 0, 0, 0]\nomega_body = [1, 2, 3]\n"
             "[[perturbation]]\nkind = \"damping\"\ncoefficients = " +
             damping + "\n",
         "f.toml");
   };
-  const auto torque = [](const Scenario& s) {
-    return effect(rotor_system(s), 0.0, initial_state(s)).u;
+  const auto torque = [](const io::Scenario& s) {
+    return effect(io::rotor_system(s), 0.0, io::initial_state(s)).u;
   };
   const std::string rows = "[[2, 0.5, 0], [0.5, 2, 0], [0, 0, 1]]";
-  const Scenario bare = scenario(rows, rows);
-  const Scenario united = scenario("{ value = " + rows + ", unit = \"kg m2\" }",
-                                   "{ value = " + rows + ", unit = \"N m s\" }");
+  const io::Scenario bare = scenario(rows, rows);
+  const io::Scenario united = scenario("{ value = " + rows + ", unit = \"kg m2\" }",
+                                       "{ value = " + rows + ", unit = \"N m s\" }");
   EXPECT_EQ(united.rotation().body.moments(), bare.rotation().body.moments());
   EXPECT_EQ(torque(united), torque(bare));
-  const Scenario grams = scenario(rows, "{ value = " + rows + ", unit = \"g m2/s\" }");
+  const io::Scenario grams = scenario(rows, "{ value = " + rows + ", unit = \"g m2/s\" }");
   EXPECT_NEAR(norm(1000.0 * torque(grams) - torque(bare)), 0.0, 6.0 * budget::io_state);
   EXPECT_THAT(error_of("[[perturbation]]\nkind = \"damping\"\ncoefficients = { value = " + rows +
                        ", unit = \"kg m2\" }\n"),

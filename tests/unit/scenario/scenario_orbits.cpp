@@ -24,16 +24,17 @@ using ::testing::HasSubstr;
 
 class ScenarioOrbits : public test::InTempFolder {
  protected:
-  Scenario read(const std::string& orbit, const std::string& more = "") const {
-    return scenario_from_text(test::scenario_text("[orbit.moon]\n" + orbit + more,
-                                                  {.units = units_, .state = "[state]\n" + state_}),
-                              path("f.toml"));
+  io::Scenario read(const std::string& orbit, const std::string& more = "") const {
+    return io::scenario_from_text(
+        test::scenario_text("[orbit.moon]\n" + orbit + more,
+                            {.units = units_, .state = "[state]\n" + state_}),
+        path("f.toml"));
   }
   std::string error_of(const std::string& orbit, const std::string& more = "") const {
-    return test::message_of<ScenarioError>([&] { read(orbit, more); });
+    return test::message_of<io::ScenarioError>([&] { read(orbit, more); });
   }
-  static Vec3 at(const Scenario& s, double t) {
-    return any_orbit(s.rotation().orbits.at(0)).position(t);
+  static Vec3 at(const io::Scenario& s, double t) {
+    return io::any_orbit(s.rotation().orbits.at(0)).position(t);
   }
 
   std::string units_ = "[units]\ntime = \"s\"\nangle = \"deg\"\nlength = \"km\"\n";
@@ -45,22 +46,22 @@ const std::string leo =
     "velocity = [-0.5, 5, 5.6]\n";
 
 TEST_F(ScenarioOrbits, AStateIsTheKeplerOrbitThroughIt) {
-  const Scenario s = read(leo + "epoch = 100\n");
+  const io::Scenario s = read(leo + "epoch = 100\n");
   EXPECT_EQ(s.rotation().orbits[0].gm, 398600.4418);
   EXPECT_LT(norm(at(s, 100.0) - Vec3{7000.0, 100.0, 300.0}), budget::table_orbit_kepler * 7000.0);
-  EXPECT_LT(norm(any_orbit(s.rotation().orbits[0]).velocity(100.0) - Vec3{-0.5, 5.0, 5.6}),
+  EXPECT_LT(norm(io::any_orbit(s.rotation().orbits[0]).velocity(100.0) - Vec3{-0.5, 5.0, 5.6}),
             budget::table_orbit_kepler * 10.0);
 }
 
 // The node of a polar-like orbit falls back at the rate that j2_rates gives.
 TEST_F(ScenarioOrbits, AnOblatePrimaryTurnsIt) {
-  const Scenario s = read(leo + "J2 = 1.0826e-3\nradius = 6378.137\n");
+  const io::Scenario s = read(leo + "J2 = 1.0826e-3\nradius = 6378.137\n");
   const auto& motion = std::get<PrecessingKeplerOrbit>(s.rotation().orbits[0].motion);
   EXPECT_EQ(motion.rates(), j2_rates(motion.elements(), 1.0826e-3, 6378.137));
   EXPECT_LT(motion.rates().node, 0.0);
   // the same orbit, given and asked for along other axes
   state_ = "axes = \"ecliptic-J2000\"\n";
-  const Scenario turned =
+  const io::Scenario turned =
       read(leo + "axes = \"equator-J2000\"\nJ2 = 1.0826e-3\nradius = 6378.137\n");
   const double e = 84381.448 / 3600.0 * std::numbers::pi / 180.0;
   for (const double t : {0.0, 1e5}) {
@@ -69,12 +70,12 @@ TEST_F(ScenarioOrbits, AnOblatePrimaryTurnsIt) {
                             std::cos(e) * x.z - std::sin(e) * x.y}),
               budget::table_orbit_kepler * 7000.0);
   }
-  EXPECT_TRUE(any_orbit(turned.rotation().orbits[0]).supports_velocity());
+  EXPECT_TRUE(io::any_orbit(turned.rotation().orbits[0]).supports_velocity());
 }
 
 // And it is where the force of J2 takes it, a day later too.
 TEST_F(ScenarioOrbits, AnOblatePrimaryKeepsItNear) {
-  const Scenario s = read(leo + "J2 = 1.0826e-3\nradius = 6378.137\n");
+  const io::Scenario s = read(leo + "J2 = 1.0826e-3\nradius = 6378.137\n");
   const oracle::OblateMotion motion(398600.4418, 1.0826e-3, 6378.137);
   oracle::PointState point{{7000.0, 100.0, 300.0}, {-0.5, 5.0, 5.6}};
   for (int i = 0; i < 8640; ++i) {
@@ -124,14 +125,14 @@ TEST_F(ScenarioOrbits, ATableIsReadNextToItsScenario) {
   EXPECT_EQ(read(table + "gm = 5\n").rotation().orbits[0].gm, 5.0);
   // metres in the file, velocities, and columns by number
   write("moon.csv", circle(100, "", true));
-  const Scenario s = read(table + minutes + "length_unit = \"m\"\norder = 8\n");
+  const io::Scenario s = read(table + minutes + "length_unit = \"m\"\norder = 8\n");
   EXPECT_LT(norm(at(s, 120.0) - 1e-3 * truth), budget::table_orbit_file);
   EXPECT_TRUE(std::get<TableOrbit>(s.rotation().orbits[0].motion).has_velocities());
   EXPECT_EQ(std::get<TableOrbit>(s.rotation().orbits[0].motion).order(), 8);
-  EXPECT_LT(norm(any_orbit(s.rotation().orbits[0]).velocity(120.0) -
+  EXPECT_LT(norm(io::any_orbit(s.rotation().orbits[0]).velocity(120.0) -
                  (1e-3 / 60.0) * Vec3{-truth.y, truth.x, 0.1}),
             budget::table_orbit_file);
-  const Scenario swapped = read(table + minutes + "columns = [1, 3, 2, 4]\n");
+  const io::Scenario swapped = read(table + minutes + "columns = [1, 3, 2, 4]\n");
   EXPECT_LT(norm(at(swapped, 120.0) - Vec3{truth.y, truth.x, truth.z}),
             budget::table_orbit_file * 1000.0);
   // ecliptic columns, equatorial state
@@ -207,9 +208,9 @@ TEST_F(ScenarioOrbits, ElementsMayBeAlongOtherAxes) {
   const std::string keys =
       "gm = 398600.4418\nsemi_major_axis = 7000\neccentricity = 0.01\ninclination = 98\n"
       "node = 20\nnode_rate = 1e-5\n";
-  const Scenario own = read(keys);
+  const io::Scenario own = read(keys);
   state_ = "axes = \"ecliptic-J2000\"\n";
-  const Scenario other = read(keys + "axes = \"equator-J2000\"\n");
+  const io::Scenario other = read(keys + "axes = \"equator-J2000\"\n");
   EXPECT_EQ(read(keys + "axes = \"ecliptic-J2000\"\n").rotation().orbits[0].motion.index(),
             own.rotation().orbits[0].motion.index());
   const double e = 84381.448 / 3600.0 * std::numbers::pi / 180.0;
@@ -249,7 +250,7 @@ TEST_F(ScenarioOrbits, DatesMayMissTheEndsOfTheRunByTheirRounding) {
   for (const char* scale : {"TDB", "TT"}) {
     state_ = "axes = \"equator-J2000\"\nepoch = \"JD 2461119.5 TDB\"\n";
     ASSERT_EQ(error_of(keys(scale), day), "") << scale;
-    const Scenario s = read(keys(scale), day);
+    const io::Scenario s = read(keys(scale), day);
     for (const double t : {0.0, 40000.0, 86400.0})
       EXPECT_LT(norm(at(s, t) - truth(t)), budget::table_orbit_dates * 1000.0) << t;
   }
@@ -306,9 +307,9 @@ TEST_F(ScenarioOrbits, ACoarseTableIsCalledOne) {
               std::to_string(7000.0 * std::sin(angle)) + ",0\n";
     }
     write("moon.csv", text);
-    const Scenario s = read("kind = \"table\"\nfile = \"moon.csv\"\n" + more);
-    std::string printed = summary_table(summary(s));
-    for (const std::string& warning : warnings(s)) printed += warning + "\n";
+    const io::Scenario s = read("kind = \"table\"\nfile = \"moon.csv\"\n" + more);
+    std::string printed = io::summary_table(io::summary(s));
+    for (const std::string& warning : io::warnings(s)) printed += warning + "\n";
     return printed;
   };
   EXPECT_THAT(said(4, "allow_coarse = true\n"),
@@ -339,15 +340,16 @@ TEST_F(ScenarioOrbits, AFewRowsAreJudgedToo) {
   for (const auto& [count, step] : {std::pair{2, 5000.0}, {3, 3000.0}}) {
     write_rows(count, step, true);
     EXPECT_THAT(error_of(table), HasSubstr(coarse)) << count;
-    EXPECT_THAT(warnings(read(table + "allow_coarse = true\n")).at(0), HasSubstr(coarse));
+    EXPECT_THAT(io::warnings(read(table + "allow_coarse = true\n")).at(0), HasSubstr(coarse));
   }
   write_rows(2, 10.0, true);
-  EXPECT_TRUE(warnings(read(table)).empty());
+  EXPECT_TRUE(io::warnings(read(table)).empty());
   write_rows(3, 10.0, false);
-  const Scenario lines = read(table + "order = 2\n");
-  EXPECT_THAT(warnings(lines).at(0),
+  const io::Scenario lines = read(table + "order = 2\n");
+  EXPECT_THAT(io::warnings(lines).at(0),
               HasSubstr("the interpolation error cannot be estimated from so few rows"));
-  EXPECT_THAT(summary_table(summary(lines)), HasSubstr("unknown: too few rows to estimate it"));
+  EXPECT_THAT(io::summary_table(io::summary(lines)),
+              HasSubstr("unknown: too few rows to estimate it"));
 }
 
 // What Horizons sends: a banner, names, and rows between two marks.
@@ -373,7 +375,7 @@ TEST_F(ScenarioOrbits, HorizonsIsReadAsItComes) {
   state_ = "axes = \"equator-J2000\"\nepoch = \"2026-03-20T00:00:00 TDB\"\n";
   write("moon.txt", text);
   ASSERT_EQ(error_of(keys, "[time]\nstop = 86400\ncount = 3\n"), "");
-  const Scenario s = read(keys, "[time]\nstop = 86400\ncount = 3\n");
+  const io::Scenario s = read(keys, "[time]\nstop = 86400\ncount = 3\n");
   EXPECT_LT(norm(at(s, 43200.0) - Vec3{1000.0 * std::cos(0.12), 1000.0 * std::sin(0.12), 0.0}),
             budget::table_orbit_dates * 1000.0);
   EXPECT_EQ(std::get<TableOrbit>(s.rotation().orbits[0].motion).table().times.size(), 25U);
@@ -394,26 +396,27 @@ const std::string ten_days = "[time]\nstop = 864000\ncount = 11\n";
 
 TEST_F(ScenarioOrbits, AnEphemerisIsTheBodyWhereItIs) {
   state_ = "axes = \"equator-J2000\"\nepoch = \"2013-01-05T00:00:00 UTC\"\n";
-  const Date epoch = calendar_date(TimeScale::UTC, {2013, 1, 5});
-  const Scenario s = read(moon, ten_days);
+  const ephemeris::Date epoch = ephemeris::calendar_date(ephemeris::TimeScale::UTC, {2013, 1, 5});
+  const io::Scenario s = read(moon, ten_days);
   for (const double t : {0.0, 1000.0, 123456.7, 864000.0}) {
-    const Vec3 truth = planetary_position(Planetary::moon, Planetary::earth, date_after(epoch, t));
+    const Vec3 truth = ephemeris::planetary_position(
+        ephemeris::Planetary::moon, ephemeris::Planetary::earth, ephemeris::date_after(epoch, t));
     EXPECT_LT(norm(at(s, t) - truth), budget::ephemeris_orbit * norm(truth));
   }
-  EXPECT_EQ(s.rotation().orbits[0].gm, planetary_gm(Planetary::moon));
+  EXPECT_EQ(s.rotation().orbits[0].gm, ephemeris::planetary_gm(ephemeris::Planetary::moon));
   EXPECT_EQ(read(moon + "gm = 7\n", ten_days).rotation().orbits[0].gm, 7.0);
   // other axes, other units
   state_ = "axes = \"ecliptic-J2000\"\nepoch = \"2013-01-05T00:00:00 UTC\"\n";
   units_ = "[units]\ntime = \"h\"\nlength = \"m\"\n";
-  const Scenario other = read(moon, "[time]\nstop = 240\ncount = 11\n");
+  const io::Scenario other = read(moon, "[time]\nstop = 240\ncount = 11\n");
   const Vec3 x = at(s, 7200.0), y = at(other, 2.0);
   const double e = 84381.448 / 3600.0 * std::numbers::pi / 180.0;
   EXPECT_LT(norm(1e-3 * y - Vec3{x.x, std::cos(e) * x.y + std::sin(e) * x.z,
                                  std::cos(e) * x.z - std::sin(e) * x.y}),
             budget::ephemeris_orbit * norm(x));
-  EXPECT_NEAR(
-      *other.rotation().orbits[0].gm / (planetary_gm(Planetary::moon) * 1e9 * 3600.0 * 3600.0), 1.0,
-      budget::table_orbit_file);
+  EXPECT_NEAR(*other.rotation().orbits[0].gm /
+                  (ephemeris::planetary_gm(ephemeris::Planetary::moon) * 1e9 * 3600.0 * 3600.0),
+              1.0, budget::table_orbit_file);
 }
 
 TEST_F(ScenarioOrbits, EphemeridesThatCannotBeSayWhy) {
@@ -452,7 +455,7 @@ TEST_F(ScenarioOrbits, DatesOfTablesKnowLeapSeconds) {
   const std::string julian =
       "kind = \"table\"\nfile = \"moon.csv\"\ntime_format = \"JD\"\ntime_scale = \"TT\"\n";
   write("moon.csv", "2457754.5 0 1 2\n2457754.501 1 1 2\n2457754.502 2 1 2\n2457754.503 3 1 2\n");
-  const Scenario s = read(julian);
+  const io::Scenario s = read(julian);
   const auto& orbit = std::get<TableOrbit>(s.rotation().orbits.at(0).motion);
   EXPECT_NEAR(orbit.first_time(), 3.0 - 69.184, budget::date_second * 1e3);
   EXPECT_NEAR(orbit.last_time() - orbit.first_time(), 259.2, budget::date_second * 1e3);

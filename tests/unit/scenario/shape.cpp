@@ -28,7 +28,7 @@ std::string scenario_text(const std::string& body) {
 }
 
 std::string refusal(const std::string& text, const std::string& name) {
-  return test::message_of<ScenarioError>([&] { scenario_from_text(text, name); });
+  return test::message_of<io::ScenarioError>([&] { io::scenario_from_text(text, name); });
 }
 
 TEST(ScenarioShape, GivesTheTensor) {
@@ -37,7 +37,7 @@ TEST(ScenarioShape, GivesTheTensor) {
   const std::string path =
       folder.write("s.toml", scenario_text("shape = \"box.obj\"\ndensity = \"2 g/cm3\"\n"
                                            "scale = \"10 cm\"\n"));
-  const Scenario s = read_scenario(path);
+  const io::Scenario s = io::read_scenario(path);
   const double mass = 2000.0 * 48e-3;
   const Vec3 want{mass * 13e-2 / 3.0, mass * 10e-2 / 3.0, mass * 5e-2 / 3.0};
   for (int k = 0; k < 3; ++k)
@@ -90,7 +90,7 @@ const char* const sunlight =
     "pressure = \"4.5e-6 N/m2\"\npressure_distance = \"1 au\"\n";
 
 TEST(ScenarioSurface, SunlightAsByHand) {
-  const Scenario s = scenario_from_text(
+  const io::Scenario s = io::scenario_from_text(
       lit(std::string(panel) + sunlight +
           "shadow = \"cone\"\nshadow_radius = \"6378 km\"\nsun_radius = \"695700 km\"\n"),
       "s.toml");
@@ -98,10 +98,10 @@ TEST(ScenarioSurface, SunlightAsByHand) {
   const Surface plate =
       Surface::of_plate(rotate(conj_FB, Vec3{0, 2, 0}), rotate(conj_FB, Vec3{1, 0, 1}), 3.0,
                         {.specular = 0.2, .diffuse = 0.3}, true);
-  const SolarPressure term(plate, {4.5e-6, 149597870700.0}, {any_orbit(s.rotation().orbits[0])},
-                           {any_orbit(s.rotation().orbits[1])}, Shadow::cone(6378e3, 695700e3));
+  const SolarPressure term(plate, {4.5e-6, 149597870700.0}, {io::any_orbit(s.rotation().orbits[0])},
+                           {io::any_orbit(s.rotation().orbits[1])}, Shadow::cone(6378e3, 695700e3));
   for (const double t : {0.0, 1000.0, 3000.0, 5000.0}) {
-    const Setting at{s.rotation().body, t, initial_state(s), {}};
+    const Setting at{s.rotation().body, t, io::initial_state(s), {}};
     const Vec3 want = term.effect(at).u;
     EXPECT_LE(norm(s.rotation().terms[0].effect(at).u - want),
               budget::surface_eps * 0x1p-52 * norm(want));
@@ -111,7 +111,7 @@ TEST(ScenarioSurface, SunlightAsByHand) {
 }
 
 TEST(ScenarioSurface, DragAsByHand) {
-  const Scenario s = scenario_from_text(
+  const io::Scenario s = io::scenario_from_text(
       lit(std::string(panel) +
           "[[perturbation]]\nkind = \"drag\"\norbit = \"sat\"\ndensity = \"1e-12 kg/m3\"\n"
           "density_radius = \"6978 km\"\nscale_height = \"60 km\"\nair_rate = 7.3e-5\n"),
@@ -119,8 +119,8 @@ TEST(ScenarioSurface, DragAsByHand) {
   const AtmosphericDrag term(
       *s.rotation().surface,
       {.density = 1e-12, .radius = 6978e3, .scale_height = 60e3, .rotation = {0, 0, 7.3e-5}},
-      {any_orbit(s.rotation().orbits[0])});
-  const Setting at{s.rotation().body, 500.0, initial_state(s), {}};
+      {io::any_orbit(s.rotation().orbits[0])});
+  const Setting at{s.rotation().body, 500.0, io::initial_state(s), {}};
   EXPECT_GT(norm(term.effect(at).u), 0.0);
   EXPECT_EQ(s.rotation().terms[0].effect(at), term.effect(at));
 }
@@ -133,7 +133,7 @@ TEST(ScenarioSurface, MeshAboutTheCentreOfMass) {
                                  "[[surface]]\nshape = \"box.obj\"\nscale = 1\n"
                                  "[[surface]]\nshape = \"box.obj\"\n"
                                  "centre_of_mass = [4, 0, 0]\nscale = 2\n");
-  const Scenario s = read_scenario(path);
+  const io::Scenario s = io::read_scenario(path);
   ASSERT_EQ(s.rotation().surface->facets().size(), 24U);
   Vec3 sum[2];
   for (std::size_t i = 0; i < 24; ++i)
@@ -165,13 +165,13 @@ TEST(ShapeReport, TableReadsBackAsTheBody) {
   const std::string obj = folder.write("box.obj", box);
   const std::string path =
       folder.write("s.toml", scenario_text("shape = \"box.obj\"\ndensity = 3\nscale = 1\n"));
-  const Scenario s = read_scenario(path);
-  const std::string table = body_table(s.rotation().shape->inside, s.units());
-  const Scenario again =
-      scenario_from_text(scenario_text(table.substr(std::string("[body]\n").size())), "x");
+  const io::Scenario s = io::read_scenario(path);
+  const std::string table = io::body_table(s.rotation().shape->inside, s.units());
+  const io::Scenario again =
+      io::scenario_from_text(scenario_text(table.substr(std::string("[body]\n").size())), "x");
   EXPECT_EQ(again.rotation().body.moments(), s.rotation().body.moments());
-  const std::string lines =
-      summary_table(shape_summary(s.rotation().shape->mesh, s.rotation().shape->inside, s.units()));
+  const std::string lines = io::summary_table(
+      io::shape_summary(s.rotation().shape->mesh, s.rotation().shape->inside, s.units()));
   EXPECT_THAT(lines, HasSubstr("144 kg"));
   EXPECT_THAT(lines, HasSubstr("48 m3"));
 }

@@ -27,7 +27,7 @@ class TableHeaders : public test::InTempFolder {
     const std::string text =
         test::scenario_text(more, {.units = "[units]\n" + units_, .state = "[state]\n" + state_});
     std::string what =
-        test::message_of<ScenarioError>([&] { scenario_from_text(text, path("f.toml")); });
+        test::message_of<io::ScenarioError>([&] { io::scenario_from_text(text, path("f.toml")); });
     const std::string folder = path("");
     for (std::size_t at = what.find(folder); at != std::string::npos; at = what.find(folder))
       what.erase(at, folder.size());

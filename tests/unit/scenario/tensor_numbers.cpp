@@ -8,8 +8,8 @@
 
 #include "budgets.hpp"
 #include "message_of.hpp"
-#include "polhode/run/ensemble.hpp"
-#include "polhode/run/map.hpp"
+#include "polhode/run/ensemble_run.hpp"
+#include "polhode/run/map_run.hpp"
 #include "polhode/scenario/scenario.hpp"
 
 namespace {
@@ -17,8 +17,8 @@ namespace {
 namespace budget = polhode::budget;
 
 using polhode::Mat3;
-using polhode::Scenario;
-using polhode::ScenarioEnsemble;
+using polhode::io::Scenario;
+using polhode::io::ScenarioEnsemble;
 using testing::ElementsAre;
 
 const std::string body = R"(schema = 1
@@ -56,7 +56,7 @@ TEST(TensorNumbers, AnElementVariesWithItsMirror) {
       EXPECT_NEAR(T(0, 1), drawn, budget::io_convert);
       EXPECT_NEAR(T(1, 2), 0.03, budget::io_convert);
       // the text of the member is the same body, to the last bit
-      const Scenario read = polhode::scenario_from_text(of.member_text(k), "t.toml");
+      const Scenario read = polhode::io::scenario_from_text(of.member_text(k), "t.toml");
       EXPECT_EQ(read.rotation().body.moments(), member.rotation().body.moments());
       EXPECT_EQ(read.rotation().body.q_FB(), member.rotation().body.q_FB());
       EXPECT_EQ(of.member(k).failure, "");
@@ -90,7 +90,7 @@ TEST(TensorNumbers, ATensorThatNoBodyHasIsAMemberThatFailed) {
 }
 
 TEST(TensorNumbers, AMapHasThemOnItsAxes) {
-  const polhode::ScenarioMap map(body + R"([map]
+  const polhode::io::ScenarioMap map(body + R"([map]
 kind = "column"
 column = "w1"
 [[map.axis]]
@@ -99,7 +99,7 @@ from = 0
 to = 0.2
 count = 3
 )",
-                                 "t.toml");
+                                     "t.toml");
   for (std::int64_t k = 0; k < 3; ++k) EXPECT_EQ(map.cell(k).failure, "");
 }
 
@@ -107,7 +107,7 @@ TEST(TensorNumbers, OtherIndicesAreRejected) {
   for (const std::string key : {"body.tensor[0][3]", "body.tensor[3][0]", "body.tensor[9]",
                                 "body.tensor[0][0][0]", "state.attitude-rate.omega_body[0][0]"})
     EXPECT_THAT(polhode::test::message_of([&] {
-                  ScenarioEnsemble(
+                  polhode::io::ScenarioEnsemble(
                       ensemble("kind = \"uniform\"\nkey = \"" + key + "\"\nlow = 0\nhigh = 0.3\n"),
                       "t.toml");
                 }),
@@ -115,7 +115,7 @@ TEST(TensorNumbers, OtherIndicesAreRejected) {
         << key;
   // the same number twice
   EXPECT_THAT(polhode::test::message_of([&] {
-                ScenarioEnsemble(
+                polhode::io::ScenarioEnsemble(
                     ensemble("kind = \"uniform\"\nkey = \"body.tensor[0][1]\"\nlow = 0\n"
                              "high = 0.1\n[[ensemble.vary]]\nkind = \"uniform\"\n"
                              "key = \"body.tensor[1][0]\"\nlow = 0\nhigh = 0.1\n"),
@@ -153,7 +153,7 @@ high = 0.4
   for (std::int64_t k = 0; k < 4; ++k) {
     const std::vector<double> x = of.plan().numbers(k);
     const std::string text = of.member_text(k);
-    const Scenario read = polhode::scenario_from_text(text, "t.toml");
+    const Scenario read = polhode::io::scenario_from_text(text, "t.toml");
     const auto same = [](const Scenario& s) {
       return polhode::effect(rotor_system(s), 0.3, initial_state(s)).u;
     };

@@ -19,8 +19,8 @@
 #include "polhode/perturb/gravity_gradient.hpp"
 #include "polhode/rotor/attitude.hpp"
 #include "polhode/series/compiled_series.hpp"
-#include "polhode/series/derivative.hpp"
-#include "polhode/series/expanded.hpp"
+#include "polhode/series/product.hpp"
+#include "polhode/series/taylor_coefficient.hpp"
 #include "secular/gravity_gradient_transform.hpp"
 #include "worst.hpp"
 
@@ -50,10 +50,10 @@ double angle_between(const Quaternion& a, const Quaternion& b) {
 
 // The largest error in attitude and momentum over a run, of gm = n^2 times `strength`.
 double error(const Body& body, const RotorState& s0, double e, double strength,
-             const GravityGradientOptions& options) {
+             const secular::GravityGradientOptions& options) {
   const double gm = strength * n * n, stop = 300.0;
   const KeplerOrbit orbit = orbit_of(e);
-  const GravityGradientTheory theory(body, gm, orbit, s0, 0.0, options);
+  const secular::GravityGradientTheory theory(body, gm, orbit, s0, 0.0, options);
   std::vector<double> times;
   for (int i = 1; i <= 20; ++i) times.push_back(stop * i / 20.0);
   const std::vector<RotorState> found = theory.states(0.0, theory.mean(0.0, s0), times, 1e-13);
@@ -71,7 +71,7 @@ double error(const Body& body, const RotorState& s0, double e, double strength,
 }
 
 void expect_slope(const Body& body, const RotorState& s0, double e, double strength,
-                  const GravityGradientOptions& options) {
+                  const secular::GravityGradientOptions& options) {
   const double slope = std::log2(error(body, s0, e, strength, options) /
                                  error(body, s0, e, 0.5 * strength, options));
   EXPECT_NEAR(slope, options.order + 1, budget::gravity_theory_slope)
@@ -103,8 +103,8 @@ TEST(GravityGradientTheory, DriftIsWhatIsTold) {
                       {AnyPerturbation("torque", GravityGradient<KeplerOrbit>(gm, orbit))});
   const Trajectory exact = integrate(Problem{system, s0, 0.0, stop, Collocation{1e-14}},
                                      Keep{SaveAt::times({stop}), false});
-  const auto drift = [&](const GravityGradientOptions& options, double& told) {
-    const GravityGradientTheory theory(short_axis, gm, orbit, s0, 0.0, options);
+  const auto drift = [&](const secular::GravityGradientOptions& options, double& told) {
+    const secular::GravityGradientTheory theory(short_axis, gm, orbit, s0, 0.0, options);
     told = theory.rate_error() * stop;
     return angle_between(theory.states(0.0, theory.mean(0.0, s0), {{stop}}, 1e-13)[0].q,
                          exact.samples()[0].s.q);
@@ -119,7 +119,7 @@ TEST(GravityGradientTheory, DriftIsWhatIsTold) {
 // The other lobe, momentum below the orbit, moments in another order, a prolate body.
 TEST(GravityGradientTheory, SlopesInEveryMode) {
   const Body prolate(1.0, 1.5, 1.5), permuted(1.7, 1.0, 1.3);
-  const GravityGradientOptions second{2, true, 1e-15};
+  const secular::GravityGradientOptions second{2, true, 1e-15};
   const auto slope = [&](const Body& body, const Vec3& w, const Quaternion& q, double e,
                          double strength) {
     expect_slope(body, rotor_state(body, q, w), e, strength, second);
@@ -140,8 +140,9 @@ TEST(GravityGradientTheory, SlopesInEveryMode) {
 TEST(GravityGradientTheory, FirstOrderPrecessionIsTheClosedForm) {
   const double e = 0.3, gm = 0.1 * n * n;
   const RotorState s0 = start(axisymmetric);
-  const GravityGradientTheory theory(axisymmetric, gm, orbit_of(e), s0, 0.0, {1, true, 1e-15});
-  const MeanRotation m = theory.mean(0.0, s0);
+  const secular::GravityGradientTheory theory(axisymmetric, gm, orbit_of(e), s0, 0.0,
+                                              {1, true, 1e-15});
+  const secular::MeanRotation m = theory.mean(0.0, s0);
   const auto rates = theory.rates(DoubleDouble(0.0), theory.values<double>(m));
   const double cos_I = m.I_h / m.I_g, cos_J = m.I_l / m.I_g;
   const double exact = -1.5 * gm * std::pow(1.0 - e * e, -1.5) * 0.5 * cos_I *
@@ -155,8 +156,9 @@ TEST(GravityGradientTheory, MeanHamiltonianHasTheAnglesThatStay) {
   const double gm = 0.1 * n * n;
   const RotorState s0 = start(short_axis);
   const auto angles = [&](double e, bool averages, const char* name) {
-    const GravityGradientTheory theory(short_axis, gm, orbit_of(e), s0, 0.0, {2, averages, 1e-11});
-    return !derivative(theory.mean_hamiltonian(), name).is_zero();
+    const secular::GravityGradientTheory theory(short_axis, gm, orbit_of(e), s0, 0.0,
+                                                {2, averages, 1e-11});
+    return !series::derivative(theory.mean_hamiltonian(), name).is_zero();
   };
   EXPECT_FALSE(angles(0.0, true, "phi_h"));
   EXPECT_TRUE(angles(0.05, true, "phi_h"));
@@ -168,10 +170,11 @@ TEST(GravityGradientTheory, MeanElementsGoBackToTheState) {
   const KeplerOrbit orbit = orbit_of(0.1);
   for (const Body& body : {axisymmetric, short_axis, long_axis}) {
     const RotorState s0 = start(body);
-    const GravityGradientTheory theory(body, 0.05 * n * n, orbit, s0, 2.0, {2, true, 1e-11});
+    const secular::GravityGradientTheory theory(body, 0.05 * n * n, orbit, s0, 2.0,
+                                                {2, true, 1e-11});
     Worst worst;
     for (const double t : {2.0, 7.5}) {
-      const MeanRotation m = theory.mean(t, s0);
+      const secular::MeanRotation m = theory.mean(t, s0);
       const RotorState back = theory.osculating(t, m);
       worst.add(angle_between(back.q, s0.q));
       worst.add(norm(back.g - s0.g));
@@ -187,15 +190,16 @@ TEST(GravityGradientTheory, MeanElementsGoBackToTheState) {
 
 TEST(GravityGradientTheory, StatesBeforeAndAfterInAnyOrder) {
   const RotorState s0 = start(short_axis);
-  const GravityGradientTheory theory(short_axis, 0.1 * n * n, orbit_of(0.05), s0, 0.0);
-  const MeanRotation m = theory.mean(0.0, s0);
+  const secular::GravityGradientTheory theory(short_axis, 0.1 * n * n, orbit_of(0.05), s0, 0.0);
+  const secular::MeanRotation m = theory.mean(0.0, s0);
   const std::vector<double> times = {20.0, -10.0, 0.0, 20.0};
   const auto found = theory.states(0.0, m, times);
   EXPECT_EQ(found[0], found[3]);
   EXPECT_EQ(found[2], theory.osculating(0.0, m));
   for (const std::size_t i : {0U, 1U}) {
-    const BasicProblem<GravityGradientTheory> problem{theory, m, 0.0, times[i], Adaptive{1e-12}};
-    const MeanRotation there = integrate(problem, Keep{}, Progress{}).at(times[i]);
+    const BasicProblem<secular::GravityGradientTheory> problem{theory, m, 0.0, times[i],
+                                                               Adaptive{1e-12}};
+    const secular::MeanRotation there = integrate(problem, Keep{}, Progress{}).at(times[i]);
     EXPECT_LT(angle_between(found[i].q, theory.osculating(times[i], there).q),
               budget::gravity_theory_back);
   }
@@ -210,25 +214,26 @@ TEST(GravityGradientTheory, StatesBeforeAndAfterInAnyOrder) {
 // --- what it is made of ---
 
 TEST(RotationHarmonics, AreTheEnergyOfTheGravityGradient) {
-  using polhode::detail::ActionTaylor;
+  using polhode::secular::detail::ActionTaylor;
   const double e = 0.2, gm = 2.0;
   const KeplerOrbit orbit({gm, 1.0 - e, e});  // in its own axes
-  const Symbols names({"I_l", "I_g", "I_h", "k"}, {"phi_l", "phi_g", "phi_h", "M"},
-                      {{"phi_l", "I_l"}, {"phi_g", "I_g"}, {"phi_h", "I_h"}});
+  const series::Symbols names({"I_l", "I_g", "I_h", "k"}, {"phi_l", "phi_g", "phi_h", "M"},
+                              {{"phi_l", "I_l"}, {"phi_g", "I_g"}, {"phi_h", "I_h"}});
   const GravityGradient<KeplerOrbit> torque(gm, orbit);
   for (const Body& body : {axisymmetric, short_axis, long_axis, Body(1.7, 1.0, 1.3)}) {
     const RotorState s0 = start(body);
     const FreeRotation motion(body, s0);
     SadovState at = to_sadov(motion, 0.0);
-    const auto tensor = polhode::detail::turning_tensor(body, at, 1e-16);
+    const auto tensor = polhode::secular::detail::turning_tensor(body, at, 1e-16);
     EXPECT_NEAR(tensor.energy.constant(), motion.energy(), budget::gravity_theory_series);
     EXPECT_NEAR(tensor.energy.derivative(0).constant(), sadov_frequencies(motion).n_l,
                 budget::gravity_theory_series);
     EXPECT_NEAR(tensor.energy.derivative(1).constant(), sadov_frequencies(motion).n_g,
                 budget::gravity_theory_series);
-    const auto waves = polhode::detail::orbit_waves(Eccentricity::of(e), 1e-16);
-    const auto series = polhode::detail::gradient_series(names, tensor, waves, at, 1.5 * gm);
-    const CompiledSeries compiled(expanded(series));
+    const auto waves = polhode::secular::detail::orbit_waves(Eccentricity::of(e), 1e-16);
+    const auto series =
+        polhode::secular::detail::gradient_series(names, tensor, waves, at, 1.5 * gm);
+    const series::CompiledSeries compiled(series::expanded(series));
     Worst worst;
     for (int i = 0; i < 10; ++i) {
       // Other actions too, as near as their Taylor polynomials reach.
@@ -250,18 +255,18 @@ TEST(RotationHarmonics, AreTheEnergyOfTheGravityGradient) {
 }
 
 TEST(RotationHarmonics, HansenCoefficientsHaveTheirClosedForms) {
-  const auto of = [](const std::vector<polhode::detail::OrbitWave>& waves, int q) {
+  const auto of = [](const std::vector<polhode::secular::detail::OrbitWave>& waves, int q) {
     for (const auto& wave : waves)
       if (wave.multiple == q) return wave.c;
     return 0.0;
   };
-  const auto circle = polhode::detail::orbit_waves(Eccentricity::of(0.0), 1e-14);
+  const auto circle = polhode::secular::detail::orbit_waves(Eccentricity::of(0.0), 1e-14);
   ASSERT_EQ(circle.even.size(), 1U);
   ASSERT_EQ(circle.turning.size(), 1U);
   EXPECT_EQ(circle.turning[0].multiple, 2);
   EXPECT_NEAR(circle.turning[0].c, 1.0, budget::gravity_theory_closed);
   for (const double e : {0.01, 0.2, 0.7, 0.9}) {
-    const auto waves = polhode::detail::orbit_waves(Eccentricity::of(e), 1e-14);
+    const auto waves = polhode::secular::detail::orbit_waves(Eccentricity::of(e), 1e-14);
     const double mean = std::pow(1.0 - e * e, -1.5);
     EXPECT_NEAR(of(waves.even, 0) / mean, 1.0, budget::gravity_theory_closed);
     EXPECT_NEAR(of(waves.turning, 0), 0.0, budget::gravity_theory_closed);
@@ -272,7 +277,7 @@ TEST(RotationHarmonics, HansenCoefficientsHaveTheirClosedForms) {
   }
   // X_1(-3, 2) = -e/2 + e^3/16, X_3 = 7e/2 - 123 e^3/16 (Goldreich & Peale 1966).
   const double e = 1e-3;
-  const auto waves = polhode::detail::orbit_waves(Eccentricity::of(e), 1e-18);
+  const auto waves = polhode::secular::detail::orbit_waves(Eccentricity::of(e), 1e-18);
   EXPECT_NEAR(of(waves.turning, 1), -0.5 * e + e * e * e / 16.0, budget::gravity_theory_closed);
   EXPECT_NEAR(of(waves.turning, 3), 3.5 * e - 123.0 / 16.0 * e * e * e,
               budget::gravity_theory_closed);
@@ -281,8 +286,8 @@ TEST(RotationHarmonics, HansenCoefficientsHaveTheirClosedForms) {
 TEST(GravityGradientTheory, Refuses) {
   const KeplerOrbit orbit = orbit_of(0.1);
   const auto refused = [&](const Body& body, const RotorState& s, double gm,
-                           const GravityGradientOptions& options = {}) {
-    return message_of([&] { GravityGradientTheory(body, gm, orbit, s, 0.0, options); });
+                           const secular::GravityGradientOptions& options = {}) {
+    return message_of([&] { secular::GravityGradientTheory(body, gm, orbit, s, 0.0, options); });
   };
   const double gm = 0.05 * n * n;
   const RotorState s0 = start(short_axis);
@@ -308,20 +313,21 @@ TEST(GravityGradientTheory, Refuses) {
   const Quaternion upright{std::cos(0.5 * tilt), sine * u.x, sine * u.y, sine * u.z};
   EXPECT_THAT(refused(short_axis, {to_inertial * upright, g_B}, gm),
               HasSubstr("the momentum is along the normal of the orbit"));
-  EXPECT_REJECTED(GravityGradientTheory(short_axis, gm, KeplerOrbit({1.0, 1.0, 1.5}), s0, 0.0),
-                  "the eccentricity 1.5 must be below 1");
-  EXPECT_REJECTED(GravityGradientTheory(short_axis, gm, orbit_of(0.91), s0, 0.0),
+  EXPECT_REJECTED(
+      secular::GravityGradientTheory(short_axis, gm, KeplerOrbit({1.0, 1.0, 1.5}), s0, 0.0),
+      "the eccentricity 1.5 must be below 1");
+  EXPECT_REJECTED(secular::GravityGradientTheory(short_axis, gm, orbit_of(0.91), s0, 0.0),
                   "the eccentricity 0.91 must be at most 0.9");
-  const GravityGradientTheory theory(short_axis, gm, orbit, s0, 0.0);
+  const secular::GravityGradientTheory theory(short_axis, gm, orbit, s0, 0.0);
   EXPECT_REJECTED(theory.mean(0.0, spinning({1, 0.1, 0.1})), "in another mode");
 }
 
 TEST(GravityGradientTheory, RefusesWhatIsFarOrNoTime) {
   const RotorState s0 = start(short_axis);
-  const GravityGradientTheory theory(short_axis, 0.05 * n * n, orbit_of(0.1), s0, 0.0);
-  const MeanRotation m = theory.mean(0.0, s0);
+  const secular::GravityGradientTheory theory(short_axis, 0.05 * n * n, orbit_of(0.1), s0, 0.0);
+  const secular::MeanRotation m = theory.mean(0.0, s0);
   EXPECT_REJECTED(theory.mean(0.0, RotorState{s0.q, 1.4 * s0.g}), "and the theory is made for");
-  MeanRotation other = m;
+  secular::MeanRotation other = m;
   other.I_h = 0.99 * m.I_g;
   EXPECT_REJECTED(theory.osculating(0.0, other), "I_h / I_g = 0.99");
   other = m;
@@ -337,7 +343,8 @@ TEST(GravityGradientTheory, RefusesWhatIsFarOrNoTime) {
       message_of([&] { theory.mean(nan, s0); }),
       message_of([&] { theory.osculating(infinity, m); }),
       message_of([&] { theory.elements(nan, s0); }),
-      message_of([&] { GravityGradientTheory(short_axis, 1e-4, orbit_of(0.1), s0, nan); })};
+      message_of(
+          [&] { secular::GravityGradientTheory(short_axis, 1e-4, orbit_of(0.1), s0, nan); })};
   for (const std::string& message : messages) EXPECT_THAT(message, HasSubstr("must be finite"));
 }
 
@@ -346,12 +353,13 @@ TEST(GravityGradientTheory, NamesAResonance) {
   const RotorState s0 = start(axisymmetric);
   const double n_g = sadov_frequencies(FreeRotation(axisymmetric, s0)).n_g;
   const std::string message = message_of([&] {
-    GravityGradientTheory(axisymmetric, 1e-3 * n_g * n_g, orbit_of(0.1, 1.001 * n_g), s0, 0.0);
+    secular::GravityGradientTheory(axisymmetric, 1e-3 * n_g * n_g, orbit_of(0.1, 1.001 * n_g), s0,
+                                   0.0);
   });
   EXPECT_THAT(message, HasSubstr("a resonance: phi_g - M turns at the rate"));
   EXPECT_THAT(message, HasSubstr("the torque holds what is slower than"));
   EXPECT_REJECTED(
-      GravityGradientTheory(axisymmetric, 1e-9 * n_g * n_g, orbit_of(0.1, n_g), s0, 0.0),
+      secular::GravityGradientTheory(axisymmetric, 1e-9 * n_g * n_g, orbit_of(0.1, n_g), s0, 0.0),
       "a resonance: phi_g");
 }
 

@@ -21,16 +21,18 @@ namespace {
 using namespace polhode;
 using polhode::test::Worst;
 
-using Exact = Series<Rational>;
-Symbols two() { return Symbols({"L", "G", "k"}, {"l", "g"}, {{"l", "L"}, {"g", "G"}}); }
-Exact read(const char* text) { return series_from_text<Rational>(two(), text); }
-Truncation up_to(int order) { return {{{"k", 1}}, order}; }
+using Exact = series::Series<series::Rational>;
+series::Symbols two() {
+  return series::Symbols({"L", "G", "k"}, {"l", "g"}, {{"l", "L"}, {"g", "G"}});
+}
+Exact read(const char* text) { return series::series_from_text<series::Rational>(two(), text); }
+series::Truncation up_to(int order) { return {{{"k", 1}}, order}; }
 
 // exp(L_chi) f, L_chi f = {f, chi}; chi has no part of order 0, so that it ends.
-Exact lie_series(const Exact& f, const Exact& chi, const Truncation& keep) {
+Exact lie_series(const Exact& f, const Exact& chi, const series::Truncation& keep) {
   Exact sum = f, power = f;
   for (int m = 1; m <= keep.order; ++m) {
-    power = bracket(power, chi, keep) / Rational(m);
+    power = series::bracket(power, chi, keep) / series::Rational(m);
     sum += power;
   }
   return sum;
@@ -44,8 +46,8 @@ class HoriAndDeprit {
                       " + k*L*G*cos(2*l + g)"),
                  keep,
                  {"l"}},
-        hori_(problem_, LieMethod::hori),
-        deprit_(problem_, LieMethod::deprit) {}
+        hori_(problem_, secular::LieMethod::hori),
+        deprit_(problem_, secular::LieMethod::deprit) {}
 
   Exact composed(const Exact& f) const { return deprit_.in_mean(hori_.in_osculating(f)); }
   const Exact& of_hori() const { return hori_.mean_hamiltonian(); }
@@ -57,29 +59,29 @@ class HoriAndDeprit {
     const Exact G = read("G"), moved = composed(G);
     Exact chi(two());
     for (int n = 1; n <= keep.order; ++n) {
-      const Exact left = part_of_order(moved - lie_series(G, chi, up_to(n)), keep, n);
-      chi -= integral(left, {{"g", constant(two(), Rational(1))}}, 0.0);
+      const Exact left = series::part_of_order(moved - lie_series(G, chi, up_to(n)), keep, n);
+      chi -= series::integral(left, {{"g", series::constant(two(), series::Rational(1))}}, 0.0);
     }
     return chi;
   }
 
-  static inline const Truncation keep = up_to(5);
+  static inline const series::Truncation keep = up_to(5);
 
  private:
-  Elimination<Rational> problem_;
-  LieTransform<Rational> hori_, deprit_;
+  secular::Elimination<series::Rational> problem_;
+  secular::LieTransform<series::Rational> hori_, deprit_;
 };
 
 TEST(LieMaps, HoriAndDepritDifferByACanonicalMapOfTheMeanVariables) {
   const HoriAndDeprit of;
   // The mean Hamiltonians are one up to order 3, and two from there on.
-  EXPECT_EQ(truncated(of.of_hori(), up_to(3)), truncated(of.of_deprit(), up_to(3)));
-  EXPECT_FALSE(part_of_order(of.of_hori() - of.of_deprit(), of.keep, 4).is_zero());
+  EXPECT_EQ(series::truncated(of.of_hori(), up_to(3)), series::truncated(of.of_deprit(), up_to(3)));
+  EXPECT_FALSE(series::part_of_order(of.of_hori() - of.of_deprit(), of.keep, 4).is_zero());
 
   const Exact chi = of.generator();
-  EXPECT_TRUE(truncated(chi, up_to(2)).is_zero());
-  EXPECT_FALSE(part_of_order(chi, of.keep, 3).is_zero());
-  EXPECT_TRUE(derivative(chi, "l").is_zero());
+  EXPECT_TRUE(series::truncated(chi, up_to(2)).is_zero());
+  EXPECT_FALSE(series::part_of_order(chi, of.keep, 3).is_zero());
+  EXPECT_TRUE(series::derivative(chi, "l").is_zero());
   // One generator for all: it carries one mean Hamiltonian into the other, and every function as
   // the two maps one after the other do.
   EXPECT_EQ(lie_series(of.of_hori(), chi, of.keep), of.of_deprit());
@@ -95,7 +97,7 @@ constexpr std::array<const char*, 4> phase_space = {"l", "g", "L", "G"};
 // Displacements of l, g, L, G.
 class Displacement {
  public:
-  Displacement(const LieTransform<double>& transform, bool back) {
+  Displacement(const secular::LieTransform<double>& transform, bool back) {
     for (const char* const name : phase_space)
       of_.emplace_back(back ? transform.short_period_back(name) : transform.short_period(name));
   }
@@ -109,7 +111,7 @@ class Displacement {
   }
 
  private:
-  std::vector<CompiledSeries> of_;
+  std::vector<series::CompiledSeries> of_;
 };
 
 // The largest change of a point by a map and its inverse.
@@ -124,11 +126,11 @@ double error(const Displacement& there, const Displacement& back, double k) {
 }
 
 TEST(LieMaps, ThereAndBackIsTheIdentityToTheOrder) {
-  const Series<double> h = to_doubles(
+  const series::Series<double> h = series::to_doubles(
       read("L^2/2 + k*G^2/2 + k*G*cos(g) + k*G*cos(l) + k*L*cos(l - g) + k*L*G*cos(2*l + g)"));
-  for (const LieMethod method : {LieMethod::deprit, LieMethod::hori})
+  for (const secular::LieMethod method : {secular::LieMethod::deprit, secular::LieMethod::hori})
     for (int order = 1; order <= 5; ++order) {
-      const LieTransform<double> transform({h, up_to(order), {"l"}}, method);
+      const secular::LieTransform<double> transform({h, up_to(order), {"l"}}, method);
       const Displacement to_mean(transform, true), to_osculating(transform, false);
       const auto slope = [&](const Displacement& there, const Displacement& back) {
         return std::log2(error(there, back, 0.02) / error(there, back, 0.01));

@@ -19,7 +19,7 @@
 #include "polhode/orbit/kepler_orbit.hpp"
 #include "polhode/perturb/gravity_gradient.hpp"
 #include "polhode/rotor/attitude.hpp"
-#include "polhode/secular/spin_on_orbit.hpp"
+#include "polhode/secular/spin_precession.hpp"
 #include "worst.hpp"
 
 namespace {
@@ -36,7 +36,8 @@ constexpr double I0 = 0.4;
 constexpr double pericentre = 0.3, anomaly = 0.7;
 
 // A star on an ellipse of semi-major axis 1, seen from the planet; a year is 2 pi.
-NutationProblem planet(const Body& body, double spin, double e, double precession, int order) {
+secular::NutationProblem planet(const Body& body, double spin, double e, double precession,
+                                int order) {
   return {body,
           spin,
           I0,
@@ -48,58 +49,62 @@ NutationProblem planet(const Body& body, double spin, double e, double precessio
           0.1};
 }
 // The equinox moves back by the precession, and longitudes grow by it.
-NutationTheory theory(const Body& body, double spin, double e, int order) {
+secular::NutationTheory theory(const Body& body, double spin, double e, int order) {
   double precession = 0.0;
   for (int i = 0; i < 4; ++i)
-    precession = NutationTheory(planet(body, spin, e, precession, 2)).precession().longitude;
-  return NutationTheory(planet(body, spin, e, precession, order));
+    precession =
+        secular::NutationTheory(planet(body, spin, e, precession, 2)).precession().longitude;
+  return secular::NutationTheory(planet(body, spin, e, precession, order));
 }
 
 // The unit vector of an axis: psi from the mean equinox of t = 0.
 Vec3 direction(double psi, double I) {
   return {std::sin(I) * std::sin(psi), std::sin(I) * std::cos(psi), std::cos(I)};
 }
-Vec3 direction(const NutationTheory& of, PlanetAxis axis, double t) {
-  const NutationOffset now = of.at(axis, t), rate = of.precession();
+Vec3 direction(const secular::NutationTheory& of, secular::PlanetAxis axis, double t) {
+  const secular::NutationOffset now = of.at(axis, t), rate = of.precession();
   return direction(rate.longitude * t + now.longitude, I0 + rate.obliquity * t + now.obliquity);
 }
 
-const NutationTerm& term(const NutationTheory& of, PlanetAxis axis, const std::vector<int>& k) {
+const secular::NutationTerm& term(const secular::NutationTheory& of, secular::PlanetAxis axis,
+                                  const std::vector<int>& k) {
   const auto& terms = of.terms(axis);
-  return *std::ranges::find(terms, k, &NutationTerm::multipliers);
+  return *std::ranges::find(terms, k, &secular::NutationTerm::multipliers);
 }
 
 TEST(Nutation, OfACircularOrbitIsTheClosedForm) {
   const double H = 1e-3, spin = 400.0, K = 1.5 * H / spin;
-  const NutationTheory of = theory(Body(1.0 - H, 1.0 - H, 1.0), spin, 0.0, 1);
+  const secular::NutationTheory of = theory(Body(1.0 - H, 1.0 - H, 1.0), spin, 0.0, 1);
   EXPECT_NEAR(of.precession().longitude / (K * std::cos(I0)), 1.0, budget::nutation_closed);
   EXPECT_EQ(of.precession().obliquity, 0.0);
-  const NutationTerm& half = term(of, PlanetAxis::momentum, {0, 2});
+  const secular::NutationTerm& half = term(of, secular::PlanetAxis::momentum, {0, 2});
   const double rate = half.rate;
   EXPECT_NEAR(half.wave.longitude_sine / (-K * std::cos(I0) / rate), 1.0, budget::nutation_closed);
   EXPECT_NEAR(half.wave.obliquity_cosine / (K * std::sin(I0) / rate), 1.0, budget::nutation_closed);
-  EXPECT_EQ(of.terms(PlanetAxis::momentum).size(), 1U);
+  EXPECT_EQ(of.terms(secular::PlanetAxis::momentum).size(), 1U);
 }
 
 double largest_error(double H, double e, int order) {
   const double spin = 1e3, star = 1.5 * H / spin;
-  const NutationTheory of = theory(Body(1.0 - H, 1.0 - H, 1.0), spin, e, order);
-  const std::vector<OrbitElements> rows(12,
-                                        orbit_elements(e, 0.0, 0.0, pericentre + std::numbers::pi));
+  const secular::NutationTheory of = theory(Body(1.0 - H, 1.0 - H, 1.0), spin, e, order);
+  const std::vector<secular::OrbitElements> rows(
+      12, secular::orbit_elements(e, 0.0, 0.0, pericentre + std::numbers::pi));
   std::vector<double> times;
   for (int k = -1; k <= 10; ++k) times.push_back(1e3 * k);
   // The planet is where the star is not.
-  const SpinOnOrbit model(HistoryOrbit(OrbitHistory(ElementTable(times, rows)), 1.0, 1.0,
-                                       pericentre + anomaly + std::numbers::pi),
-                          star);
+  const secular::SpinOnOrbit model(
+      secular::HistoryOrbit(secular::OrbitHistory(secular::ElementTable(times, rows)), 1.0, 1.0,
+                            pericentre + anomaly + std::numbers::pi),
+      star);
   const SaveAt at = SaveAt::count(0.0, 3.0 * turn, 100);
-  const auto run =
-      integrate(BasicProblem<SpinOnOrbit>{model, SpinAxis{direction(of, PlanetAxis::momentum, 0.0)},
-                                          0.0, 3.0 * turn, Adaptive{1e-14}},
-                Keep{.samples = at, .dense = false});
+  const auto run = integrate(
+      BasicProblem<secular::SpinOnOrbit>{
+          model, secular::SpinAxis{direction(of, secular::PlanetAxis::momentum, 0.0)}, 0.0,
+          3.0 * turn, Adaptive{1e-14}},
+      Keep{.samples = at, .dense = false});
   Worst worst;
   for (const auto& sample : run.samples())
-    worst.add(norm(sample.s.s - direction(of, PlanetAxis::momentum, sample.t)));
+    worst.add(norm(sample.s.s - direction(of, secular::PlanetAxis::momentum, sample.t)));
   return worst.value();
 }
 
@@ -120,9 +125,9 @@ struct Errors {
 Errors rotor_errors(double H, double triaxiality) {
   const double spin = 30.0, e = 0.1;
   const Body body(1.0 - H - 0.5 * triaxiality, 1.0 - H + 0.5 * triaxiality, 1.0);
-  const NutationTheory of = theory(body, spin, e, 2);
-  const Vec3 Z = direction(of, PlanetAxis::momentum, 0.0);
-  const Vec3 z = direction(of, PlanetAxis::figure, 0.0);
+  const secular::NutationTheory of = theory(body, spin, e, 2);
+  const Vec3 Z = direction(of, secular::PlanetAxis::momentum, 0.0);
+  const Vec3 z = direction(of, secular::PlanetAxis::figure, 0.0);
   // Phi = 0 at t = 0: axis 1 along the node of the momentum.
   const Vec3 node = (1.0 / std::hypot(Z.x, Z.y)) * Vec3{-Z.y, Z.x, 0.0};
   const Vec3 across = cross(z, node), y = (1.0 / norm(across)) * across, x = cross(y, z);
@@ -141,10 +146,11 @@ Errors rotor_errors(double H, double triaxiality) {
   for (const Sample& sample : run.samples()) {
     const Vec3 e3 = rotate(sample.s.q, Vec3{0.0, 0.0, 1.0});
     const Vec3 w = rotate(sample.s.q, angular_velocity(body, sample.s));
-    const Vec3 by_theory = direction(of, PlanetAxis::figure, sample.t);
+    const Vec3 by_theory = direction(of, secular::PlanetAxis::figure, sample.t);
     figure.add(norm(e3 - by_theory));
-    rotation.add(norm((1.0 / norm(w)) * w - direction(of, PlanetAxis::rotation, sample.t)));
-    oppolzer.add(norm(by_theory - direction(of, PlanetAxis::momentum, sample.t)));
+    rotation.add(
+        norm((1.0 / norm(w)) * w - direction(of, secular::PlanetAxis::rotation, sample.t)));
+    oppolzer.add(norm(by_theory - direction(of, secular::PlanetAxis::momentum, sample.t)));
   }
   return {figure.value(), rotation.value(), oppolzer.value()};
 }
@@ -163,11 +169,11 @@ TEST(Nutation, IsThatOfTheRotor) {
 // In the plane of momentum and figure axis, at angles J (C - A) / A beyond the momentum.
 TEST(Nutation, TheMomentumIsBetweenFigureAndRotation) {
   const double H = 3e-3;
-  const NutationTheory of = theory(Body(1.0 - H, 1.0 - H, 1.0), 30.0, 0.1, 2);
+  const secular::NutationTheory of = theory(Body(1.0 - H, 1.0 - H, 1.0), 30.0, 0.1, 2);
   for (const double t : {0.0, 1.3, 40.0}) {
-    const NutationOffset momentum = of.at(PlanetAxis::momentum, t),
-                         figure = of.at(PlanetAxis::figure, t),
-                         rotation = of.at(PlanetAxis::rotation, t);
+    const secular::NutationOffset momentum = of.at(secular::PlanetAxis::momentum, t),
+                                  figure = of.at(secular::PlanetAxis::figure, t),
+                                  rotation = of.at(secular::PlanetAxis::rotation, t);
     const double beyond = -H / (1.0 - H);  // 1 - C / A
     const double J =
         std::hypot(figure.longitude - momentum.longitude, figure.obliquity - momentum.obliquity);
@@ -176,9 +182,9 @@ TEST(Nutation, TheMomentumIsBetweenFigureAndRotation) {
     EXPECT_NEAR(rotation.obliquity - momentum.obliquity,
                 beyond * (figure.obliquity - momentum.obliquity), budget::nutation_axes * J);
   }
-  for (const NutationTerm& one : of.oppolzer_terms(PlanetAxis::figure))
-    EXPECT_NEAR(term(of, PlanetAxis::figure, one.multipliers).wave.longitude_sine,
-                term(of, PlanetAxis::momentum, one.multipliers).wave.longitude_sine +
+  for (const secular::NutationTerm& one : of.oppolzer_terms(secular::PlanetAxis::figure))
+    EXPECT_NEAR(term(of, secular::PlanetAxis::figure, one.multipliers).wave.longitude_sine,
+                term(of, secular::PlanetAxis::momentum, one.multipliers).wave.longitude_sine +
                     one.wave.longitude_sine,
                 budget::nutation_closed);
 }
@@ -186,25 +192,26 @@ TEST(Nutation, TheMomentumIsBetweenFigureAndRotation) {
 // The body turns at its spin rate while the node moves back, against which Phi is counted.
 TEST(Nutation, PhiIsCountedFromTheMovingNode) {
   const double spin = 30.0;
-  const NutationTheory of = theory(Body(0.994, 0.998, 1.0), spin, 0.1, 2);
+  const secular::NutationTheory of = theory(Body(0.994, 0.998, 1.0), spin, 0.1, 2);
   ASSERT_EQ(of.arguments().back(), "Phi");
   EXPECT_NEAR((of.rates().back() - spin) / (of.precession().longitude * std::cos(I0)), 1.0,
               budget::nutation_phi);
 }
 
 TEST(Nutation, AxesHaveNames) {
-  for (const PlanetAxis axis : {PlanetAxis::momentum, PlanetAxis::figure, PlanetAxis::rotation})
-    EXPECT_EQ(planet_axis(name(axis)), axis);
-  EXPECT_EQ(name(PlanetAxis::rotation), "rotation");
-  EXPECT_EQ(planet_axis("pole"), std::nullopt);
+  for (const secular::PlanetAxis axis :
+       {secular::PlanetAxis::momentum, secular::PlanetAxis::figure, secular::PlanetAxis::rotation})
+    EXPECT_EQ(secular::planet_axis(name(axis)), axis);
+  EXPECT_EQ(name(secular::PlanetAxis::rotation), "rotation");
+  EXPECT_EQ(secular::planet_axis("pole"), std::nullopt);
 }
 
 TEST(Nutation, WhatIsRefused) {
   const Body oblate(0.99, 0.99, 1.0);
   const auto refused = [&](const auto& change) {
-    NutationProblem problem = planet(oblate, 30.0, 0.1, 0.0, 1);
+    secular::NutationProblem problem = planet(oblate, 30.0, 0.1, 0.0, 1);
     change(problem);
-    return message_of([&] { NutationTheory{problem}; });
+    return message_of([&] { secular::NutationTheory{problem}; });
   };
   EXPECT_EQ(refused([](auto&) {}), "");
   EXPECT_THAT(refused([](auto& p) { p.body = Body(1.0, 0.99, 0.99); }),

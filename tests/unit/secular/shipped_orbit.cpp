@@ -2,8 +2,6 @@
 // Orbits that the library brings along, and planets on them. Oracle: published numbers, of the
 // Earth those of La2004 (Laskar et al. 2004, Astronomy and Astrophysics 428, 261, table
 // INSOLN.LA2004.BTL).
-#include "polhode/secular/shipped_orbit.hpp"
-
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -35,25 +33,26 @@ constexpr Published la2004[] = {{-100.0, 0.4006000253845324e-01, 0.4130265591582
                                 {100.0, 0.1435426732520067e-01, 0.4037661658869975e+00},
                                 {1000.0, 0.5183713170414291e-01, 0.3933641780960856e+00}};
 
-double obliquity_at(double t, const PrecessionRates& rates) {
-  const OrbitHistory orbit(shipped_orbit("earth", 1e-3));
-  using M = SpinPrecession<OrbitHistory>;
-  const BasicProblem<M> problem{M(orbit, rates), spin_axis(planet_pole(known_planet("earth"))), 0.0,
-                                t, Splitting{.step = 2.0, .scheme = SplittingScheme::order8}};
+double obliquity_at(double t, const secular::PrecessionRates& rates) {
+  const secular::OrbitHistory orbit(secular::shipped_orbit("earth", 1e-3));
+  using M = secular::SpinPrecession<secular::OrbitHistory>;
+  const BasicProblem<M> problem{
+      M(orbit, rates), secular::spin_axis(secular::planet_pole(secular::known_planet("earth"))),
+      0.0, t, Splitting{.step = 2.0, .scheme = SplittingScheme::order8}};
   const Keep last{.samples = SaveAt::times({t}), .dense = false};
-  return spin_angles(integrate(problem, last).samples().back().s, orbit.at(t)).obliquity;
+  return secular::spin_angles(integrate(problem, last).samples().back().s, orbit.at(t)).obliquity;
 }
 
 TEST(ShippedOrbit, TheEccentricityOfTheEarthIsThatOfLa2004) {
-  const ElementTable orbit = shipped_orbit("earth", 1e-3);
+  const secular::ElementTable orbit = secular::shipped_orbit("earth", 1e-3);
   for (const auto& [t, e, obliquity] : la2004)
-    EXPECT_NEAR(eccentricity(orbit.at(t)), e,
+    EXPECT_NEAR(secular::eccentricity(orbit.at(t)), e,
                 std::fabs(t) <= 1000.0 ? budget::shipped_orbit_recent : budget::shipped_orbit_5_myr)
         << t;
 }
 
 TEST(ShippedOrbit, TheObliquityOfTheEarthIsThatOfLa2004) {
-  PrecessionRates rates = planet_rates(known_planet("earth"), 1e-3);
+  secular::PrecessionRates rates = secular::planet_rates(secular::known_planet("earth"), 1e-3);
   EXPECT_NEAR(obliquity_at(-100.0, rates) / deg, la2004[0].obliquity / deg,
               budget::shipped_orbit_100_kyr);
   rates.drift = -5.2e-7;  // per kyr: tides of the Moon
@@ -64,34 +63,38 @@ TEST(ShippedOrbit, TheObliquityOfTheEarthIsThatOfLa2004) {
 }
 
 TEST(ShippedOrbit, ReachesTwentyMillionYears) {
-  for (const std::string_view name : shipped_orbit_names()) {
-    const ElementTable orbit = shipped_orbit(name);
+  for (const std::string_view name : secular::shipped_orbit_names()) {
+    const secular::ElementTable orbit = secular::shipped_orbit(name);
     EXPECT_EQ(orbit.first_time(), -20e6);
     EXPECT_EQ(orbit.last_time(), 20e6);
   }
-  EXPECT_REJECTED(shipped_orbit("venus"), "expected earth or mars");
+  EXPECT_REJECTED(secular::shipped_orbit("venus"), "expected earth or mars");
 }
 
 // Konopliv et al. (2016): the node goes back by 7.6083 arcsec a year. Obliquity: 25.19 degrees.
 TEST(PlanetSpin, MarsPrecessesAsMeasured) {
-  const ElementTable orbit = shipped_orbit("mars");
-  const PlanetSpin& mars = known_planet("mars");
-  const OrbitElements now = orbit.at(0.0);
-  const double obliquity = spin_angles(spin_axis(planet_pole(mars)), now).obliquity;
+  const secular::ElementTable orbit = secular::shipped_orbit("mars");
+  const secular::PlanetSpin& mars = secular::known_planet("mars");
+  const secular::OrbitElements now = orbit.at(0.0);
+  const double obliquity =
+      secular::spin_angles(secular::spin_axis(secular::planet_pole(mars)), now).obliquity;
   EXPECT_NEAR(obliquity / deg, 25.19, budget::planet_obliquity);
-  const double rate = planet_rates(mars, 1.0).torque(0.0, now.k * now.k + now.h * now.h);
+  const double rate = secular::planet_rates(mars, 1.0).torque(0.0, now.k * now.k + now.h * now.h);
   EXPECT_NEAR(rate * std::cos(obliquity) * 3600.0 / deg, 7.6083, budget::planet_rate);
-  EXPECT_REJECTED(known_planet("venus"), "expected earth or mars");
+  EXPECT_REJECTED(secular::known_planet("venus"), "expected earth or mars");
 }
 
 TEST(OrbitElements, TurnThereAndBack) {
-  const OrbitElements o = orbit_elements(0.3, 1.1, 0.7, 2.2);
+  const secular::OrbitElements o = secular::orbit_elements(0.3, 1.1, 0.7, 2.2);
   const Quaternion q = rotation_z(0.4) * rotation_x(0.9);
-  const OrbitElements there = turned(o, q), back = turned(there, conj(q));
-  EXPECT_LT(norm(orbit_normal(there) - rotate(q, orbit_normal(o))), budget::secular_rounding);
-  EXPECT_LT(norm(pericentre_direction(there) - rotate(q, pericentre_direction(o))),
+  const secular::OrbitElements there = secular::turned(o, q),
+                               back = secular::turned(there, conj(q));
+  EXPECT_LT(norm(secular::orbit_normal(there) - rotate(q, secular::orbit_normal(o))),
             budget::secular_rounding);
-  EXPECT_NEAR(eccentricity(there), 0.3, budget::secular_rounding);
+  EXPECT_LT(
+      norm(secular::pericentre_direction(there) - rotate(q, secular::pericentre_direction(o))),
+      budget::secular_rounding);
+  EXPECT_NEAR(secular::eccentricity(there), 0.3, budget::secular_rounding);
   EXPECT_NEAR(back.k, o.k, budget::secular_rounding);
   EXPECT_NEAR(back.h, o.h, budget::secular_rounding);
   EXPECT_NEAR(back.q, o.q, budget::secular_rounding);
@@ -101,11 +104,11 @@ TEST(OrbitElements, TurnThereAndBack) {
 // Sunlight of a day. Oracles: the sum over the moments of the day, and the light that a sphere
 // catches in a year.
 
-constexpr SpinAngles angles{0.41, 0.0, 1.8, 0.0};
+constexpr secular::SpinAngles angles{0.41, 0.0, 1.8, 0.0};
 constexpr double e = 0.05;
 
 // From the direction of the star in equatorial axes, moment by moment.
-double summed(const InsolationPlace& place) {
+double summed(const secular::InsolationPlace& place) {
   const double sine = std::sin(angles.obliquity) * std::sin(place.longitude);
   const double cosine = std::sqrt(1.0 - sine * sine);
   // seen from the star the planet is opposite, and its true anomaly counts from the pericentre
@@ -125,9 +128,9 @@ double summed(const InsolationPlace& place) {
 TEST(Insolation, IsTheMeanOverTheMomentsOfADay) {
   for (double latitude = -1.5; latitude < 1.6; latitude += 0.25)
     for (double longitude = 0.0; longitude < 6.2; longitude += 0.4) {
-      const InsolationPlace place{latitude, longitude, 1361.0};
-      EXPECT_NEAR(daily_insolation(angles, e, place) / place.flux, summed(place) / place.flux,
-                  budget::insolation_mean)
+      const secular::InsolationPlace place{latitude, longitude, 1361.0};
+      EXPECT_NEAR(secular::daily_insolation(angles, e, place) / place.flux,
+                  summed(place) / place.flux, budget::insolation_mean)
           << latitude << " " << longitude;
     }
 }
@@ -144,7 +147,7 @@ TEST(Insolation, OverSphereAndYearIsAQuarter) {
     for (int i = 0; i < latitudes; ++i) {
       const double theta = pi * (i + 0.5) / latitudes;
       of_day += std::sin(theta) * (pi / latitudes) / 2.0 *
-                daily_insolation(angles, e, {std::asin(std::cos(theta)), longitude});
+                secular::daily_insolation(angles, e, {std::asin(std::cos(theta)), longitude});
     }
     sum += of_day * r * r / std::sqrt(1.0 - e * e) / longitudes;  // equal times
   }
@@ -152,12 +155,13 @@ TEST(Insolation, OverSphereAndYearIsAQuarter) {
 }
 
 TEST(Insolation, PolesAndNightsAreOrdinary) {
-  const double summer = daily_insolation(angles, 0.0, {0.5 * pi, 0.5 * pi});
+  const double summer = secular::daily_insolation(angles, 0.0, {0.5 * pi, 0.5 * pi});
   EXPECT_NEAR(summer, std::sin(angles.obliquity), budget::insolation_flux);
-  EXPECT_EQ(daily_insolation(angles, 0.0, {-0.5 * pi, 0.5 * pi}), 0.0);
-  EXPECT_TRUE(std::isnan(daily_insolation(angles, 0.0, {1.6, 0.0})));
-  const SpinAngles upright{0.0, std::nan(""), 0.3, 0.0};
-  EXPECT_NEAR(daily_insolation(upright, 0.0, {0.0, 1.0}), 1.0 / pi, budget::insolation_flux);
+  EXPECT_EQ(secular::daily_insolation(angles, 0.0, {-0.5 * pi, 0.5 * pi}), 0.0);
+  EXPECT_TRUE(std::isnan(secular::daily_insolation(angles, 0.0, {1.6, 0.0})));
+  const secular::SpinAngles upright{0.0, std::nan(""), 0.3, 0.0};
+  EXPECT_NEAR(secular::daily_insolation(upright, 0.0, {0.0, 1.0}), 1.0 / pi,
+              budget::insolation_flux);
 }
 
 }  // namespace

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How many terms and bytes a Lie transform takes, before it is made: against the transforms
 // themselves.
-#include "polhode/secular/transform_size.hpp"
-
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -24,23 +22,23 @@ using polhode::test::message_of;
 using testing::AllOf;
 using testing::HasSubstr;
 
-Truncation up_to(int order) { return {{{"k", 1}}, order}; }
+series::Truncation up_to(int order) { return {{{"k", 1}}, order}; }
 
 struct Example {
   std::string name;
-  Elimination<Rational> problem;
+  secular::Elimination<series::Rational> problem;
 };
 
-Elimination<Rational> problem(const Symbols& symbols, const char* h, int order,
-                              std::vector<std::string> angles) {
-  return {series_from_text<Rational>(symbols, h), up_to(order), std::move(angles)};
+secular::Elimination<series::Rational> problem(const series::Symbols& symbols, const char* h,
+                                               int order, std::vector<std::string> angles) {
+  return {series::series_from_text<series::Rational>(symbols, h), up_to(order), std::move(angles)};
 }
 
 std::vector<Example> examples() {
-  const Symbols pendulum({"G", "k"}, {"g"}, {{"g", "G"}});
-  const Symbols rotor({"L", "G", "p", "d", "k"}, {"l", "g"}, {{"l", "L"}, {"g", "G"}});
-  const Symbols two({"L", "G", "k"}, {"l", "g", "t"}, {{"l", "L"}, {"g", "G"}});
-  const Symbols mixed({"L", "x", "y", "k"}, {"l"}, {{"l", "L"}, {"x", "y"}});
+  const series::Symbols pendulum({"G", "k"}, {"g"}, {{"g", "G"}});
+  const series::Symbols rotor({"L", "G", "p", "d", "k"}, {"l", "g"}, {{"l", "L"}, {"g", "G"}});
+  const series::Symbols two({"L", "G", "k"}, {"l", "g", "t"}, {{"l", "L"}, {"g", "G"}});
+  const series::Symbols mixed({"L", "x", "y", "k"}, {"l"}, {{"l", "L"}, {"x", "y"}});
   std::vector<Example> all = {
       {"pendulum", problem(pendulum, "G^2/2 + k*cos(g)", 12, {"g"})},
       {"rotor", problem(rotor, "p*G^2/2 - d*L^2/2 + k*(G^2 - L^2)*cos(2*l)/2", 8, {"l"})},
@@ -59,12 +57,12 @@ std::vector<Example> examples() {
       {"coordinates", problem(mixed, "L + k*(x^2 + y^2)*cos(l) + k*x*y + k*L*x*sin(l)", 5, {"l"})},
       {"clock", problem(two, "3*L + 7/5*G + k*L^2 + k*L*G*cos(l - t) + k*G*sin(g + 2*t)", 5,
                         {"l", "g", "t"})}};
-  all.back().problem.clocks = {{"t", constant(two, Rational(1, 3))}};
+  all.back().problem.clocks = {{"t", series::constant(two, series::Rational(1, 3))}};
   return all;
 }
 
-double size_of(const Series<Rational>& a, int n) {
-  return static_cast<double>(part_of_order(a, up_to(n), n).size());
+double size_of(const series::Series<series::Rational>& a, int n) {
+  return static_cast<double>(series::part_of_order(a, up_to(n), n).size());
 }
 // The bounds hold order by order, and all together are not far off.
 void expect_bounds(const std::vector<double>& bounds, const std::vector<double>& terms,
@@ -82,11 +80,11 @@ void expect_bounds(const std::vector<double>& bounds, const std::vector<double>&
 // The mean Hamiltonian and the generator share no term.
 TEST(TransformSize, BoundsTheTermsAndIsNotFarOff) {
   for (const auto& [name, problem] : examples()) {
-    const TransformSize size = transform_size(problem);
+    const secular::TransformSize size = secular::transform_size(problem);
     EXPECT_EQ(size.counted, problem.keep.order) << name;
     EXPECT_TRUE(std::is_sorted(size.bytes.begin(), size.bytes.end())) << name;
-    for (const LieMethod method : {LieMethod::deprit, LieMethod::hori}) {
-      const LieTransform<Rational> transform(problem, method);
+    for (const secular::LieMethod method : {secular::LieMethod::deprit, secular::LieMethod::hori}) {
+      const secular::LieTransform<series::Rational> transform(problem, method);
       std::vector<double> terms;
       for (int n = 0; n <= problem.keep.order; ++n)
         terms.push_back(size_of(transform.mean_hamiltonian(), n) +
@@ -98,12 +96,12 @@ TEST(TransformSize, BoundsTheTermsAndIsNotFarOff) {
 
 TEST(TransformSize, BoundsTheMaps) {
   for (const auto& [name, problem] : examples()) {
-    const Symbols& symbols = problem.hamiltonian.symbols();
-    const auto h = detail::checked_parts(problem);
-    const detail::LieKeys keys = detail::lie_keys(problem, h);
-    const LieTransform<Rational> transform(problem);
-    const auto expect = [&](const detail::KeyCount& count, const Series<Rational>& map,
-                            const std::string& what) {
+    const series::Symbols& symbols = problem.hamiltonian.symbols();
+    const auto h = secular::detail::checked_parts(problem);
+    const secular::detail::LieKeys keys = secular::detail::lie_keys(problem, h);
+    const secular::LieTransform<series::Rational> transform(problem);
+    const auto expect = [&](const secular::detail::KeyCount& count,
+                            const series::Series<series::Rational>& map, const std::string& what) {
       std::vector<double> terms;
       for (int n = 0; n <= problem.keep.order; ++n) terms.push_back(size_of(map, n));
       expect_bounds(count.terms, terms, name + ": " + what);
@@ -113,10 +111,11 @@ TEST(TransformSize, BoundsTheMaps) {
         if (const auto map = transform.short_period(symbol); !map.is_zero())
           expect(keys.count_of(symbol), map, symbol);
     const auto [q, p] = symbols.pairs()[0];
-    const Series<Rational> f =
-        cosine(symbols, Rational(1), {{p, 2}}, {{q, 3}}) + sine(symbols, Rational(1), {}, {{q, 1}});
-    expect(keys.count_of(detail::keys_of(detail::parts(f, problem.keep))), transform.in_mean(f),
-           "f");
+    const series::Series<series::Rational> f =
+        series::cosine(symbols, series::Rational(1), {{p, 2}}, {{q, 3}}) +
+        series::sine(symbols, series::Rational(1), {}, {{q, 1}});
+    expect(keys.count_of(secular::detail::keys_of(secular::detail::parts(f, problem.keep))),
+           transform.in_mean(f), "f");
   }
 }
 
@@ -125,8 +124,8 @@ TEST(TransformSize, ExtrapolatesWithAPowerOfTheOrder) {
   int extrapolated = 0;
   for (auto [name, problem] : examples()) {
     problem.keep.order = 14;
-    const auto keys = detail::lie_keys(problem, detail::checked_parts(problem));
-    const detail::KeyCount all = keys.count(), few = keys.count(2e3);
+    const auto keys = secular::detail::lie_keys(problem, secular::detail::checked_parts(problem));
+    const secular::detail::KeyCount all = keys.count(), few = keys.count(2e3);
     EXPECT_EQ(all.counted, 14) << name;
     extrapolated += few.counted < 14 ? 1 : 0;
     for (std::size_t n = 0; n < all.terms.size(); ++n) {
@@ -143,9 +142,9 @@ TEST(TransformSize, RefusesBeforeItStarts) {
   auto [name, problem] = examples()[0];
   const auto refused = [&](double bytes) {
     problem.keep.most_bytes = static_cast<std::size_t>(bytes);
-    return message_of([&] { LieTransform<Rational>{problem}; });
+    return message_of([&] { secular::LieTransform<series::Rational>{problem}; });
   };
-  const TransformSize size = transform_size(problem);
+  const secular::TransformSize size = secular::transform_size(problem);
   EXPECT_EQ(refused(size.bytes[12] + 1.0), "");
   EXPECT_THAT(refused(size.bytes[12] - 1.0),
               AllOf(HasSubstr("LieTransform: order 12 may have 7 terms in a series and take 3."),
@@ -153,23 +152,25 @@ TEST(TransformSize, RefusesBeforeItStarts) {
                     HasSubstr("lower the order, or raise Truncation::most_bytes")));
   EXPECT_THAT(refused(1.0), HasSubstr("more than the 1e-09 GB allowed; lower the order"));
   // Far beyond any memory: at once.
-  const Symbols many({"A", "B", "C", "k"}, {"a", "b", "c"}, {{"a", "A"}, {"b", "B"}, {"c", "C"}});
+  const series::Symbols many({"A", "B", "C", "k"}, {"a", "b", "c"},
+                             {{"a", "A"}, {"b", "B"}, {"c", "C"}});
   EXPECT_THAT(
       message_of([&] {
-        LieTransform<double>(
-            {series_from_text<double>(many,
-                                      "A + 1.1*B + 1.3*C + k*(A + B + C)^2*(1 + cos(a) + cos(b) + "
-                                      "cos(c) + cos(a - b) + cos(b - c))"),
+        secular::LieTransform<double>(
+            {series::series_from_text<double>(
+                 many,
+                 "A + 1.1*B + 1.3*C + k*(A + B + C)^2*(1 + cos(a) + cos(b) + "
+                 "cos(c) + cos(a - b) + cos(b - c))"),
              up_to(30),
              {"a", "b", "c"}});
       }),
       AllOf(HasSubstr("LieTransform: order 30 may have"), HasSubstr("order 18 takes 3.21 GB")));
   // A function that is larger than the Hamiltonian.
   problem.keep.most_bytes = static_cast<std::size_t>(2.0 * size.bytes[12]);
-  const LieTransform<Rational> transform(problem);
-  const auto f = power(
-      series_from_text<Rational>(problem.hamiltonian.symbols(), "G + G^2*cos(g) + G^3*sin(2*g)"),
-      6);
+  const secular::LieTransform<series::Rational> transform(problem);
+  const auto f = series::power(series::series_from_text<series::Rational>(
+                                   problem.hamiltonian.symbols(), "G + G^2*cos(g) + G^3*sin(2*g)"),
+                               6);
   EXPECT_REJECTED(transform.in_mean(f), "LieTransform: a map to order 12 may have");
   EXPECT_EQ(message_of([&] { transform.short_period("g"); }), "");
 }

@@ -33,7 +33,7 @@ struct Errors {
 };
 // Relative to G and the frequencies, over l, for J up to 30 degrees.
 Errors errors(double e, int order) {
-  const TriaxialNormalForm form(body(e), order);
+  const secular::TriaxialNormalForm form(body(e), order);
   Worst energy, frequencies, actions, angles, back;
   for (const double J : {10.0 * degree, 30.0 * degree})
     for (const double l : {0.2, 1.0, 2.1, 3.9, 5.5}) {
@@ -41,7 +41,7 @@ Errors errors(double e, int order) {
       const FreeRotation motion(body(e), to_rotor(s), 0.0);
       const SadovState exact = to_sadov(motion, 0.0);
       const SadovFrequencies n = sadov_frequencies(motion);
-      const RotorFrequencies by_series = form.frequencies(exact.I_l, exact.I_g);
+      const secular::RotorFrequencies by_series = form.frequencies(exact.I_l, exact.I_g);
       frequencies.add(by_series.n_l / n.n_l - 1.0);
       frequencies.add(by_series.n_g / n.n_g - 1.0);
       energy.add(form.energy(exact.I_l, exact.I_g) / kinetic_energy(body(e), to_rotor(s)) - 1.0);
@@ -87,7 +87,7 @@ TEST(TriaxialNormalForm, IsWithinItsEstimateOrNaN) {
   int answered = 0, beyond = 0;
   for (int k = 0; k < 25; ++k) {
     const double e = 0.02 + 0.6 * uniform(engine);
-    const TriaxialNormalForm form(body(e), 8);
+    const secular::TriaxialNormalForm form(body(e), 8);
     for (int i = 0; i < 20; ++i) {
       const AndoyerState s = state(std::acos(uniform(engine)), 6.3 * uniform(engine));
       const double c2 = s.L * s.L / (s.G * s.G), wave = std::cos(2.0 * s.l);
@@ -112,7 +112,7 @@ TEST(TriaxialNormalForm, IsWithinItsEstimateOrNaN) {
         ++beyond;
       }
       // of mean elements up to the separatrix itself
-      const RotorFrequencies by_series = form.frequencies(exact.I_l, exact.I_g);
+      const secular::RotorFrequencies by_series = form.frequencies(exact.I_l, exact.I_g);
       const double error =
           larger(std::fabs(by_series.n_l / n.n_l - 1.0), std::fabs(by_series.n_g / n.n_g - 1.0));
       EXPECT_LT(error, budget::normal_form_estimate * form.frequency_error(exact.I_l, exact.I_g) +
@@ -139,7 +139,7 @@ TEST(TriaxialNormalForm, IsWithinItsEstimateOrNaN) {
 }
 
 TEST(TriaxialNormalForm, WhatIsRefused) {
-  const TriaxialNormalForm wide(Body(0.5, 0.8, 1.0), 8);
+  const secular::TriaxialNormalForm wide(Body(0.5, 0.8, 1.0), 8);
   const auto at = [](double J) {
     return AndoyerState{.l = 0.3, .g = 0.0, .h = 0.0, .L = std::cos(J), .G = 1.0, .H = 0.4};
   };
@@ -150,9 +150,9 @@ TEST(TriaxialNormalForm, WhatIsRefused) {
   EXPECT_TRUE(std::isnan(wide.osculating(at(80.0 * degree)).L));
   EXPECT_TRUE(std::isnan(wide.frequencies(0.17, 1.0).n_l));
   EXPECT_TRUE(std::isnan(wide.energy(0.0, 1.0)));
-  EXPECT_REJECTED(TriaxialNormalForm(body(0.1), 0), "order 0 must be");
-  EXPECT_REJECTED(TriaxialNormalForm(Body(2.0, 1.5, 3.0), 2), "must rise");
-  EXPECT_REJECTED(TriaxialNormalForm(Body(1.0, 1.0, 1.0), 2), "must rise");
+  EXPECT_REJECTED(secular::TriaxialNormalForm(body(0.1), 0), "order 0 must be");
+  EXPECT_REJECTED(secular::TriaxialNormalForm(Body(2.0, 1.5, 3.0), 2), "must rise");
+  EXPECT_REJECTED(secular::TriaxialNormalForm(Body(1.0, 1.0, 1.0), 2), "must rise");
 }
 
 }  // namespace

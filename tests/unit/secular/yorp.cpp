@@ -26,9 +26,9 @@ using namespace polhode;
 constexpr double pi = std::numbers::pi;
 
 // Averages by brute force, over turns and over the true anomaly.
-YorpTorque brute_force(const Surface& surface, double o, int turns, int years) {
+secular::YorpTorque brute_force(const Surface& surface, double o, int turns, int years) {
   const FacetStream light(surface, light_law);
-  YorpTorque sum{};
+  secular::YorpTorque sum{};
   for (int j = 0; j < years; ++j) {
     const double f = 2.0 * pi * (j + 0.5) / years;
     const Vec3 sun{std::cos(f), std::sin(f) * std::cos(o), std::sin(f) * std::sin(o)};
@@ -41,14 +41,14 @@ YorpTorque brute_force(const Surface& surface, double o, int turns, int years) {
   const double n = static_cast<double>(turns) * years;
   return {sum.spin / n, sum.obliquity / n, sum.precession / n};
 }
-double distance(const YorpTorque& a, const YorpTorque& b) {
+double distance(const secular::YorpTorque& a, const secular::YorpTorque& b) {
   return norm(Vec3{a.spin - b.spin, a.obliquity - b.obliquity, a.precession - b.precession});
 }
 
 TEST(Yorp, IsTheAverage) {
   const Surface surface = drawn_surface(919, 7);
   for (const double o : {0.0, 0.3, 1.0, pi / 2.0, 2.5})
-    EXPECT_LE(distance(yorp_torque(surface, o), brute_force(surface, o, 600, 600)),
+    EXPECT_LE(distance(secular::yorp_torque(surface, o), brute_force(surface, o, 600, 600)),
               budget::yorp_brute_force)
         << o;
 }
@@ -59,7 +59,7 @@ TEST(Yorp, VanishesForSymmetricShapes) {
   for (const auto& shape : {shape_test::ellipsoid(3, 2, 1, 3), shape_test::box(3, 2, 1)}) {
     const Surface surface = Surface::of_shape(shape, {}, dull);
     for (const double o : {0.1, 0.9, 1.4}) {
-      const YorpTorque y = yorp_torque(surface, o);
+      const secular::YorpTorque y = secular::yorp_torque(surface, o);
       EXPECT_LE(std::abs(y.spin), budget::yorp_quadrature * shape.area() * 3.0);
       EXPECT_LE(std::abs(y.obliquity), budget::yorp_quadrature * shape.area() * 3.0);
     }
@@ -72,10 +72,12 @@ TEST(Yorp, AbsorptionAloneMakesNone) {
   const auto shape = shape_test::tetrahedron(
       {Vec3{1.0, 0.1, -0.4}, {-0.7, 0.9, -0.3}, {-0.2, -1.1, -0.2}, {0.1, 0.1, 0.9}});
   for (const double o : {0.2, 0.8, 1.5}) {
-    const YorpTorque black = yorp_torque(Surface::of_shape(shape, {0.1, 0, 0.1}, {}), o);
+    const secular::YorpTorque black =
+        secular::yorp_torque(Surface::of_shape(shape, {0.1, 0, 0.1}, {}), o);
     EXPECT_LE(std::abs(black.spin), budget::yorp_quadrature * shape.area());
     EXPECT_LE(std::abs(black.obliquity), budget::yorp_quadrature * shape.area());
-    const YorpTorque warm = yorp_torque(Surface::of_shape(shape, {}, {.emitted = 1.0}), o);
+    const secular::YorpTorque warm =
+        secular::yorp_torque(Surface::of_shape(shape, {}, {.emitted = 1.0}), o);
     EXPECT_GT(std::abs(warm.spin) + std::abs(warm.obliquity), budget::yorp_not_zero);
   }
 }
@@ -90,7 +92,8 @@ TEST(Yorp, SymmetriesAndAxes) {
     for (SurfaceFacet& f : facets) f.finish = {.diffuse = 1.0};
     emitting = Surface(facets);
   }
-  const YorpTorque near = yorp_torque(emitting, 0.7), far = yorp_torque(emitting, pi - 0.7);
+  const secular::YorpTorque near = secular::yorp_torque(emitting, 0.7),
+                            far = secular::yorp_torque(emitting, pi - 0.7);
   EXPECT_NEAR(near.spin, far.spin, budget::yorp_quadrature * 10.0);
   EXPECT_NEAR(near.obliquity, -far.obliquity, budget::yorp_quadrature * 10.0);
   const double h = std::sqrt(0.5);  // and axis 3 to axis 1 and to axis 2
@@ -99,7 +102,8 @@ TEST(Yorp, SymmetriesAndAxes) {
                                                {{h, 0.0, h, 0.0}, {2, 0, 0}},
                                                {{h, -h, 0.0, 0.0}, {0, 2, 0}}};
   for (const auto& [q, axis] : turns) {
-    EXPECT_LE(distance(yorp_torque(surface.along(conj(q)), 0.7, axis), yorp_torque(surface, 0.7)),
+    EXPECT_LE(distance(secular::yorp_torque(surface.along(conj(q)), 0.7, axis),
+                       secular::yorp_torque(surface, 0.7)),
               budget::yorp_quadrature * 10.0);
   }
 }
@@ -114,7 +118,7 @@ TEST(Yorp, MeanPressureOnAnEllipse) {
     const Vec3 x = orbit.position(2.0 * pi * std::pow(a, 1.5) * i / samples);
     sum += P * d * d / dot(x, x) / samples;
   }
-  EXPECT_NEAR(mean_pressure({P, d}, a, e), sum, budget::perturb_average);
+  EXPECT_NEAR(secular::mean_pressure({P, d}, a, e), sum, budget::perturb_average);
 }
 
 // P_n(x) and its derivative, n from 0.
@@ -149,10 +153,10 @@ std::vector<double> lit_series(const Legendre& at_zero, std::size_t most) {
 // n to the Sun)) the product P_n(n_z) P_n(sin(latitude)), and half of P_n^1 P_n^1 2 (n-1)!/(n+1)!
 // along the meridian of the Sun (addition theorem); the orbit keeps P_n(0) P_n(cos(obliquity)), and
 // of the meridian's part its derivative by the obliquity.
-YorpTorque by_series(const Surface& surface, double obliquity, std::size_t most) {
+secular::YorpTorque by_series(const Surface& surface, double obliquity, std::size_t most) {
   const Legendre zero(0.0, most + 2), tilt(std::cos(obliquity), most);
   const std::vector<double> a = lit_series(zero, most);
-  YorpTorque sum{};
+  secular::YorpTorque sum{};
   for (const SurfaceFacet& f : surface.facets()) {
     const Legendre place(f.normal.z, most);
     double along = 0.0, meridian = 0.0;
@@ -172,8 +176,8 @@ YorpTorque by_series(const Surface& surface, double obliquity, std::size_t most)
 }
 
 // An ellipsoid with dents that lie anywhere.
-FacetShape drawn_shape(std::uint64_t seed, double depth) {
-  const FacetShape smooth = shape_test::ellipsoid(1.2, 1.0, 0.9, 3);
+shape::FacetShape drawn_shape(std::uint64_t seed, double depth) {
+  const shape::FacetShape smooth = shape_test::ellipsoid(1.2, 1.0, 0.9, 3);
   Draw draw(seed, 0);
   Vec3 where[6];
   for (Vec3& w : where) w = drawn_vector(draw);
@@ -192,11 +196,11 @@ FacetShape drawn_shape(std::uint64_t seed, double depth) {
 // The series of Breiter & Michalska (2008) in the cosine of the obliquity, here for facets.
 TEST(Yorp, IsItsSeriesInLegendrePolynomials) {
   for (std::uint64_t i = 0; i < 4; ++i) {
-    const FacetShape shape = drawn_shape(930 + i, 0.05);
+    const shape::FacetShape shape = drawn_shape(930 + i, 0.05);
     const Surface warm = Surface::of_shape(shape, {0.02, -0.01, 0.03}, {.emitted = 1.0});
     const double size = shape.area();
     for (const double o : {0.1, 0.8, pi / 2.0, 2.2})
-      EXPECT_LE(distance(yorp_torque(warm, o), by_series(warm, o, 3000)),
+      EXPECT_LE(distance(secular::yorp_torque(warm, o), by_series(warm, o, 3000)),
                 budget::yorp_series * size)
           << i << " at " << o;
   }
@@ -204,8 +208,8 @@ TEST(Yorp, IsItsSeriesInLegendrePolynomials) {
 
 TEST(Yorp, Refuses) {
   const Surface plate = Surface::of_plate({}, {1, 0, 0}, 1.0, {});
-  EXPECT_REJECTED(yorp_torque(plate, 0.0, {}), "axis (0, 0, 0)");
-  EXPECT_REJECTED(mean_pressure({1, 1}, 1.0, 1.0), "eccentricity 1");
+  EXPECT_REJECTED(secular::yorp_torque(plate, 0.0, {}), "axis (0, 0, 0)");
+  EXPECT_REJECTED(secular::mean_pressure({1, 1}, 1.0, 1.0), "eccentricity 1");
 }
 
 }  // namespace

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Rational numbers against those of Boost, and what they refuse.
-#include "polhode/series/rational.hpp"
-
 #include <gmock/gmock.h>
 
 #include <boost/multiprecision/cpp_int.hpp>
@@ -14,13 +12,14 @@
 #include <vector>
 
 #include "message_of.hpp"
+#include "polhode/series/symbols.hpp"
 
 namespace series_test {
 namespace {
 
 using boost::multiprecision::cpp_int;
 using boost::multiprecision::cpp_rational;
-using polhode::Rational;
+using polhode::series::Rational;
 using polhode::test::message_of;
 using testing::HasSubstr;
 
@@ -76,19 +75,19 @@ TEST(Rational, IsThatOfBoost) {
 
 TEST(Rational, HasOneFormWhereBigBecomesSmallAgain) {
   const Rational big = Rational(largest) * Rational(largest);
-  EXPECT_EQ(big / Rational(largest), Rational(largest));
-  EXPECT_EQ(big - big, Rational(0));
-  EXPECT_EQ(big * Rational(3), Rational(3) * big);
+  EXPECT_EQ(big / series::Rational(largest), series::Rational(largest));
+  EXPECT_EQ(big - big, series::Rational(0));
+  EXPECT_EQ(big * series::Rational(3), series::Rational(3) * big);
 }
 
 TEST(Rational, ReadsWhatTextSays) {
-  EXPECT_EQ(Rational::from_text("-3/4"), Rational(-3, 4));
-  EXPECT_EQ(Rational::from_text("0.1"), Rational(1, 10));
-  EXPECT_EQ(Rational::from_text("010"), Rational(10));
-  EXPECT_EQ(Rational::from_text("1.25e-1"), Rational(1, 8));
-  EXPECT_EQ(Rational::from_text("2.5E+2"), Rational(250));
+  EXPECT_EQ(series::Rational::from_text("-3/4"), series::Rational(-3, 4));
+  EXPECT_EQ(series::Rational::from_text("0.1"), series::Rational(1, 10));
+  EXPECT_EQ(series::Rational::from_text("010"), series::Rational(10));
+  EXPECT_EQ(series::Rational::from_text("1.25e-1"), series::Rational(1, 8));
+  EXPECT_EQ(series::Rational::from_text("2.5E+2"), series::Rational(250));
   const Rational big = Rational(largest) * Rational(-largest, 7);
-  EXPECT_EQ(Rational::from_text(big.text()), big);
+  EXPECT_EQ(series::Rational::from_text(big.text()), big);
 }
 
 // n / 2^k, below the normal range too, where a double has fewer digits: a long double holds it
@@ -101,21 +100,21 @@ TEST(Rational, IsRoundedOnce) {
       const auto wanted = static_cast<double>(std::ldexp(static_cast<long double>(n), -k));
       const cpp_int power = cpp_int(1) << k;
       const std::string text = std::to_string(n) + "/" + power.str();
-      EXPECT_EQ(static_cast<double>(Rational::from_text(text)), wanted) << text;
-      EXPECT_EQ(static_cast<double>(Rational::from_text("-" + text)), -wanted) << text;
+      EXPECT_EQ(static_cast<double>(series::Rational::from_text(text)), wanted) << text;
+      EXPECT_EQ(static_cast<double>(series::Rational::from_text("-" + text)), -wanted) << text;
     }
 }
 
 TEST(Rational, Refuses) {
-  EXPECT_REJECTED(Rational(1, 0), "denominator 0");
-  EXPECT_REJECTED(Rational(1) / Rational(0), "division by 0");
+  EXPECT_REJECTED(series::Rational(1, 0), "denominator 0");
+  EXPECT_REJECTED(series::Rational(1) / series::Rational(0), "division by 0");
   for (const char* const text : {"", "-", "1/", "/2", "1/-2", "x", "1e", "1e--2", "1e+-2", "1.2.3",
                                  " 1", ".", "1e9999", "--1", "+1"})
-    EXPECT_REJECTED(Rational::from_text(text), "Rational: '") << text;
-  EXPECT_REJECTED(Rational::from_text("1/0"), "denominator of 0");
+    EXPECT_REJECTED(series::Rational::from_text(text), "Rational: '") << text;
+  EXPECT_REJECTED(series::Rational::from_text("1/0"), "denominator of 0");
   const Rational long_one = Rational::from_text("1e4000");
   EXPECT_THAT(message_of([&] {
-                Rational x = long_one;
+                series::Rational x = long_one;
                 for (int i = 0; i < 10; ++i) x *= x;
               }),
               HasSubstr("more than 300000 binary digits"));

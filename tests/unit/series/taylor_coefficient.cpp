@@ -8,22 +8,21 @@
 #include <algorithm>
 
 #include "message_of.hpp"
-#include "polhode/series/expanded.hpp"
 #include "polhode/series/linear_flow.hpp"
-#include "polhode/series/substitution.hpp"
+#include "polhode/series/product.hpp"
 #include "unit/series/support.hpp"
 #include "worst.hpp"
 
 namespace series_test {
 namespace {
 
-using polhode::AngleRate;
+using polhode::series::AngleRate;
 using polhode::test::smaller;
 
-using Taylor = polhode::TaylorCoefficient<Rational, 2, 5>;
-using Local = Series<Taylor>;
+using Taylor = polhode::series::TaylorCoefficient<series::Rational, 2, 5>;
+using Local = series::Series<Taylor>;
 
-Symbols rotor() { return Symbols({"L", "G", "k"}, {"l", "g"}, {{"l", "L"}, {"g", "G"}}); }
+series::Symbols rotor() { return Symbols({"L", "G", "k"}, {"l", "g"}, {{"l", "L"}, {"g", "G"}}); }
 Taylor L() { return Taylor::variable(0, Rational(2, 3)); }
 Taylor G() { return Taylor::variable(1, Rational(5, 4)); }
 Taylor number(int n, int d = 1) { return Taylor(Rational(n, d)); }
@@ -47,7 +46,7 @@ int known(const Local& a) {
 void expect_equal(const Local& a, const Local& b, int least_known) {
   const int degree = smaller<int>(known(a), known(b));
   EXPECT_GE(degree, least_known);
-  EXPECT_EQ(expanded(a, degree), expanded(b, degree));
+  EXPECT_EQ(series::expanded(a, degree), series::expanded(b, degree));
 }
 
 TEST(TaylorCoefficient, QuotientsAndDerivativesAreThoseOfTheFunctions) {
@@ -60,8 +59,8 @@ TEST(TaylorCoefficient, QuotientsAndDerivativesAreThoseOfTheFunctions) {
   EXPECT_EQ(slope - number(-2) / (w * w), Taylor(0));
   // (1 + x)^(-1) = 1 - x + x^2 - ..., the value is that of the polynomial.
   const Taylor inverse = number(1) / Taylor::variable(0, Rational(1));
-  EXPECT_EQ(inverse.value({Rational(1, 2), Rational(9)}), Rational(21, 32));
-  const auto one = polhode::TaylorCoefficient<double, 1, 4>::variable(0, 1.0);
+  EXPECT_EQ(inverse.value({series::Rational(1, 2), series::Rational(9)}), series::Rational(21, 32));
+  const auto one = polhode::series::TaylorCoefficient<double, 1, 4>::variable(0, 1.0);
   EXPECT_EQ(sqrt(one) * sqrt(one), one);
   EXPECT_EQ(sqrt(one).at(4), -5.0 / 128.0);
 }
@@ -79,7 +78,7 @@ TEST(TaylorCoefficient, SaysWhatIsKnown) {
   EXPECT_REJECTED(quotient.derivative(0), "nothing is known");
   EXPECT_REJECTED(L().derivative(2), "no variable at place 2");
   EXPECT_REJECTED(number(1) / (L() - number(2, 3)), "a function that is 0");
-  const auto below = polhode::TaylorCoefficient<double, 1, 2>::variable(0, -1.0);
+  const auto below = polhode::series::TaylorCoefficient<double, 1, 2>::variable(0, -1.0);
   EXPECT_REJECTED(sqrt(below), "not positive");
 }
 
@@ -87,8 +86,8 @@ TEST(TaylorCoefficient, BracketsKeepTheirLaws) {
   for (unsigned seed = 0; seed < 4; ++seed) {
     Draw draw(1400 + seed);
     const Local f = drawn_local(draw), g = drawn_local(draw), h = drawn_local(draw);
-    ASSERT_GE(bracket(f, g).size(), 5U);
-    expect_equal(bracket(f, g), -bracket(g, f), 4);
+    ASSERT_GE(series::bracket(f, g).size(), 5U);
+    expect_equal(series::bracket(f, g), -bracket(g, f), 4);
     expect_equal(bracket(f * g, h), f * bracket(g, h) + bracket(f, h) * g, 4);
     expect_equal(bracket(f, bracket(g, h)), bracket(bracket(f, g), h) + bracket(g, bracket(f, h)),
                  3);
@@ -97,7 +96,7 @@ TEST(TaylorCoefficient, BracketsKeepTheirLaws) {
 
 // Rates of different form, whose sums are no single term without a Taylor polynomial.
 TEST(TaylorCoefficient, IntegralsAreUndoneByTheFlow) {
-  const Symbols symbols = rotor();
+  const series::Symbols symbols = rotor();
   const std::vector<AngleRate<Taylor>> rates{
       {"l", constant(symbols, number(1) / (L() + number(4)))}, {"g", constant(symbols, G() * G())}};
   Draw draw(1500);
@@ -105,65 +104,72 @@ TEST(TaylorCoefficient, IntegralsAreUndoneByTheFlow) {
   ASSERT_GE(f.size(), 8U);
   const Local s = integral(f, rates, 0.0);
   Local flow(symbols);
-  for (const auto& [angle, rate] : rates) flow += rate * derivative(s, angle);
+  for (const auto& [angle, rate] : rates) flow += rate * series::derivative(s, angle);
   expect_equal(flow, f, 5);
   // l - g stands still where L = G^2, and not beside it.
   const std::vector<AngleRate<Taylor>> near{
       {"l", constant(symbols, L())}, {"g", constant(symbols, G() * G() - number(25, 16) + L())}};
-  EXPECT_REJECTED(integral(cosine(symbols, number(1), {}, {{"l", 1}, {"g", -1}}), near, 0.0),
-                  "turns with l - g, whose rate is 0 at the values chosen");
+  EXPECT_REJECTED(
+      series::integral(series::cosine(symbols, number(1), {}, {{"l", 1}, {"g", -1}}), near, 0.0),
+      "turns with l - g, whose rate is 0 at the values chosen");
 }
 
 // The coefficient of k L cos(l) depends on L too.
 TEST(TaylorCoefficient, ItsVariablesAreDisplacedNotReplaced) {
-  const Symbols symbols = rotor();
+  const series::Symbols symbols = rotor();
   const Local a = cosine(symbols, L() * G(), {{"k", 2}}, {{"l", 1}});
-  EXPECT_REJECTED(substituted(a, "L", constant(symbols, number(2))),
+  EXPECT_REJECTED(series::substituted(a, "L", series::constant(symbols, number(2))),
                   "L is a variable of the coefficients too");
-  EXPECT_EQ(substituted(a, "k", constant(symbols, number(2))),
-            cosine(symbols, number(4) * L() * G(), {}, {{"l", 1}}));
+  EXPECT_EQ(series::substituted(a, "k", series::constant(symbols, number(2))),
+            series::cosine(symbols, number(4) * L() * G(), {}, {{"l", 1}}));
 }
 
 TEST(TaylorCoefficient, ExpandedIsASeriesInDisplacements) {
-  const Symbols symbols = rotor();
+  const series::Symbols symbols = rotor();
   const Local a = cosine(symbols, L() * G(), {{"k", 2}}, {{"l", 1}});
-  const Exact wanted = cosine(symbols, Rational(5, 6), {{"k", 2}}, {{"l", 1}}) +
+  const Exact wanted = series::cosine(symbols, series::Rational(5, 6), {{"k", 2}}, {{"l", 1}}) +
                        cosine(symbols, Rational(5, 4), {{"k", 2}, {"L", 1}}, {{"l", 1}}) +
                        cosine(symbols, Rational(2, 3), {{"k", 2}, {"G", 1}}, {{"l", 1}});
-  EXPECT_EQ(expanded(a, 1), wanted);
-  EXPECT_EQ(expanded(a),
-            wanted + cosine(symbols, Rational(1), {{"k", 2}, {"L", 1}, {"G", 1}}, {{"l", 1}}));
+  EXPECT_EQ(series::expanded(a, 1), wanted);
+  EXPECT_EQ(series::expanded(a),
+            wanted + series::cosine(symbols, series::Rational(1), {{"k", 2}, {"L", 1}, {"G", 1}},
+                                    {{"l", 1}}));
 }
 
-Symbols at_values() {
+series::Symbols at_values() {
   return Symbols({"L", "G", "k"}, {"l", "g"}, {{"l", "L"}, {"g", "G"}}, {{"G", 1.25}, {"L", 0.75}});
 }
 
 // Powers of L and G in text are functions of them; only two of three variables are used.
 TEST(TaylorCoefficient, ValuesOfSymbolsMakeFunctionsOfText) {
-  using Three = polhode::TaylorCoefficient<Rational, 3, 5>;
-  const Symbols symbols = at_values();
+  using Three = polhode::series::TaylorCoefficient<series::Rational, 3, 5>;
+  const series::Symbols symbols = at_values();
   const Three l = Three::variable(0, Rational(3, 4)), g = Three::variable(1, Rational(5, 4));
-  const auto read = [&](const char* text) { return series_from_text<Three>(symbols, text); };
-  EXPECT_EQ(read("k*(G + L)^2*cos(l)/(1 - G*L)"),
-            cosine(symbols, (g + l) * (g + l) / (Three(1) - g * l), {{"k", 1}}, {{"l", 1}}));
-  EXPECT_EQ(derivative(read("k^2*L"), "k"), read("2*k*L"));
-  EXPECT_EQ(expanded(derivative(read("k^2/L"), "L")), expanded(read("-k^2/L^2"), 4));
-  EXPECT_EQ(text(read("G^2*k*sin(g)")),
+  const auto read = [&](const char* text) {
+    return series::series_from_text<Three>(symbols, text);
+  };
+  EXPECT_EQ(
+      read("k*(G + L)^2*cos(l)/(1 - G*L)"),
+      series::cosine(symbols, (g + l) * (g + l) / (Three(1) - g * l), {{"k", 1}}, {{"l", 1}}));
+  EXPECT_EQ(series::derivative(read("k^2*L"), "k"), read("2*k*L"));
+  EXPECT_EQ(series::expanded(series::derivative(read("k^2/L"), "L")),
+            series::expanded(read("-k^2/L^2"), 4));
+  EXPECT_EQ(series::text(read("G^2*k*sin(g)")),
             "25/16*k*sin(g) + 5/2*(G - 1.25)*k*sin(g) + (G - 1.25)^2*k*sin(g)");
-  const auto f = derivative(read("k/(G - L) + L^2*sin(g)"), "L");
-  EXPECT_EQ(series_from_text<Three>(symbols, text(f)), f);
-  const auto same = polhode::series_from_csv<Three>(symbols, csv(f));
+  const auto f = series::derivative(read("k/(G - L) + L^2*sin(g)"), "L");
+  EXPECT_EQ(series::series_from_text<Three>(symbols, series::text(f)), f);
+  const auto same = polhode::series::series_from_csv<Three>(symbols, series::csv(f));
   EXPECT_EQ(same, f);
-  EXPECT_EQ(csv(same), csv(f));
-  EXPECT_EQ(polhode::collected<Three>(expanded(f)), f);
+  EXPECT_EQ(series::csv(same), series::csv(f));
+  EXPECT_EQ(polhode::series::collected<Three>(series::expanded(f)), f);
   EXPECT_REJECTED(read("sqrt(G)"), "column 1: 'sqrt'; expected");
   EXPECT_REJECTED(read("1/(3*G - 5*L)"), "a divisor that is not 0 at L = 0.75, G = 1.25 before it");
-  using One = polhode::TaylorCoefficient<double, 1, 5>;
-  EXPECT_REJECTED(series_from_text<One>(symbols, "G"),
+  using One = polhode::series::TaylorCoefficient<double, 1, 5>;
+  EXPECT_REJECTED(series::series_from_text<One>(symbols, "G"),
                   "2 variables have values, L = 0.75, G = 1.25; coefficients of this type take 1");
-  EXPECT_REJECTED(series_from_text<double>(symbols, "G"), "coefficients of this type take 0");
-  EXPECT_REJECTED(read("G") + series_from_text<Three>(rotor(), "k"), "without values");
+  EXPECT_REJECTED(series::series_from_text<double>(symbols, "G"),
+                  "coefficients of this type take 0");
+  EXPECT_REJECTED(read("G") + series::series_from_text<Three>(rotor(), "k"), "without values");
 }
 
 }  // namespace

@@ -13,62 +13,65 @@ using namespace polhode;
 using polhode::test::message_of;
 using testing::HasSubstr;
 
-Symbols few() { return Symbols({"e", "G"}, {"l", "g"}, {{"g", "G"}}); }
-Exact read(const char* text) { return series_from_text<Rational>(few(), text); }
+series::Symbols few() { return series::Symbols({"e", "G"}, {"l", "g"}, {{"g", "G"}}); }
+Exact read(const char* text) { return series::series_from_text<series::Rational>(few(), text); }
 
 TEST(SeriesText, WhatIsWrittenIsReadBack) {
-  const Symbols symbols = some_symbols();
+  const series::Symbols symbols = some_symbols();
   for (unsigned seed = 0; seed < 10; ++seed) {
     Draw draw(1700 + seed);
     const Exact a = drawn_series(symbols, draw, 25);
-    EXPECT_EQ(series_from_text<Rational>(symbols, text(a)), a);
-    EXPECT_EQ(series_from_csv<Rational>(symbols, csv(a)), a);
-    const Series<double> b = drawn<double>(symbols, draw, 25, -2, 3, 3, [&] {
+    EXPECT_EQ(series::series_from_text<series::Rational>(symbols, series::text(a)), a);
+    EXPECT_EQ(series::series_from_csv<series::Rational>(symbols, series::csv(a)), a);
+    const series::Series<double> b = drawn<double>(symbols, draw, 25, -2, 3, 3, [&] {
       return draw.integer(-999, 999) / 7.0 * to_power(10.0, draw.integer(-30, 30));
     });
-    EXPECT_EQ(series_from_text<double>(symbols, text(b)), b);
-    EXPECT_EQ(series_from_csv<double>(symbols, csv(b)), b);
+    EXPECT_EQ(series::series_from_text<double>(symbols, series::text(b)), b);
+    EXPECT_EQ(series::series_from_csv<double>(symbols, series::csv(b)), b);
   }
   const Exact zero(symbols);
-  EXPECT_EQ(text(zero), "0");
-  EXPECT_EQ(series_from_text<Rational>(symbols, "0"), zero);
-  EXPECT_EQ(series_from_csv<Rational>(symbols, csv(zero)), zero);
+  EXPECT_EQ(series::text(zero), "0");
+  EXPECT_EQ(series::series_from_text<series::Rational>(symbols, "0"), zero);
+  EXPECT_EQ(series::series_from_csv<series::Rational>(symbols, series::csv(zero)), zero);
 }
 
 TEST(SeriesText, LooksLikeAFormula) {
   const Exact a = read("-3/2 + e - 1/4*e^2*G^-1*cos(2*l - g) + sin(g)");
-  EXPECT_EQ(text(a), "-3/2 + sin(g) + e - 1/4*e^2*G^-1*cos(2*l - g)");
-  EXPECT_EQ(csv(read("2/3*e*sin(l - 2*g)")), "coefficient,function,e^,G^,l,g\n2/3,sin,1,0,1,-2\n");
+  EXPECT_EQ(series::text(a), "-3/2 + sin(g) + e - 1/4*e^2*G^-1*cos(2*l - g)");
+  EXPECT_EQ(series::csv(read("2/3*e*sin(l - 2*g)")),
+            "coefficient,function,e^,G^,l,g\n2/3,sin,1,0,1,-2\n");
 }
 
 TEST(SeriesText, ExpressionsAreTheirAlgebra) {
-  const Symbols symbols = few();
-  const Rational one(1);
-  const Exact e = monomial(symbols, one, {{"e", 1}}), c = cosine(symbols, one, {}, {{"l", 1}});
-  const Exact number = constant(symbols, one);
-  EXPECT_EQ(read("(1 + e*cos(l))^3"), power(number + e * c, 3));
-  EXPECT_EQ(read("-(1 - e)*(1 + e)/2/G"),
-            Rational(-1, 2) * (number - e * e) * monomial(symbols, one, {{"G", -1}}));
+  const series::Symbols symbols = few();
+  const series::Rational one(1);
+  const Exact e = series::monomial(symbols, one, {{"e", 1}}),
+              c = series::cosine(symbols, one, {}, {{"l", 1}});
+  const Exact number = series::constant(symbols, one);
+  EXPECT_EQ(read("(1 + e*cos(l))^3"), series::power(number + e * c, 3));
+  EXPECT_EQ(read("-(1 - e)*(1 + e)/2/G"), series::Rational(-1, 2) * (number - e * e) *
+                                              series::monomial(symbols, one, {{"G", -1}}));
   EXPECT_EQ(read("cos(l)^2 + sin(l)^2"), number);
   EXPECT_EQ(read("2*sin(l)*cos(l)"), read("sin(2*l)"));
   EXPECT_EQ(read("cos(-l + 2*g)"), read("cos(l - 2*g)"));
-  EXPECT_EQ(read(" 1.5e1 *\n e ^ -2 "), monomial(symbols, Rational(15), {{"e", -2}}));
+  EXPECT_EQ(read(" 1.5e1 *\n e ^ -2 "),
+            series::monomial(symbols, series::Rational(15), {{"e", -2}}));
   EXPECT_EQ(read("(2*e)^-2"), read("1/4/e^2"));
   EXPECT_EQ(read("(e + G)^0"), number);
   EXPECT_EQ(read("1e1*e"), read("10*e"));
 }
 
 TEST(SeriesText, Latex) {
-  const Symbols symbols({"e", "G'", "Om"}, {"phi_l", "l'"});
+  const series::Symbols symbols({"e", "G'", "Om"}, {"phi_l", "l'"});
   const auto of = [&](const char* text) {
-    return latex(series_from_text<Rational>(symbols, text));
+    return series::latex(series::series_from_text<series::Rational>(symbols, text));
   };
   EXPECT_EQ(of("-3/4*e^2*cos(2*phi_l - l')"), "-\\frac{3}{4} e^{2} \\cos(2 \\phi_{l} - l')");
   EXPECT_EQ(of("G'^-1*Om^3*sin(phi_l + l')"), "{G'}^{-1} \\mathrm{Om}^{3} \\sin(\\phi_{l} + l')");
   EXPECT_EQ(of("2 - e"), "2 - e");
   EXPECT_EQ(of("0"), "0");
-  EXPECT_EQ(latex(constant(symbols, -2.5e-7)), "-2.5 \\cdot 10^{-7}");
-  EXPECT_EQ(latex(constant(symbols, 1e30)), "1 \\cdot 10^{30}");
+  EXPECT_EQ(series::latex(series::constant(symbols, -2.5e-7)), "-2.5 \\cdot 10^{-7}");
+  EXPECT_EQ(series::latex(series::constant(symbols, 1e30)), "1 \\cdot 10^{30}");
 }
 
 TEST(SeriesText, Refuses) {
@@ -97,7 +100,7 @@ TEST(SeriesText, Refuses) {
   EXPECT_THAT(refused((std::string(101, '(') + "1").c_str()), HasSubstr("no deeper than 100"));
   EXPECT_THAT(refused("1 + \t\x01"), HasSubstr("column 6: '?'"));
   const auto of_doubles = [](const char* text) {
-    return message_of([&] { return series_from_text<double>(few(), text); });
+    return message_of([&] { return series::series_from_text<double>(few(), text); });
   };
   EXPECT_THAT(of_doubles("(e + G + cos(l) + sin(g))^1000"), HasSubstr("fewer products"));
   EXPECT_THAT(of_doubles("1e999"), HasSubstr("'1e999' is no finite number of type double"));
@@ -105,7 +108,7 @@ TEST(SeriesText, Refuses) {
 
 TEST(SeriesText, RefusesTables) {
   const auto refused = [](const std::string& table) {
-    return message_of([&] { return series_from_csv<Rational>(few(), table); });
+    return message_of([&] { return series::series_from_csv<series::Rational>(few(), table); });
   };
   const std::string header = "coefficient,function,e^,G^,l,g\n";
   EXPECT_EQ(refused(header + "1,cos,0,0,1,0\r\n\n"), "");

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/shape/mass_moments.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,15 +8,16 @@
 #include "budgets.hpp"
 #include "oracle/random_draw.hpp"
 #include "polhode/math/quaternion.hpp"
+#include "polhode/shape/mass_properties.hpp"
 
 namespace {
 
 using namespace polhode;
 using oracle::Draw;
 
-std::vector<PointMass> drawn_points(std::uint64_t seed, const Mat3& R = Mat3::identity()) {
+std::vector<shape::PointMass> drawn_points(std::uint64_t seed, const Mat3& R = Mat3::identity()) {
   Draw draw(seed, 0);
-  std::vector<PointMass> points;
+  std::vector<shape::PointMass> points;
   for (int i = 0; i < 7; ++i) {
     const double mass = draw.uniform(0.1, 1.0);
     const Vec3 x{draw.normal(), draw.normal(), draw.normal()};
@@ -40,8 +39,8 @@ TEST(MassMoments, OrderIsThatOfTheHeader) {
   const std::vector<std::string> fourth{"xxxx", "xxxy", "xxxz", "xxyy", "xxyz",
                                         "xxzz", "xyyy", "xyyz", "xyzz", "xzzz",
                                         "yyyy", "yyyz", "yyzz", "yzzz", "zzzz"};
-  const PointMass p{2.0, {3.0, 5.0, 7.0}};
-  const MassMoments m = mass_moments(std::span<const PointMass>(&p, 1));
+  const shape::PointMass p{2.0, {3.0, 5.0, 7.0}};
+  const shape::MassMoments m = shape::mass_moments(std::span<const shape::PointMass>(&p, 1));
   const auto value = [](const std::string& word) {
     double product = 2.0;
     for (const char letter : word) product *= letter == 'x' ? 3.0 : (letter == 'y' ? 5.0 : 7.0);
@@ -57,8 +56,9 @@ TEST(MassMoments, OrderIsThatOfTheHeader) {
 TEST(MassMoments, RotatedAsThePointsAre) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const Mat3 R = drawn_rotation(seed);
-    const MassMoments got = rotated(mass_moments<double>(drawn_points(seed)), R);
-    const MassMoments want = mass_moments<double>(drawn_points(seed, R));
+    const shape::MassMoments got =
+        shape::rotated(shape::mass_moments<double>(drawn_points(seed)), R);
+    const shape::MassMoments want = shape::mass_moments<double>(drawn_points(seed, R));
     for (std::size_t i = 0; i < 10; ++i)
       EXPECT_NEAR(got.third[i], want.third[i], budget::mass_moments_rotated);
     for (std::size_t i = 0; i < 15; ++i)
@@ -69,13 +69,13 @@ TEST(MassMoments, RotatedAsThePointsAre) {
 // A quarter turn about z moves x to y and y to -x, without rounding.
 TEST(MassMoments, QuarterTurnByHand) {
   const Mat3 R{{{0.0, -1.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 0.0, 1.0}}};
-  MassMoments m;
-  m.third[moment_place(0, 0)] = 4.0;   // xxx
-  m.fourth[moment_place(1, 1)] = 3.0;  // xxyz
-  const MassMoments turned = rotated(m, R);
-  EXPECT_EQ(turned.third[moment_place(3, 0)], 4.0);
-  EXPECT_EQ(turned.fourth[moment_place(2, 1)], -3.0);
-  EXPECT_EQ(rotated(turned, transpose(R)), m);
+  shape::MassMoments m;
+  m.third[shape::moment_place(0, 0)] = 4.0;   // xxx
+  m.fourth[shape::moment_place(1, 1)] = 3.0;  // xxyz
+  const shape::MassMoments turned = shape::rotated(m, R);
+  EXPECT_EQ(turned.third[shape::moment_place(3, 0)], 4.0);
+  EXPECT_EQ(turned.fourth[shape::moment_place(2, 1)], -3.0);
+  EXPECT_EQ(shape::rotated(turned, transpose(R)), m);
 }
 
 }  // namespace

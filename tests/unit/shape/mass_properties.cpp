@@ -34,8 +34,9 @@ double determinant(const Mat3& A) { return dot(A.row[0], cross(A.row[1], A.row[2
 // What a uniform tetrahedron of density 1 has about its own centre, exact: the mean of a product of
 // barycentric coordinates is that of a Dirichlet distribution, 3! n1! n2! n3! n4! / (3 + d)!.
 template <int degree>
-BasicMoments<Wide, degree> exact_moments(const std::array<WideVec3, 4>& v, const Wide& volume) {
-  BasicMoments<Wide, degree> out{};
+shape::BasicMoments<Wide, degree> exact_moments(const std::array<WideVec3, 4>& v,
+                                                const Wide& volume) {
+  shape::BasicMoments<Wide, degree> out{};
   const auto factorial = [](int n) {
     double f = 1.0;
     for (int i = 2; i <= n; ++i) f *= i;
@@ -58,7 +59,7 @@ BasicMoments<Wide, degree> exact_moments(const std::array<WideVec3, 4>& v, const
         for (const int n : count) weight *= factorial(n);
         sum += Wide(weight) / factorial(3 + degree) * product;
       }
-      out[moment_place(b, c)] = volume * sum;
+      out[shape::moment_place(b, c)] = volume * sum;
     }
   }
   return out;
@@ -82,7 +83,7 @@ TEST(MassProperties, OfATetrahedron) {
     const Vec3 far = i % 2 == 0 ? Vec3{} : Vec3{30.0, -50.0, 20.0};
     const std::array<Vec3, 4> v{far, far + A * Vec3{1, 0, 0}, far + A * Vec3{0, 1, 0},
                                 far + A * Vec3{0, 0, 1}};
-    const MassProperties got = mass_properties(tetrahedron(v), 2.0);
+    const shape::MassProperties got = shape::mass_properties(tetrahedron(v), 2.0);
     std::array<WideVec3, 4> w;
     WideVec3 centre;
     for (std::size_t k = 0; k < 4; ++k) w[k] = widened(v[k]);
@@ -98,8 +99,8 @@ TEST(MassProperties, OfATetrahedron) {
     EXPECT_LE(std::abs(static_cast<double>(got.volume - volume)) / bulk, budget::shape_mass * eps);
     EXPECT_EQ(got.mass, 2.0 * got.volume);
     const auto two = exact_moments<2>(w, 2 * volume);
-    const Wide xx = two[moment_place(0, 0)], yy = two[moment_place(2, 0)],
-               zz = two[moment_place(0, 2)];
+    const Wide xx = two[shape::moment_place(0, 0)], yy = two[shape::moment_place(2, 0)],
+               zz = two[shape::moment_place(0, 2)];
     const Wide inertia[] = {yy + zz, xx + zz, xx + yy};
     for (int k = 0; k < 3; ++k)
       worst.add(std::abs(static_cast<double>(got.inertia(k, k) - inertia[k])) /
@@ -116,15 +117,15 @@ TEST(MassProperties, OfATetrahedron) {
 // A box in closed form, and its affine image through the rule of change of variables.
 TEST(MassProperties, OfABoxAndItsImages) {
   const double a = 1.5, b = 1.0, c = 0.25, m = 3.0 * 8.0 * a * b * c;
-  BasicMassMoments<double> want;
-  want.fourth[moment_place(0, 0)] = m * a * a * a * a / 5.0;
-  want.fourth[moment_place(4, 0)] = m * b * b * b * b / 5.0;
-  want.fourth[moment_place(0, 4)] = m * c * c * c * c / 5.0;
-  want.fourth[moment_place(2, 0)] = m * a * a * b * b / 9.0;
-  want.fourth[moment_place(0, 2)] = m * a * a * c * c / 9.0;
-  want.fourth[moment_place(2, 2)] = m * b * b * c * c / 9.0;
-  const FacetShape shape = box(a, b, c);
-  const MassProperties got = mass_properties(shape, 3.0);
+  shape::BasicMassMoments<double> want;
+  want.fourth[shape::moment_place(0, 0)] = m * a * a * a * a / 5.0;
+  want.fourth[shape::moment_place(4, 0)] = m * b * b * b * b / 5.0;
+  want.fourth[shape::moment_place(0, 4)] = m * c * c * c * c / 5.0;
+  want.fourth[shape::moment_place(2, 0)] = m * a * a * b * b / 9.0;
+  want.fourth[shape::moment_place(0, 2)] = m * a * a * c * c / 9.0;
+  want.fourth[shape::moment_place(2, 2)] = m * b * b * c * c / 9.0;
+  const shape::FacetShape shape = box(a, b, c);
+  const shape::MassProperties got = shape::mass_properties(shape, 3.0);
   EXPECT_NEAR(got.mass, m, budget::shape_mass * eps * m);
   EXPECT_NEAR(shape.area(), 8.0 * (a * b + b * c + c * a), budget::shape_mass * eps);
   const Vec3 I{m * (b * b + c * c) / 3.0, m * (a * a + c * c) / 3.0, m * (a * a + b * b) / 3.0};
@@ -138,13 +139,13 @@ TEST(MassProperties, OfABoxAndItsImages) {
     Draw draw(902, i);
     const Mat3 A = drawn_map(draw);
     const Vec3 to{draw.normal(), draw.normal(), draw.normal()};
-    const MassProperties at = mass_properties(image(shape, A, to), 3.0);
+    const shape::MassProperties at = shape::mass_properties(image(shape, A, to), 3.0);
     const double stretch = determinant(A);
     double size = 0.0;
     for (const Vec3& row : A.row) size = larger(size, 2.0 * norm(row));
     const double bulk = 3.0 * std::pow(size, 3), scale = budget::shape_mass * eps * bulk;
     EXPECT_LE(norm(at.centre - to) * at.mass, scale * (size + norm(to)));
-    const auto fourth = rotated_moments<4>(want.fourth, A);
+    const auto fourth = shape::rotated_moments<4>(want.fourth, A);
     for (std::size_t k = 0; k < fourth.size(); ++k)
       EXPECT_NEAR(at.moments.fourth[k], stretch * fourth[k], scale * std::pow(size, 4)) << k;
     // the tensor of second moments is A S A^T
@@ -160,9 +161,9 @@ TEST(MassProperties, OfABoxAndItsImages) {
 TEST(MassProperties, OfAnEllipsoidInTheLimit) {
   const double a = 3.0, b = 2.0, c = 1.0;
   const auto numbers = [&](int level) -> std::array<double, 4> {
-    const MassProperties p = mass_properties(ellipsoid(a, b, c, level), 1.0);
-    return {p.mass, p.inertia(0, 0), p.moments.fourth[moment_place(0, 0)],
-            p.moments.fourth[moment_place(2, 2)]};
+    const shape::MassProperties p = shape::mass_properties(ellipsoid(a, b, c, level), 1.0);
+    return {p.mass, p.inertia(0, 0), p.moments.fourth[shape::moment_place(0, 0)],
+            p.moments.fourth[shape::moment_place(2, 2)]};
   };
   const double m = 4.0 / 3.0 * 3.141592653589793 * a * b * c;
   const std::array<double, 4> want{m, m * (b * b + c * c) / 5.0, 3.0 * m * a * a * a * a / 35.0,
@@ -177,70 +178,76 @@ TEST(MassProperties, OfAnEllipsoidInTheLimit) {
 
 TEST(MassProperties, PrincipalAxes) {
   Draw draw(903, 0);
-  const MassProperties p = mass_properties(image(box(1.5, 1.0, 0.5), drawn_map(draw), {}), 2.0);
-  const Body principal = body(p);
+  const shape::MassProperties p =
+      shape::mass_properties(image(box(1.5, 1.0, 0.5), drawn_map(draw), {}), 2.0);
+  const Body principal = shape::body(p);
   const Mat3 R = rotation_matrix(conj(principal.q_FB()));
   const Mat3 I = R * p.inertia * transpose(R);
   for (int k = 0; k < 3; ++k)
     EXPECT_NEAR(I(k, k), principal.moments()[k], budget::body_tensor * norm(principal.moments()));
-  const MassMoments along = principal_moments(p, principal);
+  const shape::MassMoments along = shape::principal_moments(p, principal);
   // traces do not turn
-  const auto square = [](const MassMoments& m) {
+  const auto square = [](const shape::MassMoments& m) {
     const auto& f = m.fourth;
-    return f[moment_place(0, 0)] + f[moment_place(4, 0)] + f[moment_place(0, 4)] +
-           2.0 * (f[moment_place(2, 0)] + f[moment_place(0, 2)] + f[moment_place(2, 2)]);
+    return f[shape::moment_place(0, 0)] + f[shape::moment_place(4, 0)] +
+           f[shape::moment_place(0, 4)] +
+           2.0 * (f[shape::moment_place(2, 0)] + f[shape::moment_place(0, 2)] +
+                  f[shape::moment_place(2, 2)]);
   };
   EXPECT_NEAR(square(along), square(p.moments), budget::shape_mass * eps * square(p.moments));
 }
 
 TEST(FacetShape, FacetsByHand) {
-  const FacetShape shape({{0, 0, 1}, {3, 0, 1}, {0, 4, 1}}, {{0, 1, 2}});
-  const Facet& f = shape.facets()[0];
+  const shape::FacetShape shape({{0, 0, 1}, {3, 0, 1}, {0, 4, 1}}, {{0, 1, 2}});
+  const shape::Facet& f = shape.facets()[0];
   EXPECT_EQ(f.area, 6.0);
   EXPECT_EQ(f.normal, (Vec3{0, 0, 1}));
   EXPECT_NEAR(norm(f.centre - Vec3{1, 4.0 / 3.0, 1}), 0.0, budget::shape_mass * eps);
-  const FacetShape twice = shape.moved({0, 0, 1}, 2.0);
+  const shape::FacetShape twice = shape.moved({0, 0, 1}, 2.0);
   EXPECT_EQ(twice.vertices()[1], (Vec3{6, 0, 0}));
   EXPECT_EQ(twice.area(), 24.0);
 }
 
 TEST(FacetShape, RefusesWithTheNumberOfTheFacet) {
   const std::vector<Vec3> v{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}};
-  EXPECT_REJECTED(FacetShape(v, {}), "no facets");
-  EXPECT_REJECTED(FacetShape(v, {{0, 1, 3}, {0, 1, 2}}),
+  EXPECT_REJECTED(shape::FacetShape(v, {}), "no facets");
+  EXPECT_REJECTED(shape::FacetShape(v, {{0, 1, 3}, {0, 1, 2}}),
                   "facet 2, corners (0, 0, 0), (1, 0, 0), (2, 0, 0), has no area");
-  EXPECT_REJECTED(FacetShape(v, {{0, 1, 1}}), "facet 1");
-  EXPECT_REJECTED(FacetShape(v, {{0, 1, 4}}), "vertex 5 of 4");
-  EXPECT_REJECTED(FacetShape({{0, 0, 0}, {1, NAN, 0}, {0, 1, 0}}, {{0, 1, 2}}),
+  EXPECT_REJECTED(shape::FacetShape(v, {{0, 1, 1}}), "facet 1");
+  EXPECT_REJECTED(shape::FacetShape(v, {{0, 1, 4}}), "vertex 5 of 4");
+  EXPECT_REJECTED(shape::FacetShape({{0, 0, 0}, {1, NAN, 0}, {0, 1, 0}}, {{0, 1, 2}}),
                   "vertex 2 (1, nan, 0) must be finite");
   // a sliver next to the rounding of coordinates at 1e6
-  EXPECT_REJECTED(FacetShape({{1e6, 0, 0}, {1e6 + 1, 0, 0}, {1e6 + 2, 1e-11, 0}}, {{0, 1, 2}}),
-                  "has no area");
+  EXPECT_REJECTED(
+      shape::FacetShape({{1e6, 0, 0}, {1e6 + 1, 0, 0}, {1e6 + 2, 1e-11, 0}}, {{0, 1, 2}}),
+      "has no area");
 }
 
 TEST(FacetShape, SaysWhichEdgeIsOpen) {
-  const FacetShape whole = box(1, 1, 1);
+  const shape::FacetShape whole = box(1, 1, 1);
   EXPECT_TRUE(whole.is_closed());
   std::vector<Vec3> v(whole.vertices().begin(), whole.vertices().end());
-  std::vector<FacetShape::Triangle> t(whole.triangles().begin(), whole.triangles().end());
+  std::vector<shape::FacetShape::Triangle> t(whole.triangles().begin(), whole.triangles().end());
   auto open = t;
   open.pop_back();
-  EXPECT_EQ(FacetShape(v, open).open_edge(), "edge 2-6 of facet 5 has no facet on its other side");
+  EXPECT_EQ(shape::FacetShape(v, open).open_edge(),
+            "edge 2-6 of facet 5 has no facet on its other side");
   auto turned = t;
   std::swap(turned[4][0], turned[4][1]);
-  EXPECT_THAT(FacetShape(v, turned).open_edge(), HasSubstr("one of them is inside out"));
-  EXPECT_REJECTED(mass_properties(FacetShape(v, open), 1.0),
+  EXPECT_THAT(shape::FacetShape(v, turned).open_edge(), HasSubstr("one of them is inside out"));
+  EXPECT_REJECTED(shape::mass_properties(shape::FacetShape(v, open), 1.0),
                   "mass_properties: the mesh is not closed: edge 2-6");
   for (auto& f : t) std::swap(f[0], f[1]);
-  EXPECT_REJECTED(mass_properties(FacetShape(v, t), 1.0), "volume -8 must be positive");
-  EXPECT_REJECTED(mass_properties(whole, -1.0), "density -1");
+  EXPECT_REJECTED(shape::mass_properties(shape::FacetShape(v, t), 1.0),
+                  "volume -8 must be positive");
+  EXPECT_REJECTED(shape::mass_properties(whole, -1.0), "density -1");
 }
 
 // Two boxes that share an edge: four facets meet there, and the volume is that of both.
 TEST(FacetShape, FourFacetsAtAnEdgeAreClosed) {
-  const FacetShape one = box(1, 1, 1);
+  const shape::FacetShape one = box(1, 1, 1);
   std::vector<Vec3> v(one.vertices().begin(), one.vertices().end());
-  std::vector<FacetShape::Triangle> t(one.triangles().begin(), one.triangles().end());
+  std::vector<shape::FacetShape::Triangle> t(one.triangles().begin(), one.triangles().end());
   // the second is moved by (2, 2, 0): its vertices 0 and 4 are 3 and 7 of the first
   std::array<std::uint32_t, 8> place{};
   for (std::uint32_t i = 0; i < 8; ++i) {
@@ -248,7 +255,7 @@ TEST(FacetShape, FourFacetsAtAnEdgeAreClosed) {
     if (i != 0 && i != 4) v.push_back(one.vertices()[i] + Vec3{2, 2, 0});
   }
   for (const auto& [a, b, c] : one.triangles()) t.push_back({place[a], place[b], place[c]});
-  const MassProperties p = mass_properties(FacetShape(v, t), 1.0);
+  const shape::MassProperties p = shape::mass_properties(shape::FacetShape(v, t), 1.0);
   EXPECT_NEAR(p.volume, 16.0, budget::shape_mass * eps * 16.0);
   EXPECT_NEAR(norm(p.centre - Vec3{1, 1, 0}), 0.0, budget::shape_mass * eps);
 }

@@ -15,7 +15,7 @@ namespace shape_test {
 using namespace polhode;
 
 // Half edges a, b, c about the origin.
-inline FacetShape box(double a, double b, double c) {
+inline shape::FacetShape box(double a, double b, double c) {
   std::vector<Vec3> v;
   for (int i = 0; i < 8; ++i)
     v.push_back({(i & 1) != 0 ? a : -a, (i & 2) != 0 ? b : -b, (i & 4) != 0 ? c : -c});
@@ -34,22 +34,22 @@ inline FacetShape box(double a, double b, double c) {
            {1, 7, 5}}};
 }
 
-inline FacetShape tetrahedron(const std::array<Vec3, 4>& v) {
+inline shape::FacetShape tetrahedron(const std::array<Vec3, 4>& v) {
   return {{v.begin(), v.end()}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
 }
 
 // x -> A x + b, A of positive determinant.
-inline FacetShape image(const FacetShape& shape, const Mat3& A, const Vec3& b) {
+inline shape::FacetShape image(const shape::FacetShape& shape, const Mat3& A, const Vec3& b) {
   std::vector<Vec3> v;
   for (const Vec3& x : shape.vertices()) v.push_back(A * x + b);
   return {v, {shape.triangles().begin(), shape.triangles().end()}};
 }
 
 // An octahedron divided `level` times and put on the ellipsoid of half axes a, b, c.
-inline FacetShape ellipsoid(double a, double b, double c, int level) {
+inline shape::FacetShape ellipsoid(double a, double b, double c, int level) {
   std::vector<Vec3> v{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
-  std::vector<FacetShape::Triangle> t{{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},
-                                      {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
+  std::vector<shape::FacetShape::Triangle> t{{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},
+                                             {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
   for (int k = 0; k < level; ++k) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middle;
     const auto between = [&](std::uint32_t i, std::uint32_t j) {
@@ -61,11 +61,11 @@ inline FacetShape ellipsoid(double a, double b, double c, int level) {
       }
       return at->second;
     };
-    std::vector<FacetShape::Triangle> finer;
+    std::vector<shape::FacetShape::Triangle> finer;
     for (const auto& [p, q, r] : t) {
       const std::uint32_t pq = between(p, q), qr = between(q, r), rp = between(r, p);
-      for (const FacetShape::Triangle& f :
-           {FacetShape::Triangle{p, pq, rp}, {pq, q, qr}, {rp, qr, r}, {pq, qr, rp}})
+      for (const shape::FacetShape::Triangle& f :
+           {shape::FacetShape::Triangle{p, pq, rp}, {pq, q, qr}, {rp, qr, r}, {pq, qr, rp}})
         finer.push_back(f);
     }
     t = std::move(finer);

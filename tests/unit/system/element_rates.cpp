@@ -52,8 +52,8 @@ System narrow_system() {
 }
 
 // Phi of the elements and time.
-Gauge general_gauge() {
-  return Gauge([](const Gauge::Elements& C, const Tangent& t) {
+rates::Gauge general_gauge() {
+  return rates::Gauge([](const rates::Gauge::Elements& C, const Tangent& t) {
     using std::cos;
     using std::sin;
     return BasicVec3<Tangent>{Tangent(0.02) * sin(C[0] + Tangent(0.3) * t) * C[4],
@@ -88,18 +88,18 @@ RotorState at(const System& system, double t0, double t) {
 
 // d/dt of the elements along the motion by differences of order 8.
 template <class C>
-double error_of_rates(const System& system, const C& like, const Gauge& gauge) {
+double error_of_rates(const System& system, const C& like, const rates::Gauge& gauge) {
   constexpr double t = 0.4, h = 0.04;
   constexpr std::array<double, 4> weights{672.0 / 840, -168.0 / 840, 32.0 / 840, -3.0 / 840};
-  const C here = elements_of_state(system, t, start, like, gauge);
-  const std::array<double, 6> rates = element_rates(system, t, here, gauge);
+  const C here = rates::elements_of_state(system, t, start, like, gauge);
+  const std::array<double, 6> rates = rates::element_rates(system, t, here, gauge);
   Worst worst;
   std::array<double, 6> expected{};
   for (int k = 1; k <= 4; ++k) {
     const auto after =
-        numbers(elements_of_state(system, t + k * h, at(system, t, t + k * h), like, gauge));
+        numbers(rates::elements_of_state(system, t + k * h, at(system, t, t + k * h), like, gauge));
     const auto before =
-        numbers(elements_of_state(system, t - k * h, at(system, t, t - k * h), like, gauge));
+        numbers(rates::elements_of_state(system, t - k * h, at(system, t, t - k * h), like, gauge));
     for (std::size_t i = 0; i < 6; ++i) {
       double change = after[i] - before[i];
       if (i < 3 && !(i == 2 && std::same_as<C, SerretState>))
@@ -113,7 +113,8 @@ double error_of_rates(const System& system, const C& like, const Gauge& gauge) {
 
 template <class C>
 void expect_rates(const C& like) {
-  for (const Gauge& gauge : {Gauge::canonical(), Gauge::osculating(), general_gauge()}) {
+  for (const rates::Gauge& gauge :
+       {rates::Gauge::canonical(), rates::Gauge::osculating(), general_gauge()}) {
     EXPECT_LE(error_of_rates(precessing_system(), like, gauge), budget::element_rates);
     EXPECT_LE(error_of_rates(bent_system(), like, gauge), budget::element_rates);
     EXPECT_LE(error_of_rates(narrow_system(), like, gauge), budget::element_rates);
@@ -131,15 +132,16 @@ TEST(ElementRates, AreThoseAlongAMotionInEverySetAndGauge) {
 template <class C>
 void expect_maps(const C& like) {
   const System system = bent_system();
-  for (const Gauge& gauge : {Gauge::canonical(), Gauge::osculating(), general_gauge()}) {
-    const C elements = elements_of_state(system, 0.4, start, like, gauge);
-    const RotorState back = element_state(system, 0.4, elements, gauge);
+  for (const rates::Gauge& gauge :
+       {rates::Gauge::canonical(), rates::Gauge::osculating(), general_gauge()}) {
+    const C elements = rates::elements_of_state(system, 0.4, start, like, gauge);
+    const RotorState back = rates::element_state(system, 0.4, elements, gauge);
     EXPECT_LE(norm(back.g - start.g), budget::element_maps);
     // the angular velocity is that of the free motion and the convective term
-    const C canonical = elements_of_state(system, 0.4, start, like);
+    const C canonical = rates::elements_of_state(system, 0.4, start, like);
     const Vec3 w = angular_velocity(system, 0.4, start).relative;
-    const RotorState free = element_state(System(body), 0.4, elements);
-    const Vec3 phi = element_convective_term(system, 0.4, elements, gauge);
+    const RotorState free = rates::element_state(System(body), 0.4, elements);
+    const Vec3 phi = rates::element_convective_term(system, 0.4, elements, gauge);
     EXPECT_LE(norm(Vec3{free.g.x / 3, free.g.y / 4, free.g.z / 6} + phi - w), budget::element_maps);
     EXPECT_EQ(numbers(canonical) == numbers(elements), gauge.is_canonical());
   }
@@ -155,8 +157,8 @@ TEST(ElementRates, MapsThereAndBackInEverySetAndGauge) {
 
 TEST(ElementRates, CanonicalOnesAreTheCanonicalRates) {
   const System system = bent_system();
-  const auto known = canonical_rates(system, 0.4, start, {CanonicalSet::andoyer});
-  const auto rates = element_rates(system, 0.4, to_andoyer(start));
+  const auto known = rates::canonical_rates(system, 0.4, start, {CanonicalSet::andoyer});
+  const auto rates = rates::element_rates(system, 0.4, to_andoyer(start));
   for (std::size_t k = 0; k < 6; ++k) EXPECT_NEAR(rates[k], known[k], budget::element_maps);
 }
 
@@ -175,7 +177,7 @@ struct InAndoyer {
   static constexpr std::string_view name = "Andoyer elements";
 
   System system;
-  Gauge gauge;
+  rates::Gauge gauge;
 
   template <class T>
     requires std::same_as<T, double>
@@ -184,8 +186,8 @@ struct InAndoyer {
   }
   State state(const Values& y) const { return {y}; }
   Values rates(const DoubleDouble& t, const Values& y) const {
-    return element_rates(system, to_double(t), AndoyerState{y[0], y[1], y[2], y[3], y[4], y[5]},
-                         gauge);
+    return rates::element_rates(system, to_double(t),
+                                AndoyerState{y[0], y[1], y[2], y[3], y[4], y[5]}, gauge);
   }
   double error_size(const Values& error, const Values&, const Values&) const {
     double sum = 0.0;
@@ -200,13 +202,13 @@ double angle(const Quaternion& a, const Quaternion& b) {
   return 2.0 * std::asin(std::hypot(d.x, d.y, d.z));
 }
 
-double error_of_motion(const System& system, const Gauge& gauge, double revolutions) {
+double error_of_motion(const System& system, const rates::Gauge& gauge, double revolutions) {
   const double stop = revolutions * 2.0 * std::numbers::pi / norm(angular_velocity(body, start));
-  const AndoyerState C = elements_of_state(system, 0.0, start, AndoyerState{}, gauge);
+  const AndoyerState C = rates::elements_of_state(system, 0.0, start, AndoyerState{}, gauge);
   const BasicProblem<InAndoyer> p{
       {system, gauge}, {numbers(C)}, 0.0, stop, Collocation{.tolerance = 1e-14}};
   const Six end = end_of(integrate(p));
-  const RotorState found = element_state(
+  const RotorState found = rates::element_state(
       system, stop, AndoyerState{end.z[0], end.z[1], end.z[2], end.z[3], end.z[4], end.z[5]},
       gauge);
   return angle(found.q, at(system, 0.0, stop).q);
@@ -215,8 +217,8 @@ double error_of_motion(const System& system, const Gauge& gauge, double revoluti
 // Further revolutions, and a general gauge over 100: docs/accuracy/perturbed-rotation.md.
 TEST(ElementRates, AMotionInElementsIsThatInQuaternionAndMomentum) {
   for (const System& system : {precessing_system(), bent_system()}) {
-    EXPECT_LE(error_of_motion(system, Gauge::canonical(), 100.0), budget::element_motion);
-    EXPECT_LE(error_of_motion(system, Gauge::osculating(), 10.0), budget::element_motion);
+    EXPECT_LE(error_of_motion(system, rates::Gauge::canonical(), 100.0), budget::element_motion);
+    EXPECT_LE(error_of_motion(system, rates::Gauge::osculating(), 10.0), budget::element_motion);
     EXPECT_LE(error_of_motion(system, general_gauge(), 3.0), budget::element_motion);
   }
 }
@@ -224,10 +226,10 @@ TEST(ElementRates, AMotionInElementsIsThatInQuaternionAndMomentum) {
 TEST(ElementRates, SingularitiesAndGaugesWithoutAnAnswerAreRejected) {
   const System system = precessing_system();
   const RotorState about_axis{start.q, {0.0, 0.0, 2.0}};
-  EXPECT_REJECTED(element_rates(system, 0.0, to_andoyer(about_axis)),
+  EXPECT_REJECTED(rates::element_rates(system, 0.0, to_andoyer(about_axis)),
                   "a singularity of Andoyer's variables");
   // I Phi = -gamma: gamma + I Phi is 0 whatever the elements are
-  const Gauge none([](const Gauge::Elements& C, const Tangent&) {
+  const rates::Gauge none([](const rates::Gauge::Elements& C, const Tangent&) {
     using std::cos;
     using std::sin;
     using std::sqrt;
@@ -235,7 +237,7 @@ TEST(ElementRates, SingularitiesAndGaugesWithoutAnAnswerAreRejected) {
     return BasicVec3<Tangent>{Tangent(-1.0 / 3) * across * sin(C[0]),
                               Tangent(-1.0 / 4) * across * cos(C[0]), Tangent(-1.0 / 6) * C[3]};
   });
-  EXPECT_REJECTED(element_rates(system, 0.0, to_andoyer(start), none), "singular");
+  EXPECT_REJECTED(rates::element_rates(system, 0.0, to_andoyer(start), none), "singular");
 }
 
 }  // namespace

@@ -32,15 +32,15 @@ Outcome converted(const std::string& from, const std::string& to, const std::str
                   std::size_t piece = std::string::npos) {
   Outcome outcome;
   std::string_view rest = in;
-  const ByteSource source = [&](std::span<char> buffer) {
+  const io::ByteSource source = [&](std::span<char> buffer) {
     const std::size_t count = std::min<std::size_t>({rest.size(), buffer.size(), piece});
     std::copy_n(rest.data(), count, buffer.data());
     rest.remove_prefix(count);
     return count;
   };
   try {
-    convert({from, to, Body(1.0, 2.0, 2.5)}, "in.csv", source,
-            [&](std::string_view bytes) { outcome.out += bytes; });
+    io::convert({from, to, Body(1.0, 2.0, 2.5)}, "in.csv", source,
+                [&](std::string_view bytes) { outcome.out += bytes; });
   } catch (const DomainError& error) {
     outcome.error = error.what();
   }
@@ -51,7 +51,7 @@ std::vector<double> last_row(const std::string& csv) {
   const std::size_t end = csv.find_last_not_of('\n'), begin = csv.rfind('\n', end);
   std::vector<double> numbers;
   const std::string row = csv.substr(begin + 1, end - begin);
-  for (const std::string_view field : separated(row, ','))
+  for (const std::string_view field : io::separated(row, ','))
     numbers.push_back(std::stod(std::string(field)));
   return numbers;
 }
@@ -60,7 +60,7 @@ TEST(Convert, EveryChartComesBack) {
   const std::vector<double> start = last_row(rotor_header + rotor_row);
   const double length = std::sqrt(start[1] * start[1] + start[2] * start[2] + start[3] * start[3] +
                                   start[4] * start[4]);
-  for (const ChartKind& chart : default_charts()) {
+  for (const io::ChartKind& chart : io::default_charts()) {
     const std::string name(chart.name);
     const Outcome there = converted("rotor", name, rotor_header + rotor_row);
     ASSERT_EQ(there.error, "") << name;
@@ -159,7 +159,7 @@ TEST(Convert, AColumnOfTheNewChartIsReplaced) {
 }
 
 TEST(Convert, MomentsAreNeededBySomeCharts) {
-  EXPECT_THROW(convert({"rotor", "sadov", std::nullopt}, "in", {}, {}), DomainError);
+  EXPECT_THROW(io::convert({"rotor", "sadov", std::nullopt}, "in", {}, {}), DomainError);
 }
 
 // Serret's elements are constants of the motion: two rows of one motion give the same.

@@ -8,8 +8,8 @@
 
 #include "budgets.hpp"
 #include "message_of.hpp"
-#include "polhode/light/magnitudes.hpp"
-#include "polhode/tables/alcdef.hpp"
+#include "polhode/light/light_curve.hpp"
+#include "polhode/tables/light_curve_file.hpp"
 #include "unit/tables/changed_text.hpp"
 
 namespace polhode {
@@ -76,21 +76,21 @@ const std::string two_sessions =
     "ENDDATA\n";
 
 std::string alcdef_refusal(const std::string& old, const std::string& by) {
-  return message_of([&] { alcdef_from_text(changed_text(two_sessions, old, by), "x.txt"); });
+  return message_of([&] { io::alcdef_from_text(changed_text(two_sessions, old, by), "x.txt"); });
 }
 
 TEST(LightCurvesOfAlcdef, AreReadWithWhatTheFileDeclares) {
-  const LightCurveFile file = alcdef_from_text(two_sessions, "x.txt");
+  const io::LightCurveFile file = io::alcdef_from_text(two_sessions, "x.txt");
   EXPECT_EQ(file.object, "999 Zachia");
-  EXPECT_EQ(file.epoch, (Date{TimeScale::UTC, 2451425.5, 0.0}));
+  EXPECT_EQ(file.epoch, (ephemeris::Date{ephemeris::TimeScale::UTC, 2451425.5, 0.0}));
   EXPECT_EQ(file.axes, "");
   ASSERT_EQ(file.sessions.size(), 2U);
-  const LightSession &first = file.sessions[0], &second = file.sessions[1];
+  const io::LightSession &first = file.sessions[0], &second = file.sessions[1];
   EXPECT_EQ(first.curve.name, "1999-09-04 06:00:00 C");
   EXPECT_FALSE(first.curve.is_calibrated);
-  EXPECT_EQ(first.times, LightTime::at_observer);
+  EXPECT_EQ(first.times, light::LightTime::at_observer);
   EXPECT_NEAR(*first.light_time, 0.006465 * 86400.0, budget::light_date_s);
-  EXPECT_EQ(first.distances, Distances::of_the_time);
+  EXPECT_EQ(first.distances, io::Distances::of_the_time);
   EXPECT_EQ(first.band, "R");
   EXPECT_EQ(first.line, 1U);
   EXPECT_THAT(first.lines, ElementsAre(33U, 34U, 35U, 36U));
@@ -99,18 +99,18 @@ TEST(LightCurvesOfAlcdef, AreReadWithWhatTheFileDeclares) {
   EXPECT_THAT(first.notes,
               ::testing::Contains(std::pair<std::string, std::string>("UCORMAG", "-1.8189")));
   EXPECT_TRUE(second.curve.is_calibrated);
-  EXPECT_EQ(second.times, LightTime::at_body);
+  EXPECT_EQ(second.times, light::LightTime::at_body);
   EXPECT_EQ(second.light_time, std::nullopt);
-  EXPECT_EQ(second.distances, Distances::unit);
+  EXPECT_EQ(second.distances, io::Distances::unit);
   EXPECT_EQ(second.band, "V");
   EXPECT_THAT(second.lines, ElementsAre(51U, 52U));
 }
 
 TEST(LightCurvesOfAlcdef, LinesThatAreLeftOutAreNotChecked) {
   const std::string bad = changed_text(two_sessions, "2451425.653700|-0.125", "|faint");
-  EXPECT_EQ(message_of([&] { alcdef_from_text(bad, "x.txt"); }).substr(0, 9), "x.txt:34:");
+  EXPECT_EQ(message_of([&] { io::alcdef_from_text(bad, "x.txt"); }).substr(0, 9), "x.txt:34:");
   const std::vector<std::size_t> leave_out = {34, 51, 52};
-  const LightCurveFile file = alcdef_from_text(bad, "x.txt", std::nullopt, leave_out);
+  const io::LightCurveFile file = io::alcdef_from_text(bad, "x.txt", std::nullopt, leave_out);
   ASSERT_EQ(file.sessions.size(), 2U);
   EXPECT_THAT(file.sessions[0].lines, ElementsAre(33U, 35U, 36U));
   EXPECT_THAT(file.sessions[0].left_out, ElementsAre(34U));
@@ -119,21 +119,21 @@ TEST(LightCurvesOfAlcdef, LinesThatAreLeftOutAreNotChecked) {
 }
 
 TEST(LightCurvesOfAlcdef, MagnitudesBecomeFluxes) {
-  const LightCurveFile file = alcdef_from_text(two_sessions, "x.txt");
-  const std::vector<LightPoint>& relative = file.sessions[0].curve.points;
+  const io::LightCurveFile file = io::alcdef_from_text(two_sessions, "x.txt");
+  const std::vector<light::LightPoint>& relative = file.sessions[0].curve.points;
   EXPECT_NEAR(relative[0].t, 0.150521 * 86400.0, budget::light_date_s);
-  EXPECT_NEAR(mean_flux(file.sessions[0].curve), 1.0, budget::light_flux);
+  EXPECT_NEAR(light::mean_flux(file.sessions[0].curve), 1.0, budget::light_flux);
   EXPECT_NEAR(-2.5 * std::log10(relative[0].flux / relative[2].flux), -0.147,
               budget::light_magnitude);
   EXPECT_NEAR(relative[0].sigma / relative[0].flux, 0.009 * 0.4 * std::log(10.0),
               budget::light_flux);
   EXPECT_EQ(relative[3].sigma, 0.0);
   EXPECT_EQ(relative[0].to_sun, Vec3{});
-  const Magnitude back =
-      magnitude_of({relative[1].flux, relative[1].sigma}, *file.sessions[0].zero_magnitude);
+  const light::Magnitude back =
+      light::magnitude_of({relative[1].flux, relative[1].sigma}, *file.sessions[0].zero_magnitude);
   EXPECT_NEAR(back.value, -0.125, budget::light_magnitude);
   EXPECT_NEAR(back.sigma, 0.010, budget::light_flux);
-  const LightPoint& calibrated = file.sessions[1].curve.points[1];
+  const light::LightPoint& calibrated = file.sessions[1].curve.points[1];
   EXPECT_NEAR(calibrated.flux / std::pow(10.0, -5.44), 1.0, budget::light_flux);
   EXPECT_EQ(file.sessions[1].zero_magnitude, 0.0);
   EXPECT_MESSAGE(
@@ -143,12 +143,12 @@ TEST(LightCurvesOfAlcdef, MagnitudesBecomeFluxes) {
 
 TEST(LightCurvesOfAlcdef, WhatIsNotDeclaredIsNotGuessed) {
   const auto session = [](const std::string& old, const std::string& by) {
-    return alcdef_from_text(changed_text(two_sessions, old, by), "x").sessions[1];
+    return io::alcdef_from_text(changed_text(two_sessions, old, by), "x").sessions[1];
   };
   EXPECT_EQ(session("LTCAPP=AVERAGE\n", "").times, std::nullopt);
   EXPECT_EQ(session("LTCAPP=AVERAGE\n", "LTCAPP=HELIOCENTRIC\n").times, std::nullopt);
-  EXPECT_EQ(session("LTCAPP=AVERAGE\n", "LTCAPP=POINT\n").times, LightTime::at_body);
-  EXPECT_EQ(session("REDUCEDMAGS=POINT\n", "").distances, Distances::unknown);
+  EXPECT_EQ(session("LTCAPP=AVERAGE\n", "LTCAPP=POINT\n").times, light::LightTime::at_body);
+  EXPECT_EQ(session("REDUCEDMAGS=POINT\n", "").distances, io::Distances::unknown);
   for (const char* standard : {"", "STANDARD=NONE\n", "STANDARD=INTERNAL\n"})
     EXPECT_FALSE(session("STANDARD=APASS\n", standard).curve.is_calibrated);
   EXPECT_FALSE(session("DIFFERMAGS=FALSE\n", "").curve.is_calibrated);
@@ -158,13 +158,14 @@ TEST(LightCurvesOfAlcdef, WhatIsNotDeclaredIsNotGuessed) {
 TEST(LightCurvesOfAlcdef, ASessionMayEndWithoutSayingSo) {
   for (const std::string& end : {changed_text(two_sessions, "ENDDATA\n\n", ""),
                                  two_sessions.substr(0, two_sessions.rfind("ENDDATA"))})
-    EXPECT_EQ(alcdef_from_text(end, "x").sessions.size(), 2U);
+    EXPECT_EQ(io::alcdef_from_text(end, "x").sessions.size(), 2U);
 }
 
 TEST(LightCurvesOfAlcdef, OneLineSaysWhatIsWrongAndWhere) {
-  EXPECT_MESSAGE(alcdef_from_text("\n", "x.txt"),
+  EXPECT_MESSAGE(io::alcdef_from_text("\n", "x.txt"),
                  "x.txt:1: has no session; expected STARTMETADATA");
-  EXPECT_MESSAGE(alcdef_from_text(two_sessions, "x.txt", Date{TimeScale::UT1, 2451425.5, 0.0}),
+  EXPECT_MESSAGE(io::alcdef_from_text(two_sessions, "x.txt",
+                                      ephemeris::Date{ephemeris::TimeScale::UT1, 2451425.5, 0.0}),
                  "x.txt: times of light curves in UT1; expected UTC, TAI, TT or TDB, as UT1 - UTC "
                  "is observed");
   EXPECT_EQ(alcdef_refusal("STARTMETADATA\n", "JD,MAG\n"),
@@ -205,9 +206,9 @@ TEST(LightCurvesOfAlcdef, OneLineSaysWhatIsWrongAndWhere) {
   EXPECT_EQ(alcdef_refusal("ENDDATA\n\n", "ENDDATA\nmore\n"),
             "x.txt:38: got \"more\"; expected STARTMETADATA");
   const std::size_t rows = two_sessions.find("DATA=2451426.65");
-  EXPECT_MESSAGE(alcdef_from_text(two_sessions.substr(0, rows), "x.txt"),
+  EXPECT_MESSAGE(io::alcdef_from_text(two_sessions.substr(0, rows), "x.txt"),
                  "x.txt:50: the session of line 39 has no points; expected DATA=...");
-  EXPECT_MESSAGE(alcdef_from_text(two_sessions.substr(0, 100), "x.txt"),
+  EXPECT_MESSAGE(io::alcdef_from_text(two_sessions.substr(0, 100), "x.txt"),
                  "x.txt:6: the file ends before ENDMETADATA");
 }
 
@@ -216,7 +217,7 @@ TEST(LightCurvesOfAlcdef, CalibratedSessionsNeedOneScale) {
   both = changed_text(both, "STANDARD=INTERNAL", "STANDARD=APASS");
   both = changed_text(both, "DATA=2451425.657000|0.021\n", "");
   const auto said = [](const std::string& text) {
-    return message_of([&] { require_sound(alcdef_from_text(text, "x.txt")); });
+    return message_of([&] { io::require_sound(io::alcdef_from_text(text, "x.txt")); });
   };
   EXPECT_EQ(said(both),
             "x.txt:38: calibrated fluxes in the band \"V\" have no scale in common with \"R\" of "
@@ -233,7 +234,7 @@ TEST(LightCurvesOfAlcdef, AreOfOneObjectHoweverItIsNamed) {
     return "STARTMETADATA\n" + names + "DELIMITER=PIPE\nENDMETADATA\nDATA=2451426.65|13.5\n";
   };
   const auto said = [](const std::string& text) {
-    return message_of([&] { alcdef_from_text(text, "x.txt"); });
+    return message_of([&] { io::alcdef_from_text(text, "x.txt"); });
   };
   const std::string unnamed = "OBJECTNUMBER=0\nMPCDESIG=2005 AB\n";
   EXPECT_EQ(said(session(unnamed) + session("OBJECTNUMBER=0\nMPCDESIG=2006 CD\n")),
@@ -246,25 +247,26 @@ TEST(LightCurvesOfAlcdef, AreOfOneObjectHoweverItIsNamed) {
   EXPECT_EQ(said(session("OBJECTNUMBER=999\nOBJECTNAME=Zachia\n") +
                  session("OBJECTNUMBER=999\nOBJECTNAME=ZACHIA\n")),
             "");
-  const LightCurveFile file =
-      alcdef_from_text(session(unnamed) + session("OBJECTNUMBER=999\nMPCDESIG=2005 AB\n"), "x.txt");
+  const io::LightCurveFile file = io::alcdef_from_text(
+      session(unnamed) + session("OBJECTNUMBER=999\nMPCDESIG=2005 AB\n"), "x.txt");
   EXPECT_EQ(file.object, "999 2005 AB");
 }
 
 // A first session that does not say its distances hides nothing of the others.
 TEST(LightCurvesOfAlcdef, DistancesThatAreKnownMustBeTheSame) {
-  const auto session = [](std::size_t line, Distances distances, double t) {
-    LightSession made;
+  const auto session = [](std::size_t line, io::Distances distances, double t) {
+    io::LightSession made;
     made.curve = {"", true, {{t, 1.0, 0.1, {}, {}}}};
     made.distances = distances;
     made.line = line;
     made.lines = {line + 1};
     return made;
   };
-  LightCurveFile file;
+  io::LightCurveFile file;
   file.file = "x.txt";
-  file.sessions = {session(1, Distances::unknown, 1.0), session(11, Distances::unit, 2.0),
-                   session(21, Distances::unknown, 3.0), session(31, Distances::of_the_time, 4.0)};
+  file.sessions = {session(1, io::Distances::unknown, 1.0), session(11, io::Distances::unit, 2.0),
+                   session(21, io::Distances::unknown, 3.0),
+                   session(31, io::Distances::of_the_time, 4.0)};
   EXPECT_MESSAGE(require_sound(file),
                  "x.txt:31: calibrated fluxes at the distances of the time, those of the session "
                  "of line 11 are at unit distances; expected the same");
@@ -273,28 +275,31 @@ TEST(LightCurvesOfAlcdef, DistancesThatAreKnownMustBeTheSame) {
 }
 
 TEST(LightCurvesOfAlcdef, WhatIsWrittenIsReadBack) {
-  const Date epoch = calendar_date(TimeScale::UTC, {2016, 12, 31, 23, 0, 0.0});
-  std::vector<LightCurve> curves{
+  const ephemeris::Date epoch =
+      ephemeris::calendar_date(ephemeris::TimeScale::UTC, {2016, 12, 31, 23, 0, 0.0});
+  std::vector<light::LightCurve> curves{
       {"a", false, {{0.0, 0.5, 0.01}, {3599.5, 0.25, 0.02}, {3602.0, 2.25, 0.0}}},  // leap second
       {"b", true, {{86400.0, 2.0, 0.01}}}};
   for (const bool is_of_the_time : {false, true})
-    for (const LightTime times : {LightTime::at_body, LightTime::at_observer}) {
-      const std::string text = alcdef_text(curves, epoch,
-                                           {.object = "Two\nLines",
-                                            .times = times,
-                                            .is_of_the_time = is_of_the_time,
-                                            .notes = {"x"}});
-      const LightCurveFile file = alcdef_from_text(text, "x.alcdef", epoch);
+    for (const light::LightTime times :
+         {light::LightTime::at_body, light::LightTime::at_observer}) {
+      const std::string text = io::alcdef_text(curves, epoch,
+                                               {.object = "Two\nLines",
+                                                .times = times,
+                                                .is_of_the_time = is_of_the_time,
+                                                .notes = {"x"}});
+      const io::LightCurveFile file = io::alcdef_from_text(text, "x.alcdef", epoch);
       EXPECT_EQ(file.object, "Two\\x0aLines");
       ASSERT_EQ(file.sessions.size(), 2U);
       for (std::size_t c = 0; c < 2; ++c) {
-        const LightSession& session = file.sessions[c];
+        const io::LightSession& session = file.sessions[c];
         EXPECT_EQ(session.times, times);
-        EXPECT_EQ(session.distances, is_of_the_time ? Distances::of_the_time : Distances::unit);
+        EXPECT_EQ(session.distances,
+                  is_of_the_time ? io::Distances::of_the_time : io::Distances::unit);
         EXPECT_EQ(session.curve.is_calibrated, curves[c].is_calibrated);
         ASSERT_EQ(session.curve.points.size(), curves[c].points.size());
         for (std::size_t k = 0; k < curves[c].points.size(); ++k) {
-          const LightPoint &got = session.curve.points[k], &expected = curves[c].points[k];
+          const light::LightPoint &got = session.curve.points[k], &expected = curves[c].points[k];
           EXPECT_NEAR(got.t, expected.t, budget::light_julian_s);
           EXPECT_NEAR(got.flux, expected.flux, budget::light_flux * expected.flux);
           EXPECT_NEAR(got.sigma, expected.sigma, budget::light_flux * expected.sigma);
@@ -303,12 +308,12 @@ TEST(LightCurvesOfAlcdef, WhatIsWrittenIsReadBack) {
       EXPECT_EQ(file.sessions[0].curve.name, "2016-12-31 23:00:00");
     }
   curves[0].points[1].flux = 0.0;
-  EXPECT_MESSAGE(alcdef_text(curves, epoch, {}),
+  EXPECT_MESSAGE(io::alcdef_text(curves, epoch, {}),
                  "alcdef_text: light curve 1: point 2: expected a finite time and a flux above 0, "
                  "which has a magnitude");
-  EXPECT_MESSAGE(alcdef_text({}, epoch, {}),
+  EXPECT_MESSAGE(io::alcdef_text({}, epoch, {}),
                  "alcdef_text: there are no light curves; expected one or more");
-  EXPECT_MESSAGE(alcdef_text(std::vector<LightCurve>(1), epoch, {}),
+  EXPECT_MESSAGE(io::alcdef_text(std::vector<light::LightCurve>(1), epoch, {}),
                  "alcdef_text: light curve 1 has no points; expected one or more");
 }
 

@@ -10,10 +10,10 @@
 #include "message_of.hpp"
 #include "polhode/ephemeris/ephemeris.hpp"
 #include "polhode/light/aspect.hpp"
+#include "polhode/light/light_curve.hpp"
 #include "polhode/light/light_time.hpp"
-#include "polhode/light/magnitudes.hpp"
 #include "polhode/output/light_curves.hpp"
-#include "polhode/tables/light_columns.hpp"
+#include "polhode/tables/light_curve_file.hpp"
 #include "temp_folder.hpp"
 
 namespace polhode {
@@ -30,31 +30,31 @@ TEST_F(LightColumnFiles, InColumnsAreWhatTheCallerSays) {
       write("table.csv",
             "# of a tumbler\nnight,mjd,mag,err,sx,sy,sz\n1,51544.5,14.0,0.02,1,2,3\n"
             "2,51546.5,15.0,0.03,4,5,6\n1,51544.75,14.5,0.01,1,2,3\n2,51546.75,15.5,0.03,4,5,6\n");
-  LightColumns columns;
+  io::LightColumns columns;
   columns.time = "mjd";
-  columns.form = LightColumns::Times::julian_dates;
+  columns.form = io::LightColumns::Times::julian_dates;
   columns.julian_zero = 2400000.5;
-  columns.scale = TimeScale::TT;
+  columns.scale = ephemeris::TimeScale::TT;
   columns.magnitude = "mag";
   columns.sigma = "err";
   columns.to_sun = {"sx", "sy", "sz"};
   columns.session = "night";
   columns.is_calibrated = true;
-  columns.times = LightTime::at_body;
+  columns.times = light::LightTime::at_body;
   columns.axes = "ecliptic-J2000";
   columns.length = "au";
-  const LightCurveFile file = read_light_columns(table, columns);
-  EXPECT_EQ(file.epoch, (Date{TimeScale::TT, 2451544.5, 0.0}));
+  const io::LightCurveFile file = io::read_light_columns(table, columns);
+  EXPECT_EQ(file.epoch, (ephemeris::Date{ephemeris::TimeScale::TT, 2451544.5, 0.0}));
   EXPECT_EQ(file.axes, "ecliptic-J2000");
   ASSERT_EQ(file.sessions.size(), 2U);
-  const LightSession& first = file.sessions[0];
+  const io::LightSession& first = file.sessions[0];
   EXPECT_EQ(first.curve.name, "1");
-  EXPECT_EQ(first.times, LightTime::at_body);
+  EXPECT_EQ(first.times, light::LightTime::at_body);
   EXPECT_THAT(first.lines, ElementsAre(3U, 5U));
   EXPECT_EQ(first.curve.points[1].t, 64800.0);
   EXPECT_EQ(first.curve.points[1].to_sun, (Vec3{1.0, 2.0, 3.0}));
-  EXPECT_EQ(first.curve.points[1].flux, flux_of({14.5, 0.01}).value);
-  EXPECT_EQ(first.curve.points[1].sigma, flux_of({14.5, 0.01}).sigma);
+  EXPECT_EQ(first.curve.points[1].flux, light::flux_of({14.5, 0.01}).value);
+  EXPECT_EQ(first.curve.points[1].sigma, light::flux_of({14.5, 0.01}).sigma);
   EXPECT_EQ(message_of([&] { require_sound(file); }), "");
   EXPECT_MESSAGE(require_sound(file, {.vectors = true}),
                  table +
@@ -62,26 +62,26 @@ TEST_F(LightColumnFiles, InColumnsAreWhatTheCallerSays) {
                      "observer; expected one, "
                      "in the file or from an orbit");
   columns.is_calibrated = false;
-  EXPECT_NEAR(mean_flux(read_light_columns(table, columns).sessions[1].curve), 1.0,
+  EXPECT_NEAR(light::mean_flux(io::read_light_columns(table, columns).sessions[1].curve), 1.0,
               budget::light_flux);
 }
 
 TEST_F(LightColumnFiles, InColumnsMayHaveDatesOrPlainTimesAndOneError) {
   const std::string table = write("t", "2013-01-05T00:00:30 1.5\n2013-01-05T00:01:00 1.25\n");
-  LightColumns columns;
+  io::LightColumns columns;
   columns.time = "1";
-  columns.form = LightColumns::Times::dates;
+  columns.form = io::LightColumns::Times::dates;
   columns.flux = "2";
   columns.one_sigma = 0.125;
-  const LightCurveFile dated = read_light_columns(table, columns);
-  EXPECT_EQ(dated.epoch, (Date{TimeScale::UTC, 2456297.5, 0.0}));
+  const io::LightCurveFile dated = io::read_light_columns(table, columns);
+  EXPECT_EQ(dated.epoch, (ephemeris::Date{ephemeris::TimeScale::UTC, 2456297.5, 0.0}));
   EXPECT_NEAR(dated.sessions[0].curve.points[1].t, 60.0, budget::light_date_s);
   EXPECT_EQ(dated.sessions[0].curve.points[1].sigma, 0.125);
   EXPECT_EQ(dated.sessions[0].curve.name, "");
   EXPECT_EQ(dated.sessions[0].times, std::nullopt);
   const std::string plain = write("p", "0 1.5\n12.25 1.25\n");
-  columns.form = LightColumns::Times::numbers;
-  const LightCurveFile numbers = read_light_columns(plain, columns);
+  columns.form = io::LightColumns::Times::numbers;
+  const io::LightCurveFile numbers = io::read_light_columns(plain, columns);
   EXPECT_EQ(numbers.epoch, std::nullopt);
   EXPECT_EQ(numbers.sessions[0].curve.points[1].t, 12.25);
 }
@@ -89,50 +89,50 @@ TEST_F(LightColumnFiles, InColumnsMayHaveDatesOrPlainTimesAndOneError) {
 TEST_F(LightColumnFiles, InColumnsSayWhatIsWrong) {
   const std::string table = write("t", "t,m,e\n2451545.0,14,0.1\n2451545.1,140,0.1\n");
   const auto said = [&](const auto& change) {
-    LightColumns columns;
+    io::LightColumns columns;
     columns.magnitude = "m";
     columns.sigma = "e";
     change(columns);
-    return message_of([&] { read_light_columns(table, columns); }).substr(table.size());
+    return message_of([&] { io::read_light_columns(table, columns); }).substr(table.size());
   };
-  EXPECT_EQ(said([](LightColumns&) {}), ":3: magnitude 140; expected one from -100 to 100");
-  EXPECT_EQ(said([](LightColumns& c) { c.flux = "m"; }),
+  EXPECT_EQ(said([](io::LightColumns&) {}), ":3: magnitude 140; expected one from -100 to 100");
+  EXPECT_EQ(said([](io::LightColumns& c) { c.flux = "m"; }),
             ": both a column of fluxes and one of magnitudes named; expected one of them");
-  EXPECT_EQ(said([](LightColumns& c) { c.magnitude = ""; }),
+  EXPECT_EQ(said([](io::LightColumns& c) { c.magnitude = ""; }),
             ": neither a column of fluxes and one of magnitudes named; expected one of them");
-  EXPECT_EQ(said([](LightColumns& c) { c.time = ""; }),
+  EXPECT_EQ(said([](io::LightColumns& c) { c.time = ""; }),
             ": no column of times is named; expected one");
-  EXPECT_EQ(said([](LightColumns& c) { c.one_sigma = 0.1; }),
+  EXPECT_EQ(said([](io::LightColumns& c) { c.one_sigma = 0.1; }),
             ": a column of errors and one error of all points; expected one of them");
-  EXPECT_EQ(said([](LightColumns& c) { c.to_sun[1] = "e"; }),
+  EXPECT_EQ(said([](io::LightColumns& c) { c.to_sun[1] = "e"; }),
             ": 1 columns of a vector to the Sun; expected three or none");
-  EXPECT_EQ(said([](LightColumns& c) { c.session = "night"; }),
+  EXPECT_EQ(said([](io::LightColumns& c) { c.session = "night"; }),
             ":2: there is no column night; expected one of t, m or e");
-  EXPECT_EQ(said([](LightColumns& c) {
-              c.form = LightColumns::Times::dates;
+  EXPECT_EQ(said([](io::LightColumns& c) {
+              c.form = io::LightColumns::Times::dates;
               c.magnitude = "e";
             }),
             ":2: column t: \"2451545.0\" it does not start with a date like 2013-01-05");
   EXPECT_EQ(
-      said([](LightColumns& c) {
-        c.form = LightColumns::Times::julian_dates;
-        c.scale = TimeScale::UT1;
+      said([](io::LightColumns& c) {
+        c.form = io::LightColumns::Times::julian_dates;
+        c.scale = ephemeris::TimeScale::UT1;
       }),
       ": times of light curves in UT1; expected UTC, TAI, TT or TDB, as UT1 - UTC is observed");
   const std::string empty = write("e", "# nothing\n");
-  LightColumns columns;
+  io::LightColumns columns;
   columns.flux = "1";
   columns.time = "1";
-  EXPECT_MESSAGE(read_light_columns(empty, columns),
+  EXPECT_MESSAGE(io::read_light_columns(empty, columns),
                  empty + ": has no rows; expected points of a light curve");
 }
 
 TEST_F(LightColumnFiles, SessionsHaveNamesAndErrorsMayBeEmpty) {
-  LightColumns columns;
+  io::LightColumns columns;
   columns.flux = "f";
   columns.sigma = "e";
   columns.session = "s";
-  const LightCurveFile file = read_light_columns(
+  const io::LightCurveFile file = io::read_light_columns(
       write("named",
             "t;f;e;s\n1;1.0;;B 2021-03-01\n2;1.1;0.1;1.0\n3;1.2;0.1;B 2021-03-01\n"
             "4;1.0;0.1;1\n"),
@@ -146,55 +146,57 @@ TEST_F(LightColumnFiles, SessionsHaveNamesAndErrorsMayBeEmpty) {
 }
 
 TEST_F(LightColumnFiles, LinesThatAreLeftOutAreNotChecked) {
-  LightColumns columns;
+  io::LightColumns columns;
   columns.magnitude = "m";
   columns.sigma = "e";
   columns.session = "s";
   const std::string table =
       write("bad",
             "s,t,m,e\n,x,14,0.1\nA,1,14,0.1\nB,2,nan,0.1\nA,3,900,0.1\nA,4,15,\nB,5\nC,6,14,0.1\n");
-  EXPECT_REJECTED(read_light_columns(table, columns), "bad:2: column");
+  EXPECT_REJECTED(io::read_light_columns(table, columns), "bad:2: column");
   columns.leave_out = {2, 4, 5, 7};
-  const LightCurveFile file = read_light_columns(table, columns);
+  const io::LightCurveFile file = io::read_light_columns(table, columns);
   ASSERT_EQ(file.sessions.size(), 3U);  // as they are counted without leave_out
   EXPECT_EQ(file.sessions[0].curve.name, "A");
   EXPECT_THAT(file.sessions[0].lines, ElementsAre(3U, 6U));
   EXPECT_THAT(file.sessions[0].left_out, ElementsAre(2U, 5U));
   EXPECT_EQ(file.sessions[0].curve.points[1].sigma, 0.0);
-  EXPECT_NEAR(mean_flux(file.sessions[0].curve), 1.0, budget::light_flux);
+  EXPECT_NEAR(light::mean_flux(file.sessions[0].curve), 1.0, budget::light_flux);
   EXPECT_TRUE(file.sessions[1].curve.points.empty());
   EXPECT_THAT(file.sessions[1].left_out, ElementsAre(4U, 7U));
   EXPECT_THAT(file.sessions[2].lines, ElementsAre(8U));
 }
 
 TEST_F(LightColumnFiles, OfColumnsComeBackBitForBit) {
-  const std::vector<LightCurve> curves{
+  const std::vector<light::LightCurve> curves{
       {"a\nb",
        false,
        {{0.1, 1.0 / 3.0, 0.01, {1e8, 1.0, 0.0}, {0.1, 0.2, 0.3}},
         {1e9 / 7.0, 1.0, 0.02, {0.0, 1.0, 0.0}, {1e-300, 0.0, 0.3}}}},
       {"", false, {{-5.0, 2.0, 0.5, {1.0, 0.0, 0.0}, {1.0, 0.0, 0.0}}}}};
   const std::vector<std::string> notes{"t in s"};
-  write_light_csv(path("a.csv"), curves, notes);
+  io::write_light_csv(path("a.csv"), curves, notes);
   EXPECT_THAT(text("a.csv"), ::testing::StartsWith(
                                  "# t in s\n# session 1: a\\x0ab, relative\n# session 2: relative\n"
                                  "session,t,flux,sigma,sun_x,sun_y,sun_z,observer_x,observer_y,"
                                  "observer_z\n1,0.1,"));
-  const LightCurveFile file = read_light_columns(path("a.csv"), light_csv_columns(true));
+  const io::LightCurveFile file =
+      io::read_light_columns(path("a.csv"), io::light_csv_columns(true));
   ASSERT_EQ(file.sessions.size(), 2U);
   for (std::size_t k = 0; k < 2; ++k) EXPECT_EQ(file.sessions[k].curve.points, curves[k].points);
   EXPECT_EQ(file.sessions[0].curve.name, "1");
-  const std::vector<LightCurve> plain{{"", true, {{1.0, 2.0, 3.0, {}, {}}}}};
-  EXPECT_THAT(light_csv(plain),
+  const std::vector<light::LightCurve> plain{{"", true, {{1.0, 2.0, 3.0, {}, {}}}}};
+  EXPECT_THAT(io::light_csv(plain),
               HasSubstr("# session 1: calibrated\nsession,t,flux,sigma\n1,1,2,3\n"));
-  EXPECT_THAT(light_csv_columns(false).to_sun, ElementsAre("", "", ""));
+  EXPECT_THAT(io::light_csv_columns(false).to_sun, ElementsAre("", "", ""));
 }
 
 TEST_F(LightColumnFiles, OfColumnsKeepWhatIsCalibrated) {
-  const std::vector<LightCurve> curves{{"", true, {{1.0, 2.0, 3.0, {}, {}}}},
-                                       {"", true, {{2.0, 2.0, 3.0, {}, {}}}}};
-  write_light_csv(path("a.csv"), curves);
-  const LightCurveFile file = read_light_columns(path("a.csv"), light_csv_columns(false, true));
+  const std::vector<light::LightCurve> curves{{"", true, {{1.0, 2.0, 3.0, {}, {}}}},
+                                              {"", true, {{2.0, 2.0, 3.0, {}, {}}}}};
+  io::write_light_csv(path("a.csv"), curves);
+  const io::LightCurveFile file =
+      io::read_light_columns(path("a.csv"), io::light_csv_columns(false, true));
   ASSERT_EQ(file.sessions.size(), 2U);
   for (std::size_t k = 0; k < 2; ++k) {
     EXPECT_TRUE(file.sessions[k].curve.is_calibrated);
@@ -203,14 +205,14 @@ TEST_F(LightColumnFiles, OfColumnsKeepWhatIsCalibrated) {
 }
 
 TEST(LightCurvesInColumns, AreNotWrittenAsWhatTheyAreNot) {
-  const std::vector<LightCurve> sound{{"", true, {{1.0, 2.0, 3.0, {}, {}}}},
-                                      {"", true, {{2.0, 2.0, 3.0, {}, {}}}}};
+  const std::vector<light::LightCurve> sound{{"", true, {{1.0, 2.0, 3.0, {}, {}}}},
+                                             {"", true, {{2.0, 2.0, 3.0, {}, {}}}}};
   const auto said = [&](const auto& change) {
-    std::vector<LightCurve> curves = sound;
+    std::vector<light::LightCurve> curves = sound;
     change(curves);
-    return message_of([&] { light_csv(curves); });
+    return message_of([&] { io::light_csv(curves); });
   };
-  using Curves = std::vector<LightCurve>;
+  using Curves = std::vector<light::LightCurve>;
   EXPECT_EQ(said([](Curves&) {}), "");
   EXPECT_EQ(said([](Curves& c) { c.clear(); }),
             "light_csv: there are no light curves; expected one or more");
@@ -227,18 +229,23 @@ TEST(LightCurvesInColumns, AreNotWrittenAsWhatTheyAreNot) {
 
 // Mars was nearest to the Earth on 2018-07-31 at 07:50 UTC, 57.59 million km away (NASA/JPL).
 TEST(LightCurvesFromOrbits, SeeMarsAsItWasMinutesAgo) {
-  const Date noon{TimeScale::TDB, 2458330.5, 8.0 / 24.0};
-  const auto at = [&](double t) { return Date{noon.scale, noon.day, noon.fraction + t / 86400.0}; };
+  const ephemeris::Date noon{ephemeris::TimeScale::TDB, 2458330.5, 8.0 / 24.0};
+  const auto at = [&](double t) {
+    return ephemeris::Date{noon.scale, noon.day, noon.fraction + t / 86400.0};
+  };
   const auto mars = [&](double t) {
-    return planetary_position(Planetary::mars, Planetary::sun, at(t));
+    return ephemeris::planetary_position(ephemeris::Planetary::mars, ephemeris::Planetary::sun,
+                                         at(t));
   };
   const auto earth = [&](double t) {
-    return planetary_position(Planetary::earth, Planetary::sun, at(t));
+    return ephemeris::planetary_position(ephemeris::Planetary::earth, ephemeris::Planetary::sun,
+                                         at(t));
   };
   const auto sun = [](double) { return Vec3{}; };
-  const LightCurve curve{"Mars", true, {{0.0, 1.0, 0.1, {}, {}}}};
-  const LightCurve seen = with_vectors(curve, LightTime::at_observer, mars, earth, sun, 299792.458);
-  const Aspect a = aspect(seen.points[0]);
+  const light::LightCurve curve{"Mars", true, {{0.0, 1.0, 0.1, {}, {}}}};
+  const light::LightCurve seen =
+      light::with_vectors(curve, light::LightTime::at_observer, mars, earth, sun, 299792.458);
+  const light::Aspect a = light::aspect(seen.points[0]);
   EXPECT_NEAR(a.observer_distance, 57.59e6, budget::light_mars_km);
   EXPECT_NEAR(seen.points[0].t, -a.observer_distance / 299792.458, budget::light_date_s);
   EXPECT_NEAR(a.sun_distance, norm(mars(seen.points[0].t)), budget::light_date_s);

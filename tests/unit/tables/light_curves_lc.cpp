@@ -8,10 +8,9 @@
 
 #include "budgets.hpp"
 #include "message_of.hpp"
-#include "polhode/light/light_curve_checks.hpp"
-#include "polhode/light/magnitudes.hpp"
+#include "polhode/light/light_curve.hpp"
 #include "polhode/output/light_curves.hpp"
-#include "polhode/tables/lc.hpp"
+#include "polhode/tables/light_curve_file.hpp"
 #include "temp_folder.hpp"
 #include "unit/tables/changed_text.hpp"
 
@@ -37,28 +36,28 @@ const std::string two_nights =
     "2443850.5  0.5  1.24 -0.21 0.01  0.34 -0.16 0.02\r\n";
 
 std::string lc_refusal(const std::string& text) {
-  return message_of([&] { lc_from_text(text, "x.lc", TimeScale::TDB); });
+  return message_of([&] { io::lc_from_text(text, "x.lc", ephemeris::TimeScale::TDB); });
 }
 std::string lc_refusal(const std::string& old, const std::string& by) {
   return lc_refusal(changed_text(two_nights, old, by));
 }
 
 TEST(LightCurvesOfDamit, AreReadWithWhatTheFormatDeclares) {
-  const LightCurveFile file = lc_from_text(two_nights, "x.lc", TimeScale::TT);
+  const io::LightCurveFile file = io::lc_from_text(two_nights, "x.lc", ephemeris::TimeScale::TT);
   ASSERT_EQ(file.sessions.size(), 2U);
-  EXPECT_EQ(file.epoch, (Date{TimeScale::TT, 2443845.5, 0.0}));
+  EXPECT_EQ(file.epoch, (ephemeris::Date{ephemeris::TimeScale::TT, 2443845.5, 0.0}));
   EXPECT_EQ(file.axes, "ecliptic-J2000");
   EXPECT_EQ(file.length, "au");
-  const LightSession &first = file.sessions[0], &second = file.sessions[1];
+  const io::LightSession &first = file.sessions[0], &second = file.sessions[1];
   EXPECT_FALSE(first.curve.is_calibrated);
   EXPECT_TRUE(second.curve.is_calibrated);
-  EXPECT_EQ(first.times, LightTime::at_body);
-  EXPECT_EQ(first.distances, Distances::unknown);
-  EXPECT_EQ(second.distances, Distances::unit);
+  EXPECT_EQ(first.times, light::LightTime::at_body);
+  EXPECT_EQ(first.distances, io::Distances::unknown);
+  EXPECT_EQ(second.distances, io::Distances::unit);
   EXPECT_EQ(first.zero_magnitude, std::nullopt);
   EXPECT_EQ(first.line, 2U);
   EXPECT_THAT(first.lines, ElementsAre(3U, 4U, 5U));
-  const LightPoint& p = first.curve.points[0];
+  const light::LightPoint& p = first.curve.points[0];
   EXPECT_NEAR(p.t, 0.530926 * 86400.0, budget::light_date_s);
   EXPECT_EQ(p.flux, 0.981);
   EXPECT_EQ(p.sigma, 0.0);
@@ -72,7 +71,8 @@ TEST(LightCurvesOfDamit, LinesThatAreLeftOutAreNotChecked) {
   const std::string bad = changed_text(changed_text(two_nights, "1.021 ", "nan "), "  0.5  ", " ");
   EXPECT_THAT(lc_refusal(bad), HasSubstr("x.lc:4: "));
   const std::vector<std::size_t> leave_out = {4, 8};
-  const LightCurveFile file = lc_from_text(bad, "x.lc", TimeScale::TT, std::nullopt, leave_out);
+  const io::LightCurveFile file =
+      io::lc_from_text(bad, "x.lc", ephemeris::TimeScale::TT, std::nullopt, leave_out);
   ASSERT_EQ(file.sessions.size(), 2U);
   EXPECT_THAT(file.sessions[0].lines, ElementsAre(3U, 5U));
   EXPECT_THAT(file.sessions[0].left_out, ElementsAre(4U));
@@ -83,12 +83,12 @@ TEST(LightCurvesOfDamit, LinesThatAreLeftOutAreNotChecked) {
 TEST(LightCurvesOfDamit, CountLeapSecondsFromTheEpochThatIsAskedFor) {
   const std::string text =
       "1\n2 0\n2457754.25 1 1 0 0 0 1 0\n2457754.75 1 1 0 0 0 1 0\n";  // 2016-12-31T18, 06
-  const LightCurveFile file = lc_from_text(text, "x", TimeScale::UTC);
-  const std::vector<LightPoint>& p = file.sessions[0].curve.points;
+  const io::LightCurveFile file = io::lc_from_text(text, "x", ephemeris::TimeScale::UTC);
+  const std::vector<light::LightPoint>& p = file.sessions[0].curve.points;
   // a quarter of the day that ends in a leap second, and a quarter of the next
   EXPECT_NEAR(p[1].t - p[0].t, 21600.25 + 21600.0, budget::light_date_s);
-  const Date epoch{TimeScale::TDB, 2457754.5, 0.0};
-  const LightCurveFile from = lc_from_text(text, "x", TimeScale::TDB, epoch);
+  const ephemeris::Date epoch{ephemeris::TimeScale::TDB, 2457754.5, 0.0};
+  const io::LightCurveFile from = io::lc_from_text(text, "x", ephemeris::TimeScale::TDB, epoch);
   EXPECT_EQ(from.epoch, epoch);
   EXPECT_NEAR(from.sessions[0].curve.points[0].t, -21600.0, budget::light_tdb_s);
 }
@@ -97,8 +97,8 @@ TEST(LightCurvesOfDamit, DatesKeepTheirDigits) {
   // a double of the whole keeps 40 us
   const std::string text =
       "1\n2 0\n2457754.250000000001 1 1 0 0 0 1 0\n2457754.250000000003 1 1 0 0 0 1 0\n";
-  const LightCurveFile file = lc_from_text(text, "x", TimeScale::TT);
-  const std::vector<LightPoint>& p = file.sessions[0].curve.points;
+  const io::LightCurveFile file = io::lc_from_text(text, "x", ephemeris::TimeScale::TT);
+  const std::vector<light::LightPoint>& p = file.sessions[0].curve.points;
   EXPECT_NEAR(p[1].t - p[0].t, 2e-12 * 86400.0, budget::light_date_s);
   EXPECT_GT(p[1].t, p[0].t);
 }
@@ -141,18 +141,19 @@ TEST(LightCurvesOfDamit, OneLineSaysWhatIsWrongAndWhere) {
   EXPECT_EQ(lc_refusal("1 1\r\n", "COMMENT\n"),
             "x.lc:7: got \"COMMENT\"; expected light curve 2 of 2");
   EXPECT_MESSAGE(
-      lc_from_text(two_nights, "x.lc", TimeScale::UT1),
+      io::lc_from_text(two_nights, "x.lc", ephemeris::TimeScale::UT1),
       "x.lc: times of light curves in UT1; expected UTC, TAI, TT or TDB, as UT1 - UTC is observed");
-  EXPECT_MESSAGE(read_lc("/nonexistent/a.lc", TimeScale::TDB),
+  EXPECT_MESSAGE(io::read_lc("/nonexistent/a.lc", ephemeris::TimeScale::TDB),
                  "/nonexistent/a.lc: cannot be read: No such file or directory");
 }
 
 TEST(LightCurvesOfDamit, PointsOutOfOrderAreNamedByTheirLines) {
   const auto said = [](const std::string& old, const std::string& by) {
-    LightCurveFile file = lc_from_text(changed_text(two_nights, old, by), "x.lc", TimeScale::TT);
-    for (LightSession& session : file.sessions)
-      session.curve = with_relative_sigma(session.curve, 0.02);
-    return message_of([&] { require_sound(file, {.vectors = true}); });
+    io::LightCurveFile file =
+        io::lc_from_text(changed_text(two_nights, old, by), "x.lc", ephemeris::TimeScale::TT);
+    for (io::LightSession& session : file.sessions)
+      session.curve = light::with_relative_sigma(session.curve, 0.02);
+    return message_of([&] { io::require_sound(file, {.vectors = true}); });
   };
   EXPECT_EQ(said("2443846.053", "2443846.053"), "");
   EXPECT_THAT(said("2443846.053", "2443846.032"),
@@ -170,31 +171,33 @@ TEST_F(LcFiles, OfDamitAreWrittenAsTheyWereRead) {
       "2443846.5 0.998 1.25 -0.2 0.01 0.35 -0.15 1e-17\n"
       "1 1\n"
       "2443851.0 0.5 1.24 -0.21 0.01 0.34 -0.16 0.02\n";
-  for (const TimeScale scale : {TimeScale::UTC, TimeScale::TT, TimeScale::TDB}) {
-    const LightCurveFile file = lc_from_text(text, "x", scale);
-    write_lc(path("again.lc"), light_curves(file), *file.epoch);
-    EXPECT_EQ(this->text("again.lc"), text) << name(scale);
-    const LightCurveFile again = read_lc(path("again.lc"), scale);
-    EXPECT_EQ(light_curves(again), light_curves(file));
+  for (const ephemeris::TimeScale scale :
+       {ephemeris::TimeScale::UTC, ephemeris::TimeScale::TT, ephemeris::TimeScale::TDB}) {
+    const io::LightCurveFile file = io::lc_from_text(text, "x", scale);
+    io::write_lc(path("again.lc"), io::light_curves(file), *file.epoch);
+    EXPECT_EQ(this->text("again.lc"), text) << ephemeris::name(scale);
+    const io::LightCurveFile again = io::read_lc(path("again.lc"), scale);
+    EXPECT_EQ(io::light_curves(again), io::light_curves(file));
   }
   EXPECT_FALSE(std::filesystem::exists(path("again.lc.part")));
 }
 
 TEST_F(LcFiles, OfDamitHoldVectorsAndFiniteNumbers) {
-  std::vector<LightCurve> curves{{"a", false, {{0.0, 1.0, 0.1, {1.0, 0.0, 0.0}, {}}}}};
-  const Date epoch{};
-  EXPECT_MESSAGE(write_lc(path("a.lc"), curves, epoch),
+  std::vector<light::LightCurve> curves{{"a", false, {{0.0, 1.0, 0.1, {1.0, 0.0, 0.0}, {}}}}};
+  const ephemeris::Date epoch{};
+  EXPECT_MESSAGE(io::write_lc(path("a.lc"), curves, epoch),
                  "lc_text: light curve 1: point 1: expected its vectors to the Sun and to the "
                  "observer, in au");
   curves[0].points[0].t = std::nan("");
-  EXPECT_MESSAGE(write_lc(path("a.lc"), curves, epoch),
+  EXPECT_MESSAGE(io::write_lc(path("a.lc"), curves, epoch),
                  "lc_text: light curve 1: point 1: its time or flux is not finite");
   EXPECT_FALSE(std::filesystem::exists(path("a.lc")));
-  EXPECT_MESSAGE(lc_text({}, epoch), "lc_text: there are no light curves; expected one or more");
-  EXPECT_MESSAGE(lc_text(std::vector<LightCurve>(1), epoch),
+  EXPECT_MESSAGE(io::lc_text({}, epoch),
+                 "lc_text: there are no light curves; expected one or more");
+  EXPECT_MESSAGE(io::lc_text(std::vector<light::LightCurve>(1), epoch),
                  "lc_text: light curve 1 has no points; expected one or more");
   curves[0].points[0] = {-1e-9, 1.0, 0.1, {1.0, 0.0, 0.0}, {1.0, 0.0, 0.0}};
-  EXPECT_EQ(lc_text(curves, epoch), "1\n1 0\n2451545.0 1 1 0 0 1 0 0\n");  // rounded up
+  EXPECT_EQ(io::lc_text(curves, epoch), "1\n1 0\n2451545.0 1 1 0 0 1 0 0\n");  // rounded up
 }
 
 }  // namespace

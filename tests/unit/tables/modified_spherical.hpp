@@ -5,29 +5,29 @@
 #include <cmath>
 
 #include "polhode/rotor/andoyer.hpp"
-#include "polhode/tables/chart_kind.hpp"
+#include "polhode/tables/convert.hpp"
 
 namespace polhode::test {
 
-inline constexpr ChartVariable spherical_variables[] = {
-    {"l", Dimension::angle, "Andoyer's l.", "70"},
-    {"g", Dimension::angle, "Andoyer's g.", "20"},
-    {"h", Dimension::angle, "Andoyer's h.", "40"},
-    {"log_G", Dimension::number, "Logarithm of the momentum.", "0.5"},
-    {"cos_J", Dimension::number, "Cosine of J.", "0.9"},
-    {"cos_I", Dimension::number, "Cosine of I.", "-0.5"},
+inline constexpr io::ChartVariable spherical_variables[] = {
+    {"l", io::Dimension::angle, "Andoyer's l.", "70"},
+    {"g", io::Dimension::angle, "Andoyer's g.", "20"},
+    {"h", io::Dimension::angle, "Andoyer's h.", "40"},
+    {"log_G", io::Dimension::number, "Logarithm of the momentum.", "0.5"},
+    {"cos_J", io::Dimension::number, "Cosine of J.", "0.9"},
+    {"cos_I", io::Dimension::number, "Cosine of I.", "-0.5"},
 };
 
-inline RotorState from_spherical(const ChartNumbers& x, const ChartPlace&) {
+inline RotorState from_spherical(const io::ChartNumbers& x, const io::ChartPlace&) {
   const double G = std::exp(x[3]);
   return to_rotor(andoyer_state(x[0], x[1], x[2], G * x[4], G, G * x[5]));
 }
-inline ChartNumbers to_spherical(const RotorState& s, const ChartPlace&) {
+inline io::ChartNumbers to_spherical(const RotorState& s, const io::ChartPlace&) {
   const AndoyerState a = to_andoyer(s);
   return {a.l, a.g, a.h, std::log(a.G), a.L / a.G, a.H / a.G};
 }
 
-inline constexpr ChartKind modified_spherical{
+inline constexpr io::ChartKind modified_spherical{
     .name = "modified-spherical",
     .help = "Andoyer's angles, the logarithm of the momentum and two cosines.",
     .variables = spherical_variables,

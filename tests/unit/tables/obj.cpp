@@ -20,7 +20,7 @@ namespace {
 using ::testing::HasSubstr;
 
 std::string refusal(const std::string& text) {
-  return test::message_of([&] { shape_from_obj(text, "x.obj"); });
+  return test::message_of([&] { io::shape_from_obj(text, "x.obj"); });
 }
 
 // A box of 2 x 4 x 6 in quads: every way of writing a corner, negative numbers, CRLF, a comment, a
@@ -34,8 +34,9 @@ const char* const box =
     "f -6 -5 -1 -2\nf -5 -8 -4 -1";
 
 TEST(Obj, WhatIsWrittenReadsBackBitForBit) {
-  const FacetShape shape = shape_from_obj(box, "box.obj").moved({0.1, 0.2, 0.3}, 1.0 / 3.0);
-  const FacetShape back = shape_from_obj(obj_text(shape), "back.obj");
+  const shape::FacetShape shape =
+      io::shape_from_obj(box, "box.obj").moved({0.1, 0.2, 0.3}, 1.0 / 3.0);
+  const shape::FacetShape back = io::shape_from_obj(io::obj_text(shape), "back.obj");
   ASSERT_EQ(back.vertices().size(), shape.vertices().size());
   for (std::size_t i = 0; i < back.vertices().size(); ++i)
     EXPECT_EQ(back.vertices()[i], shape.vertices()[i]);
@@ -45,13 +46,13 @@ TEST(Obj, WhatIsWrittenReadsBackBitForBit) {
 }
 
 TEST(Obj, ReadsWhatTheFormatAllows) {
-  const FacetShape shape = shape_from_obj(std::string("\xef\xbb\xbf") + box, "box.obj");
+  const shape::FacetShape shape = io::shape_from_obj(std::string("\xef\xbb\xbf") + box, "box.obj");
   EXPECT_EQ(shape.vertices().size(), 8U);
   EXPECT_EQ(shape.triangles().size(), 12U);
   EXPECT_EQ(shape.open_edge(), "");
-  const MassProperties p = mass_properties(shape, 1.0);
+  const shape::MassProperties p = shape::mass_properties(shape, 1.0);
   EXPECT_NEAR(p.volume, 48.0, budget::shape_mass * 0x1p-52 * 48.0);
-  EXPECT_EQ(shape.triangles()[1], (FacetShape::Triangle{3, 1, 0}));  // a fan about its first
+  EXPECT_EQ(shape.triangles()[1], (shape::FacetShape::Triangle{3, 1, 0}));  // a fan about its first
 }
 
 // An L of area 4 and perimeter 10, drawn out to a prism of height 1; one end from either side.
@@ -70,11 +71,11 @@ std::string face(std::vector<int> corners, std::size_t first) {
 
 TEST(Obj, ConcaveFacesAreFilledOnceWhereverTheyBegin) {
   for (std::size_t first = 0; first < 6; ++first) {
-    const FacetShape shape = shape_from_obj(
+    const shape::FacetShape shape = io::shape_from_obj(
         concave + face({6, 5, 4, 3, 2, 1}, first) + face({7, 8, 9, 10, 11, 12}, first), "x.obj");
     EXPECT_EQ(shape.open_edge(), "") << first;
     EXPECT_NEAR(shape.area(), 18.0, budget::shape_mass * 0x1p-52 * 18.0) << first;
-    EXPECT_NEAR(mass_properties(shape, 1.0).volume, 4.0, budget::shape_mass * 0x1p-52 * 4.0);
+    EXPECT_NEAR(shape::mass_properties(shape, 1.0).volume, 4.0, budget::shape_mass * 0x1p-52 * 4.0);
   }
 }
 
@@ -84,10 +85,11 @@ TEST(Obj, AVertexOnAnEdgeIsACornerWhereverTheFaceBegins) {
       "v -1 -3 -2\nv -1 -3 2\nv -1 3 -2\nv -1 3 2\nv 1 -3 -2\nv 1 -3 2\nv 1 3 -2\nv 1 3 2\n"
       "v 1 0 2\nf 1 2 4 3\nf 1 5 6 2\nf 3 4 8 7\nf 1 3 7 5\n";
   for (std::size_t first = 0; first < 5; ++first) {
-    const FacetShape shape = shape_from_obj(
+    const shape::FacetShape shape = io::shape_from_obj(
         others + face({8, 9, 6, 5, 7}, first) + face({6, 9, 8, 4, 2}, first), "x.obj");
     EXPECT_EQ(shape.open_edge(), "") << first;
-    EXPECT_NEAR(mass_properties(shape, 1.0).volume, 48.0, budget::shape_mass * 0x1p-52 * 48.0);
+    EXPECT_NEAR(shape::mass_properties(shape, 1.0).volume, 48.0,
+                budget::shape_mass * 0x1p-52 * 48.0);
   }
 }
 
@@ -115,22 +117,23 @@ TEST(Obj, WindingFacesHaveTheAreaOfTheirPolygon) {
               detail::number_text(0.75 * y) + "\n";  // tilted: areas grow by 1.25
       order.push_back(static_cast<int>(k) + 1);
     }
-    const FacetShape shape = shape_from_obj(text + face(order, corners.size() / 2), "x.obj");
+    const shape::FacetShape shape =
+        io::shape_from_obj(text + face(order, corners.size() / 2), "x.obj");
     ASSERT_EQ(shape.triangles().size(), corners.size() - 2);
     EXPECT_NEAR(shape.area(), 1.25 * std::fabs(area), budget::shape_mass * 0x1p-52 * 100.0);
-    for (const Facet& f : shape.facets()) EXPECT_GT(f.normal.z * area, 0.0);
+    for (const shape::Facet& f : shape.facets()) EXPECT_GT(f.normal.z * area, 0.0);
   }
 }
 
 TEST(Obj, FacetsMayStandBeforeTheirVertices) {
-  EXPECT_EQ(shape_from_obj("f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\n", "x").area(), 0.5);
+  EXPECT_EQ(io::shape_from_obj("f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\n", "x").area(), 0.5);
 }
 
 TEST(Obj, VerticesInOnePlaceAreOne) {
   std::string text;
-  const FacetShape shape = shape_from_obj(box, "box.obj");
+  const shape::FacetShape shape = io::shape_from_obj(box, "box.obj");
   int count = 0;
-  for (const FacetShape::Triangle& t : shape.triangles()) {
+  for (const shape::FacetShape::Triangle& t : shape.triangles()) {
     for (const std::uint32_t i : t) {
       const Vec3& v = shape.vertices()[i];
       text +=
@@ -139,7 +142,7 @@ TEST(Obj, VerticesInOnePlaceAreOne) {
     count += 3;
     text += "f -3 -2 -1\n";
   }
-  const FacetShape soup = shape_from_obj(text, "soup.obj");
+  const shape::FacetShape soup = io::shape_from_obj(text, "soup.obj");
   EXPECT_EQ(soup.vertices().size(), static_cast<std::size_t>(count));
   EXPECT_TRUE(soup.is_closed());
 }
@@ -177,7 +180,7 @@ TEST(Obj, OneLineSaysWhatIsWrongAndWhere) {
 
 TEST(Obj, FilesThatCannotBeRead) {
   for (const char* path : {"/nonexistent/a.obj", "/", "/dev/null"}) {
-    EXPECT_REJECTED(read_obj(path), std::string(path) + ": ");
+    EXPECT_REJECTED(io::read_obj(path), std::string(path) + ": ");
   }
 }
 

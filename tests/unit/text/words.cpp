@@ -30,53 +30,53 @@ using ::testing::IsEmpty;
 using FileBytes = test::InTempFolder;
 
 TEST(Nearest, CountsHalfEdits) {
-  EXPECT_EQ(detail::edit_distance("", "ab"), 4);
-  EXPECT_EQ(detail::edit_distance("phi", "Phi"), 1);
-  EXPECT_EQ(detail::edit_distance("moments", "momnets"), 2);
-  EXPECT_EQ(detail::edit_distance("kitten", "sitting"), 6);
+  EXPECT_EQ(io::detail::edit_distance("", "ab"), 4);
+  EXPECT_EQ(io::detail::edit_distance("phi", "Phi"), 1);
+  EXPECT_EQ(io::detail::edit_distance("moments", "momnets"), 2);
+  EXPECT_EQ(io::detail::edit_distance("kitten", "sitting"), 6);
 }
 
 TEST(Nearest, OffersSlipsOnly) {
   constexpr std::string_view known[] = {"precession_period", "rotation_period", "pole", "mode"};
-  EXPECT_EQ(detail::nearest("presession_period", known), "precession_period");
-  EXPECT_EQ(detail::nearest("Pole", known), "pole");
-  EXPECT_EQ(detail::nearest("rota", known), "rotation_period");
-  EXPECT_EQ(detail::nearest("x", known), "");
-  EXPECT_EQ(detail::nearest("colour", known), "");
-  EXPECT_EQ(detail::nearest(std::string(100000, 'p'), known), "");
+  EXPECT_EQ(io::detail::nearest("presession_period", known), "precession_period");
+  EXPECT_EQ(io::detail::nearest("Pole", known), "pole");
+  EXPECT_EQ(io::detail::nearest("rota", known), "rotation_period");
+  EXPECT_EQ(io::detail::nearest("x", known), "");
+  EXPECT_EQ(io::detail::nearest("colour", known), "");
+  EXPECT_EQ(io::detail::nearest(std::string(100000, 'p'), known), "");
 }
 
 TEST(Printable, IsOneLineOfAscii) {
-  EXPECT_EQ(detail::printable("a b~"), "a b~");
-  EXPECT_EQ(detail::printable("a\nb\x7f\xff"), "a\\x0ab\\x7f\\xff");
-  EXPECT_EQ(detail::printable(std::string(60, 'x')), std::string(60, 'x'));
-  EXPECT_EQ(detail::printable(std::string(61, 'x')), std::string(60, 'x') + "...");
-  EXPECT_EQ(detail::printable("abc", 2), "ab...");
+  EXPECT_EQ(io::detail::printable("a b~"), "a b~");
+  EXPECT_EQ(io::detail::printable("a\nb\x7f\xff"), "a\\x0ab\\x7f\\xff");
+  EXPECT_EQ(io::detail::printable(std::string(60, 'x')), std::string(60, 'x'));
+  EXPECT_EQ(io::detail::printable(std::string(61, 'x')), std::string(60, 'x') + "...");
+  EXPECT_EQ(io::detail::printable("abc", 2), "ab...");
 }
 
 TEST(Separated, HasAPartBetweenAnyTwoSeparators) {
-  EXPECT_THAT(separated("", '|'), IsEmpty());
-  EXPECT_THAT(separated("a", '|'), ElementsAre("a"));
-  EXPECT_THAT(separated("a,b||c|", '|'), ElementsAre("a,b", "", "c", ""));
+  EXPECT_THAT(io::separated("", '|'), IsEmpty());
+  EXPECT_THAT(io::separated("a", '|'), ElementsAre("a"));
+  EXPECT_THAT(io::separated("a,b||c|", '|'), ElementsAre("a,b", "", "c", ""));
 }
 
 TEST(WordList, EndsWithOr) {
   constexpr std::string_view words[] = {"a", "b", "c"};
-  EXPECT_EQ(detail::one_of(words), "a, b or c");
-  EXPECT_EQ(detail::one_of(std::span(words).first(2), "\""), "\"a\" or \"b\"");
-  EXPECT_EQ(detail::one_of(std::span(words).first(1)), "a");
-  EXPECT_EQ(detail::sets_in_words("stop+step|at"), "stop with step, at");
+  EXPECT_EQ(io::detail::one_of(words), "a, b or c");
+  EXPECT_EQ(io::detail::one_of(std::span(words).first(2), "\""), "\"a\" or \"b\"");
+  EXPECT_EQ(io::detail::one_of(std::span(words).first(1)), "a");
+  EXPECT_EQ(io::detail::sets_in_words("stop+step|at"), "stop with step, at");
 }
 
 // Numbers are written as std::to_chars writes them, character by character.
 
 std::string ours(double x) {
-  char text[polhode::detail::longest_number];
-  return {text, polhode::detail::write_number(text, x)};
+  char text[io::detail::longest_number];
+  return {text, io::detail::write_number(text, x)};
 }
 
 std::string of_the_standard_library(double x) {
-  char text[polhode::detail::longest_number];
+  char text[io::detail::longest_number];
   return {text, std::to_chars(text, text + sizeof text, x).ptr};
 }
 
@@ -132,32 +132,32 @@ std::string bytes_of_length(std::size_t length) {
 TEST_F(FileBytes, AreAllOfThem) {
   for (const std::size_t length : {0U, 1U, 65535U, 65536U, 65537U, 200000U}) {
     const std::string bytes = bytes_of_length(length), path = write("x", bytes);
-    EXPECT_TRUE(detail::file_bytes(path) == bytes) << length;
-    EXPECT_TRUE(detail::file_bytes(path, 65536) == bytes.substr(0, 65536)) << length;
-    EXPECT_TRUE(detail::file_bytes(path, 3) == bytes.substr(0, 3)) << length;
+    EXPECT_TRUE(io::detail::file_bytes(path) == bytes) << length;
+    EXPECT_TRUE(io::detail::file_bytes(path, 65536) == bytes.substr(0, 65536)) << length;
+    EXPECT_TRUE(io::detail::file_bytes(path, 3) == bytes.substr(0, 3)) << length;
   }
 }
 
 TEST_F(FileBytes, AreNoneOfWhatCannotBeRead) {
-  EXPECT_FALSE(detail::file_bytes(path("x")).has_value());
+  EXPECT_FALSE(io::detail::file_bytes(path("x")).has_value());
   EXPECT_EQ(errno, ENOENT);
-  EXPECT_FALSE(detail::file_bytes(path("")).has_value());
+  EXPECT_FALSE(io::detail::file_bytes(path("")).has_value());
   EXPECT_EQ(errno, EISDIR);
 }
 
 TEST(Citations, AnEntryIsThatOfTheReferencesWithoutOurOwnField) {
-  EXPECT_EQ(bibtex({"sadov1970", "a text", "a reason"}).substr(0, 19), "@article{sadov1970,");
-  const std::string serret = bibtex({"serret1866", "", ""});
+  EXPECT_EQ(io::bibtex({"sadov1970", "a text", "a reason"}).substr(0, 19), "@article{sadov1970,");
+  const std::string serret = io::bibtex({"serret1866", "", ""});
   EXPECT_TRUE(serret.ends_with("  year    = {1866}\n}\n")) << serret;
   EXPECT_EQ(serret.find("nodoi"), std::string::npos);
 }
 
 TEST(Citations, AWorkOfAKindOfYourOwnIsItsTextForLatex) {
-  const Citation own{"smith2030", "Smith & Co {2030}. 100% of \\H_2. A~B", ""};
-  EXPECT_EQ(bibtex(own),
+  const io::Citation own{"smith2030", "Smith & Co {2030}. 100% of \\H_2. A~B", ""};
+  EXPECT_EQ(io::bibtex(own),
             "@misc{smith2030,\n  howpublished = {Smith \\& Co 2030. 100\\% of H\\_2. AB}\n}\n");
   // a key that is the end of another one is not that one
-  EXPECT_EQ(bibtex({"1866", "t", ""}).substr(0, 11), "@misc{1866,");
+  EXPECT_EQ(io::bibtex({"1866", "t", ""}).substr(0, 11), "@misc{1866,");
 }
 
 }  // namespace

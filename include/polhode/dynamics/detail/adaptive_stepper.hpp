@@ -9,9 +9,9 @@
 #include <tuple>
 #include <utility>
 
+#include "polhode/detail/ode/adaptive_runge_kutta.hpp"
+#include "polhode/detail/ode/verner98.hpp"
 #include "polhode/dynamics/detail/stepper.hpp"
-#include "polhode/ode/adaptive_runge_kutta.hpp"
-#include "polhode/ode/verner98.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -10,10 +10,10 @@
 #include <utility>
 #include <vector>
 
+#include "polhode/detail/trajectory/archive.hpp"
 #include "polhode/dynamics/detail/met_events.hpp"
 #include "polhode/dynamics/detail/time_zeros.hpp"
 #include "polhode/dynamics/event.hpp"
-#include "polhode/trajectory/archive.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "polhode/trajectory/sample.hpp"
+#include "polhode/trajectory/trajectory.hpp"
 
 namespace polhode {
 inline namespace v0 {

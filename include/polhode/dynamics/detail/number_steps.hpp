@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "polhode/detail/ode/adaptive_runge_kutta.hpp"
+#include "polhode/detail/trajectory/archive.hpp"
 #include "polhode/dynamics/method.hpp"
 #include "polhode/math/double_double.hpp"
-#include "polhode/ode/adaptive_runge_kutta.hpp"
-#include "polhode/trajectory/archive.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -14,7 +14,7 @@
 #include "polhode/dynamics/detail/run_span.hpp"
 #include "polhode/dynamics/detail/sample_queue.hpp"
 #include "polhode/dynamics/detail/stepper.hpp"
-#include "polhode/dynamics/resume.hpp"
+#include "polhode/dynamics/integrate.hpp"
 #include "polhode/error.hpp"
 
 namespace polhode {

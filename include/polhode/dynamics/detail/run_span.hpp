@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "polhode/trajectory/archive.hpp"
+#include "polhode/detail/trajectory/archive.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "polhode/trajectory/archive.hpp"
-#include "polhode/trajectory/progress.hpp"
+#include "polhode/detail/trajectory/archive.hpp"
 #include "polhode/trajectory/save_at.hpp"
+#include "polhode/trajectory/trajectory.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "polhode/trajectory/archive.hpp"
+#include "polhode/detail/trajectory/archive.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <limits>
 
+#include "polhode/detail/math/wide_range.hpp"
 #include "polhode/elliptic/carlson.hpp"
 #include "polhode/elliptic/detail/lockstep.hpp"
 #include "polhode/elliptic/detail/packs.hpp"
@@ -13,10 +14,10 @@
 #include "polhode/math/double_double.hpp"
 #include "polhode/math/dual.hpp"
 #include "polhode/math/real.hpp"
-#include "polhode/math/widening.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace elliptic {
 
 namespace detail {
 
@@ -198,5 +199,6 @@ extern template DoubleDouble complete_d<DoubleDouble>(const BasicModulus<DoubleD
 extern template DoubleDouble complete_pi<DoubleDouble>(const DoubleDouble&,
                                                        const BasicModulus<DoubleDouble>&);
 
+}  // namespace elliptic
 }  // namespace v0
 }  // namespace polhode

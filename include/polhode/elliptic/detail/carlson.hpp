@@ -16,6 +16,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace elliptic {
 
 namespace detail {
 
@@ -265,5 +266,6 @@ extern template DoubleDouble carlson_rc<DoubleDouble>(const DoubleDouble&, const
 extern template DoubleDouble carlson_rj<DoubleDouble>(DoubleDouble, DoubleDouble, DoubleDouble,
                                                       DoubleDouble);
 
+}  // namespace elliptic
 }  // namespace v0
 }  // namespace polhode

@@ -6,15 +6,16 @@
 #include <cstddef>
 #include <limits>
 
+#include "polhode/detail/math/wide_range.hpp"
 #include "polhode/elliptic/detail/lockstep.hpp"
 #include "polhode/elliptic/detail/packs.hpp"
 #include "polhode/math/double_double.hpp"
 #include "polhode/math/dual.hpp"
 #include "polhode/math/real.hpp"
-#include "polhode/math/widening.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace elliptic {
 
 namespace detail {
 
@@ -201,5 +202,6 @@ extern template double carlson_rd<double>(double, double, double);
 extern template DoubleDouble carlson_rf<DoubleDouble>(DoubleDouble, DoubleDouble, DoubleDouble);
 extern template DoubleDouble carlson_rd<DoubleDouble>(DoubleDouble, DoubleDouble, DoubleDouble);
 
+}  // namespace elliptic
 }  // namespace v0
 }  // namespace polhode

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "polhode/detail/math/trigonometry.hpp"
 #include "polhode/elliptic/agm.hpp"
 #include "polhode/elliptic/carlson.hpp"
 #include "polhode/elliptic/detail/packs.hpp"
@@ -13,10 +14,10 @@
 #include "polhode/math/double_double.hpp"
 #include "polhode/math/dual.hpp"
 #include "polhode/math/real.hpp"
-#include "polhode/math/trigonometry.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace elliptic {
 
 namespace detail {
 
@@ -249,5 +250,6 @@ extern template Jacobi<DoubleDouble> jacobi<DoubleDouble>(const DoubleDouble&,
 extern template DoubleDouble amplitude<DoubleDouble>(const DoubleDouble&,
                                                      const BasicModulus<DoubleDouble>&);
 
+}  // namespace elliptic
 }  // namespace v0
 }  // namespace polhode

@@ -6,18 +6,18 @@
 #include <concepts>
 #include <limits>
 
+#include "polhode/detail/math/wide_range.hpp"
 #include "polhode/elliptic/agm.hpp"
 #include "polhode/elliptic/carlson.hpp"
 #include "polhode/elliptic/detail/packs.hpp"
-#include "polhode/elliptic/half_turns.hpp"
 #include "polhode/elliptic/modulus.hpp"
 #include "polhode/math/double_double.hpp"
 #include "polhode/math/dual.hpp"
 #include "polhode/math/real.hpp"
-#include "polhode/math/widening.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace elliptic {
 
 namespace detail {
 
@@ -289,5 +289,6 @@ extern template DoubleDouble legendre_b<DoubleDouble>(const DoubleDouble&, const
 extern template DoubleDouble legendre_b<DoubleDouble>(const DoubleDouble&,
                                                       const BasicModulus<DoubleDouble>&);
 
+}  // namespace elliptic
 }  // namespace v0
 }  // namespace polhode

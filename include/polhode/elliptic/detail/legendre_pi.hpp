@@ -15,6 +15,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace elliptic {
 
 namespace detail {
 
@@ -129,5 +130,6 @@ extern template DoubleDouble legendre_pi<DoubleDouble>(const DoubleDouble&, cons
 extern template DoubleDouble legendre_pi<DoubleDouble>(const DoubleDouble&, const DoubleDouble&,
                                                        const BasicModulus<DoubleDouble>&);
 
+}  // namespace elliptic
 }  // namespace v0
 }  // namespace polhode

@@ -5,11 +5,11 @@
 
 #include <cstddef>
 
-#include "polhode/math/number.hpp"
 #include "polhode/math/real.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace elliptic {
 namespace detail {
 
 template <Number T>
@@ -41,5 +41,6 @@ class Lockstep {
 };
 
 }  // namespace detail
+}  // namespace elliptic
 }  // namespace v0
 }  // namespace polhode

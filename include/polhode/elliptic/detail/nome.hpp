@@ -15,6 +15,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace elliptic {
 
 namespace detail {
 
@@ -81,5 +82,6 @@ T complementary_nome(const BasicModulus<T>& mod) {
 extern template double nome<double>(const BasicModulus<double>&);
 extern template DoubleDouble nome<DoubleDouble>(const BasicModulus<DoubleDouble>&);
 
+}  // namespace elliptic
 }  // namespace v0
 }  // namespace polhode

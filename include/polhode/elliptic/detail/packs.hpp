@@ -9,11 +9,11 @@
 #include <type_traits>
 
 #include "polhode/elliptic/modulus.hpp"
-#include "polhode/math/number.hpp"
 #include "polhode/math/real.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace elliptic {
 namespace detail {
 
 // Numbers rounded to double: of a scalar a double, of a pack the pack of them.
@@ -66,5 +66,6 @@ bool all_before_separatrix(const BasicModulus<Pack>& mod) {
 }
 
 }  // namespace detail
+}  // namespace elliptic
 }  // namespace v0
 }  // namespace polhode

@@ -10,6 +10,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace ensemble {
 namespace detail {
 
 void erased_parallel_for(std::int64_t first, std::int64_t count, int threads,
@@ -17,5 +18,6 @@ void erased_parallel_for(std::int64_t first, std::int64_t count, int threads,
                          const std::function<void(std::int64_t, const void*)>& sink);
 
 }  // namespace detail
+}  // namespace ensemble
 }  // namespace v0
 }  // namespace polhode

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Coefficients of the Cayley-Klein series of a polhode (see polhode/free/cayley_klein.hpp for the
-// sums).
+// Coefficients of the Cayley-Klein series of a polhode (see polhode/detail/free/cayley_klein.hpp
+// for the sums).
 #pragma once
 
 #include <array>
 #include <cmath>
 #include <cstddef>
 
+#include "polhode/detail/free/cayley_klein.hpp"
 #include "polhode/elliptic/carlson.hpp"
-#include "polhode/free/cayley_klein.hpp"
 #include "polhode/free/detail/polhode_curve.hpp"
 
 namespace polhode {
@@ -42,7 +42,7 @@ T theta_shift(const PolhodeCurve<T>& c) {
   using std::sqrt;
   const T sin2 = T(1.0) / (T(1.0) + c.kap2);
   const T cos2 = c.kap2 * sin2;
-  return sqrt(sin2) * carlson_rf(cos2, cos2 + c.k2 * sin2, T(1.0));
+  return sqrt(sin2) * elliptic::carlson_rf(cos2, cos2 + c.k2 * sin2, T(1.0));
 }
 
 // tan(theta/2) at u = 0, theta the angle between axis 3' and the momentum.

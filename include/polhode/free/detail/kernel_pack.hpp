@@ -4,8 +4,8 @@
 
 #include <cstddef>
 
-#include "polhode/free/free_kernel.hpp"
-#include "polhode/math/number.hpp"
+#include "polhode/detail/free/free_kernel.hpp"
+#include "polhode/math/real.hpp"
 #include "polhode/rotor/rotor_state.hpp"
 
 namespace polhode {

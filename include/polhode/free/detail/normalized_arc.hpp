@@ -160,10 +160,11 @@ T argument_at(const PolhodeCurve<T>& curve, const T& c, const T& s) {
   if constexpr (derivative_order<T> > 0) {
     // along the ellipse, not through c^2: at c = 0 its root has no derivative
     const T r = sqrt(r2);
-    return legendre_f(T(s / r), T(c / r), BasicModulus<T>::from_ratio(curve.k2, curve.kp2));
+    return elliptic::legendre_f(T(s / r), T(c / r),
+                                elliptic::BasicModulus<T>::from_ratio(curve.k2, curve.kp2));
   } else {
     const T c2 = c * c / r2, s2 = s * s / r2;
-    return s / sqrt(r2) * carlson_rf(c2, c2 + curve.kp2 * s2, T(1.0));
+    return s / sqrt(r2) * elliptic::carlson_rf(c2, c2 + curve.kp2 * s2, T(1.0));
   }
 }
 

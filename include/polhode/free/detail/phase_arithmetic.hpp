@@ -7,13 +7,12 @@
 #include <concepts>
 #include <type_traits>
 
+#include "polhode/detail/free/free_kernel.hpp"
+#include "polhode/detail/math/trigonometry.hpp"
 #include "polhode/free/detail/reduced_sincos.hpp"
-#include "polhode/free/free_kernel.hpp"
 #include "polhode/math/double_double.hpp"
 #include "polhode/math/dual.hpp"
-#include "polhode/math/error_free.hpp"
 #include "polhode/math/real.hpp"
-#include "polhode/math/trigonometry.hpp"
 
 namespace polhode {
 inline namespace v0 {

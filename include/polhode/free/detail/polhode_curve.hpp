@@ -131,10 +131,10 @@ PolhodeCurve<T> polhode_curve(const BasicVec3<T>& I, const T& G, const Discrimin
   c.separatrix = !(c.kp2_mantissa > T(0.0));
   c.merging =
       c.separatrix || std::ilogb(to_double(c.kp2_mantissa)) + c.kp2_exponent < merging_exponent;
-  const BasicModulus<T> modulus = BasicModulus<T>::from_ratio(c.k2, c.kp2);
+  const elliptic::BasicModulus<T> modulus = elliptic::BasicModulus<T>::from_ratio(c.k2, c.kp2);
   if (!c.separatrix)
-    c.K = c.merging ? merging_k(c.kp2_mantissa, c.kp2_exponent) : complete_k(modulus);
-  if (c.k2 > T(0.0)) c.Kp = complete_k(modulus.complement());
+    c.K = c.merging ? merging_k(c.kp2_mantissa, c.kp2_exponent) : elliptic::complete_k(modulus);
+  if (c.k2 > T(0.0)) c.Kp = elliptic::complete_k(modulus.complement());
   return c;
 }
 

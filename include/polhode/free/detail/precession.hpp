@@ -24,10 +24,10 @@ T polhode_mean(const PolhodeCurve<T>& c, const T& b, const T& p) {
   using std::sqrt;
   if (c.separatrix) return b / p;
   if (c.merging) {
-    const T outside = carlson_rc(T(1.0), p) / c.K;
+    const T outside = elliptic::carlson_rc(T(1.0), p) / c.K;
     return b / p * (T(1.0) - outside) + outside;
   }
-  return cel(sqrt(c.kp2), p, T(1.0), b) / c.K;
+  return elliptic::cel(sqrt(c.kp2), p, T(1.0), b) / c.K;
 }
 
 // Precession about the momentum of primed axes 1 and 3, (G/C) <(1 + r2 (C/A) sn^2)/(1 + r2 sn^2)>

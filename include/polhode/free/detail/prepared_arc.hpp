@@ -8,11 +8,11 @@
 #include <cstddef>
 #include <limits>
 
+#include "polhode/detail/free/free_kernel.hpp"
 #include "polhode/free/detail/cayley_klein_coefficients.hpp"
 #include "polhode/free/detail/normalized_arc.hpp"
 #include "polhode/free/detail/precession.hpp"
 #include "polhode/free/detail/state_at.hpp"
-#include "polhode/free/free_kernel.hpp"
 #include "polhode/math/dual.hpp"
 
 namespace polhode {

@@ -4,9 +4,9 @@
 
 #include <cstddef>
 
+#include "polhode/detail/free/free_kernel.hpp"
 #include "polhode/free/detail/kernel_pack.hpp"
 #include "polhode/free/detail/prepared_arc.hpp"
-#include "polhode/free/free_kernel.hpp"
 #include "polhode/math/double_double.hpp"
 #include "polhode/math/dual.hpp"
 #include "polhode/rotor/body.hpp"

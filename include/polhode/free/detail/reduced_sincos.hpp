@@ -9,9 +9,9 @@
 #include <cmath>
 #include <cstdint>
 
-#include "polhode/math/error_free.hpp"
-#include "polhode/math/number.hpp"
-#include "polhode/math/trigonometry.hpp"
+#include "polhode/detail/math/trigonometry.hpp"
+#include "polhode/math/double_double.hpp"
+#include "polhode/math/real.hpp"
 
 namespace polhode {
 inline namespace v0 {

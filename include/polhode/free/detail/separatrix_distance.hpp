@@ -14,7 +14,6 @@
 #include <utility>
 
 #include "polhode/math/double_double.hpp"
-#include "polhode/math/error_free.hpp"
 #include "polhode/math/vector.hpp"
 
 namespace polhode {

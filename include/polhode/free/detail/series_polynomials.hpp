@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "polhode/math/number.hpp"
+#include "polhode/math/real.hpp"
 
 namespace polhode {
 inline namespace v0 {

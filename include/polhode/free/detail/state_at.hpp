@@ -4,10 +4,10 @@
 
 #include <cmath>
 
+#include "polhode/detail/free/free_kernel.hpp"
+#include "polhode/detail/math/trigonometry.hpp"
 #include "polhode/free/detail/phase_arithmetic.hpp"
-#include "polhode/free/free_kernel.hpp"
-#include "polhode/math/error_free.hpp"
-#include "polhode/math/trigonometry.hpp"
+#include "polhode/math/double_double.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -10,6 +10,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace light {
 namespace detail {
 
 [[noreturn]] void fail_light_time(const LightCurve& curve, std::size_t point, const char* what);
@@ -30,5 +31,6 @@ double light_time_root(const Length& length_at, double t, double c) {
 }
 
 }  // namespace detail
+}  // namespace light
 }  // namespace v0
 }  // namespace polhode

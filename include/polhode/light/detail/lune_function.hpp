@@ -9,6 +9,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace light {
 namespace detail {
 
 // Added to what a logarithm is taken of: 0 log 0 is 0 then, with its derivative, as the limit is.
@@ -65,5 +66,6 @@ inline LuneSlope lune_slope(double w2, double e) {
 }
 
 }  // namespace detail
+}  // namespace light
 }  // namespace v0
 }  // namespace polhode

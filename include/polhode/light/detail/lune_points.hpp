@@ -13,6 +13,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace light {
 namespace detail {
 
 // A number without its derivatives.
@@ -95,5 +96,6 @@ void for_lune_points(const BasicVec3<T>& s, const BasicVec3<T>& o, const F& f) {
 }
 
 }  // namespace detail
+}  // namespace light
 }  // namespace v0
 }  // namespace polhode

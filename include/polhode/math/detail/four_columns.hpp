@@ -5,7 +5,7 @@
 #include <array>
 #include <cstring>
 
-#include "polhode/math/pack.hpp"
+#include "polhode/detail/math/pack.hpp"
 
 namespace polhode {
 inline namespace v0 {

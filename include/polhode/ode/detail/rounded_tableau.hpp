@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-#include "polhode/ode/is_double_double.hpp"
+#include "polhode/detail/ode/is_double_double.hpp"
 
 namespace polhode {
 inline namespace v0 {

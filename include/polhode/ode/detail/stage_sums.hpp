@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "polhode/ode/is_double_double.hpp"
+#include "polhode/detail/ode/is_double_double.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "polhode/orbit/many_times.hpp"
+#include "polhode/detail/orbit/many_times.hpp"
 #include "polhode/orbit/orbit.hpp"
 
 namespace polhode {

@@ -12,6 +12,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 template <class T>
@@ -38,5 +39,6 @@ inline void put_columns(const Quaternion& q, std::span<double> out) {
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "polhode/math/vector.hpp"
-#include "polhode/shape/mass_moments.hpp"
+#include "polhode/shape/mass_properties.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -13,7 +13,7 @@ struct TidalBody;
 namespace detail {
 
 void require_gravity(double gm);
-void require_higher_gravity(double gm, const MassMoments& moments);
+void require_higher_gravity(double gm, const shape::MassMoments& moments);
 // gm J2 R^2.
 double checked_strength(double gm, const Oblateness& of);
 // 3 k2 gm M R^5 lag.

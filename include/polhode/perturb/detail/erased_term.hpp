@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "polhode/perturb/affine_torque.hpp"
+#include "polhode/detail/perturb/affine_torque.hpp"
 #include "polhode/perturb/detail/stage_terms.hpp"
 #include "polhode/perturb/effect.hpp"
 

@@ -5,7 +5,7 @@
 #include <cstddef>
 
 #include "polhode/math/vector.hpp"
-#include "polhode/shape/mass_moments.hpp"
+#include "polhode/shape/mass_properties.hpp"
 
 namespace polhode {
 inline namespace v0 {
@@ -14,24 +14,24 @@ namespace detail {
 // A harmonic polynomial of a degree by its gradient: p = x . grad p / degree.
 template <int degree>
 struct HarmonicGradient {
-  BasicMoments<double, degree - 1> by[3];
+  shape::BasicMoments<double, degree - 1> by[3];
 
   bool operator==(const HarmonicGradient&) const = default;
 };
 // p_3 and p_4 of the header.
-HarmonicGradient<3> potential_gradient(const BasicMoments<double, 3>& m);
-HarmonicGradient<4> potential_gradient(const BasicMoments<double, 4>& m);
+HarmonicGradient<3> potential_gradient(const shape::BasicMoments<double, 3>& m);
+HarmonicGradient<4> potential_gradient(const shape::BasicMoments<double, 4>& m);
 
 // The ten products of three from the six products of two.
 template <Number T>
-BasicMoments<T, 3> cubes_of(const BasicMoments<T, 2>& s, const BasicVec3<T>& n) {
+shape::BasicMoments<T, 3> cubes_of(const shape::BasicMoments<T, 2>& s, const BasicVec3<T>& n) {
   return {s[0] * n.x, s[0] * n.y, s[0] * n.z, s[3] * n.x, s[4] * n.x,
           s[5] * n.x, s[3] * n.y, s[3] * n.z, s[5] * n.y, s[5] * n.z};
 }
 
 template <int degree, Number T>
 BasicVec3<T> gradient(const HarmonicGradient<degree>& p,
-                      const BasicMoments<T, degree - 1>& monomials) {
+                      const shape::BasicMoments<T, degree - 1>& monomials) {
   BasicVec3<T> sum;
   for (int i = 0; i < 3; ++i)
     for (std::size_t k = 0; k < monomials.size(); ++k)  // 6 or 10

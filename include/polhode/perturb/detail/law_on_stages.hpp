@@ -9,10 +9,10 @@
 #include <span>
 #include <type_traits>
 
-#include "polhode/math/pack.hpp"
+#include "polhode/detail/math/pack.hpp"
+#include "polhode/detail/perturb/stages.hpp"
 #include "polhode/perturb/detail/rotate_inverse.hpp"
 #include "polhode/perturb/effect.hpp"
-#include "polhode/perturb/stages.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -13,7 +13,7 @@
 
 #include "polhode/math/quaternion.hpp"
 #include "polhode/math/vector.hpp"
-#include "polhode/rotor/pole.hpp"
+#include "polhode/rotor/rotor_state.hpp"
 
 namespace polhode {
 inline namespace v0 {

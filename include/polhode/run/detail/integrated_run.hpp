@@ -10,12 +10,13 @@
 #include <utility>
 #include <vector>
 
-#include "polhode/dynamics/resume.hpp"
+#include "polhode/dynamics/integrate.hpp"
 #include "polhode/run/detail/row_writer.hpp"
 #include "polhode/run/detail/run_state.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 // What an experiment says of its motion.
@@ -143,5 +144,6 @@ IntegratedEnd<typename M::State> integrated_run(const RowsOfMotion<M>& motion, R
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

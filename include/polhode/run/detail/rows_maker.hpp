@@ -11,6 +11,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 // The report with its counts, and the sinks finished unless the run failed.
@@ -26,5 +27,6 @@ struct RowsMaker {
 };
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -10,11 +10,12 @@
 #include <string>
 #include <vector>
 
+#include "polhode/detail/trajectory/archive.hpp"
 #include "polhode/run/run.hpp"
-#include "polhode/trajectory/archive.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 struct RunState {
@@ -43,5 +44,6 @@ RunReport run_rows(const Scenario& scenario, std::span<const std::unique_ptr<Sin
                    const RunControl& control);
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

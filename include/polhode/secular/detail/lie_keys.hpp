@@ -18,6 +18,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace secular {
 namespace detail {
 
 // A cosine, a sine, or both of an angle: a coefficient of cosines alone that never cancels.
@@ -25,9 +26,9 @@ class KeyFunctions {
  public:
   constexpr KeyFunctions() = default;
   explicit constexpr KeyFunctions(int n) : bits_(n == 0 ? 0 : 1) {}
-  static constexpr KeyFunctions of(Trigonometric function) {
+  static constexpr KeyFunctions of(series::Trigonometric function) {
     KeyFunctions one(1);
-    if (function == Trigonometric::sine) one.bits_ = 2;
+    if (function == series::Trigonometric::sine) one.bits_ = 2;
     return one;
   }
 
@@ -57,21 +58,21 @@ class KeyFunctions {
   unsigned char bits_ = 0;
 };
 
-using Keys = Series<KeyFunctions>;
+using Keys = series::Series<KeyFunctions>;
 
 template <class T>
-Keys keys_of(const Series<T>& a) {
-  std::vector<Term<KeyFunctions>> terms;
+Keys keys_of(const series::Series<T>& a) {
+  std::vector<series::Term<KeyFunctions>> terms;
   terms.reserve(a.size());
-  for (const Term<T>& term : a.terms())
+  for (const series::Term<T>& term : a.terms())
     terms.push_back(
         {{term.key.exponents, term.key.angle()}, KeyFunctions::of(term.key.function())});
   return Keys(a.symbols(), std::move(terms));
 }
 template <class T>
-std::vector<Keys> keys_of(const std::vector<Series<T>>& parts) {
+std::vector<Keys> keys_of(const std::vector<series::Series<T>>& parts) {
   std::vector<Keys> keys;
-  for (const Series<T>& part : parts) keys.push_back(keys_of(part));
+  for (const series::Series<T>& part : parts) keys.push_back(keys_of(part));
   return keys;
 }
 
@@ -119,5 +120,6 @@ class LieKeys {
 };
 
 }  // namespace detail
+}  // namespace secular
 }  // namespace v0
 }  // namespace polhode

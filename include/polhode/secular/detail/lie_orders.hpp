@@ -11,89 +11,93 @@
 #include <utility>
 #include <vector>
 
-#include "polhode/series/derivative.hpp"
 #include "polhode/series/linear_flow.hpp"
 #include "polhode/series/product.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace secular {
 namespace detail {
 
 template <class T>
-using Parts = std::vector<Series<T>>;
+using Parts = std::vector<series::Series<T>>;
 
 // Throws unless the weights are those of small parameters.
-void require_small(const Symbols& symbols, const Truncation& keep);
+void require_small(const series::Symbols& symbols, const series::Truncation& keep);
 
 // Which terms stay in the mean Hamiltonian.
 class KeptAngles {
  public:
-  KeptAngles(const Symbols& symbols, const std::vector<std::string>& angles,
+  KeptAngles(const series::Symbols& symbols, const std::vector<std::string>& angles,
              const std::vector<std::vector<std::pair<std::string, int>>>& resonances);
   // None of the angles, or a multiple of a resonance.
-  bool keeps(const TermKey& key) const;
+  bool keeps(const series::TermKey& key) const;
 
  private:
-  Symbols symbols_;
+  series::Symbols symbols_;
   std::vector<int> places_;
   std::vector<std::vector<int>> resonances_;  // multipliers of the places
 };
 
 template <class T>
-void require_integrable(const Series<T>& h0) {
+void require_integrable(const series::Series<T>& h0) {
   for (const std::string& angle : h0.symbols().angles())
-    if (!derivative(h0, angle).is_zero())
+    if (!series::derivative(h0, angle).is_zero())
       throw DomainError("LieTransform: the part of order 0 depends on the angle " + angle);
-  for (const ConjugatePair& pair : h0.symbols().pairs())
-    if (h0.symbols().has_variable(pair.coordinate) && !derivative(h0, pair.coordinate).is_zero())
+  for (const series::ConjugatePair& pair : h0.symbols().pairs())
+    if (h0.symbols().has_variable(pair.coordinate) &&
+        !series::derivative(h0, pair.coordinate).is_zero())
       throw DomainError("LieTransform: the part of order 0 depends on the coordinate " +
                         pair.coordinate);
   // q would advance in time, and nothing here follows it.
-  for (const ConjugatePair& pair : h0.symbols().pairs())
-    if (h0.symbols().has_variable(pair.coordinate) && !derivative(h0, pair.momentum).is_zero())
+  for (const series::ConjugatePair& pair : h0.symbols().pairs())
+    if (h0.symbols().has_variable(pair.coordinate) &&
+        !series::derivative(h0, pair.momentum).is_zero())
       throw DomainError("LieTransform: the part of order 0 depends on the momentum " +
                         pair.momentum + " of " + pair.coordinate +
                         ", which is a variable; give that part an order");
 }
 
 template <class T>
-void require_clock(const Series<T>& h, const AngleRate<T>& clock, const Truncation& keep) {
-  const Symbols& symbols = h.symbols();
-  require_same(symbols, clock.rate.symbols());
+void require_clock(const series::Series<T>& h, const series::AngleRate<T>& clock,
+                   const series::Truncation& keep) {
+  const series::Symbols& symbols = h.symbols();
+  series::detail::require_same(symbols, clock.rate.symbols());
   symbols.angle(clock.angle);
   for (const auto& [q, p] : symbols.pairs())
-    if (q == clock.angle && !derivative(h, p).is_zero())
+    if (q == clock.angle && !series::derivative(h, p).is_zero())
       throw DomainError("LieTransform: the clock " + q + " has the momentum " + p +
                         ", and a rate by the Hamiltonian");
-  const Orders orders(symbols, keep);
+  const series::detail::Orders orders(symbols, keep);
   const auto refuse = [&](const std::string& why) {
     throw DomainError("LieTransform: the rate of the clock " + clock.angle + " " + why);
   };
-  for (const Term<T>& term : clock.rate.terms()) {
+  for (const series::Term<T>& term : clock.rate.terms()) {
     if (term.key.angle() != symbols.multipliers().zero()) refuse("depends on angles");
     if (orders.of(term.key) != 0) refuse("has a small parameter");
   }
-  for (const ConjugatePair& pair : symbols.pairs())
+  for (const series::ConjugatePair& pair : symbols.pairs())
     for (const std::string& name : {pair.coordinate, pair.momentum})
-      if (!derivative(clock.rate, name).is_zero()) refuse("depends on " + name + ", of a pair");
+      if (!series::derivative(clock.rate, name).is_zero())
+        refuse("depends on " + name + ", of a pair");
 }
 
 template <class T>
-Parts<T> parts(const Series<T>& f, const Truncation& keep) {
-  const Orders orders(f.symbols(), keep);
-  for (const Term<T>& term : f.terms())
+Parts<T> parts(const series::Series<T>& f, const series::Truncation& keep) {
+  const series::detail::Orders orders(f.symbols(), keep);
+  for (const series::Term<T>& term : f.terms())
     if (orders.of(term.key) < 0)
-      throw DomainError("LieTransform: the term with " + text(f.symbols(), term.key) +
+      throw DomainError("LieTransform: the term with " + series::text(f.symbols(), term.key) +
                         " has an order below 0");
   Parts<T> all;
-  for (int n = 0; n <= keep.order; ++n) all.push_back(part_of_order(f, keep, n));
+  for (int n = 0; n <= keep.order; ++n) all.push_back(series::part_of_order(f, keep, n));
   return all;
 }
 
 template <class T>
-Series<T> sum(const Parts<T>& parts) {
-  Series<T> whole(parts[0].symbols());
-  for (const Series<T>& part : parts) whole += part;
+series::Series<T> sum(const Parts<T>& parts) {
+  series::Series<T> whole(parts[0].symbols());
+  for (const series::Series<T>& part : parts) whole += part;
   return whole;
 }
 
@@ -113,23 +117,24 @@ T binomial(std::size_t n, std::size_t k) {
 }
 
 // Throws for an unknown one.
-void require_symbol(const Symbols& symbols, std::string_view name);
+void require_symbol(const series::Symbols& symbols, std::string_view name);
 
 // {x, s} of the symbol x itself: ds/dp of a coordinate, -ds/dq of a momentum, 0 of others.
 template <class T>
-Series<T> symbol_bracket(const Series<T>& s, std::string_view name) {
-  for (const ConjugatePair& pair : s.symbols().pairs()) {
-    if (pair.coordinate == name) return derivative(s, pair.momentum);
-    if (pair.momentum == name) return -derivative(s, pair.coordinate);
+series::Series<T> symbol_bracket(const series::Series<T>& s, std::string_view name) {
+  for (const series::ConjugatePair& pair : s.symbols().pairs()) {
+    if (pair.coordinate == name) return series::derivative(s, pair.momentum);
+    if (pair.momentum == name) return -series::derivative(s, pair.coordinate);
   }
-  return Series<T>(s.symbols());
+  return series::Series<T>(s.symbols());
 }
 
 template <class T>
 struct LieSolver {
-  std::function<Series<T>(const Series<T>&)> flow;  // {H_0, s}
+  std::function<series::Series<T>(const series::Series<T>&)> flow;  // {H_0, s}
   // What stays of the rest, and the s whose flow takes the others away.
-  std::function<std::pair<Series<T>, Series<T>>(const Series<T>&)> eliminated;
+  std::function<std::pair<series::Series<T>, series::Series<T>>(const series::Series<T>&)>
+      eliminated;
 };
 
 template <class T>
@@ -141,23 +146,23 @@ struct MeanAndGenerator {
 
 // That of rows[m], m >= 1, from s_1 to s_(n - 1), and from s_n too where it is there.
 template <class T>
-Series<T> hori_entry(const std::vector<Parts<T>>& rows, const Parts<T>& s, std::size_t m,
-                     std::size_t n, const Truncation& keep) {
-  Series<T> entry(s[0].symbols());
-  for (std::size_t j = 1; j < n; ++j) entry += bracket(rows[m - 1][n - j], s[j], keep);
+series::Series<T> hori_entry(const std::vector<Parts<T>>& rows, const Parts<T>& s, std::size_t m,
+                             std::size_t n, const series::Truncation& keep) {
+  series::Series<T> entry(s[0].symbols());
+  for (std::size_t j = 1; j < n; ++j) entry += series::bracket(rows[m - 1][n - j], s[j], keep);
   return entry / T(static_cast<int>(m));
 }
 
 template <class T>
 MeanAndGenerator<T> hori_mean(const Parts<T>& h, const LieSolver<T>& solver,
-                              const Truncation& keep) {
+                              const series::Truncation& keep) {
   const std::size_t count = h.size();
-  const Series<T> zero(h[0].symbols());
+  const series::Series<T> zero(h[0].symbols());
   MeanAndGenerator<T> found{{h[0]}, {zero}};
   std::vector<Parts<T>> rows(count, Parts<T>(count, zero));
   rows[0] = h;
   for (std::size_t n = 1; n < count; ++n) {
-    Series<T> rest = h[n];
+    series::Series<T> rest = h[n];
     for (std::size_t m = 1; m <= n; ++m) {
       rows[m][n] = hori_entry(rows, found.generator, m, n, keep);
       rest += rows[m][n];
@@ -172,11 +177,11 @@ MeanAndGenerator<T> hori_mean(const Parts<T>& h, const LieSolver<T>& solver,
 
 template <class T, class First>
 Parts<T> hori_map(const Parts<T>& f, Parts<T> s, const First& first, bool back,
-                  const Truncation& keep) {
+                  const series::Truncation& keep) {
   const std::size_t count = s.size();
   if (back)
-    for (Series<T>& one : s) one = -one;
-  std::vector<Parts<T>> rows(count, Parts<T>(count, Series<T>(s[0].symbols())));
+    for (series::Series<T>& one : s) one = -one;
+  std::vector<Parts<T>> rows(count, Parts<T>(count, series::Series<T>(s[0].symbols())));
   rows[0] = f;
   Parts<T> result = f;
   for (std::size_t n = 1; n < count; ++n) {
@@ -191,18 +196,18 @@ Parts<T> hori_map(const Parts<T>& f, Parts<T> s, const First& first, bool back,
 
 // The sum over j of binomial(n, j) {f_(n-j)^(k), w_(j+1)}, without {f_0^(0), w}.
 template <class T>
-Series<T> deprit_sum(const std::vector<Parts<T>>& rows, const Parts<T>& w, std::size_t k,
-                     std::size_t n, const Truncation& keep) {
-  Series<T> sum(w[0].symbols());
+series::Series<T> deprit_sum(const std::vector<Parts<T>>& rows, const Parts<T>& w, std::size_t k,
+                             std::size_t n, const series::Truncation& keep) {
+  series::Series<T> sum(w[0].symbols());
   for (std::size_t j = 0; j <= n; ++j)
-    if (k > 0 || j < n) sum += binomial<T>(n, j) * bracket(rows[k][n - j], w[j + 1], keep);
+    if (k > 0 || j < n) sum += binomial<T>(n, j) * series::bracket(rows[k][n - j], w[j + 1], keep);
   return sum;
 }
 
 // f_(n-k)^(k) for k = 1, ..., n, from f_n^(0) on; step is {f_0, w_n}.
 template <class T>
 void deprit_diagonal(std::vector<Parts<T>>& rows, const Parts<T>& w, std::size_t n,
-                     const Series<T>& step, const Truncation& keep) {
+                     const series::Series<T>& step, const series::Truncation& keep) {
   for (std::size_t k = 1; k <= n; ++k) {
     rows[k][n - k] = rows[k - 1][n - k + 1] + deprit_sum(rows, w, k - 1, n - k, keep);
     if (k == 1) rows[k][n - k] += step;
@@ -211,9 +216,9 @@ void deprit_diagonal(std::vector<Parts<T>>& rows, const Parts<T>& w, std::size_t
 
 template <class T>
 MeanAndGenerator<T> deprit_mean(const Parts<T>& h, const LieSolver<T>& solver,
-                                const Truncation& keep) {
+                                const series::Truncation& keep) {
   const std::size_t count = h.size();
-  const Series<T> zero(h[0].symbols());
+  const series::Series<T> zero(h[0].symbols());
   MeanAndGenerator<T> found{{h[0]}, Parts<T>(count, zero)};
   std::vector<Parts<T>> rows(count, Parts<T>(count, zero));
   rows[0][0] = h[0];
@@ -222,7 +227,7 @@ MeanAndGenerator<T> deprit_mean(const Parts<T>& h, const LieSolver<T>& solver,
     rows[0][n] = scale * h[n];
     deprit_diagonal(rows, found.generator, n, zero, keep);
     auto [mean, w] = solver.eliminated(rows[n][0]);
-    const Series<T> flow = solver.flow(w);
+    const series::Series<T> flow = solver.flow(w);
     for (std::size_t k = 1; k <= n; ++k) rows[k][n - k] += flow;
     found.mean.push_back(mean / scale);
     found.generator[n] = std::move(w);
@@ -232,9 +237,9 @@ MeanAndGenerator<T> deprit_mean(const Parts<T>& h, const LieSolver<T>& solver,
 
 template <class T, class First>
 Parts<T> deprit_map(const Parts<T>& f, const Parts<T>& w, const First& first,
-                    const Truncation& keep) {
+                    const series::Truncation& keep) {
   const std::size_t count = w.size();
-  std::vector<Parts<T>> rows(count, Parts<T>(count, Series<T>(w[0].symbols())));
+  std::vector<Parts<T>> rows(count, Parts<T>(count, series::Series<T>(w[0].symbols())));
   Parts<T> result = f;
   for (std::size_t n = 0; n < count; ++n) {
     const T scale = factorial<T>(static_cast<int>(n));
@@ -248,9 +253,9 @@ Parts<T> deprit_map(const Parts<T>& f, const Parts<T>& w, const First& first,
 // The triangle from its other side: f_0^(k) is given, f_n^(0) is wanted.
 template <class T, class First>
 Parts<T> deprit_inverse(const Parts<T>& f, const Parts<T>& w, const First& first,
-                        const Truncation& keep) {
+                        const series::Truncation& keep) {
   const std::size_t count = w.size();
-  std::vector<Parts<T>> rows(count, Parts<T>(count, Series<T>(w[0].symbols())));
+  std::vector<Parts<T>> rows(count, Parts<T>(count, series::Series<T>(w[0].symbols())));
   Parts<T> result = f;
   for (std::size_t n = 0; n < count; ++n) {
     const T scale = factorial<T>(static_cast<int>(n));
@@ -265,5 +270,6 @@ Parts<T> deprit_inverse(const Parts<T>& f, const Parts<T>& w, const First& first
 }
 
 }  // namespace detail
+}  // namespace secular
 }  // namespace v0
 }  // namespace polhode

@@ -10,6 +10,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace secular {
 namespace detail {
 
 struct SpinModel {
@@ -33,5 +34,6 @@ SpinAxis turned(const SpinAxis& axis, const Vec3& n, double angle);
 
 }  // namespace detail
 
+}  // namespace secular
 }  // namespace v0
 }  // namespace polhode

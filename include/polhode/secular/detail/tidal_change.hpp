@@ -7,6 +7,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace secular {
 namespace detail {
 
 // How s, w and a change by tides alone.
@@ -34,5 +35,6 @@ TidalSpin tidal_step(const TidalRates& tides, double e2, const Vec3& n, const Ti
 }
 
 }  // namespace detail
+}  // namespace secular
 }  // namespace v0
 }  // namespace polhode

@@ -8,10 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include "polhode/series/key.hpp"
+#include "polhode/series/symbols.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace series {
 namespace detail {
 
 void require_same(const Symbols& a, const Symbols& b);
@@ -80,5 +81,6 @@ std::vector<Term<T>> merged(const Symbols& of_a, const Symbols& of_b, std::span<
 }
 
 }  // namespace detail
+}  // namespace series
 }  // namespace v0
 }  // namespace polhode

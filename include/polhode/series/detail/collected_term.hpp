@@ -5,11 +5,12 @@
 #include <string>
 
 #include "polhode/error.hpp"
-#include "polhode/series/key.hpp"
 #include "polhode/series/series.hpp"
+#include "polhode/series/symbols.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace series {
 namespace detail {
 
 template <class Taylor>
@@ -30,5 +31,6 @@ Term<Taylor> collected_term(const Symbols& symbols, const Term<typename Taylor::
 }
 
 }  // namespace detail
+}  // namespace series
 }  // namespace v0
 }  // namespace polhode

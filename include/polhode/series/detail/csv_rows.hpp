@@ -7,10 +7,11 @@
 #include <string_view>
 #include <vector>
 
-#include "polhode/series/key.hpp"
+#include "polhode/series/symbols.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace series {
 namespace detail {
 
 struct CsvRow {
@@ -29,5 +30,6 @@ std::vector<CsvRow> csv_rows(const Symbols& symbols, std::string_view table,
 [[noreturn]] void refuse_row(std::size_t line, std::string_view value, const char* why);
 
 }  // namespace detail
+}  // namespace series
 }  // namespace v0
 }  // namespace polhode

@@ -22,6 +22,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace series {
 namespace detail {
 
 namespace roots {
@@ -253,5 +254,6 @@ class Expression {
 };
 
 }  // namespace detail
+}  // namespace series
 }  // namespace v0
 }  // namespace polhode

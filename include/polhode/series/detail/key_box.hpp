@@ -7,10 +7,11 @@
 #include <span>
 #include <vector>
 
-#include "polhode/series/key.hpp"
+#include "polhode/series/symbols.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace series {
 namespace detail {
 
 // From least to largest. Of an angle: from -largest to largest.
@@ -80,5 +81,6 @@ struct KeyBox {
 };
 
 }  // namespace detail
+}  // namespace series
 }  // namespace v0
 }  // namespace polhode

@@ -5,11 +5,12 @@
 #include <utility>
 #include <vector>
 
-#include "polhode/series/key.hpp"
-#include "polhode/series/truncation.hpp"
+#include "polhode/series/series.hpp"
+#include "polhode/series/symbols.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace series {
 namespace detail {
 
 class Orders {
@@ -35,5 +36,6 @@ class Orders {
 void require_room(const ProductSize& size, std::size_t most_bytes);
 
 }  // namespace detail
+}  // namespace series
 }  // namespace v0
 }  // namespace polhode

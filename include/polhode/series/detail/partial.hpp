@@ -9,6 +9,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace series {
 namespace detail {
 
 template <Coefficient T>
@@ -42,5 +43,6 @@ Series<T> by_angle(const Series<T>& a, int angle) {
 }
 
 }  // namespace detail
+}  // namespace series
 }  // namespace v0
 }  // namespace polhode

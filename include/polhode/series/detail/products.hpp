@@ -13,11 +13,12 @@
 #include "polhode/series/detail/orders.hpp"
 #include "polhode/series/detail/term_codes.hpp"
 #include "polhode/series/detail/term_table.hpp"
-#include "polhode/series/key.hpp"
-#include "polhode/series/truncation.hpp"
+#include "polhode/series/series.hpp"
+#include "polhode/series/symbols.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace series {
 namespace detail {
 
 // factor * a * b.
@@ -174,5 +175,6 @@ class Products {
 };
 
 }  // namespace detail
+}  // namespace series
 }  // namespace v0
 }  // namespace polhode

@@ -11,6 +11,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace series {
 namespace detail {
 
 template <int count, int degree>
@@ -91,5 +92,6 @@ template <int count, int degree>
 inline const TaylorLayout<count, degree> taylor_layout{};
 
 }  // namespace detail
+}  // namespace series
 }  // namespace v0
 }  // namespace polhode

@@ -10,10 +10,11 @@
 #include <vector>
 
 #include "polhode/series/detail/key_box.hpp"
-#include "polhode/series/key.hpp"
+#include "polhode/series/symbols.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace series {
 namespace detail {
 
 __extension__ using LongWord = unsigned __int128;
@@ -90,5 +91,6 @@ class TermCodes {
 };
 
 }  // namespace detail
+}  // namespace series
 }  // namespace v0
 }  // namespace polhode

@@ -15,6 +15,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace series {
 namespace detail {
 
 template <class Word, class T>
@@ -106,5 +107,6 @@ class TermTable {
 };
 
 }  // namespace detail
+}  // namespace series
 }  // namespace v0
 }  // namespace polhode

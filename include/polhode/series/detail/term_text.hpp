@@ -4,10 +4,11 @@
 
 #include <string>
 
-#include "polhode/series/key.hpp"
+#include "polhode/series/symbols.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace series {
 namespace detail {
 
 // "(G - 1)", or "G" if the value is 0.
@@ -23,5 +24,6 @@ std::string latex(const Symbols& symbols, const TermKey& key);
 std::string latex_number(const std::string& number);
 
 }  // namespace detail
+}  // namespace series
 }  // namespace v0
 }  // namespace polhode

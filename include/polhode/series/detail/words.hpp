@@ -9,6 +9,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace series {
 namespace detail {
 
 constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -25,5 +26,6 @@ inline std::string quoted(std::string_view text) {
 }
 
 }  // namespace detail
+}  // namespace series
 }  // namespace v0
 }  // namespace polhode

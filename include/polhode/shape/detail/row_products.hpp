@@ -2,11 +2,12 @@
 // Products of the rows of a matrix, as homogeneous polynomials.
 #pragma once
 
+#include "polhode/detail/shape/moment_order.hpp"
 #include "polhode/math/vector.hpp"
-#include "polhode/shape/moment_order.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace shape {
 namespace detail {
 
 // The product of a homogeneous polynomial of `degree` and the linear form l . x.
@@ -38,5 +39,6 @@ constexpr BasicMoments<T, degree> product_of_rows(const BasicMat3<T>& R, int b, 
 }
 
 }  // namespace detail
+}  // namespace shape
 }  // namespace v0
 }  // namespace polhode

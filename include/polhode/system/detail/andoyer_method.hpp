@@ -8,11 +8,12 @@
 #include <cstddef>
 
 #include "polhode/math/dual.hpp"
-#include "polhode/math/matrix6.hpp"
+#include "polhode/math/vector.hpp"
 #include "polhode/system/system.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace rates {
 
 template <Real T>
 using Variables = std::array<T, 6>;
@@ -61,5 +62,6 @@ std::array<double, 6> equations_of_motion(const VariablesAt& at, const System& s
 
 }  // namespace detail
 
+}  // namespace rates
 }  // namespace v0
 }  // namespace polhode

@@ -16,12 +16,12 @@
 
 #include "polhode/math/vector.hpp"
 #include "polhode/text/key.hpp"
-#include "polhode/text/key_value.hpp"
 #include "polhode/text/key_values.hpp"
 #include "polhode/text/separated.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 
 template <class A>
 class KindKey;
@@ -262,5 +262,6 @@ struct KeyMaker {
 void require_allowed(const KeyValues& at, const Key& key);
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -10,6 +10,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 struct Value;
@@ -19,5 +20,6 @@ struct FileValues;
 using Values = std::map<std::string, Value, std::less<>>;
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -6,8 +6,8 @@
 #include "dynamics/collocation/gauss_scheme.hpp"
 #include "dynamics/collocation/lanes/dispatch_stage_count.hpp"
 #include "dynamics/collocation/lanes/product_error.hpp"
-#include "polhode/math/error_free.hpp"
-#include "polhode/math/pack.hpp"
+#include "polhode/detail/math/pack.hpp"
+#include "polhode/math/double_double.hpp"
 
 namespace polhode {
 inline namespace v0 {

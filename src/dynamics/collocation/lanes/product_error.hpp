@@ -2,8 +2,8 @@
 // What a product of packs loses to rounding.
 #pragma once
 
-#include "polhode/math/error_free.hpp"
-#include "polhode/math/pack.hpp"
+#include "polhode/detail/math/pack.hpp"
+#include "polhode/math/double_double.hpp"
 
 namespace polhode {
 inline namespace v0 {

@@ -13,6 +13,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 namespace {
@@ -36,22 +37,23 @@ void merge_all(std::vector<A>& all, const std::vector<A>& later) {
 }
 
 // The numbers of one column at one time, with what the bins leave open.
-void append(std::vector<double>& row, const NumberMoments& moments, const Quantiles& quantiles,
-            const EnsemblePlan& plan) {
+void append(std::vector<double>& row, const ensemble::NumberMoments& moments,
+            const ensemble::Quantiles& quantiles, const EnsemblePlan& plan) {
   row.insert(row.end(), {static_cast<double>(moments.count()), moments.mean(0),
                          moments.deviation(0), moments.least(0).value, moments.greatest(0).value});
   double error = quantiles.count() == 0 ? no_value : 0.0;
   for (const double p : plan.quantiles) {
-    const Bounded found = quantiles.quantile(p);
+    const ensemble::Bounded found = quantiles.quantile(p);
     row.push_back(found.value);
     error = std::max({error, found.highest - found.value, found.value - found.lowest});
   }
   if (!quantiles.is_exact()) row.push_back(error);
 }
 
-void append(std::vector<double>& row, const AttitudeSpread& attitude, const Units& units) {
+void append(std::vector<double>& row, const ensemble::AttitudeSpread& attitude,
+            const Units& units) {
   row.push_back(static_cast<double>(attitude.count()));
-  const std::optional<FrechetMean> found = attitude.frechet();
+  const std::optional<ensemble::FrechetMean> found = attitude.frechet();
   if (!found) {
     row.insert(row.end(), 12, no_value);
     return;
@@ -70,15 +72,15 @@ RowStatistics::RowStatistics(const StatisticsFrame& frame) : frame_(&frame) {
   const StatisticsColumns& columns = frame.columns();
   const std::size_t epochs = frame.epochs();
   counts_.assign(epochs, 0);
-  moments_.assign(columns.numbers.size() * epochs, NumberMoments(1));
+  moments_.assign(columns.numbers.size() * epochs, ensemble::NumberMoments(1));
   quantiles_.reserve(moments_.size());
   for (std::size_t i = 0; i < columns.numbers.size(); ++i)
     for (std::size_t e = 0; e < epochs; ++e) quantiles_.push_back(frame.empty_quantiles(i, e));
   attitudes_.reserve(columns.attitudes.size() * epochs);
   for (std::size_t i = 0; i < columns.attitudes.size(); ++i)
     for (std::size_t e = 0; e < epochs; ++e) attitudes_.emplace_back(frame.reference(i, e));
-  modes_.assign(columns.modes.size() * epochs, Fractions(classes));
-  parts_.assign(columns.fractions.size() * epochs, Fractions(2));
+  modes_.assign(columns.modes.size() * epochs, ensemble::Fractions(classes));
+  parts_.assign(columns.fractions.size() * epochs, ensemble::Fractions(2));
   events_.assign(columns.events.size(), frame.empty_events());
   happened_.assign(columns.events.size() * epochs, 0);
   for (std::size_t h = 0; h < columns.histograms.size(); ++h)
@@ -104,8 +106,8 @@ void RowStatistics::add(std::int64_t first, std::span<const EnsembleMember> memb
     counts_[e] += std::count_if(rows.begin(), rows.end(), [&](std::size_t n) { return e < n; });
   for (std::size_t i = 0; i < columns.numbers.size(); ++i)
     for (std::size_t e = 0; e < epochs; ++e) {
-      NumberMoments& moments = moments_[i * epochs + e];
-      Quantiles& quantiles = quantiles_[i * epochs + e];
+      ensemble::NumberMoments& moments = moments_[i * epochs + e];
+      ensemble::Quantiles& quantiles = quantiles_[i * epochs + e];
       each_at(e, columns.numbers[i].place, [&](std::int64_t member, double number) {
         const double x = frame_->number(columns.numbers[i], e, number);
         moments.add(member, {&x, 1});
@@ -162,7 +164,8 @@ void RowStatistics::add_attitudes(std::int64_t first, std::span<const EnsembleMe
   std::vector<RotorState> states(all ? members.size() * epochs : 0);
   for (std::size_t i = 0; i < frame_->columns().attitudes.size(); ++i) {
     const std::size_t place = frame_->columns().attitudes[i].place;
-    const std::span<AttitudeSpread> kept = std::span(attitudes_).subspan(i * epochs, epochs);
+    const std::span<ensemble::AttitudeSpread> kept =
+        std::span(attitudes_).subspan(i * epochs, epochs);
     for (std::size_t m = 0; m < members.size(); ++m)
       for (std::size_t e = 0; e < rows[m]; ++e) {
         const Quaternion q = attitude_at(members[m].rows.data() + e * width + place);
@@ -171,7 +174,7 @@ void RowStatistics::add_attitudes(std::int64_t first, std::span<const EnsembleMe
         else
           kept[e].add(first + static_cast<std::int64_t>(m), q);
       }
-    if (all) add_rows(kept, first, states);
+    if (all) ensemble::add_rows(kept, first, states);
   }
 }
 
@@ -208,7 +211,7 @@ std::vector<double> RowStatistics::rows() const {
     for (std::size_t i = 0; i < columns.modes.size(); ++i)
       for (int k = 0; k < classes; ++k) all.push_back(modes_[i * epochs + e].fraction(k));
     for (std::size_t i = 0; i < columns.fractions.size(); ++i) {
-      const Fractions& of = parts_[i * epochs + e];
+      const ensemble::Fractions& of = parts_[i * epochs + e];
       all.insert(all.end(), {static_cast<double>(of.count()), of.fraction(1)});
     }
     for (std::size_t i = 0; i < events_.size(); ++i) {
@@ -222,11 +225,11 @@ std::vector<double> RowStatistics::rows() const {
 std::vector<EnsembleReport::FirstTimes> RowStatistics::first_times() const {
   std::vector<EnsembleReport::FirstTimes> all;
   for (std::size_t i = 0; i < events_.size(); ++i) {
-    const FirstEvents& of = events_[i];
+    const ensemble::FirstEvents& of = events_[i];
     EnsembleReport::FirstTimes found{
         frame_->ensemble().events()[i], part(of.times().count(), of.count()), {}};
     for (const double p : frame_->ensemble().plan().quantiles) {
-      const std::optional<Bounded> time = of.count() > 0 ? of.time_of(p) : std::nullopt;
+      const std::optional<ensemble::Bounded> time = of.count() > 0 ? of.time_of(p) : std::nullopt;
       const double t = time ? time->value : no_value;
       found.times.push_back(frame_->is_backwards() ? -t : t);
     }
@@ -258,8 +261,8 @@ std::string quantile_name(const std::string& column, double p) {
 
 // "-90 <= g < 90"
 std::string fraction_text(const EnsembleFraction& of) {
-  return (of.low ? number_text(*of.low) + " <= " : "") + of.column +
-         (of.high ? " < " + number_text(*of.high) : "");
+  return (of.low ? polhode::detail::number_text(*of.low) + " <= " : "") + of.column +
+         (of.high ? " < " + polhode::detail::number_text(*of.high) : "");
 }
 
 }  // namespace
@@ -329,5 +332,6 @@ std::vector<std::string> StatisticsFrame::notes() const {
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -18,13 +18,14 @@
 #include "ensemble/fractions.hpp"
 #include "ensemble/histogram.hpp"
 #include "ensemble/number_moments.hpp"
-#include "polhode/ensemble/quantiles.hpp"
+#include "polhode/detail/trajectory/archive.hpp"
+#include "polhode/ensemble/bins.hpp"
 #include "polhode/run/ensemble_run.hpp"
-#include "polhode/trajectory/archive.hpp"
 #include "run/ensemble/member_columns.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 // Accumulators as bytes of a checkpoint or a message: for each how many numbers it has, then these.
@@ -40,14 +41,14 @@ void serialize_all(Archive& bytes, std::vector<A>& all) {
 
 // Even ones over a range and `margin` of it on either side, wide enough for doubles to lie between
 // the edges.
-Bins bins_over(double least, double greatest, double margin, int count);
+ensemble::Bins bins_over(double least, double greatest, double margin, int count);
 
 // An Accumulator of one or two numbers of each member: in bins that are known beforehand, or kept
 // until their range is.
 class MemberHistogram {
  public:
   // In the bins of one axis or two; without any, numbers of so many axes are kept.
-  explicit MemberHistogram(std::span<const Bins> bins);
+  explicit MemberHistogram(std::span<const ensemble::Bins> bins);
   static MemberHistogram kept(std::size_t axes);
 
   std::size_t axes() const;
@@ -68,7 +69,7 @@ class MemberHistogram {
     std::size_t axes;
     std::vector<double> numbers;  // of one member after the other
   };
-  using Of = std::variant<Kept, Histogram, Histogram2D>;
+  using Of = std::variant<Kept, ensemble::Histogram, ensemble::Histogram2D>;
   explicit MemberHistogram(Of of) : of_(std::move(of)) {}
 
   Of of_;
@@ -140,9 +141,9 @@ class StatisticsFrame {
   void add_pilot(std::int64_t index, const EnsembleMember& member);
   void finish_pilots();
 
-  Quantiles empty_quantiles(std::size_t number, std::size_t epoch) const;
+  ensemble::Quantiles empty_quantiles(std::size_t number, std::size_t epoch) const;
   // Of times as they come along a run: see first_time.
-  FirstEvents empty_events() const;
+  ensemble::FirstEvents empty_events() const;
   // When an event first happened to a member, and the first epoch by which it had; none: never.
   struct FirstTime {
     double along;  // in the direction of the run: -t backwards
@@ -180,9 +181,9 @@ class StatisticsFrame {
   std::vector<double> base_;        // angles of the base, by number and epoch
   std::vector<Range> ranges_;       // of pilots, by number and epoch
   std::vector<Range> axis_ranges_;  // of pilots, by histogram, time and axis
-  std::vector<AttitudeMoments> pilot_attitudes_;
+  std::vector<ensemble::AttitudeMoments> pilot_attitudes_;
   std::vector<Quaternion> references_;  // by attitude and epoch
-  std::vector<Bins> bins_;              // by number and epoch; one of all while all is exact
+  std::vector<ensemble::Bins> bins_;    // by number and epoch; one of all while all is exact
 };
 
 class RowStatistics {
@@ -210,16 +211,17 @@ class RowStatistics {
 
   const StatisticsFrame* frame_;
   std::vector<std::int64_t> counts_;  // members at each epoch
-  std::vector<NumberMoments> moments_;
-  std::vector<Quantiles> quantiles_;
-  std::vector<AttitudeSpread> attitudes_;
-  std::vector<Fractions> modes_;
-  std::vector<Fractions> parts_;  // without and within
-  std::vector<FirstEvents> events_;
+  std::vector<ensemble::NumberMoments> moments_;
+  std::vector<ensemble::Quantiles> quantiles_;
+  std::vector<ensemble::AttitudeSpread> attitudes_;
+  std::vector<ensemble::Fractions> modes_;
+  std::vector<ensemble::Fractions> parts_;  // without and within
+  std::vector<ensemble::FirstEvents> events_;
   std::vector<std::int64_t> happened_;  // by event and epoch: since the epoch before
   std::vector<std::vector<MemberHistogram>> histograms_;  // by time
 };
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -13,6 +13,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 namespace {
 
@@ -185,20 +186,20 @@ void StatisticsFrame::finish_pilots() {
   pilot_attitudes_.clear();
   const auto count = static_cast<int>(ensemble_.plan().bins);
   bins_.clear();
-  if (is_exact()) bins_.push_back(Bins::linear(-1.0, 1.0, 1));
+  if (is_exact()) bins_.push_back(ensemble::Bins::linear(-1.0, 1.0, 1));
   for (const auto& [least, greatest] : ranges_)
     bins_.push_back(least <= greatest ? bins_over(least, greatest, margin, count)
-                                      : Bins::linear(-1.0, 1.0, count));
+                                      : ensemble::Bins::linear(-1.0, 1.0, count));
 }
 
-Quantiles StatisticsFrame::empty_quantiles(std::size_t number, std::size_t epoch) const {
+ensemble::Quantiles StatisticsFrame::empty_quantiles(std::size_t number, std::size_t epoch) const {
   return {is_exact() ? bins_[0] : bins_[number * epochs() + epoch], exact_};
 }
 
-FirstEvents StatisticsFrame::empty_events() const {
+ensemble::FirstEvents StatisticsFrame::empty_events() const {
   const double a = is_backwards() ? -times_.front() : times_.front();
   const double b = is_backwards() ? -times_.back() : times_.back();
-  return {Bins::linear(a, b > a ? b : a + 1.0, event_bins), most_first_times};
+  return {ensemble::Bins::linear(a, b > a ? b : a + 1.0, event_bins), most_first_times};
 }
 
 std::optional<StatisticsFrame::FirstTime> StatisticsFrame::first_time(
@@ -227,5 +228,6 @@ void StatisticsFrame::serialize(Archive& bytes) {
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

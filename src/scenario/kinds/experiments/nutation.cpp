@@ -9,13 +9,14 @@
 #include <utility>
 #include <vector>
 
-#include "polhode/scenario/planet_nutation.hpp"
-#include "polhode/text/epoch.hpp"
+#include "polhode/detail/scenario/planet_nutation.hpp"
 #include "polhode/text/separated.hpp"
+#include "polhode/text/units.hpp"
 #include "scenario/detail/built_in_kinds.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 namespace {
 
@@ -77,7 +78,7 @@ PlanetNutation request_of(const Arguments& a, const ExperimentContext& at) {
   const auto take = [&](std::string_view key, auto PlanetNutation::*member, const auto& value) {
     at.built(key, [&] {
       of.*member = value();
-      return completed(of);
+      return polhode::io::completed(of);
     });
   };
   const auto spin_rate = [&]() -> std::optional<double> {
@@ -98,7 +99,7 @@ PlanetNutation request_of(const Arguments& a, const ExperimentContext& at) {
 class Lazy {
  public:
   explicit Lazy(PlanetNutation of) : of_(std::move(of)) {}
-  const NutationTheory& theory() const {
+  const secular::NutationTheory& theory() const {
     std::call_once(once_, [&] { theory_.emplace(nutation_theory(of_)); });
     return *theory_;
   }
@@ -106,13 +107,13 @@ class Lazy {
  private:
   PlanetNutation of_;
   mutable std::once_flag once_;
-  mutable std::optional<NutationTheory> theory_;
+  mutable std::optional<secular::NutationTheory> theory_;
 };
 
 // Longitude and obliquity of each axis, then of that of rotation once more, for the rate relative
 // to the ecliptic of date.
 std::vector<CustomColumn> columns() {
-  std::vector<std::string> axes(planet_axes.begin(), planet_axes.end());
+  std::vector<std::string> axes(secular::planet_axes.begin(), secular::planet_axes.end());
   axes.emplace_back("relative");
   std::vector<CustomColumn> all;
   for (const std::string& axis : axes)
@@ -121,21 +122,21 @@ std::vector<CustomColumn> columns() {
   return all;
 }
 
-void fill(const NutationTheory& theory, double t, std::span<double> row) {
+void fill(const secular::NutationTheory& theory, double t, std::span<double> row) {
   auto next = row.begin();
-  NutationOffset last{};
-  for (std::size_t i = 0; i < planet_axes.size(); ++i) {
-    last = theory.at(static_cast<PlanetAxis>(i), t);
+  secular::NutationOffset last{};
+  for (std::size_t i = 0; i < secular::planet_axes.size(); ++i) {
+    last = theory.at(static_cast<secular::PlanetAxis>(i), t);
     *next++ = last.longitude;
     *next++ = last.obliquity;
   }
-  const NutationOffset moved = theory.relative_offset();
+  const secular::NutationOffset moved = theory.relative_offset();
   *next++ = last.longitude + moved.longitude;
   *next++ = last.obliquity + moved.obliquity;
 }
 
 CustomExperiment made(const Arguments& a, const ExperimentContext& at) {
-  const PlanetNutation of = completed(request_of(a, at));
+  const PlanetNutation of = polhode::io::completed(request_of(a, at));
   CustomExperiment own{.kind = "nutation", .rows = at.rows(), .columns = columns()};
   const double second = second_of(at);
   const auto lazy = std::make_shared<const Lazy>(of);
@@ -146,14 +147,14 @@ CustomExperiment made(const Arguments& a, const ExperimentContext& at) {
                {"obliquity", "mean obliquity at t = 0", *of.obliquity, Dimension::angle}};
   // Of the epoch: no change of coefficients, and so one theory in place of three.
   own.more_facts = [of, second] {
-    const NutationTheory theory(nutation_problem(of));
-    const NutationOffset precession = theory.precession();
+    const secular::NutationTheory theory(nutation_problem(of));
+    const secular::NutationOffset precession = theory.precession();
     return std::vector<SummaryItem>{
         {"precession", "precession in longitude", precession.longitude / second, Dimension::rate},
         {"obliquity_rate", "rate of the mean obliquity", precession.obliquity / second,
          Dimension::rate},
         {"terms", "terms of the axis of figure",
-         static_cast<double>(theory.terms(PlanetAxis::figure).size()), Dimension::number}};
+         static_cast<double>(theory.terms(secular::PlanetAxis::figure).size()), Dimension::number}};
   };
   return own;
 }
@@ -171,5 +172,6 @@ ExperimentKind nutation_kind() {
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

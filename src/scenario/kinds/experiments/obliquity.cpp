@@ -21,6 +21,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 namespace {
@@ -42,7 +43,7 @@ class PlanetBuilder {
       : at_(at),
         planet_(planet_table(at)),
         base_(base),
-        known_(planet_->name ? planet_spin(*planet_->name) : nullptr) {}
+        known_(planet_->name ? secular::planet_spin(*planet_->name) : nullptr) {}
 
   Obliquity made() const {
     Obliquity of = base_ != nullptr ? *base_ : on_orbit();
@@ -50,7 +51,7 @@ class PlanetBuilder {
     of.columns = columns();
     of.insolation = insolation(of.columns);
     require_cover(of);
-    const OrbitElements start = of.history.at(0.0);
+    const secular::OrbitElements start = of.history.at(0.0);
     of.initial = pole(start, of.axes);
     const PlanetSatellites bodies(at_, planet_, known_);
     of.rates = rates(start, of.initial, bodies);
@@ -103,7 +104,8 @@ class PlanetBuilder {
   }
 
   // Where the times would do with the other sign.
-  static std::string direction_hint(const OrbitHistory& history, double first, double last) {
+  static std::string direction_hint(const secular::OrbitHistory& history, double first,
+                                    double last) {
     const bool fits = history.first_time() <= -last && history.last_time() >= -first;
     return fits ? "; where its times count years before present, time_direction = "
                   "\"before-present\" in its table"
@@ -121,7 +123,7 @@ class PlanetBuilder {
     }
     if (of.history.first_time() <= first && of.history.last_time() >= last) return;
     const auto text = [&](double t) {
-      return number_text(at_.units.from_core(t, Dimension::time));
+      return polhode::detail::number_text(at_.units.from_core(t, Dimension::time));
     };
     planet_.refuse<&PlanetTable::orbit>(
         "its orbit covers the times " + text(of.history.first_time()) + " to " +
@@ -130,7 +132,7 @@ class PlanetBuilder {
         direction_hint(of.history, first, last));
   }
 
-  SpinAxis pole(const OrbitElements& start, const std::string& axes) const {
+  secular::SpinAxis pole(const secular::OrbitElements& start, const std::string& axes) const {
     const Placed<PoleTable> pole = pole_table(at_);
     if (pole->obliquity) {
       const double obliquity = *pole->obliquity, equinox = -pole->precession;
@@ -139,7 +141,7 @@ class PlanetBuilder {
       // spin_angles the other way round
       const Vec3 s{-std::sin(obliquity) * std::sin(equinox),
                    std::sin(obliquity) * std::cos(equinox), std::cos(obliquity)};
-      return spin_axis(rotate(equinoctial_attitude(start), s));
+      return secular::spin_axis(rotate(secular::equinoctial_attitude(start), s));
     }
     if (!pole->ra && known_ == nullptr)
       planet_.refuse("expected a key pole, or the name of a planet");
@@ -150,8 +152,9 @@ class PlanetBuilder {
       planet_.refuse<&PlanetTable::name>(
           "its pole needs an orbit along axes of J2000; expected a key pole with obliquity and "
           "precession");
-    if (!pole->ra) return spin_axis(planet_pole(*known_));
-    return spin_axis(ecliptic_direction(*pole->ra, latitude<&PoleTable::dec>(pole)));
+    if (!pole->ra) return secular::spin_axis(secular::planet_pole(*known_));
+    return secular::spin_axis(
+        secular::ecliptic_direction(*pole->ra, latitude<&PoleTable::dec>(pole)));
   }
 
   // In core units.
@@ -201,14 +204,15 @@ class PlanetBuilder {
   }
 
   // The rate by the star on a circle, from whatever is given.
-  double star(double satellites, const OrbitElements& start, const SpinAxis& initial,
-              const PlanetSatellites& bodies) const {
+  double star(double satellites, const secular::OrbitElements& start,
+              const secular::SpinAxis& initial, const PlanetSatellites& bodies) const {
     if (has_constant()) require_constant_alone(bodies);
     if (planet_->precession_constant) return *planet_->precession_constant / (1.0 + satellites);
     if (planet_->precession_rate)
       return planet_.built<&PlanetTable::precession_rate>([&] {
-        return rates_of_precession(*planet_->precession_rate, dot(initial.s, orbit_normal(start)),
-                                   orbit_plane(start).e2, satellites)
+        return secular::rates_of_precession(*planet_->precession_rate,
+                                            dot(initial.s, secular::orbit_normal(start)),
+                                            secular::orbit_plane(start).e2, satellites)
             .star;
       });
     const double E = of_planet<&PlanetTable::ellipticity>(known_ ? known_->ellipticity : 0.0);
@@ -216,10 +220,11 @@ class PlanetBuilder {
                           !planet_->orbital_period;
     const double w = spin_rate(), n = mean_motion();
     return bodies.inner_factor(E, w) *
-           (as_known ? known_->rates.star / second() : star_precession(E, w, n * n, 1.0));
+           (as_known ? known_->rates.star / second() : secular::star_precession(E, w, n * n, 1.0));
   }
 
-  double share_of_satellites(const PlanetSatellites& bodies, const PrecessionRates& known) const {
+  double share_of_satellites(const PlanetSatellites& bodies,
+                             const secular::PrecessionRates& known) const {
     if (bodies.empty())
       return planet_->satellites ? *planet_->satellites : known.satellites / known.star;
     if (planet_->satellites)
@@ -227,13 +232,14 @@ class PlanetBuilder {
     return bodies.outer_share(mean_motion());
   }
 
-  PrecessionRates rates(const OrbitElements& start, const SpinAxis& initial,
-                        const PlanetSatellites& bodies) const {
-    const PrecessionRates none{.star = 1.0};
-    const PrecessionRates& known = known_ != nullptr ? known_->rates : none;
+  secular::PrecessionRates rates(const secular::OrbitElements& start,
+                                 const secular::SpinAxis& initial,
+                                 const PlanetSatellites& bodies) const {
+    const secular::PrecessionRates none{.star = 1.0};
+    const secular::PrecessionRates& known = known_ != nullptr ? known_->rates : none;
     const double satellites = share_of_satellites(bodies, known);
     const double of_star = star(satellites, start, initial, bodies);
-    const double factor = andoyer_factor(planet_->J);
+    const double factor = secular::andoyer_factor(planet_->J);
     return {.star = factor * of_star,
             .satellites = factor * of_star * satellites,
             .geodetic = planet_->geodetic ? *planet_->geodetic : known.geodetic / second(),
@@ -243,7 +249,7 @@ class PlanetBuilder {
   void require_steady(const Obliquity& of) const {
     if (!of.time) return;
     planet_.built<&PlanetTable::tidal_drift>([&] {
-      require_drift(of.rates, (*of.time)[0], (*of.time)[of.time->size() - 1]);
+      secular::require_drift(of.rates, (*of.time)[0], (*of.time)[of.time->size() - 1]);
       return true;
     });
   }
@@ -261,15 +267,16 @@ class PlanetBuilder {
     return at_.output.columns;
   }
 
-  std::optional<InsolationPlace> insolation(const std::vector<std::string>& columns) const {
+  std::optional<secular::InsolationPlace> insolation(
+      const std::vector<std::string>& columns) const {
     const Placed<InsolationTable> place = insolation_table(at_);
     if (!place.is_there()) {
       if (std::find(columns.begin(), columns.end(), "insolation") != columns.end())
         refuse_columns(at_, "expected a table planet.insolation for the column insolation");
       return std::nullopt;
     }
-    return InsolationPlace{latitude<&InsolationTable::latitude>(place), place->longitude,
-                           place->flux};
+    return secular::InsolationPlace{latitude<&InsolationTable::latitude>(place), place->longitude,
+                                    place->flux};
   }
 
   Method method() const {
@@ -282,7 +289,7 @@ class PlanetBuilder {
   const KindContext& at_;
   Placed<PlanetTable> planet_;
   const Obliquity* base_;
-  const PlanetSpin* known_;
+  const secular::PlanetSpin* known_;
 };
 
 }  // namespace
@@ -312,5 +319,6 @@ BasicProblem<TidalSpinOnHistory> tidal_problem(const Obliquity& of) {
           of.method};
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

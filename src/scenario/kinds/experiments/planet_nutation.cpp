@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/scenario/planet_nutation.hpp"
+#include "polhode/detail/scenario/planet_nutation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,9 +16,10 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace {
 
-using detail::number_text;
+using polhode::detail::number_text;
 
 constexpr double degree = std::numbers::pi / 180.0;
 constexpr double arcsec = degree / 3600.0;
@@ -50,7 +51,7 @@ Body body_of(double ellipticity, double triaxiality) {
   return {1.0 - ellipticity - 0.5 * triaxiality, 1.0 - ellipticity + 0.5 * triaxiality, 1.0};
 }
 
-DelaunayArguments delaunay(std::span<const double> at) {
+ephemeris::DelaunayArguments delaunay(std::span<const double> at) {
   return {at[0], at[1], at[2], at[3], at[4]};
 }
 
@@ -73,8 +74,9 @@ double mean_pull(double satellite_mass) {
   const auto pull = [](double gm, double a, double e, double i) {
     return gm / (a * a * a) * std::pow(1.0 - e * e, -1.5) * (1.0 - 1.5 * std::sin(i) * std::sin(i));
   };
-  return pull(planetary_gm(Planetary::sun), au, 0.0167, 0.0) +
-         pull(satellite_mass * planetary_gm(Planetary::earth), 384399.0, 0.0549, 5.145 * degree);
+  return pull(ephemeris::planetary_gm(ephemeris::Planetary::sun), au, 0.0167, 0.0) +
+         pull(satellite_mass * ephemeris::planetary_gm(ephemeris::Planetary::earth), 384399.0,
+              0.0549, 5.145 * degree);
 }
 
 // What the equinox of this Earth precesses by more than that of the real one, whose longitudes
@@ -90,27 +92,30 @@ double more_precession(const PlanetNutation& of) {
   return observed * (torque(of) / torque(completed(real)) - 1.0);
 }
 
-NutationProblem earth_problem(const PlanetNutation& of) {
+secular::NutationProblem earth_problem(const PlanetNutation& of) {
   const double T = of.T;
-  DelaunayArguments at = delaunay_arguments(T), rate = delaunay_rates(T);
+  ephemeris::DelaunayArguments at = ephemeris::delaunay_arguments(T),
+                               rate = ephemeris::delaunay_rates(T);
   // Om is the one longitude among them.
   const double more = more_precession(of);
   rate.Om += more;
   at.Om += more * T;
   const auto argument = [](const char* name, double at_epoch, double per_century, int points) {
-    return NutationArgument{name, at_epoch, per_century / century, points};
+    return secular::NutationArgument{name, at_epoch, per_century / century, points};
   };
-  const double gm_moon = *of.satellite_mass * planetary_gm(Planetary::earth);
+  const double gm_moon = *of.satellite_mass * ephemeris::planetary_gm(ephemeris::Planetary::earth);
   return {body_of(*of.ellipticity, *of.triaxiality),
           *of.spin_rate,
           *of.obliquity,
           {argument("l", at.l, rate.l, 11), argument("lp", at.lp, rate.lp, 7),
            argument("F", at.F, rate.F, 11), argument("D", at.D, rate.D, 11),
            argument("Om", at.Om, rate.Om, 7)},
-          {{planetary_gm(Planetary::sun),
-            [T](std::span<const double> x) { return sun_of_date(delaunay(x), T); }},
+          {{ephemeris::planetary_gm(ephemeris::Planetary::sun),
+            [T](std::span<const double> x) { return ephemeris::sun_of_date(delaunay(x), T); }},
            {gm_moon,
-            [T](std::span<const double> x) { return cartesian(moon_of_date(delaunay(x), T)); }}},
+            [T](std::span<const double> x) {
+              return ephemeris::cartesian(ephemeris::moon_of_date(delaunay(x), T));
+            }}},
           earth_ecliptic_rate(T),
           of.order,
           of.least,
@@ -163,14 +168,15 @@ Equator equator_of(const std::string& planet) {
   const Vec3 normal{std::sin(i) * std::sin(node), -std::sin(i) * std::cos(node), std::cos(i)};
   const Vec3 ascending{std::cos(node), std::sin(node), 0.0};
   // Venus turns backward: its momentum is opposite to the pole of the IAU (Archinal et al. 2018).
-  const Vec3 momentum = planet == "venus" ? -ecliptic_direction(272.76 * degree, 67.16 * degree)
-                                          : planet_pole(known_planet("mars"));
+  const Vec3 momentum = planet == "venus"
+                            ? -secular::ecliptic_direction(272.76 * degree, 67.16 * degree)
+                            : secular::planet_pole(secular::known_planet("mars"));
   const Vec3 equinox = cross(momentum, normal);
   return {node + std::atan2(dot(normal, cross(ascending, equinox)), dot(ascending, equinox)),
           std::atan2(norm(equinox), dot(momentum, normal))};
 }
 
-NutationProblem planet_problem(const PlanetNutation& of) {
+secular::NutationProblem planet_problem(const PlanetNutation& of) {
   const Orbit orbit = orbit_of(of.planet, of.T);
   // The equinox moves with the precession that the torque makes, from where it is at J2000.
   const double spin = *of.spin_rate;
@@ -188,21 +194,21 @@ NutationProblem planet_problem(const PlanetNutation& of) {
           *of.obliquity,
           {{"M", M, orbit.mean_motion - orbit.perihelion_rate, 41},
            {"Ls", Ls, orbit.mean_motion - precession, 7}},
-          {{planetary_gm(Planetary::sun), sun}},
+          {{ephemeris::planetary_gm(ephemeris::Planetary::sun), sun}},
           {0.0, 0.0, 0.0},
           of.order,
           of.least,
           2.0 * std::numbers::pi / (10.0 * century)};
 }
 
-NutationProblem problem_of(const PlanetNutation& all) {
+secular::NutationProblem problem_of(const PlanetNutation& all) {
   return all.planet == "earth" ? earth_problem(all) : planet_problem(all);
 }
 
 }  // namespace
 
-double julian_centuries(const Date& date) {
-  return seconds_between({TimeScale::TDB, 2451545.0, 0.0}, date) / century;
+double julian_centuries(const ephemeris::Date& date) {
+  return ephemeris::seconds_between({ephemeris::TimeScale::TDB, 2451545.0, 0.0}, date) / century;
 }
 
 PlanetNutation completed(const PlanetNutation& of) {
@@ -216,7 +222,8 @@ PlanetNutation completed(const PlanetNutation& of) {
     missing(all.triaxiality, 0.0);
     missing(all.spin_rate, 7.292115e-5);
     missing(all.obliquity, earth_obliquity(of.T));
-    missing(all.satellite_mass, planetary_gm(Planetary::moon) / planetary_gm(Planetary::earth));
+    missing(all.satellite_mass, ephemeris::planetary_gm(ephemeris::Planetary::moon) /
+                                    ephemeris::planetary_gm(ephemeris::Planetary::earth));
     return all;
   }
   const std::vector<std::string_view> known = separated(nutation_planets, '|');
@@ -228,24 +235,26 @@ PlanetNutation completed(const PlanetNutation& of) {
     missing(all.triaxiality, 4.0 * 1.66e-6);
     missing(all.spin_rate, 2.0 * std::numbers::pi / (243.02 * day));
   } else {
-    missing(all.ellipticity, known_planet("mars").ellipticity);
+    missing(all.ellipticity, secular::known_planet("mars").ellipticity);
     missing(all.triaxiality, 0.0);
-    missing(all.spin_rate, known_planet("mars").spin_rate);
+    missing(all.spin_rate, secular::known_planet("mars").spin_rate);
   }
   missing(all.obliquity, equator_of(of.planet).obliquity);
   return all;
 }
 
-NutationProblem nutation_problem(const PlanetNutation& of) { return problem_of(completed(of)); }
+secular::NutationProblem nutation_problem(const PlanetNutation& of) {
+  return problem_of(completed(of));
+}
 
-NutationTheory nutation_theory(const PlanetNutation& of) {
+secular::NutationTheory nutation_theory(const PlanetNutation& of) {
   const PlanetNutation all = completed(of);
   // Obliquity and eccentricities change evenly.
   const auto at = [&](double T) {
     PlanetNutation then = all;
     then.T = T;
     if (all.planet == "earth") *then.obliquity += earth_obliquity(T) - earth_obliquity(all.T);
-    return NutationTheory(problem_of(then));
+    return secular::NutationTheory(problem_of(then));
   };
   return at(all.T).changing(at(all.T - 0.5), at(all.T + 0.5), century);
 }
@@ -289,5 +298,6 @@ std::vector<Citation> nutation_citations() {
        "the moments of Mars"}};
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

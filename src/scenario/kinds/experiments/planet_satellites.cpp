@@ -7,6 +7,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 namespace {
 
@@ -21,7 +22,7 @@ double mean_motion(double gm, double mass, double distance) {
 }  // namespace
 
 PlanetSatellites::PlanetSatellites(const FileValues& file, const Placed<PlanetTable>& planet,
-                                   const PlanetSpin* known)
+                                   const secular::PlanetSpin* known)
     : planet_(planet),
       known_(known),
       tides_(tides_table(file)),
@@ -37,7 +38,7 @@ double PlanetSatellites::known_length(double metres) const {
 }
 double PlanetSatellites::gm() const {
   if (planet_->gm) return *planet_->gm;
-  const PlanetSpin& of = known_for<&PlanetTable::gm>();
+  const secular::PlanetSpin& of = known_for<&PlanetTable::gm>();
   if (!is_scale_free()) return units().to_core(of.gm, "m3/s2", Dimension::gm);
   const double R = of.radius;
   return units().to_core(of.gm / (R * R * R), "1/s2", Dimension::gm);
@@ -56,11 +57,11 @@ double PlanetSatellites::inertia_factor() const {
 
 double PlanetSatellites::outer_share(double n) const {
   double share = 0.0;
-  const double of_star = star_precession(1.0, 1.0, n * n, 1.0);  // gm / a^3 is n^2
+  const double of_star = secular::star_precession(1.0, 1.0, n * n, 1.0);  // gm / a^3 is n^2
   for (const Placed<SatelliteTable>& one : satellites_)
     if (!is_inner(one))
-      share += satellite_precession(1.0, 1.0, one->mass * gm(), one->distance, one->eccentricity,
-                                    one->inclination) /
+      share += secular::satellite_precession(1.0, 1.0, one->mass * gm(), one->distance,
+                                             one->eccentricity, one->inclination) /
                of_star;
   return share;
 }
@@ -73,20 +74,20 @@ void PlanetSatellites::refuse_inner(const std::string& given) const {
 }
 
 double PlanetSatellites::inner_factor(double ellipticity, double w) const {
-  std::vector<InnerSatellite> inner;
+  std::vector<secular::InnerSatellite> inner;
   for (const Placed<SatelliteTable>& one : satellites_)
     if (is_inner(one))
       inner.push_back({.mass = one->mass,
                        .distance = one->distance / radius(),
                        .mean_motion = mean_motion(gm(), one->mass, one->distance) / w});
   if (inner.empty()) return 1.0;
-  return inner_satellites_factor(ellipticity * inertia_factor(), inertia_factor(), inner);
+  return secular::inner_satellites_factor(ellipticity * inertia_factor(), inertia_factor(), inner);
 }
 
-OuterSatellite PlanetSatellites::tidal_satellite() const {
+secular::OuterSatellite PlanetSatellites::tidal_satellite() const {
   if (satellites_.empty() && known_ != nullptr)
     return {known_->satellite.mass, known_length(known_->satellite.distance)};
-  OuterSatellite found;
+  secular::OuterSatellite found;
   for (const Placed<SatelliteTable>& one : satellites_) {
     if (is_inner(one)) continue;
     if (found.mass > 0.0)
@@ -98,7 +99,7 @@ OuterSatellite PlanetSatellites::tidal_satellite() const {
 }
 
 // For the star, gm / a^3 = n^2 for any a.
-TidalRates PlanetSatellites::tides(double w, double n) const {
+secular::TidalRates PlanetSatellites::tides(double w, double n) const {
   if (planet_->tidal_drift != 0.0)
     planet_.refuse<&PlanetTable::tidal_drift>("expected none next to a table planet.tides");
   if (!(w > 0.0))
@@ -107,14 +108,16 @@ TidalRates PlanetSatellites::tides(double w, double n) const {
         "turns that way");
   const double k2 = tides_->k2, lag = tides_->lag;
   const double gm = this->gm(), R = radius(), factor = inertia_factor();
-  TidalRates rates{
-      .spin = w, .orbit = n, .star = tidal_rate(k2, lag, n * n, n * n / gm, R, factor, 1.0)};
-  const OuterSatellite raising = tidal_satellite();
+  secular::TidalRates rates{
+      .spin = w,
+      .orbit = n,
+      .star = secular::tidal_rate(k2, lag, n * n, n * n / gm, R, factor, 1.0)};
+  const secular::OuterSatellite raising = tidal_satellite();
   if (raising.mass > 0.0 && k2 * lag > 0.0) {
     const double month = mean_motion(gm, raising.mass, raising.distance),
                  ratio = raising.distance / R;
     rates.satellite =
-        tidal_rate(k2, lag, raising.mass * gm, raising.mass, R, factor, raising.distance);
+        secular::tidal_rate(k2, lag, raising.mass * gm, raising.mass, R, factor, raising.distance);
     rates.satellite_orbit = month;
     rates.satellite_momentum = raising.mass / (1.0 + raising.mass) * month * ratio * ratio / factor;
   }
@@ -122,5 +125,6 @@ TidalRates PlanetSatellites::tides(double w, double n) const {
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

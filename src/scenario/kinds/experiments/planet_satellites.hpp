@@ -11,6 +11,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 // Refuses a planet without a name that lacks a key which satellites and tides need.
@@ -24,7 +25,7 @@ class PlanetSatellites {
  public:
   // `known` is the planet `name`, or null.
   PlanetSatellites(const FileValues& file, const Placed<PlanetTable>& planet,
-                   const PlanetSpin* known);
+                   const secular::PlanetSpin* known);
 
   bool empty() const { return satellites_.empty(); }
   bool has_tides() const { return tides_.is_there(); }
@@ -35,7 +36,7 @@ class PlanetSatellites {
   // The factor by which inner ones change the rate by the star, for a planet that turns at w.
   double inner_factor(double ellipticity, double w) const;
   // Requires the table of tides.
-  TidalRates tides(double w, double n) const;
+  secular::TidalRates tides(double w, double n) const;
 
  private:
   // In core units. The radius is 1 if the file has no unit of length.
@@ -47,19 +48,20 @@ class PlanetSatellites {
   double known_length(double metres) const;
   // The known planet; without one, reports the missing key.
   template <auto member>
-  const PlanetSpin& known_for() const {
+  const secular::PlanetSpin& known_for() const {
     if (known_ == nullptr) refuse_without<member>(planet_);
     return *known_;
   }
   // The one that raises tides; mass 0 if there is none.
-  OuterSatellite tidal_satellite() const;
+  secular::OuterSatellite tidal_satellite() const;
 
   const Placed<PlanetTable>& planet_;
-  const PlanetSpin* known_;
+  const secular::PlanetSpin* known_;
   Placed<TidesTable> tides_;
   std::vector<Placed<SatelliteTable>> satellites_;
 };
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

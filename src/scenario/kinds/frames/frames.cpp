@@ -9,9 +9,8 @@
 #include <variant>
 #include <vector>
 
-#include "polhode/frame/local_vertical.hpp"
-#include "polhode/frame/orbit_plane.hpp"
-#include "polhode/math/trigonometry.hpp"
+#include "polhode/detail/math/trigonometry.hpp"
+#include "polhode/frame/frame.hpp"
 #include "polhode/orbit/kepler_orbit.hpp"
 #include "scenario/detail/built_in_kinds.hpp"
 #include "scenario/detail/table_check.hpp"
@@ -21,6 +20,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 namespace {
@@ -283,5 +283,6 @@ FrameKind local_vertical_kind() {
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -11,6 +11,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 class RateFormula {
@@ -46,5 +47,6 @@ class RateFormula {
 };
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

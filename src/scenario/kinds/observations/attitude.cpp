@@ -12,6 +12,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 namespace {
 
@@ -22,26 +23,27 @@ struct AttitudeKeys : SkyKeys, ErrorKeys {
   std::vector<std::string> columns;
 };
 
-constexpr auto attitude_keys = joined(
-    joined(sky_keys<AttitudeKeys>,
-           std::array{
-               choice_key<&AttitudeKeys::form, AttitudeForm::quaternion, AttitudeForm::euler,
-                          AttitudeForm::matrix>(
-                   "form", "quaternion|euler|matrix",
-                   "What the columns after the time are: a quaternion w, x, y, z, body axes to "
-                   "inertial ones; "
-                   "Euler's angles phi, theta, psi (3-1-3); or the nine numbers of the matrix from "
-                   "inertial "
-                   "to body components, row by row. States in other charts become such by `polhode "
-                   "convert`.")
-                   .otherwise("\"quaternion\""),
-               columns_key<&AttitudeKeys::columns>(
-                   "columns",
-                   "The column of times, then those of the form, by name or by number "
-                   "from 1. Left out: t, and qw, qx, qy, qz or phi, theta, psi or R11, "
-                   "R12, ... R33.")
-                   .example("[\"t\", \"qw\", \"qx\", \"qy\", \"qz\"]"),
-           }),
+constexpr auto attitude_keys = polhode::io::joined(
+    polhode::io::joined(
+        sky_keys<AttitudeKeys>,
+        std::array{
+            choice_key<&AttitudeKeys::form, AttitudeForm::quaternion, AttitudeForm::euler,
+                       AttitudeForm::matrix>(
+                "form", "quaternion|euler|matrix",
+                "What the columns after the time are: a quaternion w, x, y, z, body axes to "
+                "inertial ones; "
+                "Euler's angles phi, theta, psi (3-1-3); or the nine numbers of the matrix from "
+                "inertial "
+                "to body components, row by row. States in other charts become such by `polhode "
+                "convert`.")
+                .otherwise("\"quaternion\""),
+            columns_key<&AttitudeKeys::columns>(
+                "columns",
+                "The column of times, then those of the form, by name or by number "
+                "from 1. Left out: t, and qw, qx, qy, qz or phi, theta, psi or R11, "
+                "R12, ... R33.")
+                .example("[\"t\", \"qw\", \"qx\", \"qy\", \"qz\"]"),
+        }),
     errors_along_axes<AttitudeKeys>(Dimension::angle,
                                     "Its standard error about each body axis, one number for all.",
                                     "\"2 deg\"", "[2, 2, 5]"));
@@ -91,18 +93,18 @@ ObservedRows made_attitude(const AttitudeKeys& keys, const TermContext& at) {
   ObservedRows rows = rows_with(columns_of(form), keys.columns, keys, unit, 3);
   if (form == AttitudeForm::euler && unit == at.units().to_core(1.0, "deg", Dimension::angle))
     rows.turning_degrees = {0, 2};
-  rows.read = [=](const FileRow& row, Snapshots& seen) {
+  rows.read = [=](const FileRow& row, fit::Snapshots& seen) {
     const Quaternion q = normalized(to_state * attitude_of(form, unit, row.numbers));
-    seen.attitudes.push_back({row.t, q, covariance_of(three(row.sigmas))});
+    seen.attitudes.push_back({row.t, q, fit::covariance_of(three(row.sigmas))});
   };
   rows.simulate = [](const BodyMotion& motion, const RowNoise& noise,
-                     const std::vector<double>& sigmas, Snapshots& seen) {
+                     const std::vector<double>& sigmas, fit::Snapshots& seen) {
     seen.attitudes.push_back({motion.t, rotated_by(motion.q, noise_vector(noise, sigmas)),
-                              covariance_of(three(sigmas))});
+                              fit::covariance_of(three(sigmas))});
   };
-  rows.written = [=](const Snapshots& seen) {
+  rows.written = [=](const fit::Snapshots& seen) {
     std::vector<FileRow> all;
-    for (const ObservedAttitude& one : seen.attitudes)
+    for (const fit::ObservedAttitude& one : seen.attitudes)
       all.push_back({one.t, numbers_of(form, unit, conj(to_state) * one.q)});
     return all;
   };
@@ -119,5 +121,6 @@ ObservationKind attitude_kind() {
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -11,6 +11,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 namespace {
 
@@ -22,7 +23,7 @@ struct DirectionKeys : SkyKeys, ErrorKeys {
   std::vector<std::string> columns;
 };
 
-constexpr auto direction_keys = joined(
+constexpr auto direction_keys = polhode::io::joined(
     sky_keys<DirectionKeys>,
     std::array{
         quantity_key<&DirectionKeys::axis>("axis", Dimension::number,
@@ -79,21 +80,21 @@ ObservedRows made_direction(const DirectionKeys& keys, const TermContext& at) {
                                 keys.columns, keys, unit, 1);
   if (has_angles && unit == at.units().to_core(1.0, "deg", Dimension::angle))
     rows.turning_degrees = {0};
-  rows.read = [=, axis = keys.axis](const FileRow& row, Snapshots& seen) {
+  rows.read = [=, axis = keys.axis](const FileRow& row, fit::Snapshots& seen) {
     seen.directions.push_back(
         {row.t, axis, rotate(to_state, direction_of(form, unit, row.numbers)), row.sigmas[0]});
   };
   rows.simulate = [axis = keys.axis](const BodyMotion& motion, const RowNoise& noise,
-                                     const std::vector<double>& sigmas, Snapshots& seen) {
+                                     const std::vector<double>& sigmas, fit::Snapshots& seen) {
     const double sigma = sigmas[0];
     const Vec3 unit_axis = (1.0 / norm(axis)) * axis;
     seen.directions.push_back(
         {motion.t, axis, noisy_direction(unit_axis, motion.q, sigma * noise(0), sigma * noise(1)),
          sigma});
   };
-  rows.written = [=](const Snapshots& seen) {
+  rows.written = [=](const fit::Snapshots& seen) {
     std::vector<FileRow> all;
-    for (const ObservedDirection& one : seen.directions)
+    for (const fit::ObservedDirection& one : seen.directions)
       all.push_back({one.t, numbers_of(form, unit, rotate(conj(to_state), one.direction_I))});
     return all;
   };
@@ -110,5 +111,6 @@ ObservationKind direction_kind() {
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

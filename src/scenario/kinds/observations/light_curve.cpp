@@ -10,6 +10,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 namespace {
 
@@ -98,7 +99,8 @@ constexpr std::array light_curve_keys = {
 void take_format(Observation& of, const L& light, const KeyValues& at) {
   if (light.format == L::Format::columns) return;
   if (!at.is_explicit("time_format")) of.time_format = Observation::TimeFormat::julian;
-  if (light.format == L::Format::alcdef && !of.time_scale) of.time_scale = TimeScale::UTC;
+  if (light.format == L::Format::alcdef && !of.time_scale)
+    of.time_scale = ephemeris::TimeScale::UTC;
 }
 
 void made_light_curve(Observation& of, const TermContext& at) {
@@ -123,5 +125,6 @@ ObservationKind light_curve_kind() {
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -12,6 +12,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 
 ObservedRows observed_rows(MeasuredRows measured, const TermContext& at) {
   const std::size_t count = measured.columns.size();
@@ -32,23 +33,23 @@ ObservedRows observed_rows(MeasuredRows measured, const TermContext& at) {
     rows.error_units.push_back(at.units().to_core(1.0, column.dimension));
     are_angles.push_back(column.dimension == Dimension::angle);
   }
-  const auto function = std::make_shared<const MotionFunction>(std::move(measured.numbers));
+  const auto function = std::make_shared<const fit::MotionFunction>(std::move(measured.numbers));
   const std::vector<double> units = rows.error_units;
-  rows.read = [=](const FileRow& row, Snapshots& seen) {
-    Measurement one{row.t, row.numbers, row.sigmas, function, are_angles};
+  rows.read = [=](const FileRow& row, fit::Snapshots& seen) {
+    fit::Measurement one{row.t, row.numbers, row.sigmas, function, are_angles};
     for (std::size_t i = 0; i < count; ++i) one.seen[i] *= units[i];
     seen.measurements.push_back(std::move(one));
   };
   rows.simulate = [=](const BodyMotion& motion, const RowNoise& noise,
-                      const std::vector<double>& sigmas, Snapshots& seen) {
-    Measurement one{motion.t, std::vector<double>(count), sigmas, function, are_angles};
+                      const std::vector<double>& sigmas, fit::Snapshots& seen) {
+    fit::Measurement one{motion.t, std::vector<double>(count), sigmas, function, are_angles};
     (*function)(motion.t, motion.q, motion.w_F, one.seen);
     for (std::size_t i = 0; i < count; ++i) one.seen[i] += sigmas[i] * noise(i);
     seen.measurements.push_back(std::move(one));
   };
-  rows.written = [units](const Snapshots& seen) {
+  rows.written = [units](const fit::Snapshots& seen) {
     std::vector<FileRow> all;
-    for (const Measurement& one : seen.measurements) {
+    for (const fit::Measurement& one : seen.measurements) {
       FileRow row{one.t, one.seen};
       for (std::size_t i = 0; i < units.size(); ++i) row.numbers[i] /= units[i];
       all.push_back(std::move(row));
@@ -58,5 +59,6 @@ ObservedRows observed_rows(MeasuredRows measured, const TermContext& at) {
   return rows;
 }
 
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -9,6 +9,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 namespace {
 
@@ -17,7 +18,7 @@ struct RateKeys : ErrorKeys {
   std::string rate_unit;  // empty: that of the file
 };
 
-constexpr auto rate_keys = joined(
+constexpr auto rate_keys = polhode::io::joined(
     std::array{
         columns_key<&RateKeys::columns>(
             "columns",
@@ -36,19 +37,19 @@ ObservedRows made_rate(const RateKeys& keys, const TermContext& at) {
   const double unit = keys.rate_unit.empty() ? at.units().to_core(1.0, Dimension::rate)
                                              : at.unit("rate_unit", Dimension::rate);
   ObservedRows rows = rows_with({"t", "w1", "w2", "w3"}, keys.columns, keys, unit, 3);
-  rows.read = [unit](const FileRow& row, Snapshots& seen) {
+  rows.read = [unit](const FileRow& row, fit::Snapshots& seen) {
     const std::vector<double>& x = row.numbers;
     seen.rates.push_back(
-        {row.t, {unit * x[0], unit * x[1], unit * x[2]}, covariance_of(three(row.sigmas))});
+        {row.t, {unit * x[0], unit * x[1], unit * x[2]}, fit::covariance_of(three(row.sigmas))});
   };
   rows.simulate = [](const BodyMotion& motion, const RowNoise& noise,
-                     const std::vector<double>& sigmas, Snapshots& seen) {
+                     const std::vector<double>& sigmas, fit::Snapshots& seen) {
     seen.rates.push_back(
-        {motion.t, motion.w_F + noise_vector(noise, sigmas), covariance_of(three(sigmas))});
+        {motion.t, motion.w_F + noise_vector(noise, sigmas), fit::covariance_of(three(sigmas))});
   };
-  rows.written = [unit](const Snapshots& seen) {
+  rows.written = [unit](const fit::Snapshots& seen) {
     std::vector<FileRow> all;
-    for (const ObservedRate& one : seen.rates)
+    for (const fit::ObservedRate& one : seen.rates)
       all.push_back({one.t, {one.w_F.x / unit, one.w_F.y / unit, one.w_F.z / unit}});
     return all;
   };
@@ -65,5 +66,6 @@ ObservationKind rate_kind() {
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

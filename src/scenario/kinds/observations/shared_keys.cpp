@@ -9,6 +9,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 void require_state_axes(const std::optional<ObservedAxes>& axes, const KeyValues& at) {
@@ -61,5 +62,6 @@ Vec3 noise_vector(const RowNoise& noise, const std::vector<double>& sigmas) {
 Vec3 three(const std::vector<double>& sigmas) { return {sigmas[0], sigmas[1], sigmas[2]}; }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -16,6 +16,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 // The axes that it refers to, and the unit of angles.
@@ -86,5 +87,6 @@ Vec3 noise_vector(const RowNoise& noise, const std::vector<double>& sigmas);
 Vec3 three(const std::vector<double>& sigmas);
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

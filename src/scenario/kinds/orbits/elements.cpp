@@ -15,6 +15,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 namespace {
 
@@ -63,7 +64,7 @@ constexpr std::array own_keys = {
     order_key<&Arguments::order>("Order of the interpolation: 2 to 16, even. Left out: 10."),
     allow_coarse_key<&Arguments::allow_coarse>(),
 };
-constexpr auto keys = joined(place_keys<Arguments>, own_keys);
+constexpr auto keys = polhode::io::joined(place_keys<Arguments>, own_keys);
 
 // In the order of `roles`.
 enum Role : std::size_t {
@@ -108,25 +109,26 @@ bool are_elements(const OrbitContext& at, const DeclaredColumns& columns) {
   return angles;
 }
 
-OrbitElements row_of(const DeclaredColumns& columns, std::size_t row, bool angles) {
+secular::OrbitElements row_of(const DeclaredColumns& columns, std::size_t row, bool angles) {
   const auto x = [&](Role role) { return columns.of(role)[row]; };
   if (!angles) return {x(k), x(h), x(q), x(p)};
   if (!(x(inclination) >= 0.0 && x(inclination) < pi<double>()))
     throw DomainError("an inclination of 180 degrees or more, or below 0; expected 0 to below 180");
-  return orbit_elements(x(eccentric), x(inclination), x(node),
-                        columns.has(argument) ? x(argument) : x(pericentre) - x(node));
+  return secular::orbit_elements(x(eccentric), x(inclination), x(node),
+                                 columns.has(argument) ? x(argument) : x(pericentre) - x(node));
 }
 
 // Along the axes of the experiment, or "mars.csv:17: ...".
-OrbitElements placed(const DeclaredColumns& columns, std::size_t row, bool angles,
-                     const std::optional<Quaternion>& to_axes) {
+secular::OrbitElements placed(const DeclaredColumns& columns, std::size_t row, bool angles,
+                              const std::optional<Quaternion>& to_axes) {
   try {
-    const OrbitElements o = row_of(columns, row, angles);
-    if (!(eccentricity(o) < 1.0))
-      throw DomainError("eccentricity " + number_text(eccentricity(o)) + "; expected 0 to below 1");
+    const secular::OrbitElements o = row_of(columns, row, angles);
+    if (!(secular::eccentricity(o) < 1.0))
+      throw DomainError("eccentricity " + polhode::detail::number_text(secular::eccentricity(o)) +
+                        "; expected 0 to below 1");
     if (!(o.q * o.q + o.p * o.p < 1.0))
       throw DomainError("q and p of no inclination; expected q^2 + p^2 below 1");
-    return to_axes ? turned(o, *to_axes) : o;
+    return to_axes ? secular::turned(o, *to_axes) : o;
   } catch (const DomainError& error) {
     throw DomainError(columns.place(row) + error.what());
   }
@@ -134,7 +136,7 @@ OrbitElements placed(const DeclaredColumns& columns, std::size_t row, bool angle
 
 struct Rows {
   std::vector<double> times;
-  std::vector<OrbitElements> elements;
+  std::vector<secular::OrbitElements> elements;
 };
 
 // Times rise in the result; in the file they may fall, but not turn round, and leave no gap.
@@ -146,15 +148,15 @@ void require_cadence(const DeclaredColumns& columns, const std::vector<double>& 
     rising.push_back(sense * times[row]);
     if (row == 0) continue;
     const double step = rising[row] - rising[row - 1];
-    const std::string text = number_text(times[row] / time_unit);
+    const std::string text = polhode::detail::number_text(times[row] / time_unit);
     if (step == 0.0) throw DomainError(columns.place(row) + "time " + text + " comes twice");
     if (step < 0.0)
       throw DomainError(columns.place(row) + "time " + text +
                         " turns back; expected times that rise, or that fall, from row to row");
   }
-  if (const std::size_t row = row_after_gap(rising))
+  if (const std::size_t row = secular::row_after_gap(rising))
     throw DomainError(columns.place(row) + "a gap of " +
-                      number_text((rising[row] - rising[row - 1]) / time_unit) +
+                      polhode::detail::number_text((rising[row] - rising[row - 1]) / time_unit) +
                       " before this row, more than three times the intervals beside it; expected a "
                       "table without gaps");
 }
@@ -206,12 +208,12 @@ ScenarioHistory history(const Arguments& a, const OrbitContext& at) {
   return at.built("file", [&]() -> ScenarioHistory {
     const DeclaredColumns columns(at, "file", a, roles);
     Rows rows = rows_of(a, at, columns);
-    ElementTable table(std::move(rows.times), rows.elements, order_of(a.order));
+    secular::ElementTable table(std::move(rows.times), rows.elements, order_of(a.order));
     std::vector<std::string> warnings =
         rows_warning(at, "file", table.interpolation_error(), 1e-3,
                      "the largest eccentricity or inclination", a.allow_coarse);
     add_small_angles(at, columns, warnings);
-    return {OrbitHistory(std::move(table)),
+    return {secular::OrbitHistory(std::move(table)),
             "elements " + printable(a.file, longest_file) + ", " + std::to_string(columns.rows()) +
                 " rows",
             std::move(warnings), a.axes == "inertial"};
@@ -234,5 +236,6 @@ OrbitKind elements_kind() {
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

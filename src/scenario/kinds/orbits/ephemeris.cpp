@@ -17,6 +17,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 namespace {
 
@@ -54,26 +55,29 @@ double kilometre(const OrbitContext& at) {
 }
 
 // Whose motions they are made of: the Moon's is about the Earth, all others are about the Sun.
-std::vector<std::string> sources_of(Planetary target, Planetary centre) {
-  const auto is = [&](Planetary body) { return target == body || centre == body; };
+std::vector<std::string> sources_of(ephemeris::Planetary target, ephemeris::Planetary centre) {
+  const auto is = [&](ephemeris::Planetary body) { return target == body || centre == body; };
   std::vector<std::string> sources{"ephemeris"};
-  if (is(Planetary::moon)) sources.push_back("moon");
-  if (is(Planetary::moon) != is(Planetary::earth)) sources.push_back("earth");
-  for (const Planetary body : {target, centre})
-    if (body != Planetary::sun && body != Planetary::earth && body != Planetary::moon)
+  if (is(ephemeris::Planetary::moon)) sources.push_back("moon");
+  if (is(ephemeris::Planetary::moon) != is(ephemeris::Planetary::earth)) sources.push_back("earth");
+  for (const ephemeris::Planetary body : {target, centre})
+    if (body != ephemeris::Planetary::sun && body != ephemeris::Planetary::earth &&
+        body != ephemeris::Planetary::moon)
       sources.push_back("planet");
   return sources;
 }
 
 // Where the run leaves the years for which the theories were compared: "; outside 1900 to 2100, off
 // by up to some 12 arcsec".
-std::string note_of_years(Planetary target, Planetary centre, const Clock& clock,
-                          const TimeSpan& span) {
-  const PlanetaryYears best = best_years(target, centre);
-  const auto january = [](int year) { return calendar_date(TimeScale::TT, {.year = year}); };
-  const auto at = [&](double t) { return date_after(clock.epoch, t / clock.second); };
-  if (seconds_between(january(best.first), at(span.first)) >= 0.0 &&
-      seconds_between(at(span.last), january(best.last + 1)) >= 0.0)
+std::string note_of_years(ephemeris::Planetary target, ephemeris::Planetary centre,
+                          const Clock& clock, const TimeSpan& span) {
+  const ephemeris::PlanetaryYears best = ephemeris::best_years(target, centre);
+  const auto january = [](int year) {
+    return ephemeris::calendar_date(ephemeris::TimeScale::TT, {.year = year});
+  };
+  const auto at = [&](double t) { return ephemeris::date_after(clock.epoch, t / clock.second); };
+  if (ephemeris::seconds_between(january(best.first), at(span.first)) >= 0.0 &&
+      ephemeris::seconds_between(at(span.last), january(best.last + 1)) >= 0.0)
     return {};
   // planets come near, for a month or two
   constexpr double look_s = 20.0 * 86400.0;
@@ -82,14 +86,15 @@ std::string note_of_years(Planetary target, Planetary centre, const Clock& clock
   double worst = 0.0;
   for (double k = 0.0; k <= looks; ++k)
     worst = std::max(
-        worst,
-        planetary_error(target, centre, at(span.first + (k / looks) * (span.last - span.first))));
+        worst, ephemeris::planetary_error(target, centre,
+                                          at(span.first + (k / looks) * (span.last - span.first))));
   return "; outside " + std::to_string(best.first) + " to " + std::to_string(best.last) +
-         ", off by up to some " + number_text(std::ceil(worst)) + " arcsec";
+         ", off by up to some " + polhode::detail::number_text(std::ceil(worst)) + " arcsec";
 }
 
 ScenarioOrbit made(const Arguments& a, const OrbitContext& at) {
-  const Planetary target = *planetary(a.target), centre = *planetary(a.centre);
+  const ephemeris::Planetary target = *ephemeris::planetary(a.target),
+                             centre = *ephemeris::planetary(a.centre);
   if (target == centre) at.refuse("centre", "expected another body than the target");
   const std::string axes = at.state_axes();
   if (axes == "inertial")
@@ -104,9 +109,10 @@ ScenarioOrbit made(const Arguments& a, const OrbitContext& at) {
   // light that is fitted or simulated arrives later than it leaves, by less than a day within the
   // planets
   const double light = head_table(at.file_values())->kind == "fit" ? day : margin;
-  const EphemerisTable table = at.built("target", [&] {
-    return planetary_table(target, centre, clock.epoch, span->first / clock.second - light,
-                           span->last / clock.second + light);
+  const ephemeris::EphemerisTable table = at.built("target", [&] {
+    return ephemeris::planetary_table(target, centre, clock.epoch,
+                                      span->first / clock.second - light,
+                                      span->last / clock.second + light);
   });
   PositionTable rows = table.rows;
   for (double& t : rows.times) t *= clock.second;
@@ -117,7 +123,7 @@ ScenarioOrbit made(const Arguments& a, const OrbitContext& at) {
   return {
       {},
       TableOrbit(std::move(rows), table.order),
-      own ? own : at.units().to_core(planetary_gm(target), "km3/s2", Dimension::gm),
+      own ? own : at.units().to_core(ephemeris::planetary_gm(target), "km3/s2", Dimension::gm),
       std::move(sources),
       "ephemeris, " + a.target + " from " + a.centre + note_of_years(target, centre, clock, *span)};
 }
@@ -132,5 +138,6 @@ OrbitKind ephemeris_kind() {
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <utility>
 
-#include "polhode/secular/history_orbit.hpp"
+#include "polhode/secular/orbit_history.hpp"
 #include "scenario/detail/built_in_kinds.hpp"
 #include "scenario/detail/clock.hpp"
 #include "scenario/detail/other_names.hpp"
@@ -20,6 +20,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 namespace {
@@ -119,7 +120,7 @@ constexpr double most_rows = 4e6;
 constexpr double tolerance = 1e-10;  // of the distance
 constexpr int order = 12;
 
-PositionTable tabulated(const HistoryOrbit& orbit, const TimeSpan& span, double rows) {
+PositionTable tabulated(const secular::HistoryOrbit& orbit, const TimeSpan& span, double rows) {
   PositionTable table;
   const auto count = static_cast<std::size_t>(rows);
   const double step = (span.last - span.first) / static_cast<double>(count - 1);
@@ -135,12 +136,13 @@ struct LargestEccentricity {
   double time;
   double value;
 };
-LargestEccentricity largest_eccentricity(const OrbitHistory& elements, const TimeSpan& span) {
+LargestEccentricity largest_eccentricity(const secular::OrbitHistory& elements,
+                                         const TimeSpan& span) {
   constexpr int looks = 4000;
   LargestEccentricity largest{span.first, -1.0};
   for (int i = 0; i <= looks; ++i) {
     const double t = i == looks ? span.last : span.first + i * ((span.last - span.first) / looks);
-    const double e = eccentricity(elements.at(t));
+    const double e = secular::eccentricity(elements.at(t));
     if (e > largest.value) largest = {t, e};
   }
   return largest;
@@ -148,7 +150,7 @@ LargestEccentricity largest_eccentricity(const OrbitHistory& elements, const Tim
 
 // In the middle between rows, all along one turn: the first, the last, and that of the largest
 // eccentricity. The error is that of the pericentres, which probes at even steps may all miss.
-double misfit(const TableOrbit& table, const HistoryOrbit& orbit, double largest_at) {
+double misfit(const TableOrbit& table, const secular::HistoryOrbit& orbit, double largest_at) {
   const std::vector<double>& t = table.table().times;
   const std::size_t intervals = t.size() - 1;
   const double turns = (t.back() - t.front()) * orbit.mean_motion() / (2.0 * std::numbers::pi);
@@ -168,8 +170,8 @@ double misfit(const TableOrbit& table, const HistoryOrbit& orbit, double largest
   return worst;
 }
 
-void require_cover(const OrbitContext& at, std::string_view key, const OrbitHistory& history,
-                   const TimeSpan& span) {
+void require_cover(const OrbitContext& at, std::string_view key,
+                   const secular::OrbitHistory& history, const TimeSpan& span) {
   if (history.first_time() <= span.first && span.last <= history.last_time()) return;
   const auto text = [&](double t) { return time_and_date(at.file_values(), t); };
   at.refuse(key, "it covers " + text(history.first_time()) + " to " + text(history.last_time()) +
@@ -178,15 +180,16 @@ void require_cover(const OrbitContext& at, std::string_view key, const OrbitHist
 }
 
 // Of the origin of longitudes in the plane of t = 0, where `from_file` turned the elements.
-double shift_of_origin(const OrbitHistory& elements, const Quaternion& from_file) {
-  const OrbitElements now = elements.at(0.0), in_file = turned(now, conj(from_file));
-  const Vec3 own = rotate(equinoctial_attitude(in_file), Vec3{1.0, 0.0, 0.0});
-  const Vec3 x = rotate(conj(equinoctial_attitude(now)), rotate(from_file, own));
+double shift_of_origin(const secular::OrbitHistory& elements, const Quaternion& from_file) {
+  const secular::OrbitElements now = elements.at(0.0),
+                               in_file = secular::turned(now, conj(from_file));
+  const Vec3 own = rotate(secular::equinoctial_attitude(in_file), Vec3{1.0, 0.0, 0.0});
+  const Vec3 x = rotate(conj(secular::equinoctial_attitude(now)), rotate(from_file, own));
   return std::atan2(x.y, x.x);
 }
 
 // One row is no table.
-TimeSpan lengthened(TimeSpan span, const HistoryOrbit& orbit) {
+TimeSpan lengthened(TimeSpan span, const secular::HistoryOrbit& orbit) {
   if (span.first != span.last) return span;
   const double width = 0.1 / orbit.mean_motion();
   if (span.last + width <= orbit.elements().last_time())
@@ -197,25 +200,26 @@ TimeSpan lengthened(TimeSpan span, const HistoryOrbit& orbit) {
 }
 
 // As few rows as the tolerance takes.
-PositionTable dense_enough(const OrbitContext& at, std::string_view key, const HistoryOrbit& orbit,
-                           const TimeSpan& span) {
+PositionTable dense_enough(const OrbitContext& at, std::string_view key,
+                           const secular::HistoryOrbit& orbit, const TimeSpan& span) {
   const double turns = (span.last - span.first) * orbit.mean_motion() / (2.0 * std::numbers::pi);
   const LargestEccentricity largest = largest_eccentricity(orbit.elements(), span);
-  const std::string what = number_text(std::round(turns)) + " turns in the run";
+  const std::string what = polhode::detail::number_text(std::round(turns)) + " turns in the run";
   double rows = std::max(std::ceil(40.0 * turns), 24.0);
   if (!(rows <= most_rows))
-    at.refuse(key, what + " are too many to tabulate, with " + number_text(rows) +
-                       " rows; expected at most " + number_text(most_rows));
+    at.refuse(key, what + " are too many to tabulate, with " + polhode::detail::number_text(rows) +
+                       " rows; expected at most " + polhode::detail::number_text(most_rows));
   for (;; rows = std::min(2.0 * rows, most_rows)) {
     PositionTable table = tabulated(orbit, span, rows);
     const double off = misfit(TableOrbit(table, order), orbit, largest.time);
     if (off <= tolerance) return table;
     if (!(rows < most_rows))
-      at.refuse(key,
-                what + ", with an eccentricity of up to " + number_text(rounded(largest.value)) +
-                    ", are too many to tabulate: " + number_text(most_rows) + " rows are off by " +
-                    number_text(rounded(off)) + " of the distance between them; expected at most " +
-                    number_text(tolerance));
+      at.refuse(key, what + ", with an eccentricity of up to " +
+                         polhode::detail::number_text(rounded(largest.value)) +
+                         ", are too many to tabulate: " + polhode::detail::number_text(most_rows) +
+                         " rows are off by " + polhode::detail::number_text(rounded(off)) +
+                         " of the distance between them; expected at most " +
+                         polhode::detail::number_text(tolerance));
   }
 }
 
@@ -238,9 +242,10 @@ ScenarioOrbit positions_of(const OrbitContext& at, std::string_view key,
     at.refuse(key, "expected a table [time], since the positions are tabulated over the run");
   require_cover(at, key, history.elements, *span);
   const double gm = *positive_gm(at, place.gm);
-  const HistoryOrbit orbit = at.built("semi_major_axis", [&] {
-    return HistoryOrbit(history.elements, gm, *place.semi_major_axis,
-                        place.mean_longitude + shift_of_origin(history.elements, from_file));
+  const secular::HistoryOrbit orbit = at.built("semi_major_axis", [&] {
+    return secular::HistoryOrbit(
+        history.elements, gm, *place.semi_major_axis,
+        place.mean_longitude + shift_of_origin(history.elements, from_file));
   });
   PositionTable table = dense_enough(at, key, orbit, lengthened(*span, orbit));
   for (Vec3& x : table.positions) x = in_other_axes(x, axes, of_state);
@@ -252,5 +257,6 @@ ScenarioOrbit positions_of(const OrbitContext& at, std::string_view key,
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -16,6 +16,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 namespace {
 
@@ -23,16 +24,17 @@ constexpr std::string_view equatorial[] = {"EME2000", "J2000", "ICRF", "GCRF"};
 constexpr double gps_behind_tai = 19.0;  // s
 
 // A date of the file; GPS as TAI, which is `gps_behind_tai` ahead.
-Date date_of(std::string_view scale, const CivilTime& time) {
+ephemeris::Date date_of(std::string_view scale, const CivilTime& time) {
   constexpr std::int64_t second = 1'000'000'000;
   const std::string text = civil_text(time);
   const auto part = [&](std::size_t at, std::size_t digits) {
     return std::stoi(text.substr(at, digits));
   };
-  const CalendarTime at{
+  const ephemeris::CalendarTime at{
       part(0, 4),  part(5, 2),  part(8, 2),
       part(11, 2), part(14, 2), part(17, 2) + static_cast<double>(time.nano % second) / second};
-  return calendar_date(scale == "GPS" ? TimeScale::TAI : *time_scale(scale), at);
+  return ephemeris::calendar_date(
+      scale == "GPS" ? ephemeris::TimeScale::TAI : *ephemeris::time_scale(scale), at);
 }
 
 // Seconds from the state's epoch to a date of the file: exact where both have one scale.
@@ -41,7 +43,7 @@ double since_epoch(const OrbitContext& at, const std::string& file_scale, const 
   if (scale_of_epoch(epoch) == file_scale)
     return seconds_between(file_scale, time_of_epoch(epoch), date);
   const Clock clock = clock_of(at.file_values(), at.key_path("file"));
-  return seconds_between(clock.epoch, date_of(file_scale, date), clock.dut1) +
+  return ephemeris::seconds_between(clock.epoch, date_of(file_scale, date), clock.dut1) +
          (file_scale == "GPS" ? gps_behind_tai : 0.0);
 }
 
@@ -129,5 +131,6 @@ ScenarioOrbit oem_orbit(const OrbitContext& at, const std::string& file, std::op
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

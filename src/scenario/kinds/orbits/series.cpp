@@ -9,6 +9,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 namespace {
 
@@ -43,18 +44,19 @@ constexpr std::array own_keys = {
         .required()
         .example("\"ecliptic-J2000\""),
 };
-constexpr auto keys = joined(place_keys<Arguments>, own_keys);
+constexpr auto keys = polhode::io::joined(place_keys<Arguments>, own_keys);
 
 enum Role : std::size_t { frequency, amplitude, phase };
 constexpr ColumnRole roles[] = {
     {"frequency", Dimension::rate}, {"amplitude", Dimension::number}, {"phase", Dimension::angle}};
 
-std::vector<SeriesTerm> terms_of(const Arguments& a, const OrbitContext& at, std::string_view key) {
+std::vector<secular::SeriesTerm> terms_of(const Arguments& a, const OrbitContext& at,
+                                          std::string_view key) {
   return at.built(key, [&] {
     const DeclaredColumns columns(at, key, a, roles);
     for (const Role role : {frequency, amplitude, phase})
       if (!columns.has(role)) at.refuse("columns", "expected frequency, amplitude and phase");
-    std::vector<SeriesTerm> terms;
+    std::vector<secular::SeriesTerm> terms;
     for (std::size_t k = 0; k < columns.rows(); ++k)
       terms.push_back({columns.of(frequency)[k], a.amplitude_unit * columns.of(amplitude)[k],
                        columns.of(phase)[k]});
@@ -63,11 +65,11 @@ std::vector<SeriesTerm> terms_of(const Arguments& a, const OrbitContext& at, std
 }
 
 ScenarioHistory history(const Arguments& a, const OrbitContext& at) {
-  std::vector<SeriesTerm> ellipse = terms_of(a, at, "ellipse_file");
-  std::vector<SeriesTerm> plane = terms_of(a, at, "plane_file");
+  std::vector<secular::SeriesTerm> ellipse = terms_of(a, at, "ellipse_file");
+  std::vector<secular::SeriesTerm> plane = terms_of(a, at, "plane_file");
   const std::size_t terms = ellipse.size() + plane.size();
   return at.built("amplitude_unit", [&]() -> ScenarioHistory {
-    return {OrbitHistory(ElementSeries(std::move(ellipse), std::move(plane))),
+    return {secular::OrbitHistory(secular::ElementSeries(std::move(ellipse), std::move(plane))),
             "series of " + std::to_string(terms) + " terms",
             {},
             a.axes == "inertial"};
@@ -93,5 +95,6 @@ OrbitKind series_kind() {
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

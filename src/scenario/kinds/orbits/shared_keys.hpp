@@ -17,6 +17,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 template <auto at, class A = Owner<at>>
@@ -106,5 +107,6 @@ inline std::vector<std::string> rows_warning(const OrbitContext& at, std::string
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -2,11 +2,12 @@
 // [orbit.NAME] that the library brings along.
 #include <string>
 
-#include "polhode/secular/shipped_orbit.hpp"
+#include "polhode/secular/orbit_history.hpp"
 #include "scenario/detail/history_keys.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 namespace {
 
@@ -25,7 +26,7 @@ constexpr KindKey<Arguments> keys[] = {
 
 ScenarioHistory history(const Arguments& a, const OrbitContext& at) {
   const double year = at.units().to_core(1.0, "yr", Dimension::time);
-  return {OrbitHistory(shipped_orbit(a.name, year)), "shipped, " + a.name};
+  return {secular::OrbitHistory(secular::shipped_orbit(a.name, year)), "shipped, " + a.name};
 }
 
 }  // namespace
@@ -49,5 +50,6 @@ OrbitKind shipped_kind() {
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

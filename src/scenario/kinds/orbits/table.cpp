@@ -23,6 +23,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 namespace {
 
@@ -37,7 +38,7 @@ struct Arguments {
   std::optional<std::string> file;
   std::optional<std::vector<std::string>> columns;
   TimeFormat time_format;
-  TimeScale time_scale;
+  ephemeris::TimeScale time_scale;
   std::optional<std::string> time_unit, length_unit, velocity_unit;
   std::optional<std::int64_t> order;
   bool allow_coarse;
@@ -86,8 +87,9 @@ constexpr KindKey<Arguments> keys[] = {
         "What the column of times holds: time from t = 0, Julian dates, modified ones, or dates "
         "like 2013-01-05T18:30:00. All but the first need `state.epoch`.")
         .otherwise("\"number\""),
-    choice_key<&Arguments::time_scale, TimeScale::UTC, TimeScale::TAI, TimeScale::TT,
-               TimeScale::TDB>("time_scale", "UTC|TAI|TT|TDB", "Time scale of these dates.")
+    choice_key<&Arguments::time_scale, ephemeris::TimeScale::UTC, ephemeris::TimeScale::TAI,
+               ephemeris::TimeScale::TT, ephemeris::TimeScale::TDB>("time_scale", "UTC|TAI|TT|TDB",
+                                                                    "Time scale of these dates.")
         .otherwise("\"TT\"")
         .example("\"TDB\""),
     unit_key<&Arguments::time_unit>(
@@ -142,7 +144,7 @@ FieldReader time_reader(const Arguments& a, const OrbitContext& at) {
   }
   if (a.time_unit) at.refuse("time_unit", "expected no unit together with dates");
   const Clock clock = clock_of(at.file_values(), at.key_path("time_format"));
-  const TimeScale scale = a.time_scale;
+  const ephemeris::TimeScale scale = a.time_scale;
   if (a.time_format == TimeFormat::date)
     return [=](std::string_view field) { return clock.core_time(date_in(field, scale)); };
   const double zero = a.time_format == TimeFormat::modified_julian ? 2400000.5 : 0.0;
@@ -172,7 +174,8 @@ void require_header(const Arguments& a, const OrbitContext& at, const NumberTabl
     else
       check.unit(k, {"velocity_unit", units.speed, Dimension::speed});
   }
-  if (a.time_format != TimeFormat::number) return check.scale(std::string(name(a.time_scale)));
+  if (a.time_format != TimeFormat::number)
+    return check.scale(std::string(ephemeris::name(a.time_scale)));
   check.unit(0, {"time_unit", units.time, Dimension::time});
   check.epoch();
 }
@@ -276,7 +279,9 @@ namespace {
 void require_cover(const OrbitContext& at, const char* key, const TableOrbit& orbit) {
   const std::optional<TimeSpan> span = at.run_span();
   if (!span || orbit.covers(span->first, span->last)) return;
-  const auto text = [&](double t) { return number_text(at.units().from_core(t, Dimension::time)); };
+  const auto text = [&](double t) {
+    return polhode::detail::number_text(at.units().from_core(t, Dimension::time));
+  };
   at.refuse(key, "it covers the times " + text(orbit.first_time()) + " to " +
                      text(orbit.last_time()) + " " + at.units().time() +
                      "; expected all of the run, " + text(span->first) + " to " + text(span->last) +
@@ -307,5 +312,6 @@ OrbitKind table_kind() {
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

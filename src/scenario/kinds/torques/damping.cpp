@@ -4,12 +4,12 @@
 #include <optional>
 
 #include "polhode/perturb/internal_damping.hpp"
-#include "polhode/perturb/linear_damping.hpp"
 #include "scenario/detail/built_in_kinds.hpp"
 #include "scenario/kinds/torques/shared_keys.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 namespace {
@@ -222,5 +222,6 @@ PerturbationKind kane_damper_kind() {
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -7,13 +7,12 @@
 #include <string>
 #include <variant>
 
-#include "polhode/perturb/higher_gravity.hpp"
-#include "polhode/perturb/oblate_gravity.hpp"
 #include "scenario/detail/built_in_kinds.hpp"
 #include "scenario/kinds/torques/shared_keys.hpp"
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 namespace {
 
@@ -63,16 +62,18 @@ Arguments principal(Arguments a, const TermContext& at) {
   }
   if (at.has_principal_axes()) return a;
   const Mat3 R = rotation_matrix(conj(at.q_FB()));
-  if (a.third_moments) a.third_moments = rotated(MassMoments{*a.third_moments, {}}, R).third;
-  if (a.fourth_moments) a.fourth_moments = rotated(MassMoments{{}, *a.fourth_moments}, R).fourth;
+  if (a.third_moments)
+    a.third_moments = shape::rotated(shape::MassMoments{*a.third_moments, {}}, R).third;
+  if (a.fourth_moments)
+    a.fourth_moments = shape::rotated(shape::MassMoments{{}, *a.fourth_moments}, R).fourth;
   return a;
 }
 
 // None where the table has no moments.
-std::optional<MassMoments> moments_of(const Arguments& a) {
+std::optional<shape::MassMoments> moments_of(const Arguments& a) {
   if (!a.third_moments && !a.fourth_moments) return std::nullopt;
-  return MassMoments{a.third_moments.value_or(std::array<double, 10>{}),
-                     a.fourth_moments.value_or(std::array<double, 15>{})};
+  return shape::MassMoments{a.third_moments.value_or(std::array<double, 10>{}),
+                            a.fourth_moments.value_or(std::array<double, 15>{})};
 }
 
 void require_side(const Arguments& a, const TermContext& at) {
@@ -94,7 +95,7 @@ std::optional<Oblateness> oblateness_of(const Arguments& a, const TermContext& a
 // Degree 2 once, and what else the table has.
 MadeTerms made(const Arguments& a, const TermContext& at) {
   const ScenarioOrbit& orbit = at.orbit("orbit");
-  const std::optional<MassMoments> moments = moments_of(a);
+  const std::optional<shape::MassMoments> moments = moments_of(a);
   require_side(a, at);
   const std::optional<Oblateness> oblate = oblateness_of(a, at);
   const std::string of_orbit = ", orbit " + orbit.name;
@@ -134,5 +135,6 @@ PerturbationKind gravity_gradient_kind() {
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

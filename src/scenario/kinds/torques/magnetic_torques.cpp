@@ -9,7 +9,7 @@
 #include <string_view>
 #include <variant>
 
-#include "polhode/ephemeris/earth.hpp"
+#include "polhode/ephemeris/ephemeris.hpp"
 #include "polhode/perturb/magnetic_torque.hpp"
 #include "polhode/scenario/perturbation_kind.hpp"
 #include "scenario/detail/built_in_kinds.hpp"
@@ -20,6 +20,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 namespace {
@@ -101,7 +102,7 @@ Citation dipole_citation() {
 
 // The Earth's orientation at t = 0 along the axes of the state.
 PrimaryRotation earth_at_epoch(const TermContext& at, const Clock& clock, const std::string& axes) {
-  const Mat3 R = j2000_from_earth(clock.epoch, clock.dut1);
+  const Mat3 R = ephemeris::j2000_from_earth(clock.epoch, clock.dut1);
   const auto column = [&](int k) {
     return in_other_axes(Vec3{R(0, k), R(1, k), R(2, k)}, "equator-J2000", axes);
   };
@@ -109,7 +110,7 @@ PrimaryRotation earth_at_epoch(const TermContext& at, const Clock& clock, const 
   const Vec3 node = cross(Vec3{0.0, 0.0, 1.0}, pole);
   const double meridian = std::atan2(dot(cross(node, greenwich), pole), dot(node, greenwich));
   return {.pole = pole,
-          .rate = at.units().to_core(earth_rotation_rate, "rad/s", Dimension::rate),
+          .rate = at.units().to_core(ephemeris::earth_rotation_rate, "rad/s", Dimension::rate),
           .meridian = meridian,
           .epoch = 0.0};
 }
@@ -124,14 +125,14 @@ void replace_earth(DipoleArguments& a, const TermContext& at) {
               "and epoch");
   const Clock clock = clock_of(at.file_values(), at.key_path("field"));
   at.built("field", [&] {
-    const Vec3 g = igrf_dipole(clock.epoch);
+    const Vec3 g = ephemeris::igrf_dipole(clock.epoch);
     const auto core = [&](double x) {
       return at.units().to_core(x, "nT", Dimension::magnetic_field);
     };
     const PrimaryRotation earth = earth_at_epoch(at, clock, axes);
     a.field = FieldSource::coefficients;
     a.gauss = {core(g.x), core(g.y), core(g.z)};
-    a.reference_radius = at.units().to_core(igrf_radius_km, "km", Dimension::length);
+    a.reference_radius = at.units().to_core(ephemeris::igrf_radius_km, "km", Dimension::length);
     a.pole = earth.pole;
     a.rotation_rate = earth.rate;
     a.meridian = earth.meridian;
@@ -154,7 +155,7 @@ bool is_earth(const TermContext& at) { return at.word("field") == "earth"; }
 // The note of the Earth's dipole in a summary; empty for others.
 std::string field_note(const DipoleArguments& a, const TermContext& at) {
   if (!is_earth(at)) return {};
-  const Vec3 g = igrf_dipole(clock_of(at.file_values(), at.key_path("field")).epoch);
+  const Vec3 g = ephemeris::igrf_dipole(clock_of(at.file_values(), at.key_path("field")).epoch);
   return fmt::format(
       ", the Earth's dipole of the epoch (IGRF-14: {:.1f}, {:.1f}, {:.1f} nT; "
       "pole {:.9f}, {:.9f}, {:.9f}, meridian {:.6f} {})",
@@ -211,7 +212,8 @@ constexpr std::array moment_keys = {
         .required()
         .example("{ value = [0.0, 0.0, 1.0], unit = \"A m2\" }"),
 };
-constexpr auto residual_dipole_keys = joined(dipole_keys<ResidualDipoleArguments>, moment_keys);
+constexpr auto residual_dipole_keys =
+    polhode::io::joined(dipole_keys<ResidualDipoleArguments>, moment_keys);
 
 ResidualDipoleArguments principal_dipole(ResidualDipoleArguments a, const TermContext& at) {
   require_one_field(a, at);
@@ -255,7 +257,8 @@ constexpr std::array tensor_keys = {
         "field_rate", "Whether dB/dt along the orbit counts; false: currents by omega x B alone.")
         .otherwise("true"),
 };
-constexpr auto eddy_current_keys = joined(dipole_keys<EddyCurrentArguments>, tensor_keys);
+constexpr auto eddy_current_keys =
+    polhode::io::joined(dipole_keys<EddyCurrentArguments>, tensor_keys);
 
 EddyCurrentArguments principal_eddy(EddyCurrentArguments a, const TermContext& at) {
   require_one_field(a, at);
@@ -295,5 +298,6 @@ PerturbationKind eddy_currents_kind() {
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode

@@ -12,6 +12,7 @@
 
 namespace polhode {
 inline namespace v0 {
+namespace io {
 namespace detail {
 
 template <auto at, class A = Owner<at>>
@@ -92,5 +93,6 @@ inline std::optional<SpaceAxes> space_axes(TorqueAxes axes) {
 }
 
 }  // namespace detail
+}  // namespace io
 }  // namespace v0
 }  // namespace polhode
