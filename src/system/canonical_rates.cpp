@@ -7,19 +7,15 @@
 #include <cstddef>
 #include <limits>
 
-#include "polhode/free/free_rotation.hpp"
 #include "polhode/math/vector.hpp"
 #include "polhode/rotor/body.hpp"
+#include "system/gauge.hpp"
 
 namespace polhode {
 inline namespace v0 {
 namespace rates {
 
 namespace {
-
-std::array<double, 6> tangent(const HubRates& x) {
-  return {x.theta.x, x.theta.y, x.theta.z, x.g.x, x.g.y, x.g.z};
-}
 
 constexpr CanonicalChart euler_chart{CanonicalSet::euler};
 constexpr CanonicalChart andoyer_chart{CanonicalSet::andoyer};
@@ -28,7 +24,7 @@ constexpr CanonicalChart andoyer_chart{CanonicalSet::andoyer};
 // G = |g| where g = 0.
 CanonicalRates charted(const CanonicalChart& chart, const RotorState& s, const HubRates& x) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  CanonicalRates z = inverse_chart_jacobian(s, chart) * tangent(x);
+  CanonicalRates z = inverse_chart_jacobian(s, chart) * polhode::detail::tangent(x.theta, x.g);
   for (double& rate : z)
     if (!std::isfinite(rate)) rate = none;
   if (s.g == Vec3{} && chart.set != CanonicalSet::euler)
