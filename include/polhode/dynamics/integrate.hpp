@@ -100,7 +100,7 @@ class Checkpoint {
   double t_;
 };
 
-// What a run gives out while it goes on: memory does not grow with its length.
+// Receivers of the results of a run as it goes: memory does not grow with its length.
 template <MotionState S>
 struct BasicStreams {
   BasicSampleSink<S> samples;
@@ -112,7 +112,7 @@ struct BasicStreams {
   std::function<void(const Checkpoint&)> checkpoint = {};
   // A step ends at the last sample, whatever comes behind it.
   bool steps_to_last_sample = false;
-  // Where the run has ended, after all else.
+  // Called last, with the sample at which the run ended.
   std::function<void(const BasicSample<S>&)> end = {};
 };
 using Streams = BasicStreams<SystemState>;

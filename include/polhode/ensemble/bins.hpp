@@ -118,7 +118,7 @@ class LeftOut {
 struct Bounds {
   double lowest, highest;
 };
-// What is told, and the bounds between which the exact one lies: equal while all is exact.
+// An estimate with bounds on the exact value; all three are equal if the estimate is exact.
 struct Bounded {
   double value, lowest, highest;
 };
@@ -140,8 +140,8 @@ class Quantiles {
   Bounded ranked(std::int64_t k) const;
   // Which part of the numbers is x or less.
   Bounded part_up_to(double x) const;
-  // Where the quantile of what the members are drawn from lies, but for z deviations of chance:
-  // z = 1.96 for 95 %. Infinite where there are too few members to say.
+  // Confidence interval of the quantile of the distribution, for z standard deviations (1.96 for
+  // 95 %). Infinite if there are too few members.
   Bounds interval(double p, double z) const;
 
   std::vector<double> numbers() const;

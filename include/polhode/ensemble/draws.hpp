@@ -53,7 +53,7 @@ class CounterRandom {
   double uniform(std::uint64_t member, std::uint64_t draw) const {
     return open_uniform(bits(member, draw));
   }
-  // Of mean 0 and variance 1, the normal_quantile of the uniform number of this draw.
+  // A standard normal number: the normal_quantile of the uniform number of this draw.
   double normal(std::uint64_t member, std::uint64_t draw) const;
   // The draws 0, 1, ... of a member.
   void uniforms(std::uint64_t member, std::span<double> u) const;
@@ -99,7 +99,7 @@ class DrawGrid {
   std::uint64_t size_ = 1;
 };
 
-// Whether member 0 has row 0, member 1 row 1 and so on, or each a row drawn by a uniform number.
+// Rows of a file for members: row k for member k, or a random row for each, with replacement.
 enum class RowOrder { in_order, with_replacement };
 
 class DrawTable {

@@ -134,7 +134,7 @@ void run_parts(std::size_t size, std::size_t least, int threads, const Part& par
                        [&](std::int64_t k, const auto& found) { sink(begin(k), found); });
 }
 
-// Of a function that returns nothing.
+// For a function without a result.
 template <class Part>
   requires std::is_void_v<std::invoke_result_t<const Part&, std::size_t, std::size_t>>
 void run_parts(std::size_t size, std::size_t least, int threads, const Part& part) {

@@ -229,7 +229,7 @@ int binary_exponent(const Dual<T, N>& x) {
   return binary_exponent(x.value);
 }
 
-// Whether every one of them is 0 or of a size in [least, most].
+// True if every number is 0 or has a size in [least, most].
 template <class... T>
 bool within(double least, double most, const T&... x) {
   const auto fits = [&](double a) { return a == 0.0 || (a >= least && a <= most); };
